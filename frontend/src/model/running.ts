@@ -5,6 +5,7 @@ import { batch, computed, signal } from "@preact/signals";
 import type { Phrase } from "../i18n";
 import type { Connection } from "../protocol/connection";
 import type {
+  Bumped,
   Ended,
   KeptRun,
   KeysWanted,
@@ -23,6 +24,9 @@ import type {
 import { addParts, Drawing } from "./drawing";
 
 const IDLE: RunState = { kind: "RunState", state: "idle" };
+
+/** Seconds of the robot's time for which the world shows that it bumped into something. */
+const BUMP_SHOWN = 3;
 
 /** States in which a program waits for the user of the debugger. */
 export const PAUSED: ReadonlySet<RunState["state"]> = new Set(["paused", "held"]);
@@ -48,6 +52,12 @@ export class Running {
   readonly variables = signal<Variables | null>(null);
   readonly scene = signal<Scene | null>(null);
   readonly ended = signal<Ended | null>(null);
+  private readonly lastBump = signal<Bumped | null>(null);
+  /** What the robot has just bumped into; null while the user looks back. */
+  readonly bump = computed(() => {
+    const [bump, now] = [this.lastBump.value, this.telemetry.value?.time ?? 0];
+    return bump && !this.past.value && now - bump.time < BUMP_SHOWN ? bump : null;
+  });
   readonly robot = signal("");
   readonly world = signal("");
   /** The keys that the running programs ask for; they use the keyboard if there are any. */
@@ -104,7 +114,7 @@ export class Running {
       // It is idle again once the user has chosen another world.
       if (state.state === "starting" || state.state === "idle") {
         this.forgetPast();
-        this.variables.value = this.ended.value = this.line.value = null;
+        this.variables.value = this.ended.value = this.line.value = this.lastBump.value = null;
       }
       if (!PAUSED.has(state.state)) this.pausedValues.value = [];
       this.state.value = state;
@@ -119,6 +129,7 @@ export class Running {
       }),
     );
     connection.on("Telemetry", (telemetry) => this.show({ telemetry }));
+    connection.on("Bumped", (bump) => (this.lastBump.value = bump));
     connection.on("Drawing", (news) => this.drawing.receive(news));
     connection.on("RunningLine", (line) => this.show({ line }));
     connection.on("RobotLink", (link) => (this.link.value = link));

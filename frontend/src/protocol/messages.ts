@@ -101,6 +101,12 @@ export interface BlocksShown {
   carried?: BlockSet[];
 }
 
+export interface Bumped {
+  kind: "Bumped";
+  time: number;
+  thing: Phrase;
+}
+
 export interface CallEdge {
   caller: number;
   callee: number;
@@ -2079,6 +2085,7 @@ export type ToPage =
   | RunState
   | InputWanted
   | KeysWanted
+  | Bumped
   | Printed
   | PrintedByRobots
   | Ended

@@ -72,3 +72,17 @@ test("another world clears the variables and the end of the run before", () => {
   connection.tell({ kind: "RunState", state: "idle" });
   expect([run.ended.value, run.variables.value, run.state.value.state]).toEqual([null, null, "idle"]);
 });
+
+test("a bump is shown for three seconds of the robot's time, and until the next run starts", () => {
+  const [run, connection] = running();
+  const bumped = { kind: "Bumped", time: 2, thing: { code: "why-name", values: {} } } as const;
+  const at = (time: number) => connection.tell({ kind: "Telemetry", time, robots: [] });
+  at(2);
+  connection.tell(bumped);
+  expect(run.bump.value).toMatchObject({ time: 2 });
+  at(5.1);
+  expect(run.bump.value).toBeNull();
+  connection.tell({ ...bumped, time: 5 });
+  connection.tell({ kind: "RunState", state: "starting" });
+  expect(run.bump.value).toBeNull();
+});

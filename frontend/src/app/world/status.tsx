@@ -1,7 +1,7 @@
 /** What the run is doing, at the lower edge of the world. */
 
 import { useShare } from "../../features/share/share";
-import { t } from "../../i18n";
+import { say, t } from "../../i18n";
 import { usePage } from "../../model/page";
 import { Icon } from "../../ui/icons";
 
@@ -19,6 +19,7 @@ export function Status() {
           : `${t(`page-bar-state-${state.value.state}`)} · ${(telemetry.value?.time ?? 0).toFixed(1)} s`}
       </span>
       {variant > 0 && <span class="chip state">{t("page-worlds-variant", { number: variant })}</span>}
+      <Bump />
       <Link />
       {useShare().isFilming.value && (
         <span class="chip state filming">
@@ -28,6 +29,12 @@ export function Status() {
       )}
     </div>
   );
+}
+
+/** What the robot has just bumped into. */
+function Bump() {
+  const bump = usePage().context.running.bump.value;
+  return bump && <span class="chip state bump">{t("page-world-bumped", { thing: say(bump.thing) })}</span>;
 }
 
 const LINK_WORDS = {

@@ -4,7 +4,7 @@ import "./panel.css";
 import "./console.css";
 
 import { effect } from "@preact/signals";
-import { t } from "../../i18n";
+import { say, t } from "../../i18n";
 import type { Context } from "../../model/context";
 import { explained } from "../../model/run-error";
 import { endingAfter } from "../../model/run-result";
@@ -81,6 +81,9 @@ class Console implements ConsoleIsland {
       connection.on("Printed", ({ text, until = 0 }) => this.lines.print({ robot: "", text, until })),
       connection.on("PrintedByRobots", ({ parts }) => parts.forEach((part) => this.lines.print(part))),
       connection.on("InputWanted", ({ prompt }) => this.question.ask(prompt || t("page-console-asks"))),
+      connection.on("Bumped", ({ thing, time }) =>
+        this.lines.add(() => t("page-console-bumped", { thing: say(thing), time: time.toFixed(1) }), "bad"),
+      ),
       connection.on("RunShown", (shown) => this.showRun(shown)),
       connection.on("RunState", ({ state }) => {
         if (state === "starting") this.started();

@@ -268,6 +268,7 @@ from learnblock.server.messages.robots import (
 )
 from learnblock.server.messages.running import (
     Answer,
+    Bumped,
     CameraFrame,
     ChooseRobot,
     ChooseWorld,
@@ -506,6 +507,7 @@ ToPage = (
     | RunState
     | InputWanted
     | KeysWanted
+    | Bumped
     | Printed
     | PrintedByRobots
     | Ended
@@ -599,6 +601,7 @@ __all__ = [
     "BlockSetRead",
     "BlockSets",
     "BlocksShown",
+    "Bumped",
     "CallEdge",
     "CallGraph",
     "CalledFunction",

@@ -167,6 +167,18 @@ class Printed(Message, frozen=True):
     until: int = 0
 
 
+class Bumped(Message, frozen=True):
+    """The robot has bumped into something.
+
+    Args:
+        time: seconds of the robot's time.
+        thing: what it bumped into.
+    """
+
+    time: float
+    thing: Phrase
+
+
 class PrintedPart(Struct, frozen=True):
     """What one of several robots printed without another in between.
 

@@ -214,7 +214,7 @@ class Player:
         self.newest = playing.looking
         self.show_newest()
         self._enter("starting")
-        self._reporter.attend()
+        self._reporter.begin()
 
     async def stop(self) -> None:
         """Stop the program and the robot, and return once both have stopped."""
@@ -352,9 +352,9 @@ class Player:
         playing = self._playing
         assert playing is not None  # noqa: S101 - each run reports its end once
         self._monitor = playing.run.monitor or self._monitor
+        self._reporter.flush()
         self._playing = self._asked = None
         self._keyboard.ignore(self)
-        self._reporter.flush()
         self._reporter.attend()
         self._report_end(playing, report)
         playing.over.set()

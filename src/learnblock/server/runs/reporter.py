@@ -1,7 +1,7 @@
 """Reports changes in the world to the pages of a session, several times a second."""
 
 import asyncio
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Sequence
 from time import monotonic
 from typing import TYPE_CHECKING, Protocol
 
@@ -9,6 +9,7 @@ from anyio import to_thread
 
 from learnblock.server import messages
 from learnblock.server.runs import telemetry
+from learnblock.server.runs.bumps import Bumps
 from learnblock.server.runs.console import Console, message_of
 from learnblock.server.runs.drawn import Drawn
 from learnblock.server.runs.viewers import Viewers
@@ -16,6 +17,7 @@ from learnblock.server.runs.viewers import Viewers
 if TYPE_CHECKING:
     from learnblock.monitor import Monitor
     from learnblock.monitor.pictures import Picture
+    from learnblock.runtime.trace import Collision
 
 #: Seconds between two reports of the world, and between two camera frames.
 TELEMETRY_PERIOD = 1 / 20
@@ -33,6 +35,10 @@ class Reported(Protocol):
     @property
     def active(self) -> bool:
         """Whether a program runs."""
+
+    @property
+    def collisions(self) -> "Sequence[Collision]":
+        """What the robot has bumped into in this run."""
 
     @property
     def running_line(self) -> messages.RunningLine: ...
@@ -63,10 +69,16 @@ class Reporter:
         self._last: dict[type[messages.Message], messages.Message] = {}
         self._filmed: Picture | None = None
         self._drawn = Drawn()
+        self._bumps = Bumps()
         self._tasks = (
             asyncio.create_task(_repeat(TELEMETRY_PERIOD, self._awake, self._look)),
             asyncio.create_task(_repeat(CAMERA_PERIOD, self._watched, self._film)),
         )
+
+    def begin(self) -> None:
+        """Follow a run from its start."""
+        self._bumps = Bumps()
+        self.attend()
 
     def attend(self) -> None:
         """Watch the world, because something moves in it or is about to."""
@@ -86,9 +98,11 @@ class Reporter:
         self.attend()
 
     def flush(self) -> None:
-        """Send the output so far."""
+        """Send the output so far, and what the robot has bumped into."""
         if printed := message_of(self._console.take()):
             self._of.readers.send(printed)
+        for bump in self._bumps.news(self._of.collisions):
+            self._of.viewers.send(bump)
 
     def close(self) -> None:
         """Stop watching."""

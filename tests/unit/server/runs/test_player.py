@@ -8,7 +8,7 @@ import pytest
 
 from learnblock.server import catalog
 from learnblock.server.runs.console import MOST_AT_ONCE
-from pages import english
+from pages import english, phrase
 from places import ROOT
 
 pytestmark = [pytest.mark.slow, pytest.mark.realtime]
@@ -476,3 +476,15 @@ def test_the_mistakes_of_an_invalid_world_are_reported(page, kind):
     wrong = {**world(page), "title": 3}
     page.say(kind, world=wrong, **({"name": "mine"} if kind == "SaveWorld" else {}))
     assert "title" in english(page.hear("WorldChecked")["problems"][0])
+
+
+def test_a_bump_is_reported_while_the_program_goes_on(page):
+    page.open(text="main:\n    function.move_straight(400)\n    function.sleep(8)\nend\n")
+    page.say("ChooseWorld", name="walls")
+    page.say("SetSpeed", factor=None)
+    page.say("Run")
+    bump = page.hear("Bumped")
+    assert phrase(bump["thing"]).code == "why-name"
+    assert bump["time"] < page.hear("Ended")["time"]
+    page.say("Run")
+    assert page.hear("Bumped") == bump

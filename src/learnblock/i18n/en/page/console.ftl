@@ -6,6 +6,8 @@ page-console-clear = Clear
 page-console-asks = The program asks:
 page-console-answer = Answer
 page-console-started = Started
+# $thing is such as "a wall"; $time is in seconds of the robot's time.
+page-console-bumped = The robot bumped into { $thing } after { $time } s.
 page-console-finished = Finished after { $seconds } s.
 page-console-stopped = Stopped after { $seconds } s.
 page-console-time-limit = Time limit reached after { $seconds } s.

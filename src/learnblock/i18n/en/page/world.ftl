@@ -12,6 +12,8 @@ page-world-values = Values of the robot
 page-world-front = Front
 page-world-heading = Heading
 page-world-driven = Driven
+# $thing is such as "a wall".
+page-world-bumped = Bump: { $thing }
 page-world-mm = { $mm } mm
 page-world-over-mm = over { $mm } mm
 page-world-degrees = { $degrees }°

@@ -6,6 +6,7 @@ page-console-clear = Vaciar
 page-console-asks = El programa pregunta:
 page-console-answer = Responder
 page-console-started = Iniciado
+page-console-bumped = El robot ha chocado con { $thing } a los { $time } s.
 page-console-finished = Terminado a los { $seconds } s.
 page-console-stopped = Parado a los { $seconds } s.
 page-console-time-limit = Tiempo límite alcanzado a los { $seconds } s.

@@ -12,6 +12,7 @@ page-world-values = Valores del robot
 page-world-front = Delante
 page-world-heading = Rumbo
 page-world-driven = Recorrido
+page-world-bumped = Choque: { $thing }
 page-world-mm = { $mm } mm
 page-world-over-mm = más de { $mm } mm
 page-world-degrees = { $degrees }°
