@@ -6,10 +6,10 @@ import { Calls } from "../../features/calls/calls";
 import { Runs } from "../../features/runs/runs";
 import { Why } from "../../features/why/why";
 import { t } from "../../i18n";
+import { countProblems } from "../../model/findings";
 import { type Page, usePage } from "../../model/page";
 import { IslandPlace } from "../../ui/island-place";
 import { Tabs } from "../../ui/tabs";
-import { countProblems } from "./findings";
 import { Problems } from "./problems";
 import { Result } from "./result-panel";
 

@@ -2,11 +2,11 @@
 
 import { CustomBlockLink } from "../../features/custom-blocks/link";
 import { t } from "../../i18n";
+import { type Finding, findings } from "../../model/findings";
 import { type Page, usePage } from "../../model/page";
 import { sentence } from "../../model/run-result";
 import type { Problem } from "../../protocol/messages";
 import { Icon } from "../../ui/icons";
-import { type Finding, findings } from "./findings";
 import { RunsOn } from "./runs-on";
 import "./problems.css";
 

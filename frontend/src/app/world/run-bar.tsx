@@ -1,10 +1,10 @@
 /** Run, Stop, the buttons of the debugger, the speed, and the switch of the output. */
 
 import { t } from "../../i18n";
+import { countProblems } from "../../model/findings";
 import { usePage } from "../../model/page";
 import { showsDebugger } from "../../model/preferences";
 import { IconButton } from "../../ui/button";
-import { countProblems } from "../panes/findings";
 import { SpeedSlider } from "./speed-slider";
 import "./run-bar.css";
 

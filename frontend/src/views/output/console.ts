@@ -6,6 +6,7 @@ import "./console.css";
 import { effect } from "@preact/signals";
 import { say, t } from "../../i18n";
 import type { Context } from "../../model/context";
+import { warningsAtStart } from "../../model/findings";
 import { explained } from "../../model/run-error";
 import { endingAfter } from "../../model/run-result";
 import { runTitle } from "../../model/run-title";
@@ -96,6 +97,9 @@ class Console implements ConsoleIsland {
     this.isDone = false;
     this.lines.beginRun();
     this.lines.add(() => t("page-console-started"), "note");
+    const { shown, more } = warningsAtStart(this.context);
+    for (const { message } of shown) this.lines.add(() => t("page-console-warning", { message }), "warned");
+    if (more > 0) this.lines.add(() => t("page-console-more-warnings", { count: more }), "warned");
   }
 
   /** A program that ends before those of other robots is reported again with the whole run. */

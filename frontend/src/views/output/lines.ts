@@ -13,7 +13,7 @@ const MOST_WAITING = 2_000_000;
 /** Asks why a text was printed; `after` is the number of texts that this run has printed since. */
 type Ask = (text: string, after: number) => void;
 
-export type Sort = "printed" | "note" | "good" | "bad" | "asked";
+export type Sort = "printed" | "note" | "warned" | "good" | "bad" | "asked";
 
 /** The lines, added once per frame and scrolled to the end unless the user has scrolled back. */
 export class Lines {

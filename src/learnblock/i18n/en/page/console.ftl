@@ -6,6 +6,12 @@ page-console-clear = Clear
 page-console-asks = The program asks:
 page-console-answer = Answer
 page-console-started = Started
+# $message is a whole warning about the program.
+page-console-warning = Warning: { $message }
+page-console-more-warnings = { $count ->
+    [one] One more warning is among the problems.
+   *[other] { $count } more warnings are among the problems.
+}
 # $thing is such as "a wall"; $time is in seconds of the robot's time.
 page-console-bumped = The robot bumped into { $thing } after { $time } s.
 page-console-finished = Finished after { $seconds } s.

@@ -6,6 +6,11 @@ page-console-clear = Vaciar
 page-console-asks = El programa pregunta:
 page-console-answer = Responder
 page-console-started = Iniciado
+page-console-warning = Aviso: { $message }
+page-console-more-warnings = { $count ->
+    [one] Hay un aviso más entre los problemas.
+   *[other] Hay { $count } avisos más entre los problemas.
+}
 page-console-bumped = El robot ha chocado con { $thing } a los { $time } s.
 page-console-finished = Terminado a los { $seconds } s.
 page-console-stopped = Parado a los { $seconds } s.

@@ -1,8 +1,11 @@
 /** The program's problems as a list, with one entry for each mistake. */
 
-import { say } from "../../i18n";
-import type { Context } from "../../model/context";
-import type { Problem, View } from "../../protocol/messages";
+import { say } from "../i18n";
+import type { Problem, View } from "../protocol/messages";
+import type { Context } from "./context";
+
+/** More warnings would hide what the program prints. */
+const MOST_AT_START = 3;
 
 /** One mistake, with its positions in all views. */
 export interface Finding {
@@ -32,6 +35,13 @@ export function countProblems({ program, running }: Context): { count: number; s
     count: found.length + (failed ? 1 : 0),
     serious: failed || found.some((one) => one.severity === "error"),
   };
+}
+
+/** The warnings that a run begins with: the first few, and how many more there are. */
+export function warningsAtStart({ program }: Context): { shown: readonly Finding[]; more: number } {
+  const { problems, origin } = program.state.value;
+  const found = of(findings(problems, origin), "warning");
+  return { shown: found.slice(0, MOST_AT_START), more: Math.max(0, found.length - MOST_AT_START) };
 }
 
 /** If one view shows a mistake twice and it belongs to no block, it counts as two mistakes. */
