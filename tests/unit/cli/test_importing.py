@@ -37,7 +37,7 @@ def test_a_project_becomes_block_text_that_checks_and_runs(call, tmp_path):
     (tmp_path / "square.blockProject").write_bytes(SQUARE)
     assert call("square.blockProject", "--to", "block-text").exit_code == 0
     check = CliRunner().invoke(main, ["check", "square.bt", "--robot", "sim-ebo"])
-    assert (check.exit_code, check.stdout) == (0, "")
+    assert (check.exit_code, check.stdout) == (0, "square.bt: no problems\n")
     run = CliRunner().invoke(main, ["run", "square.bt", "--for", "5"])
     assert run.exit_code == 0, run.output
 

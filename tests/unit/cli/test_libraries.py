@@ -102,7 +102,7 @@ def test_a_program_with_imported_functions_runs_like_the_one_they_came_from(run)
     run("library", "import", "songs", "--rename", "waltz=ball_waltz")
     run("library", "import", "dance")
     Path("use.bt").write_text(USE.format("ball_waltz"))
-    assert run("check", "use.bt") == (0, "")
+    assert run("check", "use.bt") == (0, "use.bt: no problems\n")
     assert "step 1\nstep 2\nanother\n" in run("run", "use.bt", "--robot", "sim-ebo")[1]
     used, original = (
         json.loads(run("run", name, "--robot", "sim-ebo", "--json")[1])
