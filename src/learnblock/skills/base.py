@@ -86,7 +86,7 @@ def turn(robot: "Client", angle: float) -> None:
         angle: degrees; positive to the right, negative to the left; 720 is two full turns.
 
     Raises:
-        StillTurningError: the robot does not turn for 3 seconds; it may be stuck.
+        StillTurningError: the turn takes far too long; the robot may be stuck.
     """
     angle = number("angle", angle)
     base = robot.device(Base)
@@ -140,7 +140,7 @@ def set_orientation(robot: "Client", angle: float) -> None:
         angle: degrees to the right of the heading at the last `reset_orientation`.
 
     Raises:
-        StillTurningError: the robot does not turn for 3 seconds; it may be stuck.
+        StillTurningError: the turn takes far too long; the robot may be stuck.
     """
     angle = number("angle", angle)
     base, heading = robot.device(Base), robot.senses.heading()

@@ -34,7 +34,7 @@ def drive_distance(robot: "Client", distance: float, advSpeed: float = 80) -> No
 
     Raises:
         DeviceValueError: the speed is not more than 0.
-        StillDrivingError: the robot does not get on for 3 seconds; it may be stuck.
+        StillDrivingError: the drive takes far too long; the robot may be stuck.
     """
     distance, speed = number("distance", distance), number("advSpeed", advSpeed)
     if speed <= 0:
