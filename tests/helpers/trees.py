@@ -102,6 +102,7 @@ class Trees:
     def __init__(self, seed):
         self.random = random.Random(seed)  # noqa: S311 - no secret
         self.choice = self.random.choice
+        self.whens = set()
 
     def some(self, most, make, *arguments):
         return tuple(make(*arguments) for _ in range(self.random.randrange(most)))
@@ -236,10 +237,14 @@ class Trees:
             return Def(self.choice(NAMES), parameters, self.body(2), self.comment())
         if kind == 1:
             condition = self.perhaps(self.expression(2))
-            return When(self.choice(NAMES), condition, self.body(2), self.comment())
+            # In Block-Text, two of one name are a mistake.
+            name = self.random.choice([name for name in NAMES if name not in self.whens])
+            self.whens.add(name)
+            return When(name, condition, self.body(2), self.comment())
         return self.statement(2)
 
     def program(self):
+        self.whens.clear()
         world = (Keyword("world", String("x")),)
         head = (Comment("top"), Import("dance", self.comment()), Setup((), world, self.comment()))
         items = [item for item in head if self.random.random() < 0.2]

@@ -18,7 +18,7 @@ def wave():
     function.expressJoy()
 end
 
-when near = function.is_front_obstacle():
+when near:
     print(time_near)
 end
 
