@@ -94,6 +94,12 @@ COMPARISONS = ("==", "!=", "<", ">", "<=", ">=", "in", "not in")
 ASSIGNMENTS = ("=", "=", "+=", "-=", "*=", "/=", "//=", "%=", "**=")
 
 
+def has_distinct_whens(program):
+    """Whether no two events have one name, which the check refuses and Python knows as one."""
+    names = [item.name for item in program.items if isinstance(item, When)]
+    return len(names) == len(set(names))
+
+
 class Trees:
     """Random trees, many of them not sensible programs."""
 

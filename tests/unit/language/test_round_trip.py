@@ -19,9 +19,9 @@ from learnblock.language import (
     to_workspace,
 )
 from learnblock.language import format as format_program
-from learnblock.language.tree.nodes import Raw, When
+from learnblock.language.tree.nodes import Raw
 from places import ROOT, TESTS
-from trees import NUMBERS, Trees
+from trees import NUMBERS, Trees, has_distinct_whens
 
 CASES = sorted((TESTS / "cases").glob("*/program.bt"))
 EXAMPLES = sorted((ROOT / "examples").glob("*.bt"))
@@ -38,12 +38,6 @@ def name_of(path):
 
 every_program = pytest.mark.parametrize("path", PROGRAMS, ids=name_of)
 every_case = pytest.mark.parametrize("path", CASES, ids=name_of)
-
-
-def has_distinct_whens(program):
-    """Whether no two events have one name, which the check refuses and Python knows as one."""
-    names = [item.name for item in program.items if isinstance(item, When)]
-    return len(names) == len(set(names))
 
 
 def assert_ladder(program):

@@ -41,7 +41,9 @@ class _PythonChecker:
         self.nodes = list(ast.walk(tree))
         self.times_bound = Counter(_bound_names(self.nodes))
         self.bound = set(self.times_bound)
-        self.told = {(one.line, one.column) for one in findings.diagnostics}
+        # A warning does not hide the error at its place.
+        errors = [one for one in findings.diagnostics if one.severity == "error"]
+        self.told = {(one.line, one.column) for one in errors}
         self.callees = {id(one.func) for one in self.nodes if isinstance(one, ast.Call)}
         self.seen: set[str] = set()
 

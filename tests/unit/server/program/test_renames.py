@@ -26,6 +26,7 @@ main:
     four = twice(2)
     wave()
     print(twice(number=four))
+    activate near
     deactivate near
     print(`four if four else twice(1)`)
 end
