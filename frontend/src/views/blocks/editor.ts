@@ -22,6 +22,7 @@ import { PaletteToolbox } from "./palette-toolbox";
 import { Reach } from "./reach";
 import { restIn } from "./rest-block";
 import { type Hidden, ProgramSearch } from "./search";
+import { SharedClipboard } from "./shared-clipboard";
 import { limitTabs, toolboxOf } from "./shown";
 import { Sight } from "./sight";
 import { Sync } from "./sync";
@@ -56,6 +57,7 @@ export class Editor {
   private readonly reach: Reach;
   private readonly words = new Words();
   private readonly invitation: Invitation;
+  private readonly clipboard: SharedClipboard;
 
   constructor(
     host: HTMLElement,
@@ -86,6 +88,7 @@ export class Editor {
     this.search = new ProgramSearch(this.workspace, this.hidden());
     this.search.init();
     this.invitation = new Invitation(this.workspace);
+    this.clipboard = new SharedClipboard(this.workspace);
     this.loading = new Loading(host, this.workspace, () => this.addNext());
     new ScrollOptions(this.workspace).init({ edgeScrollOptions: EDGE });
     registerCategories(this.workspace);
@@ -98,6 +101,7 @@ export class Editor {
   destroy(): void {
     this.loading.destroy();
     this.invitation.destroy();
+    this.clipboard.destroy();
     this.sight.destroy();
     this.reach.destroy();
     this.words.destroy();

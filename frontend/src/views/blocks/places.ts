@@ -29,6 +29,49 @@ export function placeBelow(bottom: number, unplaced: readonly Blockly.BlockSvg[]
   }
 }
 
+/** Stacks as they are drawn: from top to bottom, then from left to right. */
+export function inDrawnOrder<Stack extends Blockly.BlockSvg>(stacks: readonly Stack[]): Stack[] {
+  return [...stacks].sort(compare);
+}
+
+function compare(one: Blockly.BlockSvg, other: Blockly.BlockSvg): number {
+  const [a, b] = [one.getRelativeToSurfaceXY(), other.getRelativeToSurfaceXY()];
+  return Math.round(a.y) - Math.round(b.y) || Math.round(a.x) - Math.round(b.x);
+}
+
+/** Give each new stack the place of the next one in the order of the program; return those without a next one. */
+export function placeInOrder(
+  stacks: readonly Blockly.BlockSvg[],
+  unplaced: ReadonlySet<Blockly.BlockSvg>,
+): Set<string> {
+  const last = new Set<string>();
+  let next: Blockly.BlockSvg | null = null;
+  for (const block of [...stacks].reverse()) {
+    const place: Blockly.utils.Coordinate | undefined = next?.getRelativeToSurfaceXY();
+    if (unplaced.has(block) && !place) last.add(block.id);
+    else {
+      if (unplaced.has(block) && place) moveTo(block, place.x, place.y);
+      next = block;
+    }
+  }
+  return last;
+}
+
+/** Move down stacks that are drawn before one that comes first in the program, and those that they then cover. */
+export function keepOrder(stacks: readonly Blockly.BlockSvg[], placed: ReadonlySet<Blockly.BlockSvg>): void {
+  const moved = new Set(placed);
+  stacks.forEach((lower, place) => {
+    const above = stacks.slice(0, place);
+    const upper = above.at(-1);
+    if (!upper) return;
+    const area = lower.getBoundingRectangle();
+    const isCovered = above.some((one) => moved.has(one) && one.getBoundingRectangle().intersects(area));
+    if (compare(upper, lower) < 0 && !isCovered) return;
+    moveTo(lower, lower.getRelativeToSurfaceXY().x, bottomOf(above.map((one) => one.getBoundingRectangle())) + GAP);
+    moved.add(lower);
+  });
+}
+
 export function moveTo(block: Blockly.BlockSvg, x: number, y: number): void {
   const place = block.getRelativeToSurfaceXY();
   block.moveBy(x - place.x, y - place.y);

@@ -4,13 +4,16 @@ import * as Blockly from "blockly/core";
 
 import type { Block, BlockComment, Input, Workspace } from "../../protocol/messages";
 
+import { inDrawnOrder } from "./places";
+
 type State = Blockly.serialization.blocks.State;
 
 const OWN_ONLY = { addInputBlocks: false, addNextBlocks: false, doFullSerialization: false };
 
 /** The whole workspace. */
 export function readWorkspace(workspace: Blockly.WorkspaceSvg): Workspace {
-  const tops = workspace.getTopBlocks(false).filter((block) => !block.isInsertionMarker());
+  // The order of the program is the one that is drawn, not that in which the stacks were made.
+  const tops = inDrawnOrder(workspace.getTopBlocks(false).filter((block) => !block.isInsertionMarker()));
   return {
     stacks: tops.map(readStack),
     variables: workspace

@@ -7,8 +7,9 @@ import { addShadows, build, differsInShape, update } from "./build";
 import type { Link, Node } from "./flat";
 import { index, shadowLinks } from "./flat";
 import { blocksIn, blocksOf, fold, hiddenIn, REST, type Rest, restOf, unfold } from "./folds";
+import { isPart } from "./loose";
 import type { Covered } from "./places";
-import { bottomOf, covered, makeRoom, moveTo, placeBelow } from "./places";
+import { bottomOf, covered, keepOrder, makeRoom, moveTo, placeBelow, placeInOrder } from "./places";
 import { readOwn, readWorkspace } from "./read";
 import { copied } from "./rest-block";
 import { isPlaced, type Stack, slices } from "./slices";
@@ -16,6 +17,7 @@ import { removeVariables, setVariables } from "./variables";
 
 type Svg = Blockly.BlockSvg;
 const NOTHING: Workspace = { stacks: [], variables: [] };
+const MAIN = "lb_main";
 /** The ms after which the page may react to the user again while stacks are added. */
 const SLICE = 30;
 type IsFar = (block: Svg) => boolean;
@@ -133,12 +135,13 @@ export class Sync {
     return this.isLoading || this.shown.stacks.some((stack) => hasRest(stack));
   }
 
-  /** What is drawn with all the rest; stacks keep their order, and new ones are last. */
+  /** What is drawn with all the rest; until all stacks are, they keep their order, and new ones are last. */
   private whole(): Workspace {
+    if (!this.isPartial) return this.shown;
     const order = new Map(this.wanted.stacks.map(([first], place) => [first!.id, place]));
     const place = ([first]: Stack) => order.get(first!.id) ?? order.size;
-    const drawn = { ...this.shown, stacks: [...this.shown.stacks, ...this.later].sort((a, b) => place(a) - place(b)) };
-    if (!this.isPartial) return drawn;
+    const all = [...this.shown.stacks, ...this.later];
+    const drawn = { ...this.shown, stacks: this.isLoading ? all.sort((a, b) => place(a) - place(b)) : all };
     const whole = unfold(drawn, (rest, id) => this.copy(rest, id));
     return { ...whole, variables: [...whole.variables, ...this.lostVariables(whole.variables)] };
   }
@@ -304,11 +307,23 @@ class Change {
 
   private place(): void {
     const unplaced = new Set(this.placeAndListRest());
-    if (unplaced.size) {
-      const others = this.workspace.getTopBlocks(false).filter((block) => !unplaced.has(block));
-      placeBelow(bottomOf(others.map((block) => block.getBoundingRectangle())), [...unplaced]);
+    const ordered = this.ordered();
+    const last = placeInOrder(ordered, unplaced);
+    const among = new Set(ordered.filter((block) => unplaced.has(block) && !last.has(block.id)));
+    const below = [...unplaced].filter((block) => !among.has(block));
+    if (below.length) {
+      const others = this.workspace.getTopBlocks(false).filter((block) => !below.includes(block));
+      placeBelow(bottomOf(others.map((block) => block.getBoundingRectangle())), below);
     }
     if (this.touched) makeRoom(this.workspace, this.before);
+    keepOrder(ordered, among);
+  }
+
+  /** The stacks whose order is that of the program; `main` runs last wherever it is. */
+  private ordered(): Svg[] {
+    const parts = this.wanted.stacks.filter((stack) => isPart(stack.map(({ type }) => type)));
+    const blocks = parts.map(([first]) => this.workspace.getBlockById(first!.id)!);
+    return blocks.filter((block) => block.type !== MAIN && block.isEnabled());
   }
 
   /** Move stacks to their positions; return the new ones that have none. */

@@ -1,0 +1,69 @@
+"""The order of a program in blocks is the one that is drawn, and blocks go from tab to tab."""
+
+import pytest
+from playwright.sync_api import expect
+
+EVENTS = "when a = True:\n    pass\nend\n\nwhen b = True:\n    pass\nend\n"
+NEW = "when b = True:\n    pass\nend\n\nwhen c = True:\n    pass\nend\n\n"
+
+
+@pytest.fixture
+def empty(sit_down, server):
+    """A pupil with an empty program in blocks and Block-Text."""
+    pupil = sit_down(server, empty=True)
+    pupil.show("Blocks", "Block-Text")
+    return pupil
+
+
+def drawn(pupil):
+    """The names of the events from top to bottom."""
+    hats = pupil.blocks("lb_when").all()
+    return "".join(
+        hat.locator(".blocklyInputField").first.text_content()
+        for hat in sorted(hats, key=lambda one: one.bounding_box()["y"])
+    )
+
+
+def written(pupil):
+    """The names of the events in Block-Text."""
+    return "".join(line[5] for line in pupil.text("blocktext").splitlines() if line[:4] == "when")
+
+
+def test_an_event_that_is_dragged_above_another_comes_first(empty):
+    empty.write("blocktext", EVENTS)
+    expect(empty.blocks("lb_when")).to_have_count(2)
+    first, second = empty.blocks("lb_when").all()
+    box = first.locator("> .blocklyPath").first.bounding_box()
+    lower = second if "b" in second.text_content() else first
+    empty._drag(lower, (box["x"] + 60, max(box["y"] - 60, 5)))  # noqa: SLF001 - a bare drag
+    empty.sees("blocktext", "when b = True:", "    pass", "end", "", "when a = True:")
+    empty.picture("dragged")
+
+
+def test_events_are_drawn_in_the_order_of_the_text_after_each_change_of_it(empty):
+    empty.write("blocktext", EVENTS)
+    expect(empty.blocks("lb_when")).to_have_count(2)
+    assert "ab" == drawn(empty) == written(empty)
+    empty.write("blocktext", NEW + EVENTS[: EVENTS.index("when b")])
+    expect(empty.blocks("lb_when")).to_have_count(3)
+    assert "bca" == drawn(empty) == written(empty)
+    empty.picture("changed")
+
+
+def test_a_new_function_is_valid_as_it_comes(empty):
+    empty.take("My blocks", "procedures_defnoreturn")
+    empty.sees("blocktext", "def do_something():")
+    expect(empty.page.locator(".problem.error")).to_have_count(0)
+
+
+def test_blocks_copied_in_one_tab_are_pasted_in_another(empty):
+    empty.write("blocktext", EVENTS)
+    first = empty.page
+    empty.select_block(empty.blocks("lb_when").first)
+    first.keyboard.press("Control+c")
+    first.evaluate("dispatchEvent(new Event('blur'))")  # as when another tab comes to the front
+    empty.page = empty.open(first.url)
+    expect(empty.blocks("lb_when")).to_have_count(2)
+    empty.page.locator(".blocklyMainBackground").first.click(position={"x": 300, "y": 300})
+    empty.page.keyboard.press("Control+v")
+    expect(empty.blocks("lb_when")).to_have_count(3)
