@@ -91,6 +91,7 @@ def test_an_example_survives_a_round_trip_through_blockly(blockly, path):
     assert read(back) == program
 
 
+@pytest.mark.timeout(600)  # thousands of programs
 def test_random_programs_survive_a_round_trip_through_blockly(blockly):
     changed = {}
     for first in range(0, RANDOM, BATCH):

@@ -8,6 +8,9 @@ from playwright.sync_api import expect
 
 from browser.pupil import LONGEST_RUN
 
+# Programs of 5,000 lines, which a busy machine draws slowly.
+pytestmark = pytest.mark.timeout(400)
+
 FUNCTIONS = 40
 FUNCTION = """
 def step_{number}(x):

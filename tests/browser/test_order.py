@@ -35,7 +35,7 @@ def test_an_event_that_is_dragged_above_another_comes_first(empty):
     first, second = empty.blocks("lb_when").all()
     box = first.locator("> .blocklyPath").first.bounding_box()
     lower = second if "b" in second.text_content() else first
-    empty._drag(lower, (box["x"] + 60, max(box["y"] - 60, 5)))  # noqa: SLF001 - a bare drag
+    empty._drag(lower, (box["x"] + 60, max(box["y"] - 60, 5)))
     empty.sees("blocktext", "when b = True:", "    pass", "end", "", "when a = True:")
     empty.picture("dragged")
 

@@ -2,8 +2,9 @@
 
 import time
 
-#: The limit of a wait. It is long, because it costs time only where something fails.
-SECONDS = 60
+#: The limit of a wait. It is long, because it costs time only where something fails, and a little
+#: shorter than that of a test, so that a failure says what it waited for.
+SECONDS = 50
 
 
 def wait_for(condition, what, seconds=SECONDS):
