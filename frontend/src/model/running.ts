@@ -22,6 +22,7 @@ import type {
   Variables,
 } from "../protocol/messages";
 import { addParts, Drawing } from "./drawing";
+import { Pace, told } from "./pace";
 
 const IDLE: RunState = { kind: "RunState", state: "idle" };
 
@@ -46,6 +47,13 @@ export class Running {
   /** The world at present, wherever the user looks. */
   readonly measured = signal<Telemetry | null>(null);
   private readonly drawing = new Drawing();
+  private readonly pace = new Pace();
+  private readonly reached = signal<number | null>(null);
+  /** How many times as fast as real time the world runs, where the chosen speed does not say it; else null. */
+  readonly realSpeed = computed(() => {
+    const { state, speed = 1 } = this.state.value;
+    return state === "running" ? told(this.reached.value, speed) : null;
+  });
   /** The link to the robot; null until the server has reported it. */
   readonly link = signal<RobotLink | null>(null);
   readonly line = signal<RunningLine | null>(null);
@@ -117,6 +125,7 @@ export class Running {
         this.variables.value = this.ended.value = this.line.value = this.lastBump.value = null;
       }
       if (!PAUSED.has(state.state)) this.pausedValues.value = [];
+      this.pace.reset();
       this.state.value = state;
     });
     connection.on("ValuesThere", ({ values = [] }) => {
@@ -128,7 +137,10 @@ export class Running {
         this.listeners.value = programs;
       }),
     );
-    connection.on("Telemetry", (telemetry) => this.show({ telemetry }));
+    connection.on("Telemetry", (telemetry) => {
+      this.reached.value = this.pace.add(telemetry.time, performance.now() / 1000);
+      this.show({ telemetry });
+    });
     connection.on("Bumped", (bump) => (this.lastBump.value = bump));
     connection.on("Drawing", (news) => this.drawing.receive(news));
     connection.on("RunningLine", (line) => this.show({ line }));

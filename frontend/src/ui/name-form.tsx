@@ -12,6 +12,8 @@ interface NameFormProps {
   readonly help: string;
   /** The word on the button that takes the name. */
   readonly action: string;
+  /** Says why a name is not possible; empty if it is. The dialog then stays open, with the reason. */
+  readonly fault?: (name: string) => string;
   /** The limit of its characters. */
   readonly longest?: number;
   /** Closes the dialog around the form. */
@@ -20,8 +22,12 @@ interface NameFormProps {
 }
 
 /** Asks for a name in a dialog, closes it, and passes the name on. */
-export function NameForm({ name: first, help, action, longest = LONGEST_NAME, close, run }: NameFormProps) {
+export function NameForm({ name: first, help, action, fault, longest = LONGEST_NAME, close, run }: NameFormProps) {
   const name = useSignal(first);
+  const change = (input: HTMLInputElement) => {
+    name.value = input.value;
+    input.setCustomValidity(fault?.(input.value.trim()) ?? "");
+  };
   const submit = (event: SubmitEvent) => {
     event.preventDefault();
     close();
@@ -38,7 +44,7 @@ export function NameForm({ name: first, help, action, longest = LONGEST_NAME, cl
           maxLength={longest}
           value={name.value}
           onFocus={({ currentTarget }) => currentTarget.select()}
-          onInput={({ currentTarget }) => (name.value = currentTarget.value)}
+          onInput={({ currentTarget }) => change(currentTarget)}
         />
       </label>
       <p class="dim">{help}</p>

@@ -6,17 +6,19 @@ import { usePage } from "../../model/page";
 import { Icon } from "../../ui/icons";
 
 export function Status() {
-  const { telemetry, state, scene, past, timeline } = usePage().context.running;
+  const { telemetry, state, scene, past, timeline, realSpeed } = usePage().context.running;
   const { variant = 0 } = scene.value ?? {};
+  const factor = realSpeed.value;
   return (
     <div class="status">
-      <span class="chip state">
+      <span class="chip state" title={factor === null ? undefined : t("page-world-real-speed", { factor })}>
         {past.value
           ? t("page-timeline-looking-back", {
               seconds: past.value.time.toFixed(1),
               end: (timeline.value?.end ?? 0).toFixed(1),
             })
           : `${t(`page-bar-state-${state.value.state}`)} · ${(telemetry.value?.time ?? 0).toFixed(1)} s`}
+        {factor !== null && !past.value && ` · ${t("page-bar-times", { factor })}`}
       </span>
       {variant > 0 && <span class="chip state">{t("page-worlds-variant", { number: variant })}</span>}
       <Bump />

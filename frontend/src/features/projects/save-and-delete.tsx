@@ -3,6 +3,7 @@
 import { t } from "../../i18n";
 import type { ProjectDialogName } from "../../model/dialogs";
 import { usePage } from "../../model/page";
+import { projectNameFault } from "../../model/project-name";
 import { Actions, Dialog } from "../../ui/dialog";
 import { NameForm } from "../../ui/name-form";
 
@@ -14,6 +15,7 @@ export function NewDialog() {
         name={t("page-project-new-name")}
         help={t("page-project-new-help")}
         action={t("page-project-new-now")}
+        fault={projectNameFault}
         close={() => dialogs.close()}
         run={(name) => project.create(name)}
       />
@@ -29,6 +31,7 @@ export function SaveAsDialog() {
         name={t("page-project-copy-of", { name: project.name.value })}
         help={t("page-project-save-as-help")}
         action={t("page-project-save-copy")}
+        fault={projectNameFault}
         close={() => dialogs.close()}
         run={(name) => project.saveAs(name)}
       />
@@ -44,6 +47,7 @@ export function RenameDialog() {
         name={project.name.value}
         help={t("page-project-rename-help")}
         action={t("page-project-rename-now")}
+        fault={projectNameFault}
         close={() => dialogs.close()}
         run={(name) => project.rename(name)}
       />
@@ -65,6 +69,7 @@ function RenameOtherDialog({ name }: { name: string }) {
         name={name}
         help={t("page-project-rename-help")}
         action={t("page-project-rename-now")}
+        fault={projectNameFault}
         close={() => dialogs.close()}
         run={(wish) => project.renameOther(name, wish)}
       />
@@ -80,6 +85,7 @@ function CopyDialog({ name }: { name: string }) {
         name={t("page-project-copy-of", { name })}
         help={t("page-project-new-help")}
         action={t("page-project-copy-now")}
+        fault={projectNameFault}
         close={() => dialogs.close()}
         run={(wish) => project.copy(name, wish)}
       />

@@ -14,6 +14,7 @@ page-world-heading = Heading
 page-world-driven = Driven
 # $thing is such as "a wall".
 page-world-bumped = Bump: { $thing }
+page-world-real-speed = { $factor }×: as fast as this computer can
 page-world-mm = { $mm } mm
 page-world-over-mm = over { $mm } mm
 page-world-degrees = { $degrees }°

@@ -13,6 +13,7 @@ page-world-front = Delante
 page-world-heading = Rumbo
 page-world-driven = Recorrido
 page-world-bumped = Choque: { $thing }
+page-world-real-speed = { $factor }×: lo más rápido que puede este ordenador
 page-world-mm = { $mm } mm
 page-world-over-mm = más de { $mm } mm
 page-world-degrees = { $degrees }°
