@@ -22,7 +22,7 @@ class CommentReader(ExpressionReader):
         lines: list[str],
         notes: markers.Notes,
         whens: dict[str, str],
-        functions: set[str],
+        functions: frozenset[str],
     ) -> None:
         super().__init__(lines, whens, functions)
         self.comments = dict(notes.comments)

@@ -66,7 +66,7 @@ class ExpressionReader:
         functions: the names in Block-Text of the user's functions.
     """
 
-    def __init__(self, lines: list[str], whens: dict[str, str], functions: set[str]) -> None:
+    def __init__(self, lines: list[str], whens: dict[str, str], functions: frozenset[str]) -> None:
         self.lines, self.whens, self.functions = lines, whens, functions
         self.when_names = frozenset(whens.values())
         self.height = 0  # the height, so far, of the expression being read

@@ -9,6 +9,7 @@ import re
 import warnings
 from collections import Counter
 from dataclasses import replace
+from typing import NamedTuple
 
 from learnblock.errors import Diagnostic, ProgramError
 from learnblock.i18n import Phrase
@@ -138,26 +139,46 @@ def _read(text: str, tree: ast.Module) -> Program | None:
     notes = markers.notes(plain)
     if line != skeleton.importing.lineno or notes is None:
         return None
-    whens = _distinct_whens(skeleton)
+    defined = _Defined.by(skeleton)
     while True:
-        reader = _Reader(plain, tree, skeleton, notes, whens)
+        reader = _Reader(plain, tree, skeleton, notes, defined)
         program = reader.program()
-        kept = frozenset(name for name, plain in reader.whens.items() if plain in program.whens)
-        if kept == whens:
+        kept = defined.kept_in(program, reader.whens)
+        if kept == defined:
             return program
-        # If a `when` stays raw Python, the rest of the program must not use it as a `when`.
-        whens = kept
+        # If a `when` stays raw Python, the rest of the program must not use it as a `when`; and if
+        # a function does, a call of it must not become one of a library's function of that name.
+        defined = kept
 
 
-def _distinct_whens(skeleton: Skeleton) -> frozenset[str]:
-    """The names of the ``when``s; in Block-Text, two of one name are none."""
-    functions = [node for node in skeleton.rest if isinstance(node, ast.FunctionDef)]
-    times = Counter(node.name for node in functions)
-    return frozenset(node.name for node in functions if is_when(node) and times[node.name] == 1)
+class _Defined(NamedTuple):
+    """The definitions of a file that are definitions in Block-Text, too.
+
+    Args:
+        whens: the names of the ``when``s in Python.
+        functions: the names of the other functions in Block-Text.
+    """
+
+    whens: frozenset[str]
+    functions: frozenset[str]
+
+    @classmethod
+    def by(cls, skeleton: Skeleton) -> "_Defined":
+        """All definitions; in Block-Text, two ``when``s of one name are none."""
+        nodes = [node for node in skeleton.rest if isinstance(node, ast.FunctionDef)]
+        times = Counter(node.name for node in nodes)
+        whens = (node.name for node in nodes if is_when(node) and times[node.name] == 1)
+        functions = (names.from_python(node.name) for node in nodes if not node.decorator_list)
+        return cls(frozenset(whens), frozenset(filter(None, functions)))
+
+    def kept_in(self, program: Program, whens: dict[str, str]) -> "_Defined":
+        """Those that a program has, with the ``when``s' names in Block-Text by those in Python."""
+        kept = frozenset(name for name, plain in whens.items() if plain in program.whens)
+        return _Defined(kept, self.functions & program.functions.keys())
 
 
 class _Reader(StatementReader):
-    """Reads a whole file; the functions named in `whens` are ``when``s."""
+    """Reads a whole file; of its functions, those that are `defined` are definitions."""
 
     def __init__(
         self,
@@ -165,15 +186,14 @@ class _Reader(StatementReader):
         tree: ast.Module,
         skeleton: Skeleton,
         notes: markers.Notes,
-        whens: frozenset[str],
+        defined: _Defined,
     ) -> None:
-        clashes = names.clashes(_variables(tree, whens))
-        functions = [node for node in skeleton.rest if isinstance(node, ast.FunctionDef)]
+        clashes = names.clashes(_variables(tree, defined.whens))
         super().__init__(
             text.removesuffix("\n").split("\n"),
             notes,
-            _declared_whens(whens, clashes),
-            {names.from_python(node.name) or "" for node in functions if not node.decorator_list},
+            _declared_whens(defined.whens, clashes),
+            defined.functions,
         )
         self.skeleton = skeleton
         if self.raw_ends:

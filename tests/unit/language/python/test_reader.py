@@ -306,3 +306,8 @@ def test_a_module_that_only_python_can_import_stays_python(module):
 def test_any_import_is_restored_from_python(module):
     program = parse(f'import "{module}"\n')
     assert program == from_python(to_python(program).text)
+
+
+def test_a_call_of_a_function_that_stays_python_is_not_that_of_a_library():
+    join = "def join(first, *rest):\n    return first\n\n\nx = join('a', 'b')\n"
+    assert "x = join('a', 'b')\n" in exact(SKELETON + join)[1]
