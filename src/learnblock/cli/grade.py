@@ -40,12 +40,13 @@ _FOLDER = click.Path(file_okay=False, path_type=Path)
 def grade_command(handed_in: tuple[Path, ...], robots: str | None, **choices: Any) -> None:
     """Grade a class's programs by a lesson's checks.
 
-    HANDED_IN are programs (.bt, .py or .learnblock), or folders with one program or one folder for
-    each pupil; or --class names a class of `learnblock class`. The results are results.csv and
-    results.html in the folder of --out. The same command again makes only what is missing. No mark
-    is final: the teacher decides.
+    HANDED_IN are programs (.bt, .py or .learnblock), or folders or zips with one program or one
+    folder for each pupil, as Moodle and Google Classroom give them; or --class names a class of
+    `learnblock class`. The results are results.csv and results.html in the folder of --out. The
+    same command again makes only what is missing. No mark is final: the teacher decides.
 
     \b
+    learnblock grade square-4b.zip --lesson 1-03-square --out results
     learnblock grade class-4b --lesson line-follower --variants 10 --out results
     learnblock grade --class 7b --lesson 1-03-square --out results
     learnblock grade class-4b --lesson tags.lblesson --robots sim-ebo,sim-thymio --out results

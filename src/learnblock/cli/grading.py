@@ -2,7 +2,6 @@
 
 import sys
 from collections.abc import Iterator, Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from importlib.metadata import version
@@ -13,10 +12,10 @@ import click
 
 from learnblock import robots as known_robots
 from learnblock.cli.console import say, text, usage_error
+from learnblock.cli.handed_in import read_all
 from learnblock.cli.interrupts import stopped_by_signals
 from learnblock.cli.language import language
-from learnblock.cli.project_files import ENDING, opened
-from learnblock.errors import FileError, LearnBlockError
+from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.lessons.grading.executors import OpenWorkers, cluster, local
 from learnblock.lessons.grading.grading import Grading
@@ -29,7 +28,8 @@ from learnblock.lessons.reading import find_lesson
 from learnblock.lessons.trying import attempts
 from learnblock.running.batch import processors
 
-_ENDINGS = (".bt", ".py", ENDING)
+#: The folder in that of the results for the programs in zips.
+HANDED_IN = "handed-in"
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +67,7 @@ def grade(handed_in: Sequence[Path], wish: Wish) -> bool:
     plan = Plan(
         opened_lesson,
         step,
-        tuple(_read_class(wish, step) if wish.class_name else _read_all(handed_in)),
+        tuple(_handed_in(handed_in, wish, step)),
         tries(opened_lesson, step, wanted),
         version("learnblock-studio"),
     )
@@ -125,6 +125,10 @@ def _check_simulated(name: str) -> None:
         raise LearnBlockError("grade-real-robot", robot=name)
 
 
+def _handed_in(paths: Sequence[Path], wish: Wish, step: int) -> Iterator[HandedIn]:
+    return _read_class(wish, step) if wish.class_name else read_all(paths, wish.out / HANDED_IN)
+
+
 def _read_class(wish: Wish, step: int) -> Iterator[HandedIn]:
     """What the pupils of a class have made in the step.
 
@@ -144,50 +148,3 @@ def _read_class(wish: Wish, step: int) -> Iterator[HandedIn]:
             is_python = project.python is not None
             text = project.blocktext if project.python is None else project.python
             yield HandedIn(work.pupil, file, text, is_python, dict(project.tags))
-
-
-def _read_all(paths: Sequence[Path]) -> Iterator[HandedIn]:
-    """What was handed in, in the order of the names of files in each folder."""
-    for path in paths:
-        if not path.is_dir():
-            yield _read(path, path.stem)
-            continue
-        for inner in sorted(path.iterdir()):
-            if inner.is_dir():
-                yield _read_folder(inner)
-            elif inner.suffix.lower() in _ENDINGS:
-                yield _read(inner, inner.stem)
-
-
-def _read_folder(folder: Path) -> HandedIn:
-    """What is in a pupil's folder: the only program in it."""
-    found = sorted(
-        one for one in folder.rglob("*") if one.suffix.lower() in _ENDINGS and one.is_file()
-    )
-    if len(found) == 1:
-        return _read(found[0], folder.name)
-    names = tuple(str(one.relative_to(folder)) for one in found[:5])
-    reason = Phrase("grade-many-programs", files=names) if found else Phrase("grade-no-program")
-    return HandedIn(folder.name, str(folder), reason=reason)
-
-
-def _read(path: Path, pupil: str) -> HandedIn:
-    try:
-        with opened(path) as program:
-            source = program.source
-            tags = dict(program.tags)
-    except FileError as error:
-        return HandedIn(pupil, str(path), _text_of(path), reason=error.phrase)
-    except LearnBlockError as error:
-        return HandedIn(pupil, str(path), reason=error.phrase)
-    except OSError as error:
-        return HandedIn(pupil, str(path), reason=Phrase(error.strerror or str(error)))
-    return HandedIn(pupil, str(path), source.text, source.is_python, tags)
-
-
-def _text_of(path: Path) -> str:
-    """The text of a program that is invalid, so that the teacher can read it; "" for a project."""
-    with suppress(OSError, UnicodeDecodeError):
-        if path.suffix.lower() != ENDING:
-            return path.read_text("utf-8-sig")
-    return ""

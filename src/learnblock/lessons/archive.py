@@ -31,7 +31,7 @@ _KNOWN = re.compile(
     rf"|teacher/(?:teacher\.toml|notes(?:\.[a-z]{{2,3}})?\.md|(?:solutions|wrong)/{_PROGRAM})"
 )
 #: What file managers add.
-_IGNORED = re.compile(r"(?:^|/)(?:__MACOSX(?:/|$)|\.|Thumbs\.db$|desktop\.ini$)")
+IGNORED = re.compile(r"(?:^|/)(?:__MACOSX(?:/|$)|\.|Thumbs\.db$|desktop\.ini$)")
 _METHODS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}
 #: As in the other zips that we make: the same files give the same bytes.
 _TIME = (1980, 1, 1, 0, 0, 0)
@@ -62,7 +62,7 @@ def received_files(name: str, files: Mapping[str, bytes]) -> dict[str, bytes]:
     Raises:
         LessonError: it has files that no lesson has, too many, or too large ones.
     """
-    found = {path: data for path, data in files.items() if not _IGNORED.search(path)}
+    found = {path: data for path, data in files.items() if not IGNORED.search(path)}
     _check_count(name, len(found))
     total = 0
     for path, data in found.items():
@@ -109,7 +109,7 @@ def _paths(folder: Path, name: str) -> Iterator[Path]:
     while waiting:
         for path in sorted(waiting.pop().iterdir()):
             inside = path.relative_to(folder).as_posix()
-            if _IGNORED.search(inside):
+            if IGNORED.search(inside):
                 continue
             count += 1
             _check_count(name, count)
@@ -124,7 +124,7 @@ def _paths(folder: Path, name: str) -> Iterator[Path]:
 
 
 def _contents(archive: zipfile.ZipFile, filename: str) -> dict[str, bytes]:
-    entries = [one for one in archive.infolist() if not _IGNORED.search(one.filename)]
+    entries = [one for one in archive.infolist() if not IGNORED.search(one.filename)]
     _check_count(filename, len(entries))
     files = [entry for entry in entries if not entry.is_dir()]
     outer = _outer_folder([entry.filename for entry in files])
