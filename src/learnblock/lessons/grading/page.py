@@ -82,10 +82,10 @@ class Page:
         file.write(f'<html lang="{escaped(self._language)}"><head><meta charset="utf-8">')
         file.write(f'<meta http-equiv="Content-Security-Policy" content="{escaped(policy)}">')
         file.write('<meta name="viewport" content="width=device-width, initial-scale=1">')
-        file.write(f"<title>{escaped(title)}</title><style>{style}</style></head><body>\n")
+        file.write(f"<title>{escaped(title)}</title><style>{style}</style></head><body><main>\n")
         for part in self._parts(title):
             file.write(part + "\n")
-        file.write("</body></html>\n")
+        file.write("</main></body></html>\n")
 
     def _parts(self, title: str) -> Iterator[str]:
         yield tag("h1", escaped(title))
@@ -156,9 +156,7 @@ class Page:
             self._escaped("grade-page-done"),
         ]
         heads.append(self._escaped("grade-page-first-hint"))
-        yield '<div class="wide"><table><thead>'
-        yield tag("tr", *(tag("th", head, scope="col") for head in heads))
-        yield "</thead><tbody>"
+        rows = []
         for index, (one, found) in enumerate(
             zip(self._plan.handed_in, self._summaries, strict=True)
         ):
@@ -167,8 +165,8 @@ class Page:
             cells.append(_count(found.done, found.finished))
             hint = self._in_language(found.hint.levels[0]) if found.hint else ""
             cells.append(tag("td", self._in_language(found.refused) or hint))
-            yield tag("tr", tag("th", name, scope="row"), *cells)
-        yield "</tbody></table></div>"
+            rows.append(tag("tr", tag("th", name, scope="row"), *cells))
+        yield _table(self._text("grade-page-overview"), heads, rows)
 
     def _clusters(self) -> Iterator[str]:
         """Programs with the same failing checks and the same first hint."""
@@ -238,7 +236,7 @@ class Page:
         parts = [
             tag("summary", escaped(one.pupil), " · ", done),
             self._ways(rows),
-            "" if one.reason else self._table(rows),
+            "" if one.reason else self._runs(one.pupil, rows),
             self._hints(rows),
             *self._remarks(rows, found),
             tag(
@@ -287,11 +285,9 @@ class Page:
         drawn = pictures.picture(attempt, row.result.path, escaped(place))
         return tag("figure", drawn, tag("figcaption", escaped(place)))
 
-    def _table(self, rows: Sequence[Row]) -> str:
+    def _runs(self, pupil: str, rows: Sequence[Row]) -> str:
         heads = [*map(self._escaped, _BEFORE), *self._check_titles, *map(self._escaped, _AFTER)]
-        body = (tag("tr", *self._cells(row)) for row in rows)
-        head = tag("thead", tag("tr", *(tag("th", one, scope="col") for one in heads)))
-        return tag("div", tag("table", head, tag("tbody", *body)), class_="wide")
+        return _table(pupil, heads, [tag("tr", *self._cells(row)) for row in rows])
 
     def _cells(self, row: Row) -> Iterator[str]:
         for value in (row.attempt.robot, row.attempt.variant, row.attempt.seed):
@@ -340,6 +336,13 @@ class Page:
             "--step", str(self._plan.step), "--robots", ",".join(robots),
             "--variants", str(variants), "--out", "again",
         ])  # fmt: skip
+
+
+def _table(name: str, heads: Sequence[str], rows: Sequence[str]) -> str:
+    """A table; whoever uses only the keyboard can scroll it where it is too wide."""
+    head = tag("thead", tag("tr", *(tag("th", one, scope="col") for one in heads)))
+    table = tag("table", head, tag("tbody", *rows))
+    return tag("div", table, class_="wide", role="group", aria_label=name, tabindex=0)
 
 
 def _is_met(result: Result, place: int) -> bool:
