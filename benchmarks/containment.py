@@ -1,7 +1,9 @@
 """Measure what containing a program costs at its start, and try all attacks on this computer.
 
 Run it with ``python benchmarks/containment.py``. It starts programs with and without the fence in
-turn, prints the fastest of each and their ratio, then the table: attack, result, by what.
+turn, prints the fastest of each and their ratio, then the table: attack, its result in a process of
+its own and in one that is shared with the host (where only programs get that can name nothing of
+this), and by what.
 """
 
 import os
@@ -13,7 +15,14 @@ from time import perf_counter
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "helpers"))
 
-from attacks import GROUPS, NOT_CONTAINED, Targets, prepare, try_contained
+from attacks import (
+    GROUPS,
+    NOT_CONTAINED,
+    Targets,
+    prepare,
+    try_contained,
+    try_shared,
+)
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.messages import Printed, Setup
 from learnblock.runtime.process import ProcessWorker
@@ -70,6 +79,10 @@ def cost() -> None:
     print(f"{'added':28} {added:8.2f} ms  (aim {AIM:g}: {verdict})")
 
 
+def result(answer: str) -> str:
+    return f"{'GOT IN' if answer == 'IN' else 'refused':8}"
+
+
 def attacks() -> None:
     """Print what comes of each attack."""
     with tempfile.TemporaryDirectory() as folder:
@@ -79,10 +92,10 @@ def attacks() -> None:
             targets = Targets(others, project, victim.pid)
             for group, members in {**GROUPS, "known": NOT_CONTAINED}.items():
                 print(f"\n{group}")
-                results = try_contained(members, targets)
+                alone, shared = try_contained(members, targets), try_shared(members, targets)
                 for attack in members:
-                    result = "GOT IN" if results[attack.name] == "IN" else "refused"
-                    print(f"  {attack.name:44} {result:8} {attack.by}")
+                    found = (result(each[attack.name]) for each in (alone, shared))
+                    print(f"  {attack.name:44} {' '.join(found)} {attack.by}")
             victim.communicate(b"\n")
 
 

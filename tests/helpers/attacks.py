@@ -6,15 +6,25 @@ gets in. It goes around Python's own refusals wherever it can, with ctypes.
 
 import json
 import os
+import subprocess
 import sys
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
+from unittest.mock import patch
 
+from learnblock import robots
+from learnblock.running import Options, batch
+from learnblock.running.batch import Batch, WarmProcess
+from learnblock.running.job import Job
 from learnblock.runtime.containment import landlock, seccomp
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.messages import Ended, Printed, Setup
 from learnblock.runtime.process import ProcessWorker
+from learnblock.runtime.program import Program
+
+_POPEN = subprocess.Popen
 
 #: Whether this computer has all that the table expects.
 COMPLETE = (
@@ -87,8 +97,12 @@ class Refused(Exception):
     pass
 
 FOLDER, PROJECT, VICTIM, PARENT = {targets}
-HERE = tempfile.mkdtemp()
-os.chdir(HERE)
+try:
+    HERE = tempfile.mkdtemp()
+    os.chdir(HERE)
+except FileNotFoundError:
+    # A process that may write nothing.
+    HERE = os.getcwd()
 
 def attempt(source):
     try:
@@ -112,6 +126,28 @@ def try_contained(attacks: list[Attack], targets: Targets) -> dict[str, str]:
         return dict(json.loads(text) for text in _printed(worker))
     finally:
         worker.kill()
+
+
+def try_shared(attacks: list[Attack], targets: Targets) -> dict[str, str]:
+    """The same in a process that a program shares with its host.
+
+    Only programs that can name nothing of this get there; this one is let in to try the fence.
+    """
+    program = Program("attack.py", _source(attacks, targets), "")
+    job = Job(program, robots.find("sim-ebo"), Options(world="empty"))
+    with patch.object(batch.subprocess, "Popen", _start_for_all):
+        warm = WarmProcess()
+    try:
+        [result] = Batch([job], kept=warm).results()
+    finally:
+        warm.end()
+    assert (result.isolated, result.report.error) == (False, None)
+    return dict(json.loads(text) for text in result.report.output.splitlines())
+
+
+def _start_for_all(command: list[str], **settings: Any) -> "subprocess.Popen[bytes]":
+    code = "from learnblock.running import warm; warm.is_plain = bool; warm.main()"
+    return _POPEN([*command[:2], "-c", code, command[-1]], **settings)
 
 
 def prepare(folder: Path) -> tuple[Path, Path]:
@@ -401,4 +437,15 @@ NOT_CONTAINED = _group(
     "nothing: Landlock does not hide names",
     ask_for_the_size_of_a_file="os.stat(FOLDER + '/secret.txt')",
     ask_whether_a_process_exists="os.stat(f'/proc/{VICTIM}')",
+)
+#: What a program could do besides, if it got out of the language in a process that it shares with
+#: its host, which reads the settings and sends the result; named in docs/containment.md.
+NOT_CONTAINED_IF_SHARED = {"read the settings with passwords", "inherit a file of the server"}
+#: A process that is shared with the host has its own result's pipe, and nothing of other runs.
+BESIDE = _group(
+    START,
+    find_the_results_of_others=(
+        "found = [n for n in range(3, 64) if libc.fcntl(n, 1) != -1]\n"
+        "if len(found) == 1: raise Refused('only its own')"
+    ),
 )

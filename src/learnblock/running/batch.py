@@ -22,6 +22,7 @@ from learnblock.running import warm
 from learnblock.running.job import Job, Order
 from learnblock.running.program_run import ProgramRun
 from learnblock.running.report import Report
+from learnblock.runtime.containment.environment import harmless
 from learnblock.runtime.ending import How
 from learnblock.runtime.limits import Limits
 from learnblock.storage.home import home
@@ -30,6 +31,12 @@ from learnblock.storage.home import home
 GRACE = 2.0
 #: Why a run is lost if the process that forks the runs ended, again.
 _PROCESS_ENDED = "the process that makes runs has ended"
+#: The variables that runs need besides those that no program is refused. A program may share a
+#: process with its host, so there are no secrets among them.
+_OF_RUNS = (
+    "HOME", "TMPDIR", "TEMP", "TMP", "LEARNBLOCK_PACE", "LEARNBLOCK_ROBOTS", "LEARNBLOCK_SEED",
+    "LEARNBLOCK_VARIANT", "LEARNBLOCK_WORLD",
+)  # fmt: skip
 #: Whether a process can be forked for each run.
 CAN_FORK = sys.platform == "linux"
 
@@ -216,7 +223,8 @@ def _start(handle: int) -> "subprocess.Popen[bytes]":
     # -P: as for programs, which may run in it.
     command = [sys.executable, "-P", "-m", warm.__name__, str(handle)]
     variables = {
-        **os.environ,
+        **harmless(),
+        **{name: os.environ[name] for name in _OF_RUNS if name in os.environ},
         # As in a program's own process: see `containment.environment`.
         "PYTHONHASHSEED": "0",
         "LEARNBLOCK_HOME": str(home().absolute()),

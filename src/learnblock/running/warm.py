@@ -211,6 +211,9 @@ class _Warm:
         ours, theirs = os.pipe()
         process = os.fork()
         if process == 0:
+            # Neither the results of others nor what is sent to our caller are its business.
+            for handle in (ours, *self._children, self._connection.fileno()):
+                os.close(handle)
             _be_child(self._jobs[number], self._limits, theirs, isolated=isolated)
         os.close(theirs)
         self._children[ours] = _Child(number, process, isolated)

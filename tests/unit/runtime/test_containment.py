@@ -9,7 +9,18 @@ from pathlib import Path
 
 import pytest
 
-from attacks import ANSWERS, COMPLETE, GROUPS, NOT_CONTAINED, Targets, prepare, try_contained
+from attacks import (
+    ANSWERS,
+    BESIDE,
+    COMPLETE,
+    GROUPS,
+    NOT_CONTAINED,
+    NOT_CONTAINED_IF_SHARED,
+    Targets,
+    prepare,
+    try_contained,
+    try_shared,
+)
 from learnblock.i18n import Phrase
 from learnblock.runtime.containment import seccomp, syscalls
 from learnblock.runtime.containment.survey import survey
@@ -51,6 +62,15 @@ def test_every_attack_of_the_group_is_refused(targets, group):
 @complete
 def test_what_is_not_contained_is_known(targets):
     assert set(try_contained(NOT_CONTAINED, targets).values()) == {"IN"}
+
+
+@complete
+def test_a_process_shared_with_its_host_refuses_every_attack_but_the_known_ones(targets):
+    attacks = [*BESIDE, *(attack for group in GROUPS.values() for attack in group)]
+    results = try_shared(attacks, targets)
+    assert [attack.name for attack in attacks] == list(results)
+    got_in = {name for name, answer in results.items() if answer == "IN"}
+    assert got_in == NOT_CONTAINED_IF_SHARED
 
 
 def test_there_are_at_least_seventy_attacks():

@@ -22,11 +22,6 @@ def environment(scratch: str) -> Mapping[str, str]:
     Args:
         scratch: its temporary folder.
     """
-    kept = {
-        name: value
-        for name, value in os.environ.items()
-        if name in _KEPT or name.startswith(_KEPT_PREFIXES)
-    }
     folders = dict.fromkeys(("HOME", "USERPROFILE", "TMPDIR", "TEMP", "TMP"), scratch)
     ours = {
         # Python looks for the user's packages here; its default depends on HOME, which we change.
@@ -35,4 +30,13 @@ def environment(scratch: str) -> Mapping[str, str]:
         "PYTHONHASHSEED": "0",
         "LEARNBLOCK_HOME": str(home().absolute()),
     }
-    return {**kept, **folders, **ours}
+    return {**harmless(), **folders, **ours}
+
+
+def harmless() -> Mapping[str, str]:
+    """The variables of this process that no program is refused."""
+    return {
+        name: value
+        for name, value in os.environ.items()
+        if name in _KEPT or name.startswith(_KEPT_PREFIXES)
+    }
