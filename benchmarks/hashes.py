@@ -2,8 +2,9 @@
 
     python benchmarks/hashes.py [seconds of simulated time]
 
-Every version of Python that uv finds on this computer runs every example once while the machine is
-quiet and once while each processor has two busy processes. A row with two values is a failure.
+Every version of Python that uv finds on this computer runs every example in each way: in a process
+of its own, in the thread of its host, and in a process forked from a warm one; quiet, and with two
+busy processes for each processor. A row with two values is a failure.
 """
 
 import os
@@ -19,19 +20,34 @@ sys.path.insert(0, str(ROOT / "tests" / "helpers"))
 from pythons import VERSIONS, interpreter  # noqa: E402 - found through the line above
 
 CONDITIONS = ("quiet", "loaded")
+WAYS = ("process", "thread", "warm")
 RUN = """
 import sys
 from learnblock import robots, running
+from learnblock.running import Options, ProgramRun
+from learnblock.running.batch import Batch
+from learnblock.running.job import Job
+from learnblock.runtime.inline import InlineWorker
 from learnblock.runtime.process import ProcessWorker
-from runs import EXAMPLES, TWINS, WORLDS, run_example
+from runs import EXAMPLES, TWINS, WORLDS
 
-for path in sorted(EXAMPLES.glob("*.bt")):
+def job(path):
     source = running.read(path)
-    robot = next(robot for robot in TWINS if not [
-        one for one in running.check(source, robots.find(robot)) if one.severity == "error"
+    robot = next(robot for robot in map(robots.find, TWINS) if not [
+        one for one in running.check(source, robot) if one.severity == "error"
     ])
-    options = {"world": WORLDS.get(path.name), "seconds": float(sys.argv[1])}
-    report = run_example(path.name, robot, worker=ProcessWorker, **options).report
+    options = Options(world=WORLDS.get(path.name), seconds=float(sys.argv[1]))
+    return Job(running.program(source, robot), robot, options)
+
+def reports(jobs):
+    if sys.argv[2] == "warm":
+        return [one.report for one in sorted(Batch(jobs).results(), key=lambda one: one.job)]
+    worker = {"process": ProcessWorker, "thread": InlineWorker}[sys.argv[2]]
+    runs = (ProgramRun(one.program, one.robot, one.options, worker=worker) for one in jobs)
+    return [run.run() for run in runs]
+
+paths = sorted(EXAMPLES.glob("*.bt"))
+for path, report in zip(paths, reports([*map(job, paths)]), strict=True):
     print(path.name, report.trace_sha256 if report.error is None else report.error["message"])
 """
 
@@ -45,10 +61,10 @@ def installed(version: str, python: Path) -> Path:
     return folder / "bin" / "python"
 
 
-def traces(python: Path, seconds: str) -> dict[str, str]:
-    """Run every example; return the hash of its trace."""
+def traces(python: Path, seconds: str, way: str) -> dict[str, str]:
+    """Run every example in one of the ways; return the hash of its trace."""
     variables = {**os.environ, "PYTHONPATH": str(ROOT / "tests" / "helpers")}
-    command = [python, "-c", RUN, seconds]
+    command = [python, "-c", RUN, seconds, way]
     done = subprocess.run(command, env=variables, stdout=subprocess.PIPE, text=True, check=True)
     return {name: value for name, _, value in (x.partition(" ") for x in done.stdout.splitlines())}
 
@@ -77,12 +93,14 @@ def main() -> None:
         python = installed(version, python)
         for condition in CONDITIONS:
             with machine(condition):
-                columns[f"{version} {condition}"] = traces(python, seconds)
+                for way in WAYS:
+                    columns[f"{version} {condition} {way}"] = traces(python, seconds, way)
     report(columns)
 
 
 def report(columns: dict[str, dict[str, str]]) -> None:
-    print(f"{'':<16}" + "".join(f"{column:<14}" for column in columns))
+    for part in zip(*(column.split() for column in columns), strict=True):
+        print(f"{'':<16}" + "".join(f"{name:<14}" for name in part))
     examples = {name for column in columns.values() for name in column}
     rows = {name: [column.get(name, "-") for column in columns.values()] for name in examples}
     for name, values in sorted(rows.items()):

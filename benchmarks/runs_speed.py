@@ -69,6 +69,10 @@ class Measured(NamedTuple):
     sha256: str
 
 
+#: The twin to begin with for examples that are meant for one in particular.
+MEANT_FOR = {"line-thymio.bt": "sim-thymio"}
+
+
 class Column(NamedTuple):
     """What runs the examples: an interpreter, and the module and class of a worker."""
 
@@ -81,7 +85,7 @@ class Column(NamedTuple):
         """Run an example once."""
         world = WORLDS.get(example.name, "")
         command = [self.python, "-c", RUN, self.module, self.worker, str(example), world]
-        command += [str(seconds), *TWINS]
+        command += [str(seconds), MEANT_FOR.get(example.name, TWINS[0]), *TWINS]
         done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
         robot, time, wall, processor, sha256 = done.stdout.split()
         return Measured(robot, float(time), float(wall), float(processor), sha256)
