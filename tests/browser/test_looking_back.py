@@ -157,19 +157,66 @@ def test_a_new_run_leaves_the_past(pupil):
 
 def test_the_calls_of_the_run_are_walked_through_by_keyboard(pupil):
     pupil.tab("Calls")
-    drive = pupil.page.get_by_role("button", name=re.compile("^move_straight, Generic client"))
+    drive = pupil.page.get_by_role("button", name=re.compile("^move_straight, Skills"))
     expect(drive).to_have_attribute("aria-label", re.compile("called 3 times"))
     pupil.picture("calls")
     program = pupil.page.locator(".call").first
     program.focus()
     pupil.page.keyboard.press("ArrowRight")
     expect(pupil.page.locator(".call:focus")).to_have_attribute(
-        "aria-label", re.compile("Generic client")
+        "aria-label", re.compile("Skills")
     )
     drive.press("Enter")
     expect(moment(pupil)).to_have_attribute("aria-valuetext", re.compile("^0.00 s"))
     # Up to this moment it has been called once.
     expect(drive).to_have_attribute("aria-label", re.compile("called once"))
+
+
+def test_a_function_in_the_calls_leads_to_its_line_and_block(pupil):
+    pupil.tab("Calls")
+    # All of them begin at 0 s.
+    for name, block in (
+        ("expressJoy", "lb_skill_expressJoy"),
+        ("sleep", "lb_skill_sleep"),
+        ("move_straight", "lb_skill_move_straight"),
+    ):
+        pupil.page.get_by_role("button", name=re.compile(f"^{name}, Skills")).click()
+        expect(pupil.blocks(block)).to_have_class(re.compile("lbRunning"))
+
+
+def test_a_span_of_time_is_chosen_in_the_calls(pupil):
+    pupil.tab("Calls")
+    drive = pupil.page.get_by_role("button", name=re.compile("^move_straight, Skills"))
+    expect(drive).to_have_attribute("aria-label", re.compile("called 3 times"))
+    pupil.page.get_by_label("From (s)").fill("0.5")
+    expect(drive).to_have_attribute("aria-label", re.compile("called 2 times"))
+    pupil.page.get_by_label("To (s)").fill("1.5")
+    expect(drive).to_have_attribute("aria-label", re.compile("called once"))
+    sleep = pupil.page.get_by_role("button", name=re.compile("^sleep, Skills"))
+    expect(sleep).to_have_attribute("aria-label", re.compile("1 s$"))
+    pupil.picture("calls-span")
+    pupil.page.get_by_label("To (s)").fill("0.1")
+    expect(pupil.page.get_by_text("Nothing was called in this time.")).to_be_visible()
+    pupil.press("Whole run")
+    expect(drive).to_have_attribute("aria-label", re.compile("called 3 times"))
+    look(pupil, 1.5)
+    pupil.press("From this moment")
+    pupil.press("Back to now")
+    expect(drive).to_have_attribute("aria-label", re.compile("called once"))
+    pupil.run_to_the_end()
+    expect(drive).to_have_attribute("aria-label", re.compile("called 3 times"))
+
+
+def test_the_calls_are_counted_while_the_program_runs(pupil):
+    pupil.write("blocktext", "main:\n    forever:\n        function.sleep(0.2)\n    end\nend\n")
+    pupil.wait_until_saved()
+    pupil.tab("Calls")
+    pupil.press("Run")
+    sleep = pupil.page.get_by_role("button", name=re.compile("^sleep, Skills"))
+    expect(sleep).to_have_attribute("aria-label", re.compile("called [2-9]"))
+    pupil.page.get_by_label("From (s)").fill("1000")
+    expect(pupil.page.get_by_text("Nothing was called in this time.")).to_be_visible()
+    pupil.press("Stop")
 
 
 def test_why_is_answered_in_sentences_that_lead_to_their_moment(pupil):

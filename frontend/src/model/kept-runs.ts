@@ -17,6 +17,9 @@ const END = 1_000_000;
 const LARGEST = 40 * 1024 * 1024;
 export const RUN_FILE = ".why";
 
+/** A time in s, and of that time the line of an event. */
+type Moment = readonly [time: number, event?: number];
+
 interface Others {
   readonly program: Program;
   readonly running: Running;
@@ -50,8 +53,8 @@ export class KeptRuns {
   readonly beside = signal<CallsBeside | null>(null);
   /** The ways of the compared runs. */
   readonly ways = computed(() => (this.compared.value ? waysOf(this.compared.value) : []));
-  /** The moment to show of the run that is being opened, in s. */
-  private wanted = END;
+  /** The moment to show of the run that is being opened. */
+  private wanted: Moment = [END];
 
   constructor(
     private readonly connection: Connection,
@@ -80,10 +83,10 @@ export class KeptRuns {
     this.connection.send({ kind: "OpenRun", run });
   }
 
-  /** Show a moment of a run, in s. */
-  lookAt(run: string, time: number): void {
-    if (this.others.running.kept.peek()?.id === run) return this.others.lookingBack.look(time);
-    this.wanted = time;
+  /** Show a moment of a run. */
+  lookAt(run: string, ...moment: Moment): void {
+    if (this.others.running.kept.peek()?.id === run) return this.others.lookingBack.look(...moment);
+    this.wanted = moment;
     this.open(run);
   }
 
@@ -160,8 +163,8 @@ export class KeptRuns {
     if (![compared?.first.id, compared?.second.id].includes(run?.id)) this.compared.value = null;
     running.showKept(run, remarks);
     lookingBack.readTimeline();
-    if (run) lookingBack.look(this.wanted);
-    this.wanted = END;
+    if (run) lookingBack.look(...this.wanted);
+    this.wanted = [END];
   }
 
   /** From the first edit on, the lines of the run that is shown are those of an older program. */

@@ -52,10 +52,14 @@ export class LookingBack {
     this.connection.send({ kind: "ReadTimeline" });
   }
 
-  /** Show the moment at a time in s; of those that are asked for quickly, the last one. */
-  look(time: number): void {
+  /**
+   * Show the moment at a time in s, or of that time the line of an event; of those that are asked
+   * for quickly, the last one.
+   */
+  look(time: number, event?: number): void {
     this.waiting = [];
-    this.ask(() => ({ time: Math.max(0, time) }));
+    const place: Asked = { time: Math.max(0, time) };
+    this.ask(() => (event === undefined ? place : { ...place, event: event - 1, step: 1, to: "line" }));
   }
 
   /** Go to the step before or after the moment that is shown. */

@@ -112,7 +112,9 @@ export interface CallEdge {
   callee: number;
   count: number;
   seconds: number;
+  share: number;
   first: number;
+  event: number;
 }
 
 export interface CallGraph {

@@ -7,11 +7,11 @@ import type { CallGraph } from "../../src/protocol/messages";
 const NAMES: readonly (readonly [number, string])[] = [
   [0, "square"],
   [2, "turn"],
-  [3, "Base.move"],
+  [4, "Base.move"],
 ];
 
 function graph(robot: string, ...drivers: string[]): CallGraph {
-  const all = [...NAMES, ...drivers.map((name) => [4, name] as const)];
+  const all = [...NAMES, ...drivers.map((name) => [5, name] as const)];
   return {
     kind: "CallGraph",
     robot,
@@ -23,7 +23,9 @@ function graph(robot: string, ...drivers: string[]): CallGraph {
       callee: index + 1,
       count: 1,
       seconds: 0,
+      share: 0,
       first: 0,
+      event: 0,
     })),
   };
 }

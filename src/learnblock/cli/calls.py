@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 #: The width of the names in the table.
 _WIDTH = 44
 #: The width of a run's column, if there are two.
-_COLUMN = 24
+_COLUMN = 28
 MOST_LOGS = 2
 
 
@@ -130,6 +130,7 @@ def _titles() -> "dict[Layer, str]":
         Layer.PROGRAM: Phrase("calls-layer-program"),
         Layer.FUNCTIONS: Phrase("calls-layer-functions"),
         Layer.SKILLS: Phrase("calls-layer-skills"),
+        Layer.CLIENT: Phrase("calls-layer-client"),
         Layer.DEVICES: Phrase("calls-layer-devices"),
         Layer.DRIVER: Phrase("calls-layer-driver"),
     }
@@ -141,7 +142,7 @@ def _print(graph: "Calls") -> None:
         say("calls-none")
         return
     whole = graph.nodes[0]
-    click.echo(_row(0, whole.called.name, whole.count, whole.seconds))
+    click.echo(_row(0, whole.called.name, whole))
     _print_callees(graph, whole.called, (whole.called,))
 
 
@@ -150,7 +151,7 @@ def _print_callees(graph: "Calls", caller: "Called", above: tuple["Called", ...]
     # A run does not count by the whole way: below what several call are the calls of all of them.
     is_shared = any(_callers(graph, called) > 1 for called in above)
     for edge in edges:
-        row = _row(len(above), edge.callee.name, edge.count, edge.seconds)
+        row = _row(len(above), edge.callee.name, edge)
         click.echo(f"{row}  {_shared()}" if is_shared else row)
         if edge.callee not in above:
             _print_callees(graph, edge.callee, (*above, edge.callee))
@@ -166,6 +167,6 @@ def _shared() -> str:
     return text(Phrase("calls-shared"))
 
 
-def _row(depth: int, name: str, count: int, seconds: float) -> str:
+def _row(depth: int, name: str, calls: "Node | Edge") -> str:
     label = "  " * depth + name
-    return f"{label:{_WIDTH}} {count:>8}x {seconds:>9.2f} s"
+    return f"{label:{_WIDTH}} {calls.count:>8}x {calls.seconds:>9.2f} s {calls.share:>6.0%}"

@@ -1,7 +1,8 @@
 """The call graph of a run: what called what, how often, and for how long in the robot's time.
 
-It has the layers of the paper's figure 8: the program, its functions, the generic client's skills,
-the device interfaces, and the driver's own functions. Only the last one differs between robots.
+It has the layers of the paper's figure 8: the program, its functions, the skills, the generic
+client, the device interfaces, and the driver's own functions. Only the last one differs between
+robots.
 """
 
 from collections import defaultdict
@@ -10,8 +11,13 @@ from dataclasses import dataclass
 from enum import IntEnum
 from functools import cached_property
 
+from learnblock import devices
 from learnblock.runtime.log.events import Op
 from learnblock.why.history import Frame, History, SkillUse
+
+
+#: Classes that do not tell one robot from another; "" is that of a function outside any class.
+_OF_ANY_ROBOT = frozenset({"", "Robot", "RobotBody"})
 
 
 class Layer(IntEnum):
@@ -20,8 +26,9 @@ class Layer(IntEnum):
     PROGRAM = 0
     FUNCTIONS = 1
     SKILLS = 2
-    DEVICES = 3
-    DRIVER = 4
+    CLIENT = 3
+    DEVICES = 4
+    DRIVER = 5
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -63,16 +70,20 @@ class Edge:
         callee: the other.
         count: their number.
         seconds: the robot's time spent in them.
+        share: that, as a part of the whole span, from 0 to 1.
         first: the time of the first one, in s.
         last: the time of the last one.
+        event: the number of the first one in the log.
     """
 
     caller: Called
     callee: Called
     count: int
     seconds: float
+    share: float
     first: float
     last: float
+    event: int
 
 
 @dataclass(frozen=True)
@@ -120,12 +131,16 @@ def calls(history: History, first: float = 0.0, last: float | None = None) -> Ca
     Args:
         history: the run.
         first: the beginning of the span, in s.
-        last: its end; by default that of the run.
+        last: its end; by default that of the run. In a span that ends before it begins, or begins
+            after the run, nothing is called.
     """
     end = history.end if last is None else min(last, history.end)
-    found = _Counting(history, first, end)
-    robot = str(history.recorded.conditions.get("robot", ""))
-    return Calls(robot, first, end, tuple(found.edges()))
+    edges = _Counting(history, first, end).edges() if first <= end else ()
+    return Calls(_robot(history), first, end, tuple(edges))
+
+
+def _robot(history: History) -> str:
+    return str(history.recorded.conditions.get("robot", ""))
 
 
 def _share(seconds: float, span: float) -> float:
@@ -136,6 +151,7 @@ def _share(seconds: float, span: float) -> float:
 class _Sum:
     """The calls of one edge so far."""
 
+    event: int
     first: float
     last: float
     count: int = 0
@@ -156,6 +172,7 @@ class _Counting:
         self._first, self._last = first, last
         self._sums: dict[tuple[Called, Called], _Sum] = {}
         self._drivers: dict[str, str] = history.recorded.robot.get("drivers", {})
+        self._robot = _robot(history)
         #: What the driver calls on a robot whose operations have names, by function of a device.
         self._operations: dict[str, list[str]] = defaultdict(list)
         for line in history.recorded.lines:
@@ -165,7 +182,9 @@ class _Counting:
 
     def edges(self) -> Iterator[Edge]:
         for (caller, callee), one in self._sums.items():
-            yield Edge(caller, callee, one.count, round(one.seconds, 3), one.first, one.last)
+            seconds = round(one.seconds, 3)
+            share = _share(seconds, self._last - self._first)
+            yield Edge(caller, callee, one.count, seconds, share, one.first, one.last, one.event)
 
     def _count(self) -> None:
         history = self._history
@@ -190,12 +209,19 @@ class _Counting:
         op, device, *more = history.events[event]
         function = more[0] if op == Op.COMMAND else _question(device)
         caller = _skill(use) if use else self._called(history.frames[event])
-        interface = Called(Layer.DEVICES, f"{device.partition(':')[0]}.{function}")
-        self._add(caller, interface, event, event)
-        of = f"{device}.{function}"
-        driver = self._drivers.get(of)
-        for name in self._operations.get(of) or ([driver] if driver else []):
+        kind = device.partition(":")[0]
+        client = Called(Layer.CLIENT, f"{_access(kind, function)}({kind})")
+        interface = Called(Layer.DEVICES, f"{kind}.{function}")
+        self._add(caller, client, event, event)
+        self._add(client, interface, event, event)
+        for name in self._driver_functions(f"{device}.{function}"):
             self._add(interface, Called(Layer.DRIVER, name), event, event)
+
+    def _driver_functions(self, of: str) -> list[str]:
+        """What a function of a device calls on the robot."""
+        if of in self._operations:
+            return self._operations[of]
+        return [_of_robot(self._drivers[of], self._robot)] if of in self._drivers else []
 
     def _called(self, frame: Frame | None) -> Called:
         if frame is None or frame.node < 0:
@@ -209,7 +235,7 @@ class _Counting:
         if over < self._first or began > self._last:
             return
         times = history.times[begun]
-        one = self._sums.setdefault((caller, callee), _Sum(began, began))
+        one = self._sums.setdefault((caller, callee), _Sum(begun, began, began))
         one.count += times
         one.seconds += times * (min(over, self._last) - max(began, self._first))
         one.last = began
@@ -221,3 +247,19 @@ def _skill(use: SkillUse) -> Called:
 
 def _question(device: str) -> str:
     return "detect" if device.startswith("Camera:") else "read"
+
+
+def _access(kind: str, function: str) -> str:
+    """The method of the generic client through which a function of a device is called."""
+    is_sensor = issubclass(getattr(devices, kind, devices.Device), devices.Sensor)
+    return function if is_sensor and function in ("read", "detect") else "device"
+
+
+def _of_robot(function: str, robot: str) -> str:
+    """The name of a driver's function among those of all robots, such as ``ev3._drive``.
+
+    Every driver has a class `Robot`, and every twin a `RobotBody`: only the robot tells whose
+    function it is. A class of another name is the driver's own.
+    """
+    owner, _, name = function.rpartition(".")
+    return f"{robot}.{name}" if owner in _OF_ANY_ROBOT else function

@@ -1,14 +1,14 @@
-"""The call graph as an SVG picture: five rows, and a line for each caller and callee."""
+"""The call graph as an SVG picture: a row for each layer, a line for each caller and callee."""
 
 from collections import defaultdict
 from functools import partial
 from html import escape
 
-from learnblock.why.calls import Called, Calls, Layer, Node
+from learnblock.why.calls import Called, Calls, Edge, Layer, Node
 from learnblock.why.calls_beside import CallsBeside
 
 #: Sizes in pixels: of a box, of the space around it and of the text in it.
-BOX, HEIGHT, SPACE, ROW, TEXT = 172, 44, 18, 104, 12
+BOX, HEIGHT, SPACE, ROW, TEXT, SMALL = 172, 44, 18, 104, 12, 10
 #: Passes in which each row is put in the order of what calls it.
 SWEEPS = 4
 #: As in the paper's figure 8: from little to much of the time.
@@ -35,8 +35,6 @@ def picture(calls: Calls, titles: dict[Layer, str]) -> str:
     width = widest * (BOX + SPACE) + SPACE + BOX
     places = _places(rows, width)
     height = len(rows) * ROW + SPACE
-    lines = "".join(_line(calls, places, index) for index in range(len(calls.edges)))
-    boxes = "".join(_box(node, places[node.called]) for node in calls.nodes)
     names = "".join(
         f'<text x="{SPACE}" y="{_top(index) + HEIGHT / 2}">{escape(titles[layer])}</text>'
         for index, layer in enumerate(rows)
@@ -45,7 +43,7 @@ def picture(calls: Calls, titles: dict[Layer, str]) -> str:
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}"'
         f' font-family="sans-serif" font-size="{TEXT}">'
         '<rect width="100%" height="100%" fill="#fff"/>'
-        f'<g fill="#4a5473">{names}</g><g fill="none" stroke="#717d9b">{lines}</g>{boxes}</svg>\n'
+        f'<g fill="#4a5473">{names}</g>{_graph(calls, places)}</svg>\n'
     )
 
 
@@ -87,13 +85,20 @@ def pictures_beside(both: CallsBeside, titles: dict[Layer, str], names: tuple[st
 
 
 def _graph(
-    calls: Calls, places: dict[Called, tuple[float, float]], apart: frozenset[Called]
+    calls: Calls,
+    places: dict[Called, tuple[float, float]],
+    apart: frozenset[Called] = frozenset(),
 ) -> str:
-    lines = "".join(_line(calls, places, index) for index in range(len(calls.edges)))
+    lines = "".join(_line(edge, places) for edge in calls.edges)
+    counts = "".join(_count(edge, places) for edge in calls.edges)
     boxes = "".join(
         _box(node, places[node.called], is_apart=node.called in apart) for node in calls.nodes
     )
-    return f'<g fill="none" stroke="#717d9b">{lines}</g>{boxes}'
+    return (
+        f'<g fill="none" stroke="#717d9b">{lines}</g>{boxes}'
+        f'<g fill="#4a5473" font-size="{SMALL}" text-anchor="middle" stroke="#fff"'
+        f' stroke-width="3" paint-order="stroke">{counts}</g>'
+    )
 
 
 def _rows(calls: Calls) -> dict[Layer, list[Called]]:
@@ -133,18 +138,26 @@ def _top(row: int) -> int:
     return SPACE + row * ROW
 
 
-def _line(calls: Calls, places: dict[Called, tuple[float, float]], index: int) -> str:
-    edge = calls.edges[index]
+def _line(edge: Edge, places: dict[Called, tuple[float, float]]) -> str:
     (x, y), (to_x, to_y) = places[edge.caller], places[edge.callee]
     y += HEIGHT
     if to_y < y:
         # A call of the same row or a higher one, such as of the function itself.
         return f'<path d="M{x:.0f} {y:.0f} q{BOX / 2} 24 {to_x - x:.0f} 0"/>'
     middle = (y + to_y) / 2
-    width = 1 + 3 * min(1.0, edge.seconds / max(calls.last - calls.first, 1e-9))
     return (
-        f'<path stroke-width="{width:.1f}" d="M{x:.0f} {y:.0f} C{x:.0f} {middle:.0f}'
+        f'<path stroke-width="{1 + 3 * edge.share:.1f}" d="M{x:.0f} {y:.0f} C{x:.0f} {middle:.0f}'
         f' {to_x:.0f} {middle:.0f} {to_x:.0f} {to_y:.0f}"/>'
+    )
+
+
+def _count(edge: Edge, places: dict[Called, tuple[float, float]]) -> str:
+    """How often, and for how much of the time: in the middle of the line."""
+    (x, y), (to_x, to_y) = places[edge.caller], places[edge.callee]
+    below = (to_y - y + HEIGHT) / 2 if to_y > y else HEIGHT + SPACE
+    return (
+        f'<text x="{(x + to_x) / 2:.0f}" y="{y + below + SMALL / 3:.0f}">'
+        f"{edge.count}×, {edge.share:.0%}</text>"
     )
 
 

@@ -1,11 +1,13 @@
 """The call graph of a run: what called what, how often and for how long."""
 
 import json
+import re
 
 import pytest
 from click.testing import CliRunner
 
 from learnblock.cli import main
+from learnblock.runtime.log.events import Op
 from learnblock.why.calls import Called, Layer, calls
 from learnblock.why.graph_picture import COLOURS, colour, picture
 from logged_runs import logged_example, logged_text
@@ -57,11 +59,45 @@ def test_the_time_of_a_function_is_that_of_what_it_calls(square):
     assert node(square, "sleep").share == pytest.approx(1 / whole.seconds, abs=0.001)
 
 
+def test_a_device_is_reached_through_the_generic_client(square):
+    ways = {(edge.caller.name, edge.callee.name) for edge in square.edges}
+    assert ways >= {
+        ("drive_distance", "device(Base)"),
+        ("device(Base)", "Base.move"),
+        ("Base.move", "sim-ebo.drive"),
+    }
+
+
+def test_a_sensor_is_read_by_the_generic_client_and_changed_through_its_device(tmp_path):
+    text = "main:\n    function.reset_orientation()\n    function.get_heading()\nend\n"
+    graph = calls(logged_text(tmp_path, text, "sim-ev3").history)
+    ways = {edge.callee.name: edge.caller.name for edge in graph.edges}
+    assert ways["Gyroscope.read"] == "read(Gyroscope)"
+    assert ways["Gyroscope.reset"] == "device(Gyroscope)"
+
+
+def test_an_edge_has_its_share_of_the_time(square):
+    for edge in square.edges:
+        assert edge.share == pytest.approx(edge.seconds / square.last, abs=0.001)
+
+
+def test_an_edge_begins_with_its_first_event(tmp_path):
+    history = logged_text(tmp_path, PROGRAM).history
+    firsts = {edge.callee.name: history.events[edge.event] for edge in calls(history).edges}
+    assert firsts["turn"][:2] == (Op.SKILL, "turn")
+    assert firsts["Base.move"][:3] == (Op.COMMAND, "Base:ROBOT", "move")
+
+
 def test_a_span_counts_what_happens_in_it(tmp_path):
     history = logged_text(tmp_path, PROGRAM).history
     last = calls(history, history.end - 0.5)
     assert [edge.callee.name for edge in last.edges] == ["sleep"]
     assert last.nodes[-1].seconds == pytest.approx(0.5)
+
+
+@pytest.mark.parametrize("span", [(3, 2), (1000, None)])
+def test_nothing_is_called_in_a_span_without_time(tmp_path, span):
+    assert calls(logged_text(tmp_path, PROGRAM).history, *span).edges == ()
 
 
 def test_turns_that_were_only_counted_are_calls_as_well(tmp_path):
@@ -71,10 +107,10 @@ def test_turns_that_were_only_counted_are_calls_as_well(tmp_path):
     assert node(graph, "sleep").seconds == pytest.approx(5.1)
 
 
-def test_only_the_lowest_layer_differs_between_robots():
+def test_program_and_skills_are_the_same_on_a_robot_without_a_gyroscope():
     graphs = [calls(logged_example("square.bt", robot).history) for robot in ("sim-ebo", "sim-ev3")]
     names = [
-        {one.called.name for one in graph.nodes if one.called.layer < Layer.DEVICES}
+        {one.called.name for one in graph.nodes if one.called.layer <= Layer.SKILLS}
         for graph in graphs
     ]
     assert names[0] == names[1]
@@ -84,6 +120,7 @@ def test_the_picture_has_a_box_for_each_function_and_a_line_for_each_edge(square
     svg = picture(square, {layer: layer.name for layer in Layer})
     assert svg.count("<rect") == 1 + len(square.nodes)
     assert svg.count("<path") == len(square.edges)
+    assert len(re.findall("[0-9]×, [0-9]+%<", svg)) == len(square.edges)
     assert "<title>side: 4×" in svg
 
 

@@ -60,13 +60,17 @@ def test_only_the_lowest_row_differs_between_ev3_and_cozmo_and_their_twins(graph
     first = upper(graphs["sim-ev3"])
     assert {callee.name for _, callee in first} >= {
         "set_orientation",
+        "device(Base)",
+        "read(Gyroscope)",
         "Base.move",
         "Gyroscope.read",
     }
     assert [upper(one) == first for one in graphs.values()] == [True] * 4
-    assert lowest(graphs["ev3"]) == {"Robot._drive", "Robot._angle", "Robot._reset_angle"}
-    assert lowest(graphs["cozmo"]) == {"Robot.move", "Odometry.turned", "Odometry.reset"}
-    assert lowest(graphs["sim-ev3"]) == lowest(graphs["sim-cozmo"])
+    assert lowest(graphs["ev3"]) == {"ev3._drive", "ev3._angle", "ev3._reset_angle"}
+    assert lowest(graphs["cozmo"]) == {"cozmo.move", "Odometry.turned", "Odometry.reset"}
+    for twin in ("sim-ev3", "sim-cozmo"):
+        functions = ("drive", "gyroscope", "reset_gyroscope")
+        assert lowest(graphs[twin]) == {f"{twin}.{name}" for name in functions}
 
 
 def test_the_lowest_row_of_a_robot_of_robocomp_has_the_operations_of_its_components(graph):

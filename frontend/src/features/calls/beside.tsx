@@ -5,6 +5,7 @@ import { useMemo } from "preact/hooks";
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
 import { runTitle } from "../../model/run-title";
+import type { CallEdge } from "../../protocol/messages";
 import { Dialog } from "../../ui/dialog";
 import { RunColour } from "../runs/legend";
 import { LAYERS, Picture, useLaid } from "./calls";
@@ -33,9 +34,9 @@ function Beside({ merged }: { merged: Merged }) {
       (graph.functions ?? []).some((one, index) => one.layer === layer && marks[part]?.has(index)),
     ),
   );
-  const look = (run: string, time: number) => {
+  const look = (run: string, { first, event }: CallEdge) => {
     dialogs.close();
-    keptRuns.lookAt(run, time);
+    keptRuns.lookAt(run, first, event);
   };
   return (
     <>
@@ -57,7 +58,7 @@ function Beside({ merged }: { merged: Merged }) {
                 graph={part.graph}
                 laid={layoutOf(part, laid)}
                 marked={marks[index]}
-                look={(time) => look(id, time)}
+                look={(call) => look(id, call)}
               />
             </section>
           );

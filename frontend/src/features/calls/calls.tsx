@@ -5,15 +5,17 @@ import { useEffect, useRef } from "preact/hooks";
 
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
-import type { CallGraph } from "../../protocol/messages";
+import type { CallEdge, CallGraph } from "../../protocol/messages";
 import { BOX, type Laid, type Place } from "./places";
+import { type Span, SpanFields, useSpan } from "./span";
 import "./calls.css";
 
-/** The names of the rows, from the program to the robot's driver. */
+/** The names of the columns, from the program to the robot's driver. */
 export const LAYERS = [
   "calls-layer-program",
   "calls-layer-functions",
   "calls-layer-skills",
+  "calls-layer-client",
   "calls-layer-devices",
   "calls-layer-driver",
 ] as const;
@@ -24,13 +26,24 @@ const LEVELS = 4;
 const PERIOD = 1000;
 /** The longest name in a box, in characters. */
 const LONGEST = 20;
+/** The room for the names of the columns, in pixels. */
+const HEADING = 20;
 
 export function Calls() {
   const { lookingBack } = usePage();
-  const graph = useCalls();
+  const span = useSpan();
+  const graph = useCalls(span);
   const laid = useLaid(graph);
-  if (!graph?.edges?.length) return <p class="calls-none">{t("page-calls-none")}</p>;
-  return laid && <Picture graph={laid.graph} laid={laid} look={(time) => lookingBack.look(time)} />;
+  if (!graph) return <p class="calls-none">{t("page-calls-none")}</p>;
+  return (
+    <div class="calls-panel">
+      <SpanFields span={span} shown={graph.last} />
+      {!graph.edges?.length && <p class="calls-none">{t("calls-none")}</p>}
+      {laid?.graph.edges?.length && graph.edges?.length ? (
+        <Picture graph={laid.graph} laid={laid} look={({ first, event }) => lookingBack.look(first, event)} />
+      ) : null}
+    </div>
+  );
 }
 
 /** The graph with its layout, whose library is loaded when it is first needed. */
@@ -49,8 +62,8 @@ export function useLaid(graph: CallGraph | null): (Laid & { graph: CallGraph }) 
   return laid.value;
 }
 
-/** The calls up to the moment that is shown, or of the whole run. */
-function useCalls(): CallGraph | null {
+/** The calls of a span; without an end, up to the moment that is shown, or of the whole run. */
+function useCalls(span: Span): CallGraph | null {
   const { context, views } = usePage();
   const { connection, running } = context;
   const graph = useSignal<CallGraph | null>(null);
@@ -58,8 +71,9 @@ function useCalls(): CallGraph | null {
   useSignalEffect(() => {
     if (views.panel.value !== "calls" || !views.shows("panel")) return;
     const ask = () => {
-      const last = running.past.value?.time;
-      connection.send(last === undefined ? { kind: "ReadCalls" } : { kind: "ReadCalls", last });
+      const first = span.first.value ?? 0;
+      const last = span.last.value ?? running.past.value?.time ?? null;
+      connection.send({ kind: "ReadCalls", first, last });
     };
     if (!running.active.value && !running.timeline.value?.end) {
       graph.value = null;
@@ -78,8 +92,8 @@ interface PictureProps {
   readonly laid: Laid;
   /** The functions to mark, by their index. */
   readonly marked?: ReadonlySet<number>;
-  /** Shows a moment of the run, in s. */
-  readonly look: (time: number) => void;
+  /** Shows where the first of some calls was made. */
+  readonly look: (call: CallEdge) => void;
 }
 
 export function Picture({ graph, laid, marked, look }: PictureProps) {
@@ -91,21 +105,27 @@ export function Picture({ graph, laid, marked, look }: PictureProps) {
     root.current?.querySelector<SVGGElement>(`[data-function="${index}"]`)?.focus();
   };
   const lookAtFirst = (index: number) => {
-    const call = edges.find(({ callee }) => callee === index);
-    if (call) look(call.first);
+    // Nothing calls the program: it begins where it calls something.
+    const call = edges.find(({ callee }) => callee === index) ?? edges.find(({ caller }) => caller === index);
+    if (call) look(call);
   };
   return (
     <div class="calls" data-selectable>
       <svg
         ref={root}
         width={laid.width}
-        height={laid.height}
-        viewBox={`0 0 ${laid.width} ${laid.height}`}
+        height={laid.height + HEADING}
+        viewBox={`0 ${-HEADING} ${laid.width} ${laid.height + HEADING}`}
         role="group"
         aria-label={t("page-calls-title", { robot: graph.robot })}
       >
+        {laid.columns.map(({ layer, x }) => (
+          <text key={layer} class="call-layer" x={x} y={-4}>
+            {t(LAYERS[layer] ?? LAYERS[0])}
+          </text>
+        ))}
         {edges.map((edge, index) => (
-          <Line key={`${edge.caller} ${edge.callee}`} points={laid.lines[index] ?? []} count={edge.count} />
+          <Line key={`${edge.caller} ${edge.callee}`} points={laid.lines[index] ?? []} edge={edge} />
         ))}
         {functions.map((one, index) => {
           const place = laid.places[index] ?? { x: 0, y: 0 };
@@ -138,16 +158,19 @@ export function Picture({ graph, laid, marked, look }: PictureProps) {
   );
 }
 
-function Line({ points, count }: { points: readonly Place[]; count: number }) {
+function Line({ points, edge }: { points: readonly Place[]; edge: CallEdge }) {
   const [first, ...others] = points;
   if (!first) return null;
   const middle = points[Math.floor(points.length / 2)] ?? first;
   const way = others.map(({ x, y }) => `L${x} ${y}`).join(" ");
   return (
     <g class="call-line">
-      <path d={`M${first.x} ${first.y} ${way}`} />
+      <path d={`M${first.x} ${first.y} ${way}`} stroke-width={1.5 + 3 * edge.share} />
       <text x={middle.x} y={middle.y - 4}>
-        {count}×
+        {edge.count}×
+      </text>
+      <text x={middle.x} y={middle.y + 12}>
+        {t("page-calls-share", { percent: Math.round(100 * edge.share) })}
       </text>
     </g>
   );

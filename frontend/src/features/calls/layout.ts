@@ -1,12 +1,12 @@
-/** Where the functions of a call graph are drawn: what calls is to the left of what it calls. */
+/** Where the functions of a call graph are drawn: each layer has a column, to the right of what calls it. */
 
 import { Graph, layout } from "@dagrejs/dagre";
 
 import type { CallGraph } from "../../protocol/messages";
-import { BOX, type Laid, type Place } from "./places";
+import { BOX, type Column, type Laid, type Place } from "./places";
 
 /** Pixels. */
-const GAPS = { nodesep: 12, ranksep: 44, edgesep: 8 };
+const GAPS = { nodesep: 12, ranksep: 52, edgesep: 8 };
 
 /** Lay a graph out from left to right. */
 export function lay(graph: CallGraph): Laid {
@@ -14,24 +14,49 @@ export function lay(graph: CallGraph): Laid {
   const drawn = new Graph({ multigraph: true });
   drawn.setGraph({ rankdir: "LR", ...GAPS, marginx: 8, marginy: 8 });
   functions.forEach((_, index) => drawn.setNode(`${index}`, { ...BOX }));
+  const ranks = ranked(graph);
   edges.forEach(({ caller, callee }, index) => {
-    if (forwards(graph, caller, callee)) drawn.setEdge(`${caller}`, `${callee}`, {}, `${index}`);
+    const minlen = (ranks[callee] ?? 0) - (ranks[caller] ?? 0);
+    if (minlen > 0) drawn.setEdge(`${caller}`, `${callee}`, { minlen }, `${index}`);
   });
   layout(drawn);
   const places = functions.map((_, index) => at(drawn.node(`${index}`)));
   const lines = edges.map(({ caller, callee }, index) =>
-    forwards(graph, caller, callee)
+    drawn.hasEdge(`${caller}`, `${callee}`, `${index}`)
       ? (drawn.edge(`${caller}`, `${callee}`, `${index}`).points ?? []).map(at)
       : arc(places[caller], places[callee]),
   );
   const { width = 0, height = 0 } = drawn.graph();
-  return { width, height, places, lines };
+  return { width, height, places, lines, columns: columns(graph, places) };
 }
 
-/** Whether a call leads to the right: not one of a function that calls itself, or what has called it. */
-function forwards({ functions = [] }: CallGraph, caller: number, callee: number): boolean {
-  const [from, to] = [functions[caller]?.layer ?? 0, functions[callee]?.layer ?? 0];
-  return from < to || (from === to && caller < callee);
+/**
+ * How far to the right each function is. A layer whose functions call one another takes several
+ * places; a call of a function by itself, or by what it has called, leads back.
+ */
+function ranked({ functions = [], edges = [] }: CallGraph): number[] {
+  const depths = functions.map(() => 0);
+  const inOrder = [...edges].sort((a, b) => a.caller - b.caller);
+  for (const { caller, callee } of inOrder) {
+    const isInside = functions[caller]?.layer === functions[callee]?.layer && caller < callee;
+    if (isInside) depths[callee] = Math.max(depths[callee] ?? 0, (depths[caller] ?? 0) + 1);
+  }
+  const layers = [...new Set(functions.map(({ layer }) => layer))].sort((a, b) => a - b);
+  const starts = new Map<number, number>();
+  let next = 0;
+  for (const layer of layers) {
+    starts.set(layer, next);
+    next += 1 + Math.max(...depths.filter((_, index) => functions[index]?.layer === layer));
+  }
+  return functions.map(({ layer }, index) => (starts.get(layer) ?? 0) + (depths[index] ?? 0));
+}
+
+function columns({ functions = [] }: CallGraph, places: readonly Place[]): Column[] {
+  const layers = [...new Set(functions.map(({ layer }) => layer))];
+  return layers.map((layer) => {
+    const xs = places.filter((_, index) => functions[index]?.layer === layer).map(({ x }) => x);
+    return { layer, x: (Math.min(...xs) + Math.max(...xs)) / 2 };
+  });
 }
 
 /** The line of a call back, such as of the function itself: over the boxes. */

@@ -8,6 +8,13 @@ export interface Place {
   readonly y: number;
 }
 
+/** A layer of the graph. */
+export interface Column {
+  readonly layer: number;
+  /** Its middle. */
+  readonly x: number;
+}
+
 export interface Laid {
   readonly width: number;
   readonly height: number;
@@ -15,4 +22,5 @@ export interface Laid {
   readonly places: readonly Place[];
   /** The way of each edge's line. */
   readonly lines: readonly (readonly Place[])[];
+  readonly columns: readonly Column[];
 }

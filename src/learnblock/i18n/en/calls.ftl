@@ -2,7 +2,8 @@
 
 calls-layer-program = Program
 calls-layer-functions = Own functions
-calls-layer-skills = Generic client
+calls-layer-skills = Skills
+calls-layer-client = Generic client
 calls-layer-devices = Devices
 calls-layer-driver = Robot
 # Behind a row of the table.

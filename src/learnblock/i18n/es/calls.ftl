@@ -2,7 +2,8 @@
 
 calls-layer-program = Programa
 calls-layer-functions = Funciones propias
-calls-layer-skills = Cliente genérico
+calls-layer-skills = Habilidades
+calls-layer-client = Cliente genérico
 calls-layer-devices = Dispositivos
 calls-layer-driver = Robot
 # Detrás de una fila de la tabla.

@@ -299,7 +299,8 @@ class CalledFunction(Struct, frozen=True):
     """A function in a call graph.
 
     Args:
-        layer: its row: 0 the program, 1 its functions, 2 skills, 3 devices, 4 the robot's driver.
+        layer: its row: 0 the program, 1 its functions, 2 skills, 3 the generic client, 4 devices,
+            5 the robot's driver.
         name: its name.
         count: the number of its calls.
         seconds: the robot's time spent in it and in what it called.
@@ -321,14 +322,18 @@ class CallEdge(Struct, frozen=True):
         callee: the other's.
         count: their number.
         seconds: the robot's time spent in them.
+        share: that, as a part of the whole, from 0 to 1.
         first: the time of the first one, in s.
+        event: the number of the first one in the log.
     """
 
     caller: int
     callee: int
     count: int
     seconds: float
+    share: float
     first: float
+    event: int
 
 
 class CallGraph(Message, frozen=True):

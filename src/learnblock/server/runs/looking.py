@@ -351,7 +351,13 @@ def call_graph(graph: "Calls") -> messages.CallGraph:
         ),
         tuple(
             messages.CallEdge(
-                numbers[one.caller], numbers[one.callee], one.count, one.seconds, one.first
+                numbers[one.caller],
+                numbers[one.callee],
+                one.count,
+                one.seconds,
+                one.share,
+                one.first,
+                one.event,
             )
             for one in graph.edges
         ),

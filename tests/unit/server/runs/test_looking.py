@@ -143,6 +143,19 @@ def test_one_goes_to_a_change_a_run_a_turn_and_a_mark(ran):
     assert ran.hear("Past")["time"] == 3
 
 
+def test_a_call_is_gone_to_at_its_own_line_even_if_more_happened_then(ran):
+    ran.say("ReadCalls")
+    graph = ran.hear("CallGraph")
+    shown = {}
+    for edge in graph["edges"]:
+        ran.say("LookBack", time=edge["first"], event=edge["event"] - 1, step=1)
+        name = graph["functions"][edge["callee"]]["name"]
+        shown.setdefault(name, ran.hear("Past")["line"])
+    assert shown["move_straight"] == shown["device(Base)"]
+    assert shown["sleep"]["line"] == shown["move_straight"]["line"] + 1
+    assert shown["sleep"]["block"] != shown["move_straight"]["block"]
+
+
 def test_where_there_is_nothing_to_go_to_the_moment_stays(ran):
     ran.say("LookBack", time=1.5, step=1, to="mark", subject="bump")
     past = ran.hear("Past")

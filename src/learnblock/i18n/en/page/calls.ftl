@@ -7,4 +7,11 @@ page-calls-function = { $name }, { $layer }: called { $count ->
     [one] once
    *[other] { $count } times
 } by { $callers }, { NUMBER($seconds, maximumFractionDigits: 2) } s
+page-calls-share = { $percent } %
+page-calls-span = Span of time
+page-calls-from = From (s)
+page-calls-to = To (s)
+page-calls-from-here = From this moment
+page-calls-to-here = To this moment
+page-calls-whole = Whole run
 page-calls-beside = Calls side by side
