@@ -163,9 +163,7 @@ def test_the_calls_of_the_run_are_walked_through_by_keyboard(pupil):
     program = pupil.page.locator(".call").first
     program.focus()
     pupil.page.keyboard.press("ArrowRight")
-    expect(pupil.page.locator(".call:focus")).to_have_attribute(
-        "aria-label", re.compile("Skills")
-    )
+    expect(pupil.page.locator(".call:focus")).to_have_attribute("aria-label", re.compile("Skills"))
     drive.press("Enter")
     expect(moment(pupil)).to_have_attribute("aria-valuetext", re.compile("^0.00 s"))
     # Up to this moment it has been called once.

@@ -15,7 +15,6 @@ from learnblock import devices
 from learnblock.runtime.log.events import Op
 from learnblock.why.history import Frame, History, SkillUse
 
-
 #: Classes that do not tell one robot from another; "" is that of a function outside any class.
 _OF_ANY_ROBOT = frozenset({"", "Robot", "RobotBody"})
 
