@@ -166,20 +166,10 @@ def test_the_calls_of_the_run_are_walked_through_by_keyboard(pupil):
     expect(pupil.page.locator(".call:focus")).to_have_attribute("aria-label", re.compile("Skills"))
     drive.press("Enter")
     expect(moment(pupil)).to_have_attribute("aria-valuetext", re.compile("^0.00 s"))
+    # Its own line, not the wait that began at the same moment.
+    expect(pupil.blocks("lb_skill_move_straight")).to_have_class(re.compile("lbRunning"))
     # Up to this moment it has been called once.
     expect(drive).to_have_attribute("aria-label", re.compile("called once"))
-
-
-def test_a_function_in_the_calls_leads_to_its_line_and_block(pupil):
-    pupil.tab("Calls")
-    # All of them begin at 0 s.
-    for name, block in (
-        ("expressJoy", "lb_skill_expressJoy"),
-        ("sleep", "lb_skill_sleep"),
-        ("move_straight", "lb_skill_move_straight"),
-    ):
-        pupil.page.get_by_role("button", name=re.compile(f"^{name}, Skills")).click()
-        expect(pupil.blocks(block)).to_have_class(re.compile("lbRunning"))
 
 
 def test_a_span_of_time_is_chosen_in_the_calls(pupil):

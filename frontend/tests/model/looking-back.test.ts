@@ -31,6 +31,12 @@ test("while one moment is awaited, only the last of the others is asked for", ()
   expect(connection.sent).toHaveLength(2);
 });
 
+test("the line of an event is the next one behind what happened before it", () => {
+  const [looking, , connection] = lookingBack();
+  looking.look(3, 7);
+  expect(connection.sent).toEqual([{ kind: "LookBack", time: 3, event: 6, step: 1, to: "line" }]);
+});
+
 test("steps pressed quickly are all made, each from where the one before arrived", () => {
   const [looking, , connection] = lookingBack();
   looking.look(3);
