@@ -20,10 +20,10 @@ def rows(tmp_path):
 
 
 def test_what_several_call_says_that_its_numbers_are_those_of_all_of_them(rows):
-    shown = [row.split() for row in rows if "RobotBody.show_emotion" in row]
-    assert [(row[1], " ".join(row[4:])) for row in shown] == [("2x", "of all callers")] * 2
+    shown = [row.split() for row in rows if "sim-cozmo.show_emotion" in row]
+    assert [(row[1], " ".join(row[5:])) for row in shown] == [("2x", "of all callers")] * 2
 
 
 def test_what_only_one_calls_has_its_own_numbers(rows):
-    [drive] = [row for row in rows if "RobotBody.drive" in row]
-    assert drive.endswith(" s")
+    [drive] = [row for row in rows if "sim-cozmo.drive" in row]
+    assert drive.endswith("%")
