@@ -106,6 +106,44 @@ def test_a_block_about_a_feeling_shows_its_face(pupil):
     expect(pupil.blocks("lb_skill_sleep").locator(pictures)).to_have_count(1)
 
 
+def test_a_menu_has_the_sign_of_a_number(pupil):
+    pupil.write("blocktext", "main:\n    function.turn(-90)\nend\n")
+    turn = pupil.blocks("lb_skill_turn")
+    direction = turn.locator("> .blocklyDropdownField")
+    number = turn.locator(".lb_angle .blocklyText")
+    expect(direction).to_have_text(re.compile("left"))
+    expect(number).to_have_text("90")
+    direction.click()
+    pupil.page.locator(".blocklyMenuItem", has_text="right").click()
+    pupil.sees("blocktext", "function.turn(90)")
+    expect(direction).to_have_text(re.compile("right"))
+    expect(number).to_have_text("90")
+
+
+@pytest.mark.parametrize(
+    ("before", "typed", "after"), [(-90, "45", -45), (90, "-45", -45), (-90, "0.5", -0.5)]
+)
+def test_a_typed_number_keeps_its_direction_unless_it_has_a_sign(pupil, before, typed, after):
+    pupil.write("blocktext", f"main:\n    function.move_straight({before})\nend\n")
+    number = pupil.blocks("lb_skill_move_straight").locator(".blocklyNumberField")
+    expect(number).to_have_text("90")
+    number.click()
+    pupil.page.keyboard.type(typed)
+    pupil.page.keyboard.press("Enter")
+    pupil.sees("blocktext", f"function.move_straight({after})")
+    expect(number).to_have_text(typed.removeprefix("-"))
+
+
+def test_beside_a_calculated_number_the_direction_is_a_word(pupil):
+    pupil.write("blocktext", "main:\n    x = -90\n    function.turn(x)\nend\n")
+    word = pupil.blocks("lb_skill_turn").locator("> .blocklyDropdownField")
+    expect(word).to_contain_text("right")
+    word.click()
+    expect(pupil.page.locator(".blocklyMenuItem")).to_have_count(0)
+    pupil.write("blocktext", "main:\n    x = -90\n    function.turn(-9)\nend\n")
+    expect(word).to_contain_text("left")
+
+
 def menu_of(pupil, kind):
     """The menu in a block."""
     return pupil.blocks(kind).locator(".lb_choice").first

@@ -15,7 +15,7 @@ IN_PROGRAM = "program => document.activeElement.closest(program) !== null"
 #: What a page of 1366x768 has left at a zoom of 200 %.
 ZOOMED = {"width": 683, "height": 384}
 #: The block of the lesson, as it is read out.
-DRIVE = {"en": "^drive 500 mm at 80 mm/s", "es": "^avanzar 500 mm a 80 mm/s"}
+DRIVE = {"en": "^drive forward 500 mm", "es": "^ir hacia delante 500 mm"}
 FIELD = {"en": "^Edit .*number", "es": "^Editar .*n.mero"}
 #: The name of each control that cannot be scrolled to.
 LOST = """() => {

@@ -2,7 +2,8 @@
 
 A block with a variable shape names its extension or mutator in the page:
 ``lb_when_mutator``, ``lb_arguments_mutator``, ``lb_compare_mutator``, ``lb_dictionary_mutator``,
-``lb_when_names``, ``lb_code_field``. An extension adds its field to the dummy input ``PLACE``.
+``lb_when_names``, ``lb_code_field``. An extension adds its field to the dummy input ``PLACE``. The
+page's field ``lb_direction`` shows the sign of a number as a word.
 """
 
 from collections.abc import Iterable, Mapping
@@ -11,7 +12,7 @@ from typing import Any
 
 from learnblock.blocks.groups import style_of
 from learnblock.blocks.labels import parameter_name, sentence, translated
-from learnblock.blocks.schema.configuration import NUMBERS, BlockConfiguration, Parameter
+from learnblock.blocks.schema.configuration import NUMBERS, SIGNS, BlockConfiguration, Parameter
 from learnblock.blocks.toolbox import SKILL, is_skill_block
 
 Definition = dict[str, Any]
@@ -21,6 +22,8 @@ CHANGES = ("-=", "*=", "/=", "//=", "%=", "**=")
 _STATEMENT: Definition = {"previousStatement": None, "nextStatement": None}
 _DO: Definition = {"message1": "%1", "args1": [{"type": "input_statement", "name": "DO"}]}
 _PLACE: Definition = {"type": "input_dummy", "name": "PLACE"}
+#: What follows a parameter's name in that of its direction.
+_DIRECTION = ".direction"
 _CHECKS = {
     **dict.fromkeys(NUMBERS, "Number"),
     "boolean": "Boolean",
@@ -166,7 +169,7 @@ def skill_definition(configuration: BlockConfiguration, language: str) -> Defini
         "type": SKILL + configuration.name,
         "style": style_of(configuration.category),
         "message0": _message(configuration, language),
-        "args0": [_parameter(one, language) for one in configuration.parameters],
+        "args0": _arguments(configuration, language),
         "inputsInline": True,
         "tooltip": _plain(translated(configuration.tooltip, language, "")),
         **shape,
@@ -174,8 +177,9 @@ def skill_definition(configuration: BlockConfiguration, language: str) -> Defini
 
 
 def _message(configuration: BlockConfiguration, language: str) -> str:
-    """The label in Blockly's notation: a percent sign is doubled, and %1 is an input."""
-    inputs = {one.name: f"%{index}" for index, one in enumerate(configuration.parameters, 1)}
+    """The label in Blockly's notation: a percent sign is doubled, and %1 is an argument."""
+    names = [one["name"] for one in _arguments(configuration, language)]
+    places = {name: f"%{index}" for index, name in enumerate(names, 1)}
     escaped = replace(
         configuration,
         languages=_all_plain(configuration.languages),
@@ -184,11 +188,29 @@ def _message(configuration: BlockConfiguration, language: str) -> str:
             for one in configuration.parameters
         ),
     )
-    return sentence(escaped, language, lambda one: inputs[one.name])
+    return sentence(
+        escaped,
+        language,
+        lambda one: places[one.name],
+        lambda one: places[one.name + _DIRECTION],
+    )
 
 
 def _all_plain(texts: Mapping[str, str]) -> dict[str, str]:
     return {code: _plain(text) for code, text in texts.items()}
+
+
+def _arguments(configuration: BlockConfiguration, language: str) -> list[Definition]:
+    parameters = configuration.parameters
+    directions = [_direction(one, language) for one in parameters if one.directions]
+    return [*(_parameter(one, language) for one in parameters), *directions]
+
+
+def _direction(parameter: Parameter, language: str) -> Definition:
+    options = [
+        [translated(parameter.directions.get(sign, {}), language, sign), sign] for sign in SIGNS
+    ]
+    return {"type": "lb_direction", "name": parameter.name + _DIRECTION, "options": options}
 
 
 def _parameter(parameter: Parameter, language: str) -> Definition:

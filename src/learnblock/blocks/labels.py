@@ -1,16 +1,22 @@
 """Labels of blocks: sentences that name their parameters in braces.
 
-    drive forward at {advSpeed} mm/s
+    drive {advSpeed.direction} at {advSpeed} mm/s
 
-A parameter that the label does not name follows it, with the parameter's own translation.
+A parameter that the label does not name follows it, with the parameter's own translation. The sign
+of a number can be a word of the sentence, its direction: ``forward`` or ``backward``.
 """
 
 import re
 from collections.abc import Callable, Mapping
 
-from learnblock.blocks.schema.configuration import BlockConfiguration, Parameter
+from learnblock.blocks.schema.configuration import (
+    NEGATIVE,
+    POSITIVE,
+    BlockConfiguration,
+    Parameter,
+)
 
-_PLACE = re.compile(r"\{(\w+)\}")
+_PLACE = re.compile(r"\{(\w+)(\.direction)?\}")
 
 
 def translated(texts: Mapping[str, str], language: str, otherwise: str) -> str:
@@ -20,33 +26,78 @@ def translated(texts: Mapping[str, str], language: str, otherwise: str) -> str:
 
 
 def label(block: BlockConfiguration, language: str) -> str:
-    """The label with its parameters in brackets: ``drive forward at (speed) mm/s``."""
-    return sentence(block, language, lambda one: f"({parameter_name(one, language)})")
+    """The label with its parameters in brackets: ``drive forward at (speed) mm/s``.
+
+    A direction is that of the default.
+    """
+    return sentence(
+        block,
+        language,
+        lambda one: f"({parameter_name(one, language)})",
+        lambda one: direction(one, one.default, language),
+    )
 
 
-def sentence(block: BlockConfiguration, language: str, field: Callable[[Parameter], str]) -> str:
-    """The label with a replacement for each parameter.
+def spoken(block: BlockConfiguration, language: str, values: Mapping[str, object]) -> str:
+    """The sentence with these values, or the default for those that are missing.
+
+    >>> from learnblock.blocks.schema.loading import builtin
+    >>> spoken(builtin()["turn"], "en", {"angle": -90})
+    'turn left by 90°'
+    """
+
+    def value(one: Parameter) -> object:
+        return values.get(one.name, one.default)
+
+    def field(one: Parameter) -> str:
+        shown = value(one)
+        is_directed = one.directions and isinstance(shown, int | float)
+        return str(abs(shown) if is_directed else shown)  # type: ignore[arg-type] # is_directed
+
+    return sentence(block, language, field, lambda one: direction(one, value(one), language))
+
+
+def sentence(
+    block: BlockConfiguration,
+    language: str,
+    field: Callable[[Parameter], str],
+    direction: Callable[[Parameter], str],
+) -> str:
+    """The label with a replacement for each parameter and direction.
 
     Args:
         block: the skill.
         language: such as ``es``.
         field: returns the replacement for a parameter.
+        direction: returns that for its direction; it precedes the parameter if the label does not
+            say where it belongs.
     """
-    parameters = {one.name: one for one in block.parameters}
     text = translated(block.languages, language, block.name)
-    named = {name for name in _PLACE.findall(text) if name in parameters}
+    parameters = {one.name: one for one in block.parameters}
+    fields = {name: field(one) for name, one in parameters.items()}
+    directions = {name: direction(one) for name, one in parameters.items() if one.directions}
+    named = {name for name, directed in _PLACE.findall(text) if not directed}
+    placed = {name for name, directed in _PLACE.findall(text) if directed}
+    for name in directions.keys() - placed:
+        fields[name] = f"{directions.pop(name)} {fields[name]}"
     following = [
-        f"{parameter_name(one, language)} {field(one)}"
+        f"{parameter_name(one, language)} {fields[name]}"
         for name, one in parameters.items()
         if name not in named
     ]
 
     def filled(place: re.Match[str]) -> str:
-        name = place[1]
-        # A field can be shown only once, and braces that name no parameter are plain text.
-        return field(parameters.pop(name)) if name in parameters else place[0]
+        # Each can be shown only once, and braces that name no parameter are plain text.
+        return (directions if place[2] else fields).pop(place[1], place[0])
 
     return " ".join([_PLACE.sub(filled, text), *following])
+
+
+def direction(parameter: Parameter, value: object, language: str) -> str:
+    """The word for the sign of a number; the positive one for a zero and whatever is no number."""
+    is_negative = isinstance(value, int | float) and value < 0
+    words = parameter.directions.get(NEGATIVE if is_negative else POSITIVE, {})
+    return translated(words, language, "")
 
 
 def parameter_name(parameter: Parameter, language: str) -> str:

@@ -4,9 +4,9 @@ import re
 from functools import cache
 from typing import Any
 
-from learnblock.blocks import BlockConfiguration, Configurations, Parameter
+from learnblock.blocks import BlockConfiguration, Configurations
 from learnblock.blocks.known import all_configurations
-from learnblock.blocks.labels import sentence
+from learnblock.blocks.labels import direction, sentence, spoken
 from learnblock.i18n import Multilingual, Phrase, Value
 from learnblock.i18n.words import languages
 
@@ -71,14 +71,11 @@ def skill_phrase(name: str, args: list[Any] | None = None) -> Value:
 
 def _spoken(block: BlockConfiguration, language: str, args: list[Any] | None) -> str:
     if args is None:
-        return sentence(block, language, lambda _: "…")
+        return sentence(
+            block, language, lambda _: "…", lambda one: direction(one, one.default, language)
+        )
     names = [one.name for one in block.parameters]
-    given = dict(zip(names, args, strict=False))
-
-    def field(parameter: Parameter) -> str:
-        return str(given.get(parameter.name, parameter.default))
-
-    return sentence(block, language, field)
+    return spoken(block, language, dict(zip(names, args, strict=False)))
 
 
 def thing_phrase(name: str) -> Phrase:

@@ -91,25 +91,37 @@ def test_an_untranslated_language_falls_back_to_english():
 
 def test_skills_are_translated():
     found = named(palette(builtin(), "es"), "lb_skill_move_left")
-    assert "curva a la izquierda a %1 mm/s, %2°/s" == found["message0"]
+    assert "curva a la %3 a %1 mm/s, %2°/s" == found["message0"]
     assert found["tooltip"].startswith("Avanza en curva")
 
 
 def test_a_label_places_its_parameters_and_others_follow_with_their_names():
     drive = replace(
         builtin()["move_left"],
-        languages={"EN": "turn {rotSpeed}°/s {oops} 5%"},
+        languages={"EN": "turn {rotSpeed}°/s {oops} {advSpeed.direction} 5%"},
     )
     found = named(palette({"move_left": drive}, "en"), "lb_skill_move_left")
-    assert "turn %2°/s {oops} 5%% speed %1" == found["message0"]
+    assert "turn %3 %2°/s {oops} {advSpeed.direction} 5%% speed %1" == found["message0"]
+
+
+def test_the_sign_of_a_number_is_a_menu_of_two_words():
+    (angle, direction) = named(palette(builtin(), "es"), "lb_skill_turn")["args0"]
+    assert angle["name"] == "angle"
+    assert direction == {
+        "type": "lb_direction",
+        "name": "angle.direction",
+        "options": [["derecha", "positive"], ["izquierda", "negative"]],
+    }
 
 
 def test_each_built_in_label_places_each_parameter_once(subtests):
     for block in builtin().values():
         with subtests.test(block.name):
             for text in block.languages.values():
-                places = re.findall(r"\{(\w+)\}", text)
-                assert sorted(places) == sorted(one.name for one in block.parameters)
+                places = re.findall(r"\{([\w.]+)\}", text)
+                directed = [one.name for one in block.parameters if one.directions]
+                names = [one.name for one in block.parameters]
+                assert sorted(places) == sorted([*names, *(f"{one}.direction" for one in directed)])
 
 
 def test_a_percent_sign_in_a_label_is_escaped():

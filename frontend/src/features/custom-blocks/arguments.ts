@@ -15,6 +15,7 @@ export interface Argument {
 }
 
 interface Entry {
+  readonly type?: string;
   readonly name?: string;
   readonly field?: Allowed;
 }
@@ -36,7 +37,8 @@ const KINDS: Readonly<Record<string, Kind>> = {
 /** The parameters in a function's preview; one without a field takes a list. */
 export function argumentsOf({ definition, block }: CustomBlockPreview): Argument[] {
   const inputs = (block.inputs ?? {}) as Readonly<Record<string, { readonly shadow?: Shadow }>>;
-  const entries = (definition.args0 ?? []) as readonly Entry[];
+  // The others show the sign of a number.
+  const entries = ((definition.args0 ?? []) as readonly Entry[]).filter(({ type }) => type === "input_value");
   return entries.map(({ name = "", field: allowed = {} }) => {
     const shadow = inputs[name]?.shadow;
     const initial = String(Object.values(shadow?.fields ?? {})[0] ?? "[]");

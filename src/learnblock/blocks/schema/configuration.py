@@ -18,6 +18,8 @@ ParameterType = Literal[
 Returns = Literal["any", "boolean"]
 #: The types that are numbers, and can have a range.
 NUMBERS: tuple[ParameterType, ...] = ("float", "int", "angle")
+#: The signs that have words; a zero has those of the first.
+SIGNS = POSITIVE, NEGATIVE = ("positive", "negative")
 
 _COLOUR = re.compile(r"#[0-9a-fA-F]{6}")
 
@@ -36,6 +38,9 @@ class Parameter:
         choices: the strings of the type ``choice``; of a ``string`` only the usual ones.
         choice_names: translations of the choices, by the choice and then by upper-case language
             code; programs contain the choice itself.
+        directions: the words for a ``positive`` and a ``negative`` number, such as *right* and
+            *left*, by upper-case language code; empty if the sign has no word. Programs contain
+            the sign.
     """
 
     name: str
@@ -46,6 +51,7 @@ class Parameter:
     range: Range | None = None
     choices: tuple[str, ...] = ()
     choice_names: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+    directions: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
 
     @property
     def is_number(self) -> bool:

@@ -112,6 +112,7 @@ def _trusted_parameter(raw: dict[str, Any]) -> Parameter:
         range=Range(*raw["range"]) if "range" in raw else None,
         choices=tuple(raw.get("choices", ())),
         choice_names=raw.get("choiceNames", {}),
+        directions=raw.get("directions", {}),
     )
 
 

@@ -8,6 +8,7 @@ from typing import Any, TypeVar, get_args
 
 from learnblock.blocks.schema.configuration import (
     NUMBERS,
+    SIGNS,
     BlockConfiguration,
     Parameter,
     ParameterType,
@@ -47,6 +48,7 @@ _PARAMETER_KEYS = {
     "range": False,
     "choices": False,
     "choiceNames": False,
+    "directions": False,
 }
 # Reporting more of them at once does not help.
 _MOST_PROBLEMS = 100
@@ -119,6 +121,7 @@ class _Reader:
             range=self._range(fields, kind, path, who),
             choices=choices,
             choice_names=self._choice_names(fields, choices, path, who),
+            directions=self._directions(fields, kind, path, who),
         )
 
     # Their parts.
@@ -283,6 +286,21 @@ class _Reader:
             place = self._document.keys.get((*at, name), Place())
             self._note("unknown-key", _unknown_choice(name, choices, who), place)
         return {name: self._languages(value, name, at, who) for name in choices if name in value}
+
+    def _directions(
+        self, fields: Mapping[str, Any], kind: ParameterType, path: Path, who: Phrase
+    ) -> dict[str, dict[str, str]]:
+        value, at = fields.get("directions", {}), (*path, "directions")
+        if value == {}:
+            return {}
+        if not isinstance(value, dict) or set(value) != set(SIGNS):
+            message = Phrase("block-not-directions", where=who, value=_shown(value))
+        elif kind not in NUMBERS:
+            message = Phrase("block-directions-not-number", where=who)
+        else:
+            return {sign: self._languages(value, sign, at, who) for sign in SIGNS}
+        self._wrong("bad-directions", at, message)
+        return {}
 
     # Names that must differ, and parameters without a default after those with one.
 

@@ -1,7 +1,7 @@
 """Block configurations as the JSON that `load_configurations` reads."""
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from learnblock.blocks.schema.configuration import BlockConfiguration, Parameter
@@ -34,14 +34,15 @@ def _parameter(parameter: Parameter) -> dict[str, Any]:
         **({} if parameter.required else {"default": parameter.default}),
         **({"range": _range(parameter.range)} if parameter.range else {}),
         **({"choices": list(parameter.choices)} if parameter.choices else {}),
-        **_choice_names(parameter),
+        **_words("choiceNames", parameter.choice_names),
+        **_words("directions", parameter.directions),
         "translate": dict(parameter.translations),
     }
 
 
-def _choice_names(parameter: Parameter) -> dict[str, Any]:
-    names = {choice: dict(names) for choice, names in parameter.choice_names.items()}
-    return {"choiceNames": names} if names else {}
+def _words(key: str, words: Mapping[str, Mapping[str, str]]) -> dict[str, Any]:
+    found = {one: dict(translations) for one, translations in words.items()}
+    return {key: found} if found else {}
 
 
 def _range(found: Range) -> list[float]:

@@ -8,7 +8,7 @@ from importlib.machinery import ModuleSpec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from learnblock.blocks.schema.configuration import BlockConfiguration, Parameter
+from learnblock.blocks.schema.configuration import NUMBERS, BlockConfiguration, Parameter
 from learnblock.blocks.source.hints import FieldType
 from learnblock.blocks.source.signature import Argument, Signature, signatures
 from learnblock.errors import LearnBlockError
@@ -102,6 +102,7 @@ def _fitted_parameter(chosen: Parameter | None, argument: Argument, known: Param
             for choice, names in {**known.choice_names, **chosen.choice_names}.items()
             if choice in field.choices
         },
+        directions=(chosen.directions or known.directions) if field.type in NUMBERS else {},
     )
 
 

@@ -92,8 +92,8 @@ workspace-never-repeats = Repeating { $count } times means that the blocks insid
 workspace-idle-wait = Nothing changes this condition while the program waits here, so it waits forever or not at all. Use a question for the robot in it.
 workspace-idle-loop = Nothing is inside this loop, so it never ends. Put the blocks that it should repeat into it, or remove it.
 workspace-speed-as-angle = This is a speed: the robot would keep turning at { $speed }°/s. { $side ->
-    [left] To turn left by { $speed } degrees, use the block 'turn right by ...°' with -{ $speed }: a negative angle turns left.
-   *[other] To turn by { $speed } degrees, use the block 'turn right by ...°'.
+    [left] To turn left by { $speed } degrees, choose 'left' in the block 'turn ... by ...°'.
+   *[other] To turn by { $speed } degrees, use the block 'turn ... by ...°'.
 }
 workspace-convert-to-number = This is text, but a number is needed. Put the block 'int' from 'Maths' around it, which makes it a number.
 workspace-answer-for-number = What is typed in is always text, even 5, but a number is needed here. Put the block 'int' from 'Maths' around this.

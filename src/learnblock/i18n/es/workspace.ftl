@@ -92,8 +92,8 @@ workspace-never-repeats = Si se repite { $count } veces, los bloques de dentro n
 workspace-idle-wait = Nada cambia esta condición mientras el programa espera aquí, así que espera para siempre o nada. Usa en ella una pregunta al robot.
 workspace-idle-loop = Dentro de este bucle no hay nada, así que no termina nunca. Pon dentro los bloques que debe repetir, o quítalo.
 workspace-speed-as-angle = Esto es una velocidad: el robot seguiría girando a { $speed }°/s. { $side ->
-    [left] Para girar { $speed } grados a la izquierda, usa el bloque 'girar ...° a la derecha' con -{ $speed }: un ángulo negativo gira a la izquierda.
-   *[other] Para girar { $speed } grados, usa el bloque 'girar ...° a la derecha'.
+    [left] Para girar { $speed } grados a la izquierda, elige 'izquierda' en el bloque 'girar ...° a la ...'.
+   *[other] Para girar { $speed } grados, usa el bloque 'girar ...° a la ...'.
 }
 workspace-convert-to-number = Esto es un texto, pero hace falta un número. Ponle alrededor el bloque 'int' de 'Cálculo', que lo convierte en un número.
 workspace-answer-for-number = Lo que se escribe con el teclado es siempre un texto, aunque sea 5, pero aquí hace falta un número. Pon alrededor de esto el bloque 'int' de 'Cálculo'.

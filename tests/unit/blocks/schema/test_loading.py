@@ -10,7 +10,13 @@ from hypothesis import strategies as st
 
 from learnblock.blocks import builtin, load_configurations
 from learnblock.blocks.known import all_configurations
-from learnblock.blocks.schema.configuration import BlockConfiguration, Parameter, ParameterType
+from learnblock.blocks.labels import label
+from learnblock.blocks.schema.configuration import (
+    SIGNS,
+    BlockConfiguration,
+    Parameter,
+    ParameterType,
+)
 from learnblock.blocks.schema.loading import TABS
 from learnblock.blocks.schema.writing import written
 from learnblock.devices import DEVICE_TYPES
@@ -186,6 +192,7 @@ parameters = st.fixed_dictionaries(
         "range": st.lists(st.integers() | st.floats(), max_size=3) | anything,
         "choices": st.lists(st.text(max_size=3) | anything, max_size=3) | anything,
         "choiceNames": st.dictionaries(st.text(max_size=3), anything) | anything,
+        "directions": st.fixed_dictionaries(dict.fromkeys(SIGNS, anything)) | anything,
         "default": anything,
         "translate": st.dictionaries(st.sampled_from(["EN", "en", "??"]), anything) | anything,
     },
@@ -254,7 +261,7 @@ def test_every_built_in_text_is_english_and_spanish(subtests):
 
 def test_no_two_built_in_blocks_have_the_same_label():
     for language in ("EN", "ES"):
-        labels = [block.languages[language] for block in builtin().values()]
+        labels = [label(block, language) for block in builtin().values()]
         assert len(labels) == len(set(labels))
 
 
@@ -381,6 +388,7 @@ fields = st.one_of(
     st.tuples(st.just("choice"), st.just("a"), st.none(), st.just(("a", "b c"))),
 )
 choice_names = st.dictionaries(st.sampled_from(["a", "b c"]), texts)
+signs = st.fixed_dictionaries(dict.fromkeys(SIGNS, texts))
 
 
 @st.composite
@@ -390,9 +398,19 @@ def configurations(draw) -> BlockConfiguration:
     for i, (kind, default, range_, choices) in enumerate(draw(st.lists(fields, max_size=4))):
         given_default = None if i < required else draw(st.sampled_from([default, None]))
         names = draw(choice_names) if choices else {}
+        is_number = kind in ("float", "int", "angle")
+        directions = draw(st.just({}) | signs) if is_number else {}
         parameters.append(
             Parameter(
-                f"p{i}", kind, given_default, i < required, draw(texts), range_, choices, names
+                f"p{i}",
+                kind,
+                given_default,
+                i < required,
+                draw(texts),
+                range_,
+                choices,
+                names,
+                directions,
             )
         )
     return BlockConfiguration(

@@ -3,6 +3,7 @@
 import * as Blockly from "blockly/core";
 
 import "./fields.css";
+import { registerDirections } from "./direction";
 import { FieldAngle, FieldSlider } from "./numbers";
 import { FieldChoice, FieldColour } from "./texts";
 
@@ -25,6 +26,7 @@ const PALE: Readonly<Record<string, Pale>> = {
 
 /** Define these blocks, once for the whole page. */
 export function defineFields(): void {
+  registerDirections();
   for (const [type, pale] of Object.entries(PALE)) defineField(type, pale);
 }
 

@@ -5,6 +5,7 @@ import * as Blockly from "blockly/core";
 import { t } from "../../../i18n";
 import { allowedAt } from "./allowed";
 import { Dial } from "./dial";
+import { SignedNumber } from "./direction";
 import { openPanel, rangeInput } from "./panel";
 
 /** The ends of a slider for a parameter without limits. */
@@ -19,7 +20,7 @@ const ANGLES = { min: -180, max: 180, step: 5 };
  *
  * It never corrects a program: the check warns about numbers out of range.
  */
-abstract class PanelNumber extends Blockly.FieldNumber {
+abstract class PanelNumber extends SignedNumber {
   /** The control in the panel. */
   protected abstract panel(): HTMLElement;
 
