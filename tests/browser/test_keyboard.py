@@ -153,7 +153,7 @@ def test_the_tour_takes_five_steps_with_the_keyboard_and_ends_at_the_run_button(
     keys = Typist(pupil)
     offer = pupil.page.get_by_role("button", name="Start tour")
     expect(offer).to_be_visible()
-    keys.walk("Shift+Tab", "^Start tour")
+    keys.walk("Tab", "^Start tour")
     keys.press("Enter")
     card = pupil.page.locator(".tour-card")
     for number, title in enumerate(STEPS, 1):

@@ -6,6 +6,7 @@ import { ClassNotes } from "../features/in-class/notes";
 import { useLessons } from "../features/lessons/lessons";
 import { LessonPane } from "../features/lessons/panel";
 import { StartPage } from "../features/start/start-page";
+import { TourOffer } from "../features/tour/offer";
 import { Tour } from "../features/tour/tour";
 import { t } from "../i18n";
 import { usePage } from "../model/page";
@@ -59,6 +60,7 @@ function Work() {
     <>
       <SkipLinks />
       <Bar />
+      <TourOffer />
       <ConnectionBanner />
       <ReadOnlyBanner />
       <Main />
