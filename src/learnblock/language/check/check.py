@@ -30,6 +30,7 @@ from learnblock.language.tree.nodes import (
     If,
     Import,
     Item,
+    Name,
     Number,
     Pass,
     Program,
@@ -42,7 +43,7 @@ from learnblock.language.tree.nodes import (
     When,
     is_only_raw,
 )
-from learnblock.language.tree.traversal import bodies, set_by, within
+from learnblock.language.tree.traversal import bodies, expressions, set_by, statements, within
 
 # CPython allows fewer than 100 levels of indentation, and 20 loops inside each other.
 MAX_INDENTATION = 99
@@ -149,7 +150,7 @@ class _Checker:
     def values_of_events(self) -> None:
         """Report variables and parameters that have the name of an event's state or time."""
         for item in self.findings.everything:
-            names = item.parameters if isinstance(item, Def) else (set_by(item),)
+            names = _used_parameters(item) if isinstance(item, Def) else (set_by(item),)
             where = item.target if isinstance(item, Assign | ForEach | ForRange) else item
             for name in filter(None, names):
                 found = state_of(name, self.findings.whens.keys())
@@ -243,3 +244,15 @@ class _Checker:
                     message = Phrase(code, skill=called)
                     self.report("sensor-outside-loop", message, branch.span, "warning")
                     return
+
+
+def _used_parameters(function: Def) -> list[str]:
+    """The parameters that the body of a function reads."""
+    read = {
+        node.name
+        for item in statements(function.body)
+        for expression in expressions(item)
+        for node in within(expression)
+        if isinstance(node, Name)
+    }
+    return [name for name in function.parameters if name in read]

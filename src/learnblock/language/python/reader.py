@@ -15,6 +15,7 @@ from learnblock.errors import Diagnostic, ProgramError
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext import names
 from learnblock.language.blocktext.lexer import MAX_CHARACTERS, too_long
+from learnblock.language.blocktext.names import state_of
 from learnblock.language.blocktext.order import definitions_first
 from learnblock.language.blocktext.rewording import reworded
 from learnblock.language.python import imports
@@ -394,11 +395,21 @@ class _Reader(StatementReader):
         if node.decorator_list:
             return self.when(node, comment)
         name = names.from_python(node.name)
-        parameters = tuple(self.identifier(argument.arg) for argument in arguments.args)
-        if name is None:
+        parameters = tuple(self.called(argument.arg) for argument in arguments.args)
+        if name is None or self.reads_value_of_event(node):
             raise Unlike
         body = self.function_body(node, parameters)
         return Def(name, parameters, body, comment, span_of(node))
+
+    def reads_value_of_event(self, node: ast.FunctionDef) -> bool:
+        """Whether a function uses a parameter that Block-Text would take for an event's value."""
+        given = {argument.arg for argument in node.args.args}
+        return any(
+            isinstance(inner, ast.Name)
+            and inner.id in given
+            and state_of(names.from_python(inner.id) or "", self.when_names)
+            for inner in ast.walk(node)
+        )
 
     def when(self, node: ast.FunctionDef, comment: str | None) -> When:
         name = self.whens.get(node.name)

@@ -145,3 +145,10 @@ def test_python_that_reads_what_it_sets_below_is_a_mistake(text, line):
 )
 def test_python_that_may_have_set_a_variable_has_no_mistake(text):
     assert [] == early(text)
+
+
+def test_a_warning_on_the_same_line_does_not_hide_a_mistake():
+    text = (
+        "go.activate()\n\n\n@robot.when(lambda: True)\ndef go():\n    print(1)\n\n\nrobot.run()\n"
+    )
+    assert [(5, "check-follows-condition-python"), (5, "check-defined-below")] == early(text)

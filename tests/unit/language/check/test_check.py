@@ -339,8 +339,8 @@ def test_a_variable_is_followed_into_functions_and_events(text, line, found):
 @pytest.mark.parametrize(
     ("text", "name"),
     [
-        ("def show(time_go):\n    print(1)\nend\n", "time_go"),
-        ("def show(state_go):\n    print(1)\nend\n", "state_go"),
+        ("def show(time_go):\n    print(time_go)\nend\n", "time_go"),
+        ("def show(state_go):\n    x = state_go\nend\n", "state_go"),
         ("time_go = 0\n", "time_go"),
         ("state_go = False\n", "state_go"),
         ("time_go += 1\n", "time_go"),

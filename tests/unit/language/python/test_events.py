@@ -28,6 +28,9 @@ EVENTS = {
         "def show(time_go):\n    print(time_go)\n\n\n"
         "@robot.when(lambda: True)\ndef go():\n    show(3)\n"
     ),
+    "a parameter like the time of an event that is not used": (
+        f"def show(time_go):\n{BODY}\n\n@robot.when(lambda: True)\ndef go():\n    show(3)\n"
+    ),
     "a variable like the state of an event": (
         f"@robot.when(lambda: True)\ndef go():\n{BODY}\n\nstate_go = 1\nprint(state_go)\n"
     ),

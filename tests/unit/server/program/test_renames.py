@@ -28,6 +28,7 @@ main:
     print(twice(number=four))
     activate near
     deactivate near
+    activate near
     print(`four if four else twice(1)`)
 end
 """
