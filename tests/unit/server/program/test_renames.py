@@ -26,7 +26,6 @@ main:
     four = twice(2)
     wave()
     print(twice(number=four))
-    activate near
     deactivate near
     activate near
     print(`four if four else twice(1)`)
