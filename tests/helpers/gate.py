@@ -2,14 +2,16 @@
 
 The gate is what ``pytest`` runs without arguments: all unit tests, and of those that need a browser
 or the other end of a robot's wire the ones in ``tests/smoke.txt``. Of a test with the marker
-``sample(n)`` it runs n of the cases, evenly spread. With ``--all`` everything runs; of a file or
-folder that is named, all tests run too.
+``sample(n)`` it runs n of the cases, evenly spread, and Hypothesis tries the same examples each
+time, so that a red gate is the fault of the change. With ``--all`` everything runs, with new
+examples; of a file or folder that is named, all tests run too.
 """
 
 from collections import defaultdict
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
 
 TESTS = Path(__file__).parents[1]
 #: One test for each promise that no unit test can keep.
@@ -25,6 +27,9 @@ def pytest_addoption(parser):
 
 def pytest_configure(config):
     config.stash[IS_GATE] = _is_gate(config)
+    if config.stash[IS_GATE]:
+        settings.register_profile("gate", deadline=None, derandomize=True)
+        settings.load_profile("gate")
 
 
 def _is_gate(config):
