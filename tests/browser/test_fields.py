@@ -84,6 +84,7 @@ def test_one_swatch_chooses_red_green_and_blue_of_an_led(pupil):
     pupil.write("blocktext", 'main:\n    function.RGBled(1, 2, 3, "first")\nend\n')
     swatch = pupil.blocks("lb_skill_RGBled").locator("> .blocklyImageField").last
     expect(swatch.locator("image")).to_have_attribute("xlink:href", re.compile("010203"))
+    expect(swatch).to_have_accessible_name("colour")
     swatch.click()
     pupil.picture("swatches")
     pupil.page.get_by_role("button", name="orange", exact=True).click()
@@ -142,6 +143,18 @@ def test_beside_a_calculated_number_the_direction_is_a_word(pupil):
     expect(pupil.page.locator(".blocklyMenuItem")).to_have_count(0)
     pupil.write("blocktext", "main:\n    x = -90\n    function.turn(-9)\nend\n")
     expect(word).to_contain_text("left")
+
+
+def test_what_only_says_the_usual_is_behind_dots_until_it_differs(pupil):
+    pupil.write("blocktext", "main:\n    function.drive_distance(200, 80)\nend\n")
+    drive = pupil.blocks("lb_skill_drive_distance")
+    numbers = drive.locator(".math_number").filter(visible=True)
+    expect(numbers).to_have_text(["200"])
+    drive.get_by_role("button", name="Show more values").click()
+    expect(numbers).to_have_text(["200", "80"])
+    pupil.sees("blocktext", "function.drive_distance(200, 80)")
+    pupil.write("blocktext", "main:\n    function.drive_distance(9, 70)\nend\n")
+    expect(numbers).to_have_text(["9", "70"])
 
 
 def menu_of(pupil, kind):

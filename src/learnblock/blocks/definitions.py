@@ -3,17 +3,25 @@
 A block with a variable shape names its extension or mutator in the page:
 ``lb_when_mutator``, ``lb_arguments_mutator``, ``lb_compare_mutator``, ``lb_dictionary_mutator``,
 ``lb_when_names``, ``lb_code_field``. An extension adds its field to the dummy input ``PLACE``. The
-page's field ``lb_direction`` shows the sign of a number as a word.
+page's field ``lb_direction`` shows the sign of a number as a word, and ``lb_more`` is a button for
+a part of the sentence that only says what is usual.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
 from learnblock.blocks.groups import style_of
-from learnblock.blocks.labels import parameter_name, sentence, translated
+from learnblock.blocks.labels import (
+    Filling,
+    OptionalPart,
+    optional_parts,
+    parameter_name,
+    sentence,
+    translated,
+)
 from learnblock.blocks.schema.configuration import NUMBERS, SIGNS, BlockConfiguration, Parameter
-from learnblock.blocks.toolbox import SKILL, is_skill_block
+from learnblock.blocks.toolbox import SKILL, is_skill_block, parameter_shadow
 
 Definition = dict[str, Any]
 
@@ -24,6 +32,8 @@ _DO: Definition = {"message1": "%1", "args1": [{"type": "input_statement", "name
 _PLACE: Definition = {"type": "input_dummy", "name": "PLACE"}
 #: What follows a parameter's name in that of its direction.
 _DIRECTION = ".direction"
+#: The same for the button of an optional part, and for its ends; the parameter is the part's first.
+_OPTIONAL = (".more", ".before", ".after")
 _CHECKS = {
     **dict.fromkeys(NUMBERS, "Number"),
     "boolean": "Boolean",
@@ -188,12 +198,16 @@ def _message(configuration: BlockConfiguration, language: str) -> str:
             for one in configuration.parameters
         ),
     )
-    return sentence(
-        escaped,
-        language,
-        lambda one: places[one.name],
-        lambda one: places[one.name + _DIRECTION],
+
+    def optional(parameters: Sequence[Parameter], words: str) -> str:
+        first = parameters[0].name
+        more, before, after = (places[first + end] for end in _OPTIONAL)
+        return f" {more} {before} {words} {after} "
+
+    filling = Filling(
+        lambda one: places[one.name], lambda one: places[one.name + _DIRECTION], optional
     )
+    return sentence(escaped, language, filling)
 
 
 def _all_plain(texts: Mapping[str, str]) -> dict[str, str]:
@@ -203,7 +217,23 @@ def _all_plain(texts: Mapping[str, str]) -> dict[str, str]:
 def _arguments(configuration: BlockConfiguration, language: str) -> list[Definition]:
     parameters = configuration.parameters
     directions = [_direction(one, language) for one in parameters if one.directions]
-    return [*(_parameter(one, language) for one in parameters), *directions]
+    parts = [one for part in optional_parts(configuration, language) for one in _optional(part)]
+    return [*(_parameter(one, language) for one in parameters), *directions, *parts]
+
+
+def _optional(part: OptionalPart) -> list[Definition]:
+    """A button that shows the part, and the ends of what it shows: the page hides it."""
+    more, before, after = (part.parameters[0].name + end for end in _OPTIONAL)
+    usual = {
+        one.name: shadow.value
+        for one in part.parameters
+        if (shadow := parameter_shadow(one)) is not None
+    }
+    return [
+        {"type": "lb_more", "name": more, "usual": usual, "end": after},
+        {"type": "input_dummy", "name": before},
+        {"type": "input_dummy", "name": after},
+    ]
 
 
 def _direction(parameter: Parameter, language: str) -> Definition:

@@ -3,11 +3,15 @@
     drive {advSpeed.direction} at {advSpeed} mm/s
 
 A parameter that the label does not name follows it, with the parameter's own translation. The sign
-of a number can be a word of the sentence, its direction: ``forward`` or ``backward``.
+of a number can be a word of the sentence, its direction: ``forward`` or ``backward``. A part in
+square brackets is shown only if it says something else than the defaults of its parameters:
+
+    drive {distance} mm[ at {advSpeed} mm/s]
 """
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 
 from learnblock.blocks.schema.configuration import (
     NEGATIVE,
@@ -16,6 +20,7 @@ from learnblock.blocks.schema.configuration import (
     Parameter,
 )
 
+_OPTIONAL = re.compile(r"\[([^\[\]]+)\]")
 _PLACE = re.compile(r"\{(\w+)(\.direction)?\}")
 
 
@@ -33,8 +38,10 @@ def label(block: BlockConfiguration, language: str) -> str:
     return sentence(
         block,
         language,
-        lambda one: f"({parameter_name(one, language)})",
-        lambda one: direction(one, one.default, language),
+        Filling(
+            lambda one: f"({parameter_name(one, language)})",
+            lambda one: direction(one, one.default, language),
+        ),
     )
 
 
@@ -54,28 +61,41 @@ def spoken(block: BlockConfiguration, language: str, values: Mapping[str, object
         is_directed = one.directions and isinstance(shown, int | float)
         return str(abs(shown) if is_directed else shown)  # type: ignore[arg-type] # is_directed
 
-    return sentence(block, language, field, lambda one: direction(one, value(one), language))
+    filling = Filling(field, lambda one: direction(one, value(one), language))
+    return sentence(block, language, filling)
 
 
-def sentence(
-    block: BlockConfiguration,
-    language: str,
-    field: Callable[[Parameter], str],
-    direction: Callable[[Parameter], str],
-) -> str:
-    """The label with a replacement for each parameter and direction.
+def _unmarked(_: Sequence[Parameter], words: str) -> str:
+    return words
+
+
+@dataclass(frozen=True, slots=True)
+class Filling:
+    """What takes the places of a label.
 
     Args:
-        block: the skill.
-        language: such as ``es``.
         field: returns the replacement for a parameter.
         direction: returns that for its direction; it precedes the parameter if the label does not
             say where it belongs.
+        optional: returns the replacement for a part that may be left out, by its parameters and
+            words, whose places are still to be filled.
     """
+
+    field: Callable[[Parameter], str]
+    direction: Callable[[Parameter], str]
+    optional: Callable[[Sequence[Parameter], str], str] = _unmarked
+
+
+def sentence(block: BlockConfiguration, language: str, filling: Filling) -> str:
+    """The label of a block in a language such as ``es``, filled."""
     text = translated(block.languages, language, block.name)
+    for part in optional_parts(block, language):
+        text = text.replace(f"[{part.words}]", filling.optional(part.parameters, part.words))
     parameters = {one.name: one for one in block.parameters}
-    fields = {name: field(one) for name, one in parameters.items()}
-    directions = {name: direction(one) for name, one in parameters.items() if one.directions}
+    fields = {name: filling.field(one) for name, one in parameters.items()}
+    directions = {
+        name: filling.direction(one) for name, one in parameters.items() if one.directions
+    }
     named = {name for name, directed in _PLACE.findall(text) if not directed}
     placed = {name for name, directed in _PLACE.findall(text) if directed}
     for name in directions.keys() - placed:
@@ -91,6 +111,30 @@ def sentence(
         return (directions if place[2] else fields).pop(place[1], place[0])
 
     return " ".join([_PLACE.sub(filled, text), *following])
+
+
+@dataclass(frozen=True, slots=True)
+class OptionalPart:
+    """A part of a label in square brackets that only says what is usual.
+
+    Args:
+        words: without the brackets.
+        parameters: all of them have a default.
+    """
+
+    words: str
+    parameters: tuple[Parameter, ...]
+
+
+def optional_parts(block: BlockConfiguration, language: str) -> tuple[OptionalPart, ...]:
+    """The optional parts of a label; brackets around anything else are plain text."""
+    parameters = {one.name: one for one in block.parameters if not one.required}
+    found = []
+    for words in _OPTIONAL.findall(translated(block.languages, language, block.name)):
+        names = [name for name, directed in _PLACE.findall(words) if not directed]
+        if names and parameters.keys() >= set(names):
+            found.append(OptionalPart(words, tuple(parameters[name] for name in names)))
+    return tuple(found)
 
 
 def direction(parameter: Parameter, value: object, language: str) -> str:

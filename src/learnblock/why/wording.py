@@ -6,7 +6,7 @@ from typing import Any
 
 from learnblock.blocks import BlockConfiguration, Configurations
 from learnblock.blocks.known import all_configurations
-from learnblock.blocks.labels import direction, sentence, spoken
+from learnblock.blocks.labels import Filling, direction, sentence, spoken
 from learnblock.i18n import Multilingual, Phrase, Value
 from learnblock.i18n.words import languages
 
@@ -71,9 +71,8 @@ def skill_phrase(name: str, args: list[Any] | None = None) -> Value:
 
 def _spoken(block: BlockConfiguration, language: str, args: list[Any] | None) -> str:
     if args is None:
-        return sentence(
-            block, language, lambda _: "…", lambda one: direction(one, one.default, language)
-        )
+        filling = Filling(lambda _: "…", lambda one: direction(one, one.default, language))
+        return sentence(block, language, filling)
     names = [one.name for one in block.parameters]
     return spoken(block, language, dict(zip(names, args, strict=False)))
 

@@ -9,6 +9,7 @@ import pytest
 
 from learnblock.blocks import builtin
 from learnblock.blocks import palette as module
+from learnblock.blocks.labels import label
 from learnblock.blocks.palette import languages, palette, translation
 from learnblock.blocks.schema.configuration import Parameter
 from learnblock.blocks.toolbox import SHADOWS, parameter_shadow
@@ -112,6 +113,28 @@ def test_the_sign_of_a_number_is_a_menu_of_two_words():
         "name": "angle.direction",
         "options": [["derecha", "positive"], ["izquierda", "negative"]],
     }
+
+
+def test_a_part_in_brackets_is_hidden_while_it_only_says_the_usual():
+    found = named(palette(builtin(), "en"), "lb_skill_drive_distance")
+    assert found["message0"] == "drive %3 %1 mm %4 %5  at %2 mm/s %6 "
+    assert found["args0"][3:] == [
+        {
+            "type": "lb_more",
+            "name": "advSpeed.more",
+            "usual": {"advSpeed": 80},
+            "end": "advSpeed.after",
+        },
+        {"type": "input_dummy", "name": "advSpeed.before"},
+        {"type": "input_dummy", "name": "advSpeed.after"},
+    ]
+
+
+@pytest.mark.parametrize("words", ["[loud]", "[at {angle}°]", "[at {oops}°]"])
+def test_brackets_around_anything_else_are_plain_text(words):
+    turn = replace(builtin()["turn"], languages={"EN": f"turn {{angle.direction}} {words}"})
+    assert "[" in named(palette({"turn": turn}, "en"), "lb_skill_turn")["message0"]
+    assert "[" in label(turn, "en")
 
 
 def test_each_built_in_label_places_each_parameter_once(subtests):

@@ -18,9 +18,9 @@ class ColourMixer extends Blockly.FieldImage {
     super(picture(null), SIZE.width, SIZE.height, "", (field) => (field as ColourMixer).open());
   }
 
-  // The numbers beside it are the sentence; an empty list adds nothing to it.
-  override computeAriaLabel(whole?: boolean): string {
-    return whole ? t("page-blocks-colour") : ([] as unknown as string);
+  /** Its name as a button; the numbers beside it are the sentence. */
+  override getAriaValue(): string {
+    return t("page-blocks-colour");
   }
 
   /** A block is measured whenever a value in it has changed, also by another view. */

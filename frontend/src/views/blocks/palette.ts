@@ -15,6 +15,7 @@ import { insertOnClick } from "./insert";
 import { registerMutators } from "./mutators";
 import { offerPlainly } from "./offered";
 import type { Item, Section } from "./offers";
+import { registerOptional } from "./optional";
 import { registerGroups } from "./palette-group";
 import { labelPlaces } from "./renderer";
 import { tuneRendering } from "./rendering";
@@ -111,6 +112,7 @@ export function prepareBlockly(): void {
   registerCodeField();
   registerRest();
   defineFields();
+  registerOptional();
   defineTagField();
   leaveChecksToServer();
   offerPlainly();

@@ -2,6 +2,8 @@
 
 import * as Blockly from "blockly/core";
 
+import { arrangeOptional } from "./optional";
+
 type Block = Blockly.BlockSvg;
 type Measurable = Blockly.blockRendering.Measurable;
 type Place = Blockly.blockRendering.InlineInput;
@@ -99,6 +101,7 @@ function wordOn(block: Block, name: string): SVGTextElement {
 
 class Renderer extends Blockly.zelos.Renderer {
   protected override makeRenderInfo_(block: Block): Blockly.zelos.RenderInfo {
+    arrangeOptional(block);
     return new Info(this, block);
   }
 

@@ -61,6 +61,7 @@ page-blocks-search-found = { $count ->
    *[other] { $count } matching blocks
     }
 page-blocks-slider = slider
+page-blocks-more-values = Show more values
 page-blocks-angle = angle in degrees, clockwise
 page-blocks-colour = colour
 page-blocks-other-colour = custom colour

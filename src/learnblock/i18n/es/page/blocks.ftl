@@ -61,6 +61,7 @@ page-blocks-search-found = { $count ->
    *[other] { $count } bloques encontrados
     }
 page-blocks-slider = deslizador
+page-blocks-more-values = Mostrar más valores
 page-blocks-angle = ángulo en grados, en el sentido de las agujas del reloj
 page-blocks-colour = color
 page-blocks-other-colour = otro color
