@@ -18,6 +18,8 @@ from threading import enumerate as threads
 import psutil
 import pytest
 
+from gate import folder_of
+
 #: Seconds for a test, by folder: there a single wait may take a minute on a busy machine.
 LIMITS = {"browser": 150, "wire": 120}
 #: Seconds after the limit for what no signal reaches, such as a call of a library that hangs.
@@ -36,7 +38,7 @@ def pytest_configure(config):
 
 def pytest_collection_modifyitems(items):
     for item in items:
-        folder = item.nodeid.removeprefix("tests/").split("/")[0]
+        folder = folder_of(item)
         if folder in LIMITS and item.get_closest_marker("timeout") is None:
             item.add_marker(pytest.mark.timeout(LIMITS[folder]))
 

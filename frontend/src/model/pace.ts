@@ -2,7 +2,7 @@
 
 /** Seconds over which it is measured. */
 const WINDOW = 2;
-/** Less than this share of the chosen speed is told. */
+/** Less than this share of the chosen speed is shown. */
 const CLEARLY_LESS = 0.8;
 
 interface Mark {

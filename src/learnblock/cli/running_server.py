@@ -41,7 +41,7 @@ class RunningServer:
     def of(cls, writer: Writer) -> "RunningServer | None":
         """The server that has the right to write; None if another user's, or it doesn't answer."""
         owner, token = writer.await_owner(PATIENCE), the_token()
-        # Whoever shares the folder could write an address into it. The token is not sent there.
+        # Another user of the folder could write an address into it. The token is not sent there.
         if owner is None or not owner.is_here or not owner.knows(token):
             return None
         found = cls(owner.address, token)

@@ -319,11 +319,11 @@ class Change {
     keepOrder(ordered, among);
   }
 
-  /** The stacks whose order is that of the program; `main` runs last wherever it is. */
+  /** The stacks whose order is that of the program; `main` runs last wherever it is, but comments may follow it. */
   private ordered(): Svg[] {
     const parts = this.wanted.stacks.filter((stack) => isPart(stack.map(({ type }) => type)));
-    const blocks = parts.map(([first]) => this.workspace.getBlockById(first!.id)!);
-    return blocks.filter((block) => block.type !== MAIN && block.isEnabled());
+    const blocks = parts.map(([first]) => this.workspace.getBlockById(first!.id)!).filter((block) => block.isEnabled());
+    return blocks.at(-1)?.type === MAIN ? blocks.slice(0, -1) : blocks;
   }
 
   /** Move stacks to their positions; return the new ones that have none. */

@@ -92,7 +92,8 @@ class WorkspaceReader(StatementReader):
     def sets_up(self, group: Group, block: Block) -> bool:
         """Whether a block that creates the robot comes first and is not implied anyway."""
         setup = group.statement
-        if any(type(one.statement) not in {Comment, Import} for one, _, _ in self.entries):
+        # `main` runs last wherever it is drawn.
+        if any(type(one.statement) not in {Comment, Import, Main} for one, _, _ in self.entries):
             self.report(block, "misplaced-block", Phrase("workspace-robot-not-first"))
             return False
         noted = any(type(one) is Comment for one in group.lead)

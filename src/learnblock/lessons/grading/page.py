@@ -339,7 +339,7 @@ class Page:
 
 
 def _table(name: str, heads: Sequence[str], rows: Sequence[str]) -> str:
-    """A table; whoever uses only the keyboard can scroll it where it is too wide."""
+    """A table, which can be scrolled by keyboard alone where it is too wide."""
     head = tag("thead", tag("tr", *(tag("th", one, scope="col") for one in heads)))
     table = tag("table", head, tag("tbody", *rows))
     return tag("div", table, class_="wide", role="group", aria_label=name, tabindex=0)

@@ -19,6 +19,8 @@ from learnblock.server.runs.viewers import Viewer, Viewers
 LIMIT = 2.0
 #: Seconds until robots of a kind are looked for again: a robot that answers is left in peace.
 AGAIN, AGAIN_AFTER_FOUND = 1.0, 6.0
+#: Seconds until the kinds are listed again: a file that could not be loaded may be mended by then.
+LIST_AGAIN = 5.0
 #: How many drivers look at the same time.
 _MOST_AT_ONCE = 8
 #: The most robots of a kind; an address book is not a robot.
@@ -99,20 +101,27 @@ class Nearby:
         if robot in self._looks:
             await asyncio.wait([self._looks[robot]])
 
-    async def refresh(self) -> None:
-        """Read again which kinds there are, how they are called and which are in use."""
+    async def refresh(self) -> dict[str, RobotEntry]:
+        """Read again which kinds there are, how they are called and which are in use.
+
+        Returns:
+            The kinds, by name.
+        """
         entries = await to_thread.run_sync(finding.real_robots)
         self._known = await to_thread.run_sync(self._read_known, entries)
         self.show()
+        return entries
 
     async def _search(self) -> None:
-        entries = await to_thread.run_sync(finding.real_robots)
-        self._known = await to_thread.run_sync(self._read_known, entries)
-        self.show()
         self._limiter = CapacityLimiter(_MOST_AT_ONCE)
+        sought: set[str] = set()
         async with asyncio.TaskGroup() as group:
-            for entry in entries.values():
-                group.create_task(self._repeat(entry))
+            while True:
+                entries = await self.refresh()
+                for name in entries.keys() - sought:
+                    group.create_task(self._repeat(entries[name]))
+                sought |= entries.keys()
+                await asyncio.sleep(LIST_AGAIN)
 
     async def _repeat(self, entry: RobotEntry) -> None:
         while True:

@@ -142,6 +142,16 @@ def test_main_is_written_last_wherever_its_stack_is():
     assert text == format_program(program)
 
 
+def test_the_setup_of_the_robot_may_be_drawn_below_main():
+    setup = Block("lb_setup", "b", extraState={"arguments": 0, "keywords": ["world"]})
+    setup.inputs["ARG0"] = Input(block=Block("text", "t", fields={"TEXT": "line"}))
+    main = Block("lb_main", "m", inputs={"DO": Input(stack=[Block("lb_skill_stop_bot", "s")])})
+    start = Block("lb_start", "u", inputs={"DO": Input(stack=[setup])})
+    found = from_workspace(Workspace([[main], [start]]), CONFIGURATIONS)
+    text = 'robot(world="line")\n\nmain:\n    function.stop_bot()\nend\n'
+    assert (text, ()) == (format_program(found.program), found.problems)
+
+
 # Blocks as the page creates them.
 
 

@@ -117,6 +117,7 @@ def impatient(monkeypatch):
     """Look for robots again at once."""
     monkeypatch.setattr(nearby, "AGAIN", 0.02)
     monkeypatch.setattr(nearby, "AGAIN_AFTER_FOUND", 0.02)
+    monkeypatch.setattr(nearby, "LIST_AGAIN", 0.02)
 
 
 @pytest.fixture
@@ -161,6 +162,17 @@ def test_a_robot_that_is_switched_off_disappears(page, robot):
         pass
     robot.switch_off()
     while found_of(page.hear("RobotsNearby"), "mine"):
+        pass
+
+
+def test_a_robot_whose_file_was_mended_is_found_while_it_is_looked_for(page, robot, home):
+    mended = (home / "robots" / "mine.py").read_text()
+    (home / "robots" / "mine.py").write_text("from learnblock import nothing_of_this_name\n")
+    page.say("FindRobots", on=True)
+    while "mine" in [one["robot"] for one in page.hear("RobotsNearby")["known"]]:
+        pass
+    (home / "robots" / "mine.py").write_text(mended)
+    while not found_of(page.hear("RobotsNearby"), "mine"):
         pass
 
 
