@@ -483,8 +483,8 @@ class Pupil:
         field.press("Enter")
 
     def block_ids(self):
-        """Return the ids of all blocks, from top to bottom and left to right."""
-        found = self.page.locator(f"{WORKSPACE} > .blocklyBlockCanvas [data-id]")
+        """Return the ids of all blocks that are shown, from top to bottom and left to right."""
+        found = self.page.locator(f"{WORKSPACE} > .blocklyBlockCanvas [data-id]:visible")
         return found.evaluate_all(
             """all => all
                 .map((one) => ({ id: one.dataset.id, at: one.getBoundingClientRect() }))

@@ -52,11 +52,12 @@ class FieldMore extends Blockly.FieldImage {
   }
 }
 
-/** Whether a parameter shows this value; another block in its place never does. */
+/** Whether a parameter shows this value; another block in its place never does. A block is measured before it has its shadows. */
 function shows(block: Block, name: string, value: unknown): boolean {
   const target = block.getInputTargetBlock(name);
-  const field = ["NUM", "TEXT", "BOOL"].map((one) => target?.getField(one)).find(Boolean);
-  return !!target?.isShadow() && field?.getValue() === value;
+  if (!target) return true;
+  const field = ["NUM", "TEXT", "BOOL"].map((one) => target.getField(one)).find(Boolean);
+  return target.isShadow() && field?.getValue() === value;
 }
 
 /** Arrange the optional parts of a block; call it before the block is measured. */
