@@ -62,8 +62,7 @@ def test_a_triangle_is_built_by_dragging_and_driven(pupil):
     pupil.put_below(turn, drive)
     times = pupil.block(loop).locator(".blocklyNumberField").first
     pupil.fill(times, "3")
-    distance = pupil.block(drive).locator(".blocklyNumberField").filter(visible=True)
-    pupil.fill(distance, "200")
+    pupil.fill(pupil.block(drive).locator(".blocklyNumberField").first, "200")
     pupil.fill(pupil.block(turn).get_by_text("90", exact=True), "120")
     pupil.picture("triangle")
     pupil.choose("Speed", "20×")
