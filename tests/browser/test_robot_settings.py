@@ -6,6 +6,9 @@ import tomllib
 import pytest
 from playwright.sync_api import expect
 
+from emulated import settle
+from learnblock.emulators import emulate
+
 #: Types into the field for a video in the moment in which it appears.
 TYPE_AT_ONCE = """() => new MutationObserver((_, watcher) => {
     const labels = [...document.querySelectorAll("dialog label")];
@@ -42,6 +45,29 @@ def test_robot_settings_are_saved_and_an_invalid_value_is_reported_at_its_field(
     save(pupil)
     expect(pupil.dialog().get_by_text("Saved", exact=True)).to_be_visible()
     assert "address" not in saved(own_server)["robots"]["ev3"]
+
+
+def test_the_saved_settings_of_a_robot_are_tested_and_a_robot_that_is_missing_is_named(
+    pupil, own_server, monkeypatch
+):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(own_server.home))
+    with emulate("ebo", "empty") as emulation:
+        settle("ebo", {**emulation.settings, "patience": 15.0})
+        choose(pupil, "Robot settings…")
+        pupil.dialog().get_by_role("combobox", name="Robot").select_option("ebo")
+        test = pupil.dialog().get_by_role("button", name="Test", exact=True)
+        test.click()
+        expect(pupil.dialog().get_by_text("EBO answers. Programs can use it.")).to_be_visible()
+        pupil.picture("answered")
+        field(pupil, "Timeout").fill("1")
+        # What is tested is what programs use.
+        expect(test).to_be_disabled()
+        save(pupil)
+    test.click()
+    expect(pupil.dialog().get_by_text("Can't reach EBO's wheels at 127.0.0.1")).to_be_visible()
+    pupil.picture("missing")
+    # Its connection is not held: another robot can be tested.
+    expect(test).to_be_enabled()
 
 
 def test_emotions_on_cameras_are_switched_on_only_after_agreement(pupil, own_server):

@@ -1,7 +1,7 @@
 /** The dialogs for robot settings and camera recognition. */
 
 import { useComputed, useSignal } from "@preact/signals";
-import { Fragment } from "preact";
+import { type ComponentChildren, Fragment } from "preact";
 import { useLayoutEffect } from "preact/hooks";
 
 import { say, t } from "../../i18n";
@@ -11,6 +11,7 @@ import type { SettingsTable } from "../../protocol/messages";
 import { Actions, Dialog } from "../../ui/dialog";
 import { SettingField } from "./field";
 import { changes, PERCEPTION, useRobotSettings, type Values, valuesOf } from "./robot-settings";
+import { TestConnection } from "./test";
 import "./dialogs.css";
 
 const EMOTIONS = "emotions_on_cameras";
@@ -20,6 +21,7 @@ export function RobotSettingsDialog() {
   const real = project.welcome.value?.robots.filter((one) => !one.simulated) ?? [];
   const chosen = realOf(context.running.robot.peek(), real) ?? real[0];
   const robot = useSignal(chosen?.name ?? "");
+  const shown = real.find((one) => one.name === robot.value);
   return (
     <Dialog title={t("page-robots-robots")} close={() => dialogs.close()}>
       <p class="dim">{t("page-robots-robots-help")}</p>
@@ -33,7 +35,11 @@ export function RobotSettingsDialog() {
           ))}
         </select>
       </label>
-      {robot.value && <SettingsForm key={robot.value} robot={robot.value} cancel={() => dialogs.close()} />}
+      {shown && (
+        <SettingsForm key={shown.name} robot={shown.name} cancel={() => dialogs.close()}>
+          {(isSaved) => <TestConnection robot={shown.name} title={plainTitle(shown)} isSaved={isSaved} />}
+        </SettingsForm>
+      )}
     </Dialog>
   );
 }
@@ -51,9 +57,11 @@ export function PerceptionDialog() {
 interface SettingsFormProps {
   readonly robot: string;
   readonly cancel: () => void;
+  /** Below the settings; told whether they are saved as they are shown. */
+  readonly children?: (isSaved: boolean) => ComponentChildren;
 }
 
-export function SettingsForm({ robot, cancel }: SettingsFormProps) {
+export function SettingsForm({ robot, cancel, children }: SettingsFormProps) {
   const machine = useRobotSettings();
   // Before the form of an older answer is shown.
   useLayoutEffect(() => machine.read(robot), []);
@@ -64,12 +72,12 @@ export function SettingsForm({ robot, cancel }: SettingsFormProps) {
       <p role="alert" class="refused">
         {problem && say(problem)}
       </p>
-      {table.value?.settings && <Form table={table.value} robot={robot} cancel={cancel} />}
+      {table.value?.settings && <Form table={table.value} robot={robot} cancel={cancel} children={children} />}
     </>
   );
 }
 
-function Form({ table, robot, cancel }: SettingsFormProps & { readonly table: SettingsTable }) {
+function Form({ table, robot, cancel, children }: SettingsFormProps & { readonly table: SettingsTable }) {
   const machine = useRobotSettings();
   const { settings = [], wrong = {} } = table;
   const values = useSignal<Values>(valuesOf(settings));
@@ -101,6 +109,7 @@ function Form({ table, robot, cancel }: SettingsFormProps & { readonly table: Se
           {setting.name === EMOTIONS && <Law asks={asks} agreed={agreed.value} agree={(on) => (agreed.value = on)} />}
         </Fragment>
       ))}
+      {children?.(!isChanged)}
       <p role="status" class="dim">
         {isChanged ? t("page-robots-unsaved") : saves.value && t("page-robots-saved")}
       </p>

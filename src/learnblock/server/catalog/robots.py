@@ -1,6 +1,7 @@
 """The robots that a project can use."""
 
 from functools import cache
+from typing import TYPE_CHECKING
 
 from msgspec import structs
 
@@ -10,6 +11,9 @@ from learnblock.errors import LearnBlockError
 from learnblock.robots.settings import given_names
 from learnblock.senses import SENSES, served_by
 from learnblock.server.messages import RobotChoice
+
+if TYPE_CHECKING:
+    from learnblock.client import Client
 
 
 def robot_choices() -> tuple[RobotChoice, ...]:
@@ -23,7 +27,7 @@ def _robot_choice(entry: robots.RobotEntry) -> RobotChoice:
     if entry.simulated is False:
         # The drivers of real robots are slow to load too.
         # What the twin has; only robots in a world have a pen.
-        twin = robots.entries().get(f"sim-{entry.name}")
+        twin = _twin(entry)
         lacks = tuple(sorted({*_lacks(twin), "Pen"})) if twin else ()
         serves = _serves(twin) if twin else {}
         return RobotChoice(entry.name, entry.name, simulated=False, lacks=lacks, serves=serves)
@@ -33,11 +37,29 @@ def _robot_choice(entry: robots.RobotEntry) -> RobotChoice:
     try:
         robot = entry.load()
         simulated = issubclass(robot, SimulatedRobot)
-        title = robot.description().title if issubclass(robot, SimulatedRobot) else entry.name
+        title = _title(robot if simulated else _twin_class(entry))
     except LearnBlockError:
         # It is listed anyway; choosing it reports its error.
         return RobotChoice(entry.name, entry.name, simulated=False)
     return RobotChoice(entry.name, title or entry.name, simulated, _lacks(entry), _serves(entry))
+
+
+def _twin(entry: robots.RobotEntry) -> robots.RobotEntry | None:
+    return robots.entries().get(f"sim-{entry.name}")
+
+
+def _twin_class(entry: robots.RobotEntry) -> "type[Client] | None":
+    twin = _twin(entry)
+    return twin.load() if twin else None
+
+
+def _title(robot: "type[Client] | None") -> str:
+    """A twin's title, which is also that of its robot; empty if there is none."""
+    from learnblock.robots.simulated import SimulatedRobot  # noqa: PLC0415
+
+    if robot is None or not issubclass(robot, SimulatedRobot):
+        return ""
+    return robot.description().title
 
 
 def _lacks(entry: robots.RobotEntry) -> tuple[str, ...]:

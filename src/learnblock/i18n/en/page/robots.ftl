@@ -9,6 +9,10 @@ page-robots-perception-help = How LearnBlock recognises what cameras see. Videos
 page-robots-saved = Saved
 page-robots-unsaved = Not saved yet
 page-robots-save = Save
+# Trying the connection to a robot by its settings.
+page-robots-test = Test
+page-robots-test-answered = { $robot } answers. Programs can use it.
+page-robots-test-unsaved = Save the settings first.
 page-robots-usual = Default
 page-robots-usual-help = Reset to the default
 page-robots-any = any

@@ -9,6 +9,10 @@ page-robots-perception-help = Cómo reconoce LearnBlock lo que ven las cámaras.
 page-robots-saved = Guardado
 page-robots-unsaved = Sin guardar
 page-robots-save = Guardar
+# Trying the connection to a robot by its settings.
+page-robots-test = Probar
+page-robots-test-answered = { $robot } responde. Los programas ya pueden usarlo.
+page-robots-test-unsaved = Guarda antes los ajustes.
 page-robots-usual = Predeterminado
 page-robots-usual-help = Restablecer el valor predeterminado
 page-robots-any = cualquiera
