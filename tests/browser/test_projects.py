@@ -53,8 +53,15 @@ def test_a_renamed_project_keeps_its_program_and_its_address(own_server, sit_dow
     pupil.expect_project("hello")
     pupil.sees("blocktext", "function.expressJoy()")
     pupil.project("Rename…")
-    pupil.answer("square")
-    pupil.expect_note("There is already a project named 'square'")
+    for wish, reason in {
+        "Square": "There is already a project named 'Square'",
+        "a/b": "A project can't be called 'a/b'",
+    }.items():
+        pupil.answer(wish)
+        expect(pupil.dialog()).to_contain_text(reason)
+        expect(pupil.dialog().get_by_role("textbox")).to_have_value(wish)
+    pupil.picture("refused")
+    pupil.page.keyboard.press("Escape")
     pupil.expect_project("hello")
 
 

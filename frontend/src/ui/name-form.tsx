@@ -1,4 +1,5 @@
 import { useSignal } from "@preact/signals";
+import { useId, useLayoutEffect, useRef } from "preact/hooks";
 
 import { t } from "../i18n";
 import { Actions } from "./dialog";
@@ -24,10 +25,11 @@ interface NameFormProps {
 /** Asks for a name in a dialog, closes it, and passes the name on. */
 export function NameForm({ name: first, help, action, fault, longest = LONGEST_NAME, close, run }: NameFormProps) {
   const name = useSignal(first);
-  const change = (input: HTMLInputElement) => {
-    name.value = input.value;
-    input.setCustomValidity(fault?.(input.value.trim()) ?? "");
-  };
+  const input = useRef<HTMLInputElement>(null);
+  const about = useId();
+  const wrong = name.value.trim() && fault?.(name.value.trim());
+  // The names that are taken may be known only after the name was typed.
+  useLayoutEffect(() => input.current?.setCustomValidity(wrong || ""), [wrong]);
   const submit = (event: SubmitEvent) => {
     event.preventDefault();
     close();
@@ -38,16 +40,20 @@ export function NameForm({ name: first, help, action, fault, longest = LONGEST_N
       <label class="field">
         {t("page-project-name")}
         <input
+          ref={input}
           required
+          aria-describedby={about}
           autofocus
           pattern=".*\S.*"
           maxLength={longest}
           value={name.value}
           onFocus={({ currentTarget }) => currentTarget.select()}
-          onInput={({ currentTarget }) => change(currentTarget)}
+          onInput={({ currentTarget }) => (name.value = currentTarget.value)}
         />
       </label>
-      <p class="dim">{help}</p>
+      <p id={about} role="status" class={wrong ? "refused" : "dim"}>
+        {wrong || help}
+      </p>
       <Actions cancel={close}>
         <button type="submit" class="button filled">
           {action}

@@ -1,9 +1,11 @@
 /** Dialogs with one question about the project. */
 
+import { useEffect } from "preact/hooks";
+
 import { t } from "../../i18n";
 import type { ProjectDialogName } from "../../model/dialogs";
 import { usePage } from "../../model/page";
-import { projectNameFault } from "../../model/project-name";
+import { projectNameFault, renameFault } from "../../model/project-name";
 import { Actions, Dialog } from "../../ui/dialog";
 import { NameForm } from "../../ui/name-form";
 
@@ -40,19 +42,8 @@ export function SaveAsDialog() {
 }
 
 export function RenameDialog() {
-  const { dialogs, project } = usePage();
-  return (
-    <Dialog title={t("page-project-rename-title")} close={() => dialogs.close()}>
-      <NameForm
-        name={project.name.value}
-        help={t("page-project-rename-help")}
-        action={t("page-project-rename-now")}
-        fault={projectNameFault}
-        close={() => dialogs.close()}
-        run={(name) => project.rename(name)}
-      />
-    </Dialog>
-  );
+  const { project } = usePage();
+  return <Rename name={project.name.value} run={(wish) => project.rename(wish)} />;
 }
 
 /** A question about a project that need not be open. */
@@ -62,16 +53,28 @@ export function ProjectDialog({ of }: { of: ProjectDialogName }) {
 }
 
 function RenameOtherDialog({ name }: { name: string }) {
+  const { project } = usePage();
+  return <Rename name={name} run={(wish) => project.renameOther(name, wish)} />;
+}
+
+interface RenameProps {
+  readonly name: string;
+  readonly run: (wish: string) => void;
+}
+
+function Rename({ name, run }: RenameProps) {
   const { dialogs, project } = usePage();
+  // Which names are taken.
+  useEffect(() => project.list(), []);
   return (
     <Dialog title={t("page-project-rename-title")} close={() => dialogs.close()}>
       <NameForm
         name={name}
         help={t("page-project-rename-help")}
         action={t("page-project-rename-now")}
-        fault={projectNameFault}
+        fault={(wish) => renameFault(wish, name, project.entries.value)}
         close={() => dialogs.close()}
-        run={(wish) => project.renameOther(name, wish)}
+        run={run}
       />
     </Dialog>
   );

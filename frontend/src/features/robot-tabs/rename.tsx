@@ -2,6 +2,7 @@
 
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
+import { robotNameFault } from "../../model/project-name";
 import { Dialog } from "../../ui/dialog";
 import { NameForm } from "../../ui/name-form";
 
@@ -15,6 +16,7 @@ export function RenameRobotDialog() {
         name={name}
         help={t("page-tabs-rename-help")}
         action={t("page-tabs-rename-action")}
+        fault={(to) => robotNameFault(to, name, tabs.tabs.value)}
         close={close}
         run={(to) => tabs.rename(name, to)}
       />
