@@ -112,7 +112,7 @@ def test_neither_pace_nor_the_kind_of_worker_changes_the_trace(worker, pace):
 
 @pytest.mark.parametrize("robot", ["sim-ebo", "sim-cozmo"])
 def test_all_seven_faces_are_found_and_imitated(robot):
-    report = run_example("imitate.bt", robot, world="faces", seconds=60).report
+    report = run_example("imitate.bt", robot, world="faces", seconds=50).report
     met = [(goal.name, goal.state) for goal in report.goals]
     assert met == [(emotion, "reached") for emotion in SEVEN]
     # Before it sees a face, it is calm.

@@ -9,7 +9,7 @@ from learnblock.skills.turning import Manner, shortest, turn_by
 if TYPE_CHECKING:
     from learnblock.client import Client
 
-_BRISK = Manner(gain=1, slowest=10, fastest=30, settled_within=1)
+_BRISK = Manner(gain=5, slowest=10, fastest=120, settled_within=1)
 _CAREFUL = Manner(gain=0.5, slowest=5, fastest=15, settled_within=2)
 _SLOWING_PERIOD = 0.1
 
@@ -79,7 +79,7 @@ def stop_bot(robot: "Client") -> None:
 def turn(robot: "Client", angle: float) -> None:
     """Turn on the spot by an angle, then continue with the program.
 
-    The robot turns at 10 to 30 degrees/s and stops within 1 degree of the angle by its gyroscope
+    The robot turns at 10 to 120 degrees/s and stops within 1 degree of the angle by its gyroscope
     or, without one, by its wheels.
 
     Args:

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 #: Millimetres from the target at which the wheels are stopped.
 _WITHIN = 1.0
 #: mm/s for each mm that remains, and the slowest speed, at which every robot still moves.
-_GAIN, _SLOWEST = 3.0, 10.0
+_GAIN, _SLOWEST = 5.0, 10.0
 #: mm/s by which two commands differ at most while the robot speeds up; see `turning`.
 _SPEEDING_UP = 8.0
 #: Degrees/s for each degree off the heading.

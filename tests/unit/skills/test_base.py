@@ -50,8 +50,8 @@ def test_turning_speeds_up_and_slows_down_gently(robot):
     robot.turn(90)
 
     speeds = [rot for _, _, rot in robot.commands if rot]
-    fastest = speeds.index(30)
-    assert [5, 10, 15, 20, 25] == speeds[:fastest]
+    fastest = speeds.index(120)
+    assert list(range(5, 120, 5)) == speeds[:fastest]
     assert sorted(speeds[fastest:], reverse=True) == speeds[fastest:]
     assert 10 == speeds[-1]
 

@@ -22,12 +22,12 @@ def test_the_same_run_twice_has_no_parting():
 
 def test_another_seed_parts_where_a_reading_decides_otherwise():
     one, other = (
-        logged_example("avoid.bt", "sim-ebo", world="obstacles", seed=seed, seconds=30).history
+        logged_example("avoid.bt", "sim-ebo", world="obstacles", seed=seed, seconds=31).history
         for seed in (1, 2)
     )
     found = parting(one, other)
     texts = [translate(sentence.phrase, "en") for sentence in (found.first, found.second)]
-    assert "was true: the front sensor measured 99 mm" in texts[0]
+    assert "was true: the front sensor measured 98 mm" in texts[0]
     assert "was not true: the front sensor measured 101 mm" in texts[1]
     assert found.first.line == found.second.line == 5
 
@@ -149,13 +149,13 @@ def test_another_seed_world_robot_and_place_are_causes(tmp_path):
 def test_one_sentence_says_what_was_measured_in_both_runs():
     found = compared(
         *(
-            logged_example("avoid.bt", "sim-ebo", world="obstacles", seed=seed, seconds=30).history
+            logged_example("avoid.bt", "sim-ebo", world="obstacles", seed=seed, seconds=31).history
             for seed in (1, 2)
         )
     )
     assert words([found.parting.because]) == [
-        "At 28.87 s line 5, if is_front_obstacle(100), was true in the first run, because the "
-        "front sensor measured 99 mm, less than 100 mm, and not true in the second, because the "
+        "At 30.26 s line 5, if is_front_obstacle(100), was true in the first run, because the "
+        "front sensor measured 98 mm, less than 100 mm, and not true in the second, because the "
         "front sensor measured 101 mm, not less than 100 mm."
     ]
 
@@ -175,9 +175,9 @@ def test_the_command_tells_both_decisions(tmp_path):
     logs = []
     for seed in ("1", "2"):
         log = tmp_path / f"{seed}.why"
-        given = [str(EXAMPLES / "avoid.bt"), "--world", "obstacles", "--seed", seed, "--for", "30"]
+        given = [str(EXAMPLES / "avoid.bt"), "--world", "obstacles", "--seed", seed, "--for", "31"]
         CliRunner().invoke(main, ["run", *given, "--why", str(log)])
         logs.append(str(log))
     output = CliRunner().invoke(main, ["compare", *logs]).output
-    assert output.startswith("Both runs made the same decisions until 28.87 s.\n1.why: At 28.87 s")
-    assert "2.why: At 28.87 s line 5, if is_front_obstacle(100), was not true" in output
+    assert output.startswith("Both runs made the same decisions until 30.26 s.\n1.why: At 30.26 s")
+    assert "2.why: At 30.26 s line 5, if is_front_obstacle(100), was not true" in output

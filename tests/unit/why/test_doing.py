@@ -35,7 +35,7 @@ def test_a_movement_that_has_just_ended_may_still_be_asked_about(history):
 
 
 def test_a_turn_is_told_from_where_it_began(history):
-    words = answered(history, "why did it turn left at 8").words("en")
+    words = answered(history, "why did it turn left at 6.5").words("en")
     assert words[0].startswith("At 5.2 s the robot was told to turn left on the spot: line 7")
 
 
@@ -46,7 +46,7 @@ def test_a_turn_that_is_about_to_begin_is_told(history):
 
 def test_a_statement_that_took_time_is_told_with_its_begin_and_end(history):
     words = answered(history, "why did it not turn left").words("en")
-    assert words[0] == "It did: line 7, turn(-90), ran from 5 to 9.52 s."
+    assert words[0] == "It did: line 7, turn(-90), ran from 5 to 6.84 s."
 
 
 def test_a_statement_that_lasts_is_told_with_its_begin(history):
