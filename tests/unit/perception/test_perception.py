@@ -38,7 +38,9 @@ def test_detect_runs_the_detector_with_that_name():
     frame = frame_with_everything()
     assert [found.id for found in detect("tags", frame)] == [8]
     assert len(detect("faces", frame)) == 1
-    assert detect_lines(frame) == detect("lines", frame)
+    assert detect_lines(frame).black.is_there
+    # The tag and the face are no lines.
+    assert not detect("lines", frame).black.is_there
 
 
 def test_a_misspelt_detector_gets_a_suggestion():

@@ -4,6 +4,11 @@ import type { CameraFrame, Seen } from "../../protocol/messages";
 
 const COLOURS: Record<Seen["sort"], string> = { tag: "#ffe900", face: "#5dff93", line: "#5ad1ff" };
 
+/** Pixels: the size of letters, the height of a line of them, and the least distance to the picture's edge. */
+const LETTERS = 14;
+const LINE = 16;
+const EDGE = 3;
+
 function trace(pen: CanvasRenderingContext2D, { corners }: Seen): void {
   pen.beginPath();
   for (const [x, y] of corners) pen.lineTo(x, y);
@@ -23,10 +28,21 @@ function outline(pen: CanvasRenderingContext2D, seen: Seen): void {
   }
 }
 
+/** Where a label begins: above what it names, and as a whole inside of the picture. */
+export function labelPlace(
+  corners: Seen["corners"],
+  label: number,
+  { width, height }: { readonly width: number; readonly height: number },
+): readonly [x: number, y: number] {
+  const left = Math.min(...corners.map(([x]) => x));
+  const top = Math.min(...corners.map(([, y]) => y));
+  const inside = Math.min(left, width - label - EDGE);
+  return [Math.max(EDGE, inside), Math.min(Math.max(LINE, top - 5), height - EDGE)];
+}
+
 function label(pen: CanvasRenderingContext2D, { corners, sort }: Seen, text: string): void {
-  const x = Math.max(2, Math.min(...corners.map((corner) => corner[0])));
-  const y = Math.max(16, Math.min(...corners.map((corner) => corner[1])) - 5);
-  pen.font = "bold 14px system-ui, sans-serif";
+  pen.font = `bold ${LETTERS}px system-ui, sans-serif`;
+  const [x, y] = labelPlace(corners, pen.measureText(text).width, pen.canvas);
   pen.lineWidth = 4;
   pen.strokeStyle = "#000";
   pen.fillStyle = COLOURS[sort];

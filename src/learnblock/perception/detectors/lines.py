@@ -1,13 +1,17 @@
-"""Black, red and blue lines, by the colours of pixels in three parts of a frame."""
+"""Black, red and blue lines, by the colours of pixels in three parts of a frame.
 
-from collections.abc import Sequence
+Lines are on the floor: what is inside of a tag or a face is none.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 
-from learnblock.perception.detections import Lines, LineView
+from learnblock.perception.detections import Face, Lines, LineView, Tag
 from learnblock.perception.frames import Frame, checked
 
 if TYPE_CHECKING:
@@ -26,10 +30,24 @@ BLACK = 50
 ROWS = (15, 225)
 COLUMNS = (0, 120, 200, 320)
 DILATION = 3
+# The sides of the smallest blob, in pixels of a frame 240 high, for which tags and faces are
+# searched. A line usually reaches the left, right or lower edge, so most frames have no blob.
+BLOB = 10
+# A tag has a white margin around its corners, of which this times its size is inside.
+MARGIN = 1.15
+# A head is larger than its face by these shares of the face: hair, ears, neck and shoulders.
+HEAD = (0.5, 0.5, 0.5, 0.9)
+
+Masks = Mapping[str, cv2.typing.MatLike]
 
 
 def look(sight: "Sight") -> Lines:
-    return detect_lines(sight.frame)
+    masks = _masks(sight.frame)
+    for name, outlines in (("tags", _tag_outlines), ("faces", _face_outlines)):
+        if not _has_blob(masks, sight.frame.shape[0]):
+            break
+        _erase(masks, outlines(sight.detect(name)), sight.frame.shape[0])
+    return _lines(masks, sight.frame)
 
 
 def detect_lines(frame: Frame) -> Lines:
@@ -44,8 +62,19 @@ def detect_lines(frame: Frame) -> Lines:
     Raises:
         FrameError: `frame` is not a picture.
     """
-    height, width = checked(frame).shape[:2]
-    top, bottom = (round(row * height / 240) for row in ROWS)
+    return _lines(_masks(frame), frame)
+
+
+def _lines(masks: Masks, frame: Frame) -> Lines:
+    height, width = frame.shape[:2]
+    views = (_view(colour, masks.get(colour), width, height) for colour in ("black", *COLOURS))
+    return Lines(*views)
+
+
+def _masks(frame: Frame) -> Masks:
+    """By colour a mask of the searched region, 255 where a line may be; absent if nowhere."""
+    height = checked(frame).shape[0]
+    top, bottom = _rows(height)
     # Colours are dilated into the searched region from at most this many rows around it.
     reach = _reach(height)
     above = max(0, top - reach)
@@ -58,8 +87,54 @@ def detect_lines(frame: Frame) -> Lines:
         hsv = cv2.cvtColor(around, cv2.COLOR_RGB2HSV)
         for colour, ranges in COLOURS.items():
             masks[colour] = _coloured(hsv, ranges, reach)[top - above :][: bottom - top]
-    views = (_view(colour, masks.get(colour), width, height) for colour in ("black", *COLOURS))
-    return Lines(*views)
+    return masks
+
+
+def _rows(height: int) -> tuple[int, int]:
+    """Where the searched region begins and ends."""
+    top, bottom = (round(row * height / 240) for row in ROWS)
+    return top, bottom
+
+
+def _has_blob(masks: Masks, height: int) -> bool:
+    """Whether some colour has a blob as of a tag or a face: one that is not cut at an edge."""
+    return any(_is_blob(mask, height) for mask in masks.values() if cv2.hasNonZero(mask))
+
+
+def _is_blob(mask: cv2.typing.MatLike, height: int) -> bool:
+    # Every other pixel is enough to see that.
+    small = np.ascontiguousarray(mask[::2, ::2])
+    rows, columns = small.shape
+    smallest = BLOB * height / 240 / 2
+    _, _, measures, _ = cv2.connectedComponentsWithStats(small)
+    # The first component is the rest of the frame.
+    # What reaches the upper end of the searched region may be whole in the frame.
+    return any(
+        x > 0 and x + w < columns and y + h < rows and min(w, h) >= smallest
+        for x, y, w, h, _ in measures[1:].tolist()
+    )
+
+
+def _erase(masks: Masks, outlines: Iterator[NDArray[np.float64]], height: int) -> None:
+    top, _ = _rows(height)
+    for outline in outlines:
+        corners = np.rint(outline - (0, top)).astype(np.int32)
+        for mask in masks.values():
+            cv2.fillConvexPoly(mask, corners, 0)
+
+
+def _tag_outlines(tags: Sequence[Tag]) -> Iterator[NDArray[np.float64]]:
+    for tag in tags:
+        center = np.array(tag.center)
+        yield center + MARGIN * (np.array(tag.corners) - center)
+
+
+def _face_outlines(faces: Sequence[Face]) -> Iterator[NDArray[np.float64]]:
+    left, above, right, below = HEAD
+    for face in faces:
+        x, end = face.x - left * face.width, face.x + (1 + right) * face.width
+        y, bottom = face.y - above * face.height, face.y + (1 + below) * face.height
+        yield np.array([(x, y), (end, y), (end, bottom), (x, bottom)])
 
 
 def _reach(height: int) -> int:

@@ -9,8 +9,9 @@ from hypothesis import strategies as st
 from learnblock.errors import FrameError
 from learnblock.perception.detectors import lines
 from learnblock.perception.detectors.lines import detect_lines
+from learnblock.perception.sight import DETECTORS, Sight
 from learnblock.simulator.camera import CameraModel, CameraPose, Surface, render
-from learnblock.simulator.textures import FloorLine, floor
+from learnblock.simulator.textures import FloorLine, face, floor, tag
 
 BLACK, RED, BLUE = (0, 0, 0), (200, 20, 20), (20, 40, 200)
 GROUND = (235, 235, 225)
@@ -22,14 +23,30 @@ def frame_with(colour, columns, rows=slice(None), width=320, height=240):
     return frame
 
 
-def seen(lines, heading=0.0, y=0.0, scale=1):
+def seen(lines, heading=0.0, y=0.0, *, scale=1, things=(), tilt=-30):
     """Photograph a floor of 2 by 2 m with a camera 100 mm above it, tilted down by 30 degrees."""
     texture = floor((2000, 2000), GROUND, lines)
     corners = [(-1000, 1000, 0), (1000, 1000, 0), (1000, -1000, 0), (-1000, -1000, 0)]
     ground = Surface(np.array(corners, float), texture)
     noise = (np.random.default_rng(1), 2.0)
-    pose = CameraPose(-300, y, 100, heading, -30)
-    return render([ground], CameraModel(320 * scale, 240 * scale, 290 * scale), pose, noise=noise)
+    pose = CameraPose(-300, y, 100, heading, tilt)
+    return render(
+        [*things, ground], CameraModel(320 * scale, 240 * scale, 290 * scale), pose, noise=noise
+    )
+
+
+def standing(texture, size, x, y, bottom=0.0):
+    """A picture that stands on the floor at (x, y) and faces the camera in the west."""
+    left, right, top = y + size / 2, y - size / 2, bottom + size
+    corners = [(x, left, top), (x, right, top), (x, right, bottom), (x, left, bottom)]
+    return Surface(np.array(corners, float), texture)
+
+
+def lying(texture, size, x, y):
+    """A picture that lies on the floor around (x, y)."""
+    west, east, left, right = x - size / 2, x + size / 2, y + size / 2, y - size / 2
+    corners = [(east, left, 1), (east, right, 1), (west, right, 1), (west, left, 1)]
+    return Surface(np.array(corners, float), texture)
 
 
 def sides(view):
@@ -225,3 +242,60 @@ def test_the_short_ways_count_as_the_long_one(seed, kind):
         for colour, view in (("black", found.black), ("red", found.red), ("blue", found.blue))
     }
     assert counted == the_long_way(frame)
+
+
+ACROSS = FloorLine([(-180, -900), (-180, 900)], 25, BLACK)
+AHEAD = FloorLine([(-900, 0), (900, 0)], 25, BLACK)
+#: Tags and faces, and the tilt of the camera that sees them.
+THINGS = {
+    "a standing tag": ([standing(tag(3), 80, 0, 40)], 0),
+    "a tag beside the way": ([standing(tag(8), 60, -100, 50)], -30),
+    "a lying tag": ([lying(tag(5), 80, -120, -40)], -30),
+    "two tags": ([standing(tag(3), 60, 0, 60), standing(tag(4), 60, 0, -60)], 0),
+    "a face": ([standing(face("joy"), 200, 300, 0)], 0),
+    "a near face": ([standing(face("sadness"), 150, 0, 0, 20)], 0),
+}
+
+
+def found(frame):
+    return Sight(frame).detect("lines")
+
+
+@pytest.mark.parametrize("name", THINGS)
+def test_a_tag_or_a_face_is_no_line(name):
+    things, tilt = THINGS[name]
+    frame = seen([], things=things, tilt=tilt)
+    seen_by_colour = detect_lines(frame)
+    assert any(getattr(seen_by_colour, colour).is_there for colour in ("black", "red"))
+    lines = found(frame)
+    assert not any(view.is_there for view in (lines.black, lines.red, lines.blue))
+
+
+def test_a_line_beside_a_tag_is_found_on_its_own_side():
+    line = FloorLine([(-900, -60), (900, -60)], 5, BLACK)
+    frame = seen([line], things=[standing(tag(3), 70, -60, 45)])
+    assert {"left"} == sides(detect_lines(frame).black)
+    assert {"right"} == sides(found(frame).black)
+
+
+@pytest.mark.parametrize("x", [-150, -120])
+def test_a_line_under_a_lying_tag_is_found_before_and_behind_it(x):
+    bare = seen([AHEAD])
+    frame = seen([AHEAD], things=[lying(tag(5), 60, x, 0)])
+    assert {"center"} == sides(found(frame).black)
+    # Only what the tag hides is missing.
+    assert found(frame).black.center < found(bare).black.center
+
+
+@pytest.mark.parametrize("lines", [[AHEAD], [ACROSS], [AHEAD, ACROSS], []])
+@pytest.mark.parametrize("scale", [1, 2])
+def test_lines_alone_are_found_without_looking_for_tags_or_faces(lines, scale):
+    frame = seen(lines, scale=scale)
+    alone = Sight(frame, detectors={"lines": DETECTORS["lines"]})
+    assert alone.detect("lines") == detect_lines(frame)
+
+
+def test_a_short_line_without_an_edge_of_the_picture_is_found_as_before():
+    frame = seen([FloorLine([(-190, 0), (-120, 0)], 25, BLACK)])
+    assert found(frame) == detect_lines(frame)
+    assert {"center"} == sides(found(frame).black)
