@@ -41,6 +41,8 @@ class Parameter:
         directions: the words for a ``positive`` and a ``negative`` number, such as *right* and
             *left*, by upper-case language code; empty if the sign has no word. Programs contain
             the sign.
+        needs: what a call needs if it gives True, such as the sense of one side; empty if that does
+            not depend on it.
     """
 
     name: str
@@ -52,6 +54,7 @@ class Parameter:
     choices: tuple[str, ...] = ()
     choice_names: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
     directions: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+    needs: str = ""
 
     @property
     def is_number(self) -> bool:
@@ -93,7 +96,8 @@ class BlockConfiguration:
         tooltip: a sentence of help, by upper-case language code.
         needs: what it needs to have an effect: a sense such as ``black-line``, or a device:
             ``Base``, ``JointMotor:CAMERA`` for the one with that key, ``RGBLed:{slot}`` for the one
-            whose key the parameter gives; see `learnblock.senses`.
+            whose key the parameter gives; see `learnblock.senses`. If parameters have needs of
+            their own, these are those of a call without arguments.
         returns: the kind of a value: ``boolean`` for a question, whose block is hexagonal.
         library: the library that a program must import, if any.
         titles: the name of the tab of a library, by upper-case language code.
@@ -125,8 +129,21 @@ class BlockConfiguration:
             equipment: what the robot has; see `learnblock.senses.equipment`.
             given: the text that a call gives for a parameter; None if only the run will tell.
         """
-        needs = (self._chosen(need, given) for need in self.needs)
-        return tuple(need for need in needs if served_by(need, equipment) is None)
+        return tuple(need for need in self.needed(given) if served_by(need, equipment) is None)
+
+    def needed(self, given: Mapping[str, str | None] = MappingProxyType({})) -> tuple[str, ...]:
+        """What a call needs.
+
+        Parameters that only the run will tell count as True; if none is True, all count.
+
+        Args:
+            given: as for `lacks`.
+        """
+        choices = [one for one in self.parameters if one.needs]
+        chosen = [one.needs for one in choices if given.get(one.name, str(one.default)) != "False"]
+        if choices:
+            return tuple(chosen or [one.needs for one in choices])
+        return tuple(self._chosen(need, given) for need in self.needs)
 
     def _chosen(self, need: str, given: Mapping[str, str | None]) -> str:
         """A need with the key that its parameter gives; any key will do if that is open."""

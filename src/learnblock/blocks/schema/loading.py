@@ -113,6 +113,7 @@ def _trusted_parameter(raw: dict[str, Any]) -> Parameter:
         choices=tuple(raw.get("choices", ())),
         choice_names=raw.get("choiceNames", {}),
         directions=raw.get("directions", {}),
+        needs=raw.get("needs", ""),
     )
 
 

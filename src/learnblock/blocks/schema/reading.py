@@ -49,6 +49,7 @@ _PARAMETER_KEYS = {
     "choices": False,
     "choiceNames": False,
     "directions": False,
+    "needs": False,
 }
 # Reporting more of them at once does not help.
 _MOST_PROBLEMS = 100
@@ -122,6 +123,7 @@ class _Reader:
             choices=choices,
             choice_names=self._choice_names(fields, choices, path, who),
             directions=self._directions(fields, kind, path, who),
+            needs=self._need(fields.get("needs", ""), (*path, "needs"), who),
         )
 
     # Their parts.
@@ -211,11 +213,14 @@ class _Reader:
 
     def _needs(self, fields: Mapping[str, Any], path: Path, who: Phrase) -> tuple[str, ...]:
         items = self._list(fields, "needs", path, who, '["Base"]')
-        for i, item in enumerate(items):
-            if not (isinstance(item, str) and _NEED.fullmatch(item)):
-                message = Phrase("block-bad-need", where=who, value=_shown(item))
-                self._wrong("unknown-value", (*path, "needs", i), message)
-        return tuple(item for item in items if isinstance(item, str))
+        needs = (self._need(item, (*path, "needs", i), who) for i, item in enumerate(items))
+        return tuple(filter(None, needs))
+
+    def _need(self, value: object, path: Path, who: Phrase) -> str:
+        if isinstance(value, str) and (not value or _NEED.fullmatch(value)):
+            return value
+        self._wrong("unknown-value", path, Phrase("block-bad-need", where=who, value=_shown(value)))
+        return ""
 
     def _list(
         self, fields: Mapping[str, Any], key: str, path: Path, who: Phrase, example: str

@@ -36,6 +36,7 @@ def _parameter(parameter: Parameter) -> dict[str, Any]:
         **({"choices": list(parameter.choices)} if parameter.choices else {}),
         **_words("choiceNames", parameter.choice_names),
         **_words("directions", parameter.directions),
+        **({"needs": parameter.needs} if parameter.needs else {}),
         "translate": dict(parameter.translations),
     }
 

@@ -1,17 +1,16 @@
-"""Check calls: whether the function exists, fits the arguments, and works on the robot."""
+"""Check calls: whether the function exists and fits the arguments."""
 
 from collections.abc import Iterable, Mapping
 from itertools import pairwise
 
 from learnblock.blocks import NUMBERS, BlockConfiguration, Parameter
 from learnblock.blocks.old_names import todays_name
-from learnblock.errors import Severity, nearest
+from learnblock.errors import nearest
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.names import state_of
 from learnblock.language.check.findings import Findings, constant, python_error
 from learnblock.language.check.other_names import FUNCTIONS as OTHER_FUNCTIONS
 from learnblock.language.check.other_names import FUNCTIONS_AS_SKILLS, MOVE_STRAIGHT, SKILLS
-from learnblock.language.check.robots import Lack, demand, need_phrase
 from learnblock.language.python.syntax_errors import syntax_message
 from learnblock.language.tree.builtins import BUILTINS, FUNCTIONS, TEMPLATES
 from learnblock.language.tree.nodes import (
@@ -95,9 +94,6 @@ class CallChecker:
         if skill.library and skill.library not in self.findings.imported:
             self.not_imported(node, skill)
         self.arguments(node, skill)
-        equipment = self.findings.equipment
-        if equipment is not None and (lack := demand(node, skill).lack(equipment)):
-            self.missing_devices(node, lack)
 
     def not_imported(self, node: SkillCall, skill: BlockConfiguration) -> None:
         message = Phrase("check-not-imported", skill=node.name, library=skill.library)
@@ -137,33 +133,6 @@ class CallChecker:
             return Phrase("check-write", instead=call)
         sleep, stop = self.findings.called("sleep(2)"), self.findings.called("stop_bot()")
         return Phrase("check-keeps-driving", instead=call, sleep=sleep, stop=stop)
-
-    def missing_devices(self, node: SkillCall, lack: Lack) -> None:
-        devices = tuple(map(need_phrase, lack.needs))
-        called = self.findings.called(node.name)
-        severity: Severity = "warning" if lack.is_harmless else "error"
-        kind, _, key = lack.needs[0].partition(":")
-        named = self.keys(kind) if lack.needs[0] not in lack.skill.needs else ()
-        if named:
-            message = Phrase(
-                "check-no-device-of-name",
-                device=need_phrase(kind),
-                key=key,
-                skill=called,
-                known=named,
-            )
-        elif lack.skill.returns_value:
-            message = Phrase("check-skill-without-answer", skill=called, devices=devices)
-        elif lack.is_harmless:
-            message = Phrase("check-skill-without-effect", skill=called, devices=devices)
-        else:
-            message = Phrase("check-skill-impossible", skill=called, devices=devices)
-        self.report("missing-device", message, node.span, severity)
-
-    def keys(self, kind: str) -> tuple[str, ...]:
-        """The keys of the robot's devices of a type."""
-        devices = (device.partition(":") for device in self.findings.equipment or ())
-        return tuple(sorted(key for own, _, key in devices if own == kind and key))
 
     def arguments(self, node: SkillCall, skill: BlockConfiguration) -> None:
         parameters = skill.parameters

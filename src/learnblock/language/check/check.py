@@ -9,6 +9,7 @@ from learnblock.errors import Diagnostic
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.names import state_of
 from learnblock.language.check.call_checker import CallChecker
+from learnblock.language.check.device_checker import check_devices
 from learnblock.language.check.findings import Findings, is_whole, python_error
 from learnblock.language.check.flow_checker import LOOPS, FlowChecker
 from learnblock.language.check.python_checker import check_python
@@ -73,6 +74,7 @@ def check(
         findings.diagnostics.extend(_raw_problems(program))
     else:
         _Checker(findings).run()
+    check_devices(findings)
     if python is not None:
         check_python(python, findings)
     found = sorted(findings.diagnostics, key=attrgetter("line", "column"))

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 from learnblock.blocks import BlockConfiguration
 from learnblock.i18n import Phrase
-from learnblock.language.tree.nodes import Program, SkillCall, String
-from learnblock.language.tree.traversal import expressions, statements, within
+from learnblock.language.check.used_skills import skill_calls
+from learnblock.language.tree.nodes import Constant, Expression, Program, SkillCall, String
 from learnblock.senses import SENSES, UNSERVED, is_decoration, served_by
 
 Texts = Mapping[str, str | None]
@@ -18,11 +18,17 @@ class Demand:
 
     Args:
         skill: its block.
-        texts: the text given for each parameter; None for what only the run will tell.
+        texts: the text given for each parameter, also of True and False; None for what only the
+            run will tell.
     """
 
     skill: BlockConfiguration
     texts: Texts
+
+    @property
+    def needs(self) -> tuple[str, ...]:
+        """What it needs."""
+        return self.skill.needed(self.texts)
 
     def lack(self, equipment: frozenset[str]) -> "Lack | None":
         """What a robot lacks for it; None if it can do it."""
@@ -119,10 +125,16 @@ def demand(call: SkillCall, skill: BlockConfiguration) -> Demand:
     names = (parameter.name for parameter in skill.parameters)
     given = dict(zip(names, call.arguments, strict=False))
     given |= {keyword.name: keyword.value for keyword in call.keywords}
-    texts = {
-        name: value.value if isinstance(value, String) else None for name, value in given.items()
-    }
-    return Demand(skill, texts)
+    return Demand(skill, {name: _text(value) for name, value in given.items()})
+
+
+def _text(value: Expression) -> str | None:
+    match value:
+        case String(value=text):
+            return text
+        case Constant(value=bool() as is_so):
+            return str(is_so)
+    return None
 
 
 def demands(program: Program, skills: Mapping[str, BlockConfiguration]) -> tuple[Demand, ...]:
@@ -133,12 +145,10 @@ def demands(program: Program, skills: Mapping[str, BlockConfiguration]) -> tuple
 def _demands(
     program: Program, skills: Mapping[str, BlockConfiguration]
 ) -> Iterator[tuple[object, Demand]]:
-    main = () if program.main is None else program.main.body
-    for item in statements(program.items + main):
-        for node in (inner for expression in expressions(item) for inner in within(expression)):
-            if isinstance(node, SkillCall) and (skill := skills.get(node.name)) and skill.needs:
-                found = demand(node, skill)
-                yield (skill.name, *sorted(found.texts.items(), key=str)), found
+    for call in skill_calls(program, skills):
+        if (skill := skills.get(call.name)) and skill.needs:
+            found = demand(call, skill)
+            yield (skill.name, *sorted(found.texts.items(), key=str)), found
 
 
 def verdict(demanded: tuple[Demand, ...], equipment: frozenset[str]) -> Verdict:
@@ -154,5 +164,5 @@ def verdict(demanded: tuple[Demand, ...], equipment: frozenset[str]) -> Verdict:
     return Verdict(
         missed=tuple(one for one in lacks.values() if one.is_harmless),
         refused=tuple(one for one in lacks.values() if not one.is_harmless),
-        served=serving((need for one in demanded for need in one.skill.needs), equipment),
+        served=serving((need for one in demanded for need in one.needs), equipment),
     )

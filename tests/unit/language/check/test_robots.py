@@ -61,6 +61,28 @@ def test_a_device_that_serves_several_missing_senses_is_named_once():
     assert str(found.phrase) == "can't run it: has no accelerometer"
 
 
+@pytest.mark.parametrize(
+    ("sides", "needs"),
+    [
+        ("", ("obstacle-front",)),
+        ("left=True", ("obstacle-left", "obstacle-front")),
+        ("True, False, False", ("obstacle-left",)),
+        ("False, False, False", ("obstacle-left", "obstacle-front", "obstacle-right")),
+        # Only the run will tell which of them it looks at.
+        ("x, False, x", ("obstacle-left", "obstacle-right")),
+    ],
+)
+def test_the_nearest_obstacle_needs_the_sides_that_are_asked_for(sides, needs):
+    [found] = demands(parse(f"x = True\ny = function.get_min_distance({sides})"), builtin())
+    assert found.needs == needs
+
+
+def test_needs_of_parameters_agree_with_those_that_are_listed():
+    for block in builtin().values():
+        if any(one.needs for one in block.parameters):
+            assert block.needed() == block.needs
+
+
 CALLS = st.lists(st.sampled_from(sorted(builtin())), min_size=1, max_size=4)
 NEEDS = st.sampled_from(sorted(equipment(
     ["Base:ROBOT", "Camera:ROBOT", "Gyroscope:Z_AXIS", "Speaker:ROBOT", "Display:ROBOT",

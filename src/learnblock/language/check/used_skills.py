@@ -1,0 +1,173 @@
+"""The calls of skills in a program, in blocks and in the parts that stay Python.
+
+A function that nothing mentions is left out, since it never runs.
+"""
+
+import ast
+from collections.abc import Container, Iterator
+from dataclasses import dataclass
+
+from learnblock.language.blocktext.names import from_python
+from learnblock.language.tree.loads import parsed
+from learnblock.language.tree.nodes import (
+    NOWHERE,
+    Blank,
+    Call,
+    Comment,
+    Constant,
+    Def,
+    Expression,
+    Import,
+    Item,
+    Keyword,
+    Name,
+    Program,
+    Raw,
+    RawExpression,
+    Setup,
+    SkillCall,
+    Span,
+    String,
+)
+from learnblock.language.tree.traversal import expressions, statements, within
+
+#: What a file with functions for other programs contains besides them.
+_BESIDE_FUNCTIONS = Blank | Comment | Import | Setup
+#: Columns by which Block-Text indents a block.
+_INDENT = 4
+
+
+def skill_calls(
+    program: Program, skills: Container[str], *, in_python: bool = False
+) -> Iterator[SkillCall]:
+    """Every call of a skill, in source order.
+
+    Args:
+        program: the tree.
+        skills: the names of the skills, to find them in parts that stay Python.
+        in_python: whether its author wrote Python.
+    """
+    parts = tuple(statements(_running(program)))
+    raw = _Raw.of(parts, skills)
+    for item in parts:
+        if isinstance(item, Raw):
+            # In Block-Text it is inside of a block.
+            line, column = item.span.line, item.span.column
+            place = Span(line, column) if in_python else Span(line + 1, column + _INDENT)
+            yield from raw.calls(item.text, place)
+        for node in _nodes(item):
+            if isinstance(node, SkillCall):
+                yield node
+            elif isinstance(node, RawExpression):
+                for call in raw.calls(node.text.strip(), node.span):
+                    yield SkillCall(call.name, call.arguments, call.keywords, node.span)
+
+
+def _nodes(item: Item) -> Iterator[Expression]:
+    return (node for expression in expressions(item) for node in within(expression))
+
+
+def _running(program: Program) -> tuple[Item, ...]:
+    """The items of the top level and of `main`, without functions that nothing mentions."""
+    main = () if program.main is None else program.main.body
+    waiting = program.functions
+    everything: tuple[Item, ...] = (*program.items, *main)
+    found = [item for item in everything if not isinstance(item, Def)]
+    if all(isinstance(item, _BESIDE_FUNCTIONS) for item in found):
+        return everything
+    ahead = list(found)
+    while ahead:
+        mentioned = [waiting.pop(name) for name in _names(ahead.pop()) if name in waiting]
+        ahead.extend(mentioned)
+        found.extend(mentioned)
+    return tuple(sorted(found, key=lambda item: item.span.line))
+
+
+def _names(item: Item) -> Iterator[str]:
+    """The names of variables and functions that an item mentions."""
+    for one in statements((item,)):
+        if isinstance(one, Raw):
+            yield from _names_in(one.text)
+        for node in _nodes(one):
+            if isinstance(node, Call | Name):
+                yield node.name
+            elif isinstance(node, RawExpression):
+                yield from _names_in(node.text)
+
+
+def _names_in(text: str) -> Iterator[str]:
+    for node in ast.walk(parsed(text.strip())):
+        if isinstance(node, ast.Name) and (name := from_python(node.id)) is not None:
+            yield name
+
+
+@dataclass(frozen=True, slots=True)
+class _Raw:
+    """Finds skills in the parts that stay Python.
+
+    Every attribute with the name of a skill counts, since any variable or parameter may be the
+    robot; those of modules, and methods of the program's own classes, do not.
+
+    Args:
+        skills: the names of the skills.
+        modules: the names that the program imports.
+        methods: the names of the methods of its classes.
+    """
+
+    skills: Container[str]
+    modules: frozenset[str]
+    methods: frozenset[str]
+
+    @classmethod
+    def of(cls, parts: tuple[Item, ...], skills: Container[str]) -> "_Raw":
+        modules = {item.module for item in parts if isinstance(item, Import)}
+        methods: set[str] = set()
+        for item in parts:
+            for node in ast.walk(parsed(item.text if isinstance(item, Raw) else "")):
+                if isinstance(node, ast.Import):
+                    modules |= {(one.asname or one.name).partition(".")[0] for one in node.names}
+                elif isinstance(node, ast.ClassDef):
+                    methods |= {one.name for one in node.body if isinstance(one, ast.FunctionDef)}
+        return cls(skills, frozenset(modules), frozenset(methods))
+
+    def calls(self, text: str, span: Span) -> Iterator[SkillCall]:
+        """The calls in a text at a place; a skill that is not called at once counts as well."""
+        tree = parsed(text)
+        called = {id(node.func): node for node in ast.walk(tree) if isinstance(node, ast.Call)}
+        nodes = (node for node in ast.walk(tree) if isinstance(node, ast.expr))
+        found = [(node, name) for node in nodes if (name := self.skill(node))]
+        for node, name in sorted(found, key=lambda one: (one[0].lineno, one[0].col_offset)):
+            call = called.get(id(node))
+            given = () if call is None else tuple(map(_argument, call.args))
+            keywords = () if call is None else call.keywords
+            named = tuple(Keyword(one.arg, _argument(one.value)) for one in keywords if one.arg)
+            yield SkillCall(name, given, named, _span(node, span))
+
+    def skill(self, node: ast.expr) -> str:
+        """The skill that an expression names; empty if it names none."""
+        match node:
+            case ast.Attribute(value=ast.Name(id=owner), attr=name) if owner in self.modules:
+                return ""
+            case ast.Attribute(attr=name):
+                pass
+            case ast.Call(func=ast.Name(id="getattr"), args=[_, ast.Constant(str(name)), *_]):
+                pass
+            case _:
+                return ""
+        return name if name in self.skills and name not in self.methods else ""
+
+
+def _span(node: ast.expr, place: Span) -> Span:
+    """Where a node of a text at a place is."""
+    down, across = place.line - 1, place.column
+    last, end = node.end_lineno or node.lineno, node.end_col_offset or node.col_offset
+    return Span(node.lineno + down, node.col_offset + across, last + down, end + across)
+
+
+def _argument(node: ast.expr) -> Expression:
+    match node:
+        case ast.Constant(value=str(text)):
+            return String(text)
+        case ast.Constant(value=bool() | None as value):
+            return Constant(value)
+    return RawExpression(ast.unparse(node), NOWHERE)
