@@ -72,10 +72,10 @@ def _running(program: Program) -> tuple[Item, ...]:
     main = () if program.main is None else program.main.body
     waiting = program.functions
     everything: tuple[Item, ...] = (*program.items, *main)
-    found = [item for item in everything if not isinstance(item, Def)]
+    found: list[Item] = [item for item in everything if not isinstance(item, Def)]
     if all(isinstance(item, _BESIDE_FUNCTIONS) for item in found):
         return everything
-    ahead = list(found)
+    ahead = found.copy()
     while ahead:
         mentioned = [waiting.pop(name) for name in _names(ahead.pop()) if name in waiting]
         ahead.extend(mentioned)
