@@ -84,6 +84,8 @@ SHADOWS: Mapping[str, Mapping[str, Shadow]] = MappingProxyType(
 FIRST_VALUES: Mapping[tuple[str, str], float] = MappingProxyType(
     {
         ("drive_distance", "distance"): 200,
+        ("drive_arc", "radius"): 200,
+        ("go_to", "x"): 200,
         ("play_frequency", "frequency"): 440,
         ("play_frequency", "time"): 500,
         ("led", "intensity"): 100,

@@ -1,15 +1,16 @@
 """Driving and turning, and questions about the current movement."""
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from learnblock.client.senses.heading import UPRIGHT
 from learnblock.devices import Base, Gyroscope, number
-from learnblock.skills.turning import Manner, shortest, turn_by
+from learnblock.errors import DeviceValueError
+from learnblock.skills.turning import BRISK, Manner, shortest, turn_by
 
 if TYPE_CHECKING:
     from learnblock.client import Client
 
-_BRISK = Manner(gain=5, slowest=10, fastest=120, settled_within=1)
 _CAREFUL = Manner(gain=0.5, slowest=5, fastest=15, settled_within=2)
 _SLOWING_PERIOD = 0.1
 
@@ -76,22 +77,27 @@ def stop_bot(robot: "Client") -> None:
     _move(robot, 0, 0)
 
 
-def turn(robot: "Client", angle: float) -> None:
+def turn(robot: "Client", angle: float, rotSpeed: float = 120) -> None:
     """Turn on the spot by an angle, then continue with the program.
 
-    The robot turns at 10 to 120 degrees/s and stops within 1 degree of the angle by its gyroscope
+    The robot turns slower towards the end and stops within 1 degree of the angle by its gyroscope
     or, without one, by its wheels.
 
     Args:
         angle: degrees; positive to the right, negative to the left; 720 is two full turns.
+        rotSpeed: degrees/s at most, more than 0.
 
     Raises:
+        DeviceValueError: the speed is not more than 0.
         StillTurningError: the turn takes far too long; the robot may be stuck.
     """
-    angle = number("angle", angle)
+    angle, speed = number("angle", angle), number("rotSpeed", rotSpeed)
+    if speed <= 0:
+        raise DeviceValueError("skill-turning-speed-not-positive", speed=speed)
     base = robot.device(Base)
     if base is not None:
-        turn_by(robot, base, angle, _BRISK)
+        manner = replace(BRISK, fastest=speed, slowest=min(speed, BRISK.slowest))
+        turn_by(robot, base, angle, manner)
 
 
 def turn_90_left(robot: "Client") -> None:

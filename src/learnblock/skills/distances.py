@@ -74,6 +74,15 @@ def get_min_distance(
     return min((mm for mm in distances if mm is not None), default=None)
 
 
+def get_obstacle_direction(robot: "Client") -> float | None:
+    """In which direction is the nearest obstacle? In degrees: 0 ahead, positive to the right.
+
+    In steps of 45 degrees, from -90 (left) to 90 (right), and 180 behind; None if the robot sees no
+    obstacle. A robot that only looks ahead sees obstacles only there.
+    """
+    return robot.senses.obstacle_direction()
+
+
 def _is_obstacle(robot: "Client", side: str, threshold: float) -> bool:
     nearest = robot.senses.distance(side)
     return nearest is not None and nearest < number("threshold", threshold)

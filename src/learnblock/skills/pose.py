@@ -9,15 +9,52 @@ import math
 from typing import TYPE_CHECKING
 
 from learnblock.devices import Base, Pose, number
+from learnblock.skills.course import STEERING, WITHIN, Course, drive, speed_of
+from learnblock.skills.turning import BRISK, shortest, turn_by
 
 if TYPE_CHECKING:
     from learnblock.client import Client
+
+#: Millimetres from a place at which its direction no longer says anything.
+_ARRIVING = 40.0
 
 
 def get_pose(robot: "Client") -> Pose | None:
     """Where is the robot? Its x and y in mm and its heading in degrees."""
     base = robot.device(Base)
     return None if base is None else base.pose()
+
+
+def go_to(robot: "Client", x: float, y: float, advSpeed: float = 80) -> None:
+    """Turn to a place and drive there, then continue with the program.
+
+    Places are those of `get_pose`: a robot that counts its wheels' turns starts at (0, 0).
+
+    Args:
+        x: mm ahead of the start.
+        y: mm to the left of the start.
+        advSpeed: mm/s, more than 0.
+
+    Raises:
+        DeviceValueError: the speed is not more than 0.
+        StillTurningError: the turn takes far too long; the robot may be stuck.
+        StillDrivingError: the drive takes far too long; the robot may be stuck.
+    """
+    speed = speed_of(advSpeed)
+    base, place = robot.device(Base), _from_robot(robot, x, y)
+    if base is None or place is None or robot.senses.heading() is None:
+        return
+    if math.hypot(*place) <= WITHIN:
+        return
+    turn_by(robot, base, shortest(_direction(place)), BRISK)
+
+    def now() -> tuple[float, float]:
+        return _from_robot(robot, x, y) or (0.0, 0.0)
+
+    def turning(_: float) -> float:
+        return STEERING * _direction(now()) if now()[0] > _ARRIVING else 0.0
+
+    drive(robot, base, Course(math.hypot(*place), lambda: now()[0], turning), speed)
 
 
 def near_to_target(robot: "Client", x: float, y: float, nearDist: float = 50) -> bool:
@@ -74,3 +111,8 @@ def _from_robot(robot: "Client", x: float, y: float) -> tuple[float, float] | No
     east, north = number("x", x) - pose[0], number("y", y) - pose[1]
     cos, sin = math.cos(math.radians(pose[2])), math.sin(math.radians(pose[2]))
     return east * cos - north * sin, -east * sin - north * cos
+
+
+def _direction(place: tuple[float, float]) -> float:
+    """Degrees to the right to a place, given as (mm ahead, mm to the right)."""
+    return math.degrees(math.atan2(place[1], place[0]))

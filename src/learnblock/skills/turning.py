@@ -59,6 +59,10 @@ class Manner:
         return 5 + abs(angle) / self.slowest
 
 
+#: A turn that takes no longer than it must.
+BRISK = Manner(gain=5, slowest=10, fastest=120, settled_within=1)
+
+
 def turn_by(robot: "Client", base: Base, angle: float, manner: Manner) -> None:
     """Turn by `angle` degrees, positive to the right, and stop.
 

@@ -26,6 +26,7 @@ _FIXED = {
     "turn_90_right": SPIN_RIGHT,
     "turn_back": SPIN_RIGHT,
     "drive_distance": FORWARD,
+    "go_to": FORWARD,
     "slow_down": STAND,
 }
 
@@ -47,6 +48,8 @@ def movement_of(node: Node) -> str | None:
         return movement(*numbers[:2]) if len(numbers) > 1 else FORWARD
     if node.name == "turn":
         return SPIN_LEFT if numbers and numbers[0] < 0 else SPIN_RIGHT
+    if node.name == "drive_arc":
+        return CURVE_LEFT if len(numbers) > 1 and numbers[1] < 0 else CURVE_RIGHT
     if node.name in ("move_straight", "drive_distance") and numbers and numbers[0] < 0:
         return BACK
     return _FIXED.get(node.name)

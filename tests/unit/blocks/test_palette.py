@@ -106,7 +106,7 @@ def test_a_label_places_its_parameters_and_others_follow_with_their_names():
 
 
 def test_the_sign_of_a_number_is_a_menu_of_two_words():
-    (angle, direction) = named(palette(builtin(), "es"), "lb_skill_turn")["args0"]
+    angle, _, direction, *_ = named(palette(builtin(), "es"), "lb_skill_turn")["args0"]
     assert angle["name"] == "angle"
     assert direction == {
         "type": "lb_direction",

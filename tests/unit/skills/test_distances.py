@@ -1,6 +1,7 @@
 import pytest
 
 from learnblock.devices import Bumper, DistanceSensors
+from learnblock.testing import FakeRobot
 
 
 @pytest.mark.parametrize("side", ["front", "left", "right", "back"])
@@ -60,3 +61,31 @@ def test_a_bumper_that_is_pressed_bumps(robot):
     robot.set_reading(Bumper, True)
 
     assert (before, robot.is_bumped()) == (False, True)
+
+
+@pytest.mark.parametrize(
+    ("readings", "direction"),
+    [
+        ({"front": [300], "left": [200], "right": [400]}, -90),
+        ({"front": [2000, 150], "left": [2000], "right": [150]}, 45),
+        ({"front": [2000, 150], "left": [150], "right": [2000]}, -45),
+        ({"front": [100], "back": [300]}, 0),
+        ({"front": [2000], "back": [300]}, 180),
+        ({"left": [100], "right": [100], "front": [500]}, 0),
+        ({"front": [2000], "left": [2000]}, None),
+        ({"front": [0], "left": []}, 0),
+        ({}, None),
+    ],
+)
+def test_the_nearest_obstacle_has_a_direction(robot, readings, direction):
+    robot.set_reading(DistanceSensors, readings)
+
+    assert robot.get_obstacle_direction() == direction
+
+
+@pytest.mark.parametrize(("pressed", "direction"), [(True, 0), (False, None)])
+def test_a_bumper_tells_that_an_obstacle_is_ahead(pressed, direction):
+    with FakeRobot(only=[Bumper]) as robot:
+        robot.set_reading(Bumper, pressed)
+
+        assert robot.get_obstacle_direction() == direction

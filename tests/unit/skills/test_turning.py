@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from learnblock.errors import StillTurningError
+from learnblock.errors import DeviceValueError, StillTurningError
 from learnblock.skills.turning import shortest
 from learnblock.testing import FakeRobot
 
@@ -72,3 +72,18 @@ def test_a_robot_that_is_held_halfway_gives_up_three_seconds_later():
         with pytest.raises(StillTurningError, match="turned only 4"):
             robot.turn(90)
         assert 3 <= robot.clock.time() - held[0] < 4
+
+
+@pytest.mark.parametrize("speed", [5, 20, 90])
+def test_a_turn_is_no_faster_than_it_is_told_and_ends_within_a_degree(speed):
+    with FakeRobot(skills=["turn"]) as robot:
+        robot.turn(-120, speed)
+
+        assert robot.wheels.pose[2] == pytest.approx(-120, abs=1)
+        assert max(abs(command[2]) for command in robot.commands) == speed
+
+
+@pytest.mark.parametrize("speed", [0, -30])
+def test_a_turning_speed_that_is_not_positive_is_refused(speed):
+    with FakeRobot(skills=["turn"]) as robot, pytest.raises(DeviceValueError, match="more than 0"):
+        robot.turn(90, speed)

@@ -6,10 +6,13 @@ const skills = (...names: string[]) => names.map((name) => `lb_skill_${name}`);
 export const MEANINGS: Readonly<Record<string, readonly string[]>> = {
   loop: ["controls_repeat_ext", "lb_forever", "controls_whileUntil", "controls_for", "controls_forEach"],
   condition: ["controls_if"],
-  pause: [...skills("sleep"), "lb_wait_until"],
+  pause: [...skills("sleep", "wait_until_still"), "lb_wait_until"],
   speed: skills(
     "move_straight",
     "drive_distance",
+    "drive_arc",
+    "go_to",
+    "turn",
     "move_left",
     "move_right",
     "turn_left",
@@ -17,7 +20,7 @@ export const MEANINGS: Readonly<Record<string, readonly string[]>> = {
     "set_move",
     "slow_down",
   ),
-  go: skills("move_straight", "drive_distance", "move_left", "move_right", "set_move"),
+  go: skills("move_straight", "drive_distance", "drive_arc", "go_to", "move_left", "move_right", "set_move"),
   rotate: skills("turn", "turn_90_left", "turn_90_right", "turn_back", "turn_left", "turn_right", "set_orientation"),
   halt: skills("stop_bot"),
   lamp: skills("led", "RGBled"),
@@ -28,6 +31,7 @@ export const MEANINGS: Readonly<Record<string, readonly string[]>> = {
     "is_back_obstacle",
     "is_obstacle_free",
     "get_min_distance",
+    "get_obstacle_direction",
   ),
   face: skills(
     "expressNeutral",

@@ -4,6 +4,7 @@ A skill asks for a sense, not for a sensor, so that it has one meaning on every 
 the senses, with what can serve each of them, is `learnblock.senses`.
 """
 
+from itertools import chain
 from typing import TYPE_CHECKING
 
 from learnblock.client.senses.heading import Heading
@@ -26,6 +27,15 @@ __all__ = ["Heading", "Line", "Senses"]
 
 #: Levels of a light sensor, 0 to 1023, for one level of a picture, 0 to 255.
 _LEVELS = 1023 / 255
+#: Degrees to the right, by the sides of the sensors that see the nearest obstacle; where these
+#: contradict each other, it is ahead.
+_DIRECTIONS = {
+    frozenset(("left",)): -90.0,
+    frozenset(("left", "front")): -45.0,
+    frozenset(("front", "right")): 45.0,
+    frozenset(("right",)): 90.0,
+    frozenset(("back",)): 180.0,
+}
 
 
 class Senses:
@@ -90,6 +100,21 @@ class Senses:
             return 0.0 if self._robot.read(Bumper) else NOTHING_SEEN
         readings = self._robot.read(DistanceSensors) or {}
         return min(readings.get(side, ()), default=None)
+
+    def obstacle_direction(self) -> float | None:
+        """Degrees to the right to the nearest obstacle in sight, in steps of 45.
+
+        None if there is none, and on a robot that can't tell.
+        """
+        server = self._server("obstacle-front")
+        if server == "Bumper":
+            return 0.0 if self._robot.read(Bumper) else None
+        readings = (self._robot.read(DistanceSensors) or {}) if server else {}
+        nearest = min(chain.from_iterable(readings.values()), default=NOTHING_SEEN)
+        if nearest >= NOTHING_SEEN:
+            return None
+        sides = frozenset(side for side, all_mm in readings.items() if nearest in all_mm)
+        return _DIRECTIONS.get(sides, 0.0)
 
     def brightness(self) -> float | None:
         """The brightness around the robot, 0 (dark) to 1023; None on a robot that can't tell."""

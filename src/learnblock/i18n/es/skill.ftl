@@ -5,4 +5,6 @@ skill-file-syntax = No se puede cargar { $file } por un error en la línea { $li
 skill-file-broken = No se puede cargar { $file } ({ $reason }). Corrige el archivo y ejecuta el programa otra vez.
 skill-still-driving = El robot solo ha avanzado { $driven } de { $distance } mm en { $seconds } segundos. ¿Está atascado o levantado del suelo?
 skill-speed-not-positive = La velocidad es { $speed } mm/s. Escribe una velocidad mayor que 0; con una distancia negativa va marcha atrás.
+skill-radius-not-positive = El radio es { $radius } mm. Escribe un radio mayor que 0; con un ángulo negativo va hacia la izquierda.
+skill-turning-speed-not-positive = La velocidad de giro es { $speed }°/s. Escribe una velocidad mayor que 0; con un ángulo negativo gira a la izquierda.
 skill-still-turning = El robot solo ha girado { $turned } de { $angle } grados en { $seconds } segundos. ¿Está atascado o levantado del suelo?

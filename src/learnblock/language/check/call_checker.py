@@ -200,7 +200,8 @@ class CallChecker:
             self.report("wrong-type", message, value.span)
             return
         given = constant(value)
-        if parameter.name == "rotSpeed" and given in _ANGLES:
+        # `turn` has both, an angle and then a speed.
+        if parameter.name == "rotSpeed" and given in _ANGLES and not call.endswith(".turn"):
             self.speed_as_angle(call, given, value)
         elif call.endswith(".sleep") and isinstance(given, int | float) and given < 0:
             message = Phrase("check-negative-wait", seconds=repr(given).removesuffix(".0"))

@@ -17,6 +17,8 @@ SKILLS: Mapping[str, str] = MappingProxyType(
         **dict.fromkeys(("left", "rotate_left", "spin_left"), "turn(-90)"),
         **dict.fromkeys(("right", "rotate_right", "spin_right"), "turn(90)"),
         **dict.fromkeys(("rotate", "spin"), "turn(90)"),
+        **dict.fromkeys(("arc", "curve", "driveArc"), "drive_arc(200, 90)"),
+        **dict.fromkeys(("goto", "go_to_xy", "glide", "move_to", "drive_to"), "go_to(200, 0)"),
         **dict.fromkeys(("stop", "halt", "brake"), "stop_bot()"),
         **dict.fromkeys(("wait", "pause", "delay", "wait_seconds"), "sleep(2)"),
         **dict.fromkeys(("say", "speak", "talk", "tell"), 'say_Text("hello")'),

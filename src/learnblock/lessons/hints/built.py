@@ -220,7 +220,7 @@ def _direction(call: SkillCall) -> str:
     numbers = [number_of(one) for one in call.arguments]
     if call.name in {"turn", "set_orientation"}:
         return _by_sign(numbers[0]) if numbers else ""
-    if call.name == "set_move":
+    if call.name in {"set_move", "drive_arc"}:
         return _by_sign(numbers[1]) if len(numbers) > 1 else ""
     if call.name not in DRIVING or not side(call.name):
         return ""

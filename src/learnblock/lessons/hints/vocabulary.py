@@ -10,10 +10,20 @@ LASTING = frozenset(
 )
 TURNS = frozenset(("turn", "turn_90_left", "turn_90_right", "turn_back", "set_orientation"))
 #: Skills that wait until their movement is done.
-MOVEMENTS = TURNS | {"drive_distance"}
+MOVEMENTS = TURNS | {"drive_distance", "drive_arc", "go_to"}
 DRIVING = LASTING | MOVEMENTS
 STOPPING = frozenset(("stop_bot", "slow_down"))
-WAITING = MOVEMENTS | {"sleep", "play_note", "rest", "play_audio", "play_frequency", "say_Text"}
+WAITING = MOVEMENTS | frozenset(
+    (
+        "sleep",
+        "wait_until_still",
+        "play_note",
+        "rest",
+        "play_audio",
+        "play_frequency",
+        "say_Text",
+    )
+)
 #: Perceptual skills that ask nothing.
 _ACTS = frozenset(("send", "send_code_IR"))
 #: What is asked about the program or the robot itself, not about its world.
@@ -27,6 +37,7 @@ OBSTACLES = frozenset(
         "is_back_obstacle",
         "is_obstacle_free",
         "get_min_distance",
+        "get_obstacle_direction",
         "is_bumped",
     )
 )

@@ -1,0 +1,84 @@
+"""Driving a way that ends: the control loop on the odometry that the driving skills share."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from learnblock.devices import Base, number
+from learnblock.errors import DeviceValueError, StillDrivingError
+from learnblock.skills.progress import PATIENCE, Progress
+
+if TYPE_CHECKING:
+    from learnblock.client import Client
+
+#: Millimetres from the target at which the wheels are stopped.
+WITHIN = 1.0
+#: mm/s for each mm that remains, and the slowest speed, at which every robot still moves.
+_GAIN, _SLOWEST = 5.0, 10.0
+#: mm/s by which two commands differ at most while the robot speeds up; see `turning`.
+_SPEEDING_UP = 8.0
+#: Degrees/s for each degree off the heading.
+STEERING = 2.0
+#: Seconds between two commands.
+PERIOD = 0.02
+
+
+@dataclass(frozen=True, slots=True)
+class Course:
+    """A way to drive.
+
+    Args:
+        length: mm; negative backwards.
+        remaining: returns the mm that remain, with the sign of the way to drive.
+        turning: returns the degrees/s to turn at a speed in mm/s.
+        within: mm from its end at which the wheels are stopped.
+    """
+
+    length: float
+    remaining: Callable[[], float]
+    turning: Callable[[float], float]
+    within: float = WITHIN
+
+
+def drive(robot: "Client", base: Base, course: Course, speed: float) -> None:
+    """Drive a course at no more than `speed` mm/s, and stop.
+
+    Raises:
+        StillDrivingError: the robot is stuck, or the drive takes far too long.
+    """
+    magnitude = 0.0
+    began = robot.clock.time()
+    # A robot must not pass the end between two commands.
+    slowest = min(speed, _SLOWEST, course.within / PERIOD / 2)
+    deadline = began + 5 + abs(course.length) / slowest
+    progress = Progress(slowest * PATIENCE / 10)
+    while abs(remaining := course.remaining()) > course.within:
+        now = robot.clock.time()
+        progress.note(now, remaining)
+        if progress.is_stuck or now >= deadline:
+            base.stop()
+            raise StillDrivingError(
+                "skill-still-driving",
+                driven=round(course.length - remaining),
+                distance=round(course.length),
+                seconds=round(robot.clock.time() - began),
+            )
+        wanted = min(max(_GAIN * abs(remaining), slowest), speed)
+        magnitude = min(wanted, magnitude + _SPEEDING_UP)
+        adv = math.copysign(magnitude, remaining)
+        base.move(adv, course.turning(adv))
+        robot.clock.sleep(PERIOD)
+    base.stop()
+
+
+def speed_of(speed: float) -> float:
+    """A speed in mm/s.
+
+    Raises:
+        DeviceValueError: it is not more than 0.
+    """
+    speed = number("advSpeed", speed)
+    if speed <= 0:
+        raise DeviceValueError("skill-speed-not-positive", speed=speed)
+    return speed
