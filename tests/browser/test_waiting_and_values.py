@@ -80,3 +80,34 @@ def test_values_typed_in_python_are_blocks_and_run(pupil):
     expect(pupil.tab("Console")).to_contain_text("Luis is 11, old")
     pupil.press("Stop")
     assert pupil.foreign == []
+
+
+UNPACKING = """\
+main:
+    points = {"home": [0, 0], "corner": [200, 100]}
+    for name, place in items(points):
+        print(f"{name}: {place}")
+    end
+    function.drive_arc(200, -90)
+    function.turn(90, 60)
+end
+"""
+
+
+def test_a_loop_that_takes_values_apart_gets_another_variable_on_its_block(pupil):
+    pupil.write("blocktext", UNPACKING)
+    pupil.sees("python", "for name, place in points.items():", "robot.turn(90, 60)")
+    loop = pupil.blocks("lb_for_unpacking")
+    expect(loop).to_contain_text("place")
+    expect(pupil.blocks("lb_dictionary_items")).to_have_count(1)
+    pupil.picture("unpacking")
+
+    pupil.click_on(loop.locator("image").nth(1))
+    pupil.sees("blocktext", "for name, place, z in items(points):")
+    pupil.sees("python", "for name, place, z in points.items():")
+    pupil.click_on(loop.locator("image").nth(2))
+    pupil.sees("blocktext", "for name, place in items(points):")
+    pupil.press("Run")
+    expect(pupil.tab("Console")).to_contain_text("corner: [200, 100]")
+    pupil.press("Stop")
+    assert pupil.foreign == []

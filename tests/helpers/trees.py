@@ -69,6 +69,8 @@ LIBRARY = (
     ("random", 2),
     ("len", 1),
     ("keys", 1),
+    ("items", 1),
+    ("enumerate", 1),
     ("pop", 1),
     ("pop", 2),
     ("pi", 0),
@@ -222,7 +224,10 @@ class Trees:
         return Repeat(self.expression(2), self.body(depth), self.comment())
 
     def for_each(self, depth):
-        return ForEach(self.name(), self.expression(2), self.body(depth), self.comment())
+        return ForEach(self.targets(), self.expression(2), self.body(depth), self.comment())
+
+    def targets(self):
+        return (self.name(), *self.some(3, self.name))
 
     def for_range(self, depth):
         step = self.choice((None, self.expression(1), Unary("-", Number("1"))))

@@ -2,7 +2,7 @@
 
 A block with a variable shape names its extension or mutator in the page:
 ``lb_when_mutator``, ``lb_arguments_mutator``, ``lb_compare_mutator``, ``lb_dictionary_mutator``,
-``lb_when_names``, ``lb_code_field``. An extension adds its field to the dummy input ``PLACE``. The
+``lb_unpacking_mutator``, ``lb_when_names``, ``lb_code_field``. An extension adds its field to the dummy input ``PLACE``. The
 page's field ``lb_direction`` shows the sign of a number as a word, and ``lb_more`` is a button for
 a part of the sentence that only says what is usual.
 """
@@ -120,7 +120,15 @@ def _statements() -> list[Definition]:
         _block("lb_comment", "lb_control", [_text("TEXT")]),
     ]
     forever = _block("lb_forever", "loop_blocks", **_DO)
-    return [{**one, **_STATEMENT} for one in (*found, forever)]
+    unpacking = _block(
+        "lb_for_unpacking",
+        "loop_blocks",
+        [_PLACE, _value("LIST", "Array")],
+        mutator="lb_unpacking_mutator",
+        inputsInline=True,
+        **_DO,
+    )
+    return [{**one, **_STATEMENT} for one in (*found, forever, unpacking)]
 
 
 def _values() -> list[Definition]:
@@ -168,6 +176,7 @@ def _dictionaries() -> list[Definition]:
         _block("lb_dictionary", "list_blocks", [_PLACE], mutator=mutator, **shape),
         _block("lb_dictionary_get", "list_blocks", [whole, key], **shape),
         _block("lb_dictionary_keys", "list_blocks", [whole], output="Array", inputsInline=True),
+        _block("lb_dictionary_items", "list_blocks", [whole], output="Array", inputsInline=True),
     ]
 
 

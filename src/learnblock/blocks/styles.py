@@ -9,7 +9,7 @@ _FUNCTIONS = {
     """,
     "list_blocks": """
         list len append extend insert remove pop clear copy sort sorted reverse index count sublist
-        shuffle choice sum max min mean median mode stdev keys
+        shuffle choice sum max min mean median mode stdev keys items enumerate
     """,
     "math_blocks": """
         abs round sqrt exp log log10 floor ceil sin cos tan asin acos atan atan2 pi constrain random

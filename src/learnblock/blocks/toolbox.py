@@ -148,6 +148,13 @@ _TABS: tuple[tuple[str, tuple[tuple[str, dict[str, Any]], ...]], ...] = (
             ("lb_forever", {}),
             ("controls_for", {"fields": {"VAR": {"name": "i"}}}),
             ("controls_forEach", {"fields": {"VAR": {"name": "x"}}}),
+            (
+                "lb_for_unpacking",
+                {
+                    "extraState": {"variables": 2},
+                    "fields": {"VAR": {"name": "x"}, "VAR1": {"name": "y"}},
+                },
+            ),
             ("lb_wait_until", {}),
             ("controls_flow_statements", {"fields": {"FLOW": "BREAK"}}),
             ("lb_pass", {}),
@@ -222,6 +229,10 @@ _TABS: tuple[tuple[str, tuple[tuple[str, dict[str, Any]], ...]], ...] = (
             ("math_on_list", {"fields": {"OP": "SUM"}}),
             ("lists_split", {"fields": {"MODE": "SPLIT"}, "extraState": {"mode": "SPLIT"}}),
             ("lb_call_value", {"extraState": {"name": "sorted", "arguments": 1, "keywords": []}}),
+            (
+                "lb_call_value",
+                {"extraState": {"name": "enumerate", "arguments": 1, "keywords": []}},
+            ),
             ("lb_call_value", {"extraState": {"name": "index", "arguments": 2, "keywords": []}}),
             ("lb_call_value", {"extraState": {"name": "sublist", "arguments": 3, "keywords": []}}),
             ("lb_call", {"extraState": {"name": "remove", "arguments": 2, "keywords": []}}),
@@ -237,6 +248,7 @@ _TABS: tuple[tuple[str, tuple[tuple[str, dict[str, Any]], ...]], ...] = (
             ("lb_dictionary_change", {"fields": {"OP": "+="}}),
             ("lb_dictionary_remove", {}),
             ("lb_dictionary_keys", {}),
+            ("lb_dictionary_items", {}),
         ),
     ),
 )

@@ -115,6 +115,11 @@ _MEANINGS: tuple[tuple[type[Exception], str, str], ...] = (
     (TypeError, r"'(?P<type>\w+)' object is not callable", "run-means-call"),
     (TypeError, r"'(?P<type>\w+)' object is not subscriptable", "run-means-items"),
     (TypeError, r"'(?P<type>\w+)' object is not iterable", "run-means-iteration"),
+    (
+        TypeError,
+        r"cannot unpack non-iterable (?P<type>\w+) object",
+        "run-means-unpack-single",
+    ),
     (TypeError, r"object of type '(?:int|float)' has no len\(\)", "run-means-length-of-number"),
     (TypeError, r"object of type '(?P<type>\w+)' has no len\(\)", "run-means-length"),
     (

@@ -83,6 +83,47 @@ function addStepButtons(block: Dictionary): void {
     .appendField(stepButton("−", Blockly.Msg.LB_DICTIONARY_REMOVE_LAST ?? "", step(-1)), "REMOVE");
 }
 
+interface UnpackingState {
+  variables: number;
+}
+type Unpacking = Blockly.Block & { variables_: number };
+
+const FEWEST_VARIABLES = 2;
+/** What a variable is called that the user adds. */
+const NEW_VARIABLE = "z";
+
+/** Loops that take values apart: the fields `VAR`, `VAR1`..., a comma before each but the first. */
+const UNPACKING = {
+  saveExtraState(this: Unpacking): UnpackingState {
+    return { variables: this.variables_ };
+  },
+  loadExtraState(this: Unpacking, { variables }: UnpackingState): void {
+    this.variables_ = Math.max(FEWEST_VARIABLES, variables);
+    const input = this.getInput("PLACE");
+    for (let place = 0; place < this.variables_; place++) {
+      if (!input || this.getField(variableField(place))) continue;
+      if (place > 0) input.appendField(",", `COMMA${place}`);
+      input.appendField(new Blockly.FieldVariable(NEW_VARIABLE), variableField(place));
+    }
+    for (let place = this.variables_; this.getField(variableField(place)); place++) {
+      input?.removeField(`COMMA${place}`);
+      input?.removeField(variableField(place));
+    }
+  },
+};
+
+function variableField(place: number): string {
+  return place === 0 ? "VAR" : `VAR${place}`;
+}
+
+function addVariableButtons(block: Unpacking): void {
+  const step = (by: number) => () => UNPACKING.loadExtraState.call(block, { variables: block.variables_ + by });
+  block
+    .getInput("PLACE")
+    ?.appendField(stepButton("+", Blockly.Msg.LB_UNPACKING_ADD ?? "", step(1)), "ADD")
+    .appendField(stepButton("−", Blockly.Msg.LB_UNPACKING_REMOVE_LAST ?? "", step(-1)), "REMOVE");
+}
+
 function sign(operator: string): string {
   return { "==": "=", "!=": "≠", "<=": "≤", ">=": "≥" }[operator] ?? operator;
 }
@@ -120,5 +161,9 @@ export function registerMutators(): void {
   Blockly.Extensions.registerMutator("lb_dictionary_mutator", DICTIONARY, function (this: Dictionary) {
     addStepButtons(this);
     DICTIONARY.loadExtraState.call(this, { items: 0 });
+  });
+  Blockly.Extensions.registerMutator("lb_unpacking_mutator", UNPACKING, function (this: Unpacking) {
+    addVariableButtons(this);
+    UNPACKING.loadExtraState.call(this, { variables: FEWEST_VARIABLES });
   });
 }

@@ -28,6 +28,7 @@ blocktext-wanted-colon = ':' to end the '{ $word }' line
 blocktext-wanted-when = the name of a 'when' after '{ $word }'
 blocktext-wanted-when-name = a name after 'when', as in 'when seen = condition:'
 blocktext-wanted-loop-variable = the name of a variable after 'for'
+blocktext-wanted-in = 'in' and a list
 blocktext-wanted-in-or-from = 'in' and a list, or 'from' and a number
 blocktext-wanted-to = 'to' and the last number
 blocktext-wanted-library = the name of a library in quotes, as in 'import "dance"'

@@ -131,12 +131,13 @@ run-means-range = The first number is larger than the last. Swap them.
 run-means-not-in-list = The list does not contain this value. Check with 'in' first.
 run-means-not-in-this-list = The list does not contain this value. Check first: 'if { $value } in { $list }:'.
 run-means-separator = 'split' needs the text at which to cut, such as ",". Write 'list(...)' around a text to get its letters.
-run-means-unpack = The number of names before '=' differs from the number of values after it.
+run-means-unpack = There are not as many variables as values to put into them.
 run-means-unpack-few = { $after ->
-    [one] There are { $before } names before '=', but only 1 value after it. Write one value for each name.
-   *[other] There are { $before } names before '=', but only { $after } values after it. Write one value for each name.
+    [one] There are { $before } variables, but only 1 value to put into them. Write one value for each variable.
+   *[other] There are { $before } variables, but only { $after } values to put into them. Write one value for each variable.
 }
-run-means-unpack-many = There are only { $before } names before '=', but more values after it. Write one name for each value.
+run-means-unpack-many = There are only { $before } variables, but more values to put into them. Write one variable for each value.
+run-means-unpack-single = This is { $type }, which can't be put into several variables. Use a list with a value for each.
 
 # $type and $failed are Python's names of errors.
 run-error-without-text = The error { $type } has no readable message: its __str__ raised { $failed }.

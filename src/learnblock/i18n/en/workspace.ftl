@@ -106,6 +106,7 @@ workspace-append = Only a list can be added to a list. To add one item, replace 
 workspace-never-equal = Text never equals a number. { $advice }
 workspace-decimals = A whole number is needed here, but this one has decimals, as in 5.0. Put a 'round' block around it.
 workspace-repeat-whole-number = 'repeat' needs a whole number, not { $number }. Write { $less } or { $more }.
+workspace-for-dictionary = A dictionary gives only its keys. Put the block 'entries of' around it for the keys with their values.
 workspace-for-number = This is a number, not a list. To count, use 'count with { $name } from 1 to { $value }' instead of 'for each item'.
 workspace-text-as-condition = Text is not a condition: it counts as true. Put a comparison from 'Maths' or a question for the robot here.
 workspace-number-as-condition = The number { $number } is not a condition. Put a comparison from 'Maths' or a question for the robot here.

@@ -28,6 +28,7 @@ blocktext-wanted-colon = ':' para terminar la línea de '{ $word }'
 blocktext-wanted-when = el nombre de un 'when' después de '{ $word }'
 blocktext-wanted-when-name = un nombre después de 'when', como en 'when seen = condition:'
 blocktext-wanted-loop-variable = el nombre de una variable después de 'for'
+blocktext-wanted-in = 'in' y una lista
 blocktext-wanted-in-or-from = 'in' y una lista, o 'from' y un número
 blocktext-wanted-to = 'to' y el último número
 blocktext-wanted-library = el nombre de una biblioteca entre comillas, como en 'import "dance"'

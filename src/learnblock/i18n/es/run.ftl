@@ -128,12 +128,13 @@ run-means-range = El primer número es mayor que el último. Cámbialos de orden
 run-means-not-in-list = La lista no contiene ese valor. Compruébalo antes con 'in'.
 run-means-not-in-this-list = La lista no contiene ese valor. Compruébalo antes: 'if { $value } in { $list }:'.
 run-means-separator = 'split' necesita el texto por el que cortar, como ",". Pon 'list(...)' alrededor de un texto para sacar sus letras.
-run-means-unpack = Antes de '=' no hay tantos nombres como valores hay después.
+run-means-unpack = No hay tantas variables como valores para ellas.
 run-means-unpack-few = { $after ->
-    [one] Hay { $before } nombres antes de '=', pero solo 1 valor después. Escribe un valor para cada nombre.
-   *[other] Hay { $before } nombres antes de '=', pero solo { $after } valores después. Escribe un valor para cada nombre.
+    [one] Hay { $before } variables, pero solo 1 valor para ellas. Escribe un valor para cada variable.
+   *[other] Hay { $before } variables, pero solo { $after } valores para ellas. Escribe un valor para cada variable.
 }
-run-means-unpack-many = Hay solo { $before } nombres antes de '=', pero más valores después. Escribe un nombre para cada valor.
+run-means-unpack-many = Hay solo { $before } variables, pero más valores para ellas. Escribe una variable para cada valor.
+run-means-unpack-single = Esto es { $type }, que no se puede repartir entre varias variables. Usa una lista con un valor para cada una.
 
 # $type y $failed son nombres de errores de Python.
 run-error-without-text = El error { $type } no tiene un mensaje legible: su __str__ ha fallado con { $failed }.

@@ -106,6 +106,7 @@ workspace-append = A una lista solo se le puede sumar otra lista. Para añadir u
 workspace-never-equal = Un texto nunca es igual a un número. { $advice }
 workspace-decimals = Aquí hace falta un número entero, y este tiene decimales, como 5.0. Ponlo dentro de un bloque 'redondear'.
 workspace-repeat-whole-number = 'repetir' necesita un número entero, no { $number }. Escribe { $less } o { $more }.
+workspace-for-dictionary = Un diccionario solo da sus claves. Pon a su alrededor el bloque 'entradas de' para las claves con sus valores.
 workspace-for-number = Esto es un número, no una lista. Para contar usa 'contar con { $name } desde 1 hasta { $value }' en vez de 'para cada elemento'.
 workspace-text-as-condition = Un texto no es una condición: cuenta como verdadero. Pon aquí una comparación de 'Cálculo' o una pregunta al robot.
 workspace-number-as-condition = El número { $number } no es una condición. Pon aquí una comparación de 'Cálculo' o una pregunta al robot.

@@ -65,7 +65,7 @@ class _Part(NamedTuple):
 class _Counted(NamedTuple):
     """The part of a ``for`` loop between ``for`` and the colon."""
 
-    target: Name = Name("_")
+    targets: tuple[Name, ...] = (Name("_"),)
     values: Expression | None = None
     start: Expression = _MISSING
     stop: Expression = _MISSING
@@ -252,16 +252,22 @@ class StatementParser(BlockParser):
         counted, comment = self.header(token, self.counted, _Counted())
         body = self.block(token)
         span = self.line_span(token)
-        target, values, start, stop, step = counted
+        targets, values, start, stop, step = counted
         if values is not None:
-            return ForEach(target, values, body, comment, span)
-        return ForRange(target, start, stop, step, body, comment, span)
+            return ForEach(targets, values, body, comment, span)
+        return ForRange(targets[0], start, stop, step, body, comment, span)
 
     def counted(self) -> _Counted:
-        target = name_of(self.expect("name", Phrase("blocktext-wanted-loop-variable")))
+        target = self.loop_variable()
+        targets = [target]
+        while self.kinds[self.index] == ",":
+            self.index += 1
+            targets.append(self.loop_variable())
         if self.kinds[self.index] == "in":
             self.index += 1
-            return _Counted(target, self.expression())
+            return _Counted(tuple(targets), self.expression())
+        if len(targets) > 1:
+            raise self.unexpected(Phrase("blocktext-wanted-in"))
         if self.kinds[self.index] == "=":
             raise self.slip("unexpected", Phrase("blocktext-for-equals", name=target.name))
         self.word_of_for("from", Phrase("blocktext-wanted-in-or-from"))
@@ -272,7 +278,10 @@ class StatementParser(BlockParser):
         if self.token.text == "step":
             self.index += 1
             step = self.expression()
-        return _Counted(target, None, start, stop, step)
+        return _Counted((target,), None, start, stop, step)
+
+    def loop_variable(self) -> Name:
+        return name_of(self.expect("name", Phrase("blocktext-wanted-loop-variable")))
 
     def word_of_for(self, word: str, wanted: Phrase) -> None:
         if self.token.text != word:

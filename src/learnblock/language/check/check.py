@@ -19,14 +19,12 @@ from learnblock.language.check.variable_order_checker import check_order
 from learnblock.language.python.syntax_errors import syntax_message
 from learnblock.language.tree.nodes import (
     Activate,
-    Assign,
     Blank,
     Break,
     Comment,
     Continue,
     Deactivate,
     Def,
-    ForEach,
     ForRange,
     If,
     Import,
@@ -44,7 +42,7 @@ from learnblock.language.tree.nodes import (
     When,
     is_only_raw,
 )
-from learnblock.language.tree.traversal import bodies, expressions, set_by, statements, within
+from learnblock.language.tree.traversal import bodies, expressions, statements, targets, within
 
 # CPython allows fewer than 100 levels of indentation, and 20 loops inside each other.
 MAX_INDENTATION = 99
@@ -152,12 +150,11 @@ class _Checker:
     def values_of_events(self) -> None:
         """Report variables and parameters that have the name of an event's state or time."""
         for item in self.findings.everything:
-            names = _used_parameters(item) if isinstance(item, Def) else (set_by(item),)
-            where = item.target if isinstance(item, Assign | ForEach | ForRange) else item
-            for name in filter(None, names):
+            place = {one.name: one.span for one in targets(item)}
+            for name in _used_parameters(item) if isinstance(item, Def) else place:
                 found = state_of(name, self.findings.whens.keys())
                 if found is not None:
-                    self.value_of_event(name, *found, where.span)
+                    self.value_of_event(name, *found, place.get(name, item.span))
 
     def value_of_event(self, name: str, event: str, value: str, span: Span) -> None:
         code = self.findings.worded("check-value-of-event", "check-value-of-event-python")

@@ -66,7 +66,7 @@ class Findings:
         self.everything = list(statements(program.items + self.main))
         self.imported = {item.module for item in program.items if isinstance(item, Import)}
         self.raw_names = self.names_in_raw()
-        self.assigned = self.raw_names.union(filter(None, map(set_by, self.everything)))
+        self.assigned = self.raw_names.union(*map(set_by, self.everything))
 
     @property
     def imports(self) -> bool:

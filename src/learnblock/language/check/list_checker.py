@@ -19,7 +19,7 @@ from learnblock.language.tree.nodes import (
     Name,
     Perform,
 )
-from learnblock.language.tree.traversal import expressions, within
+from learnblock.language.tree.traversal import expressions, set_by, targets, within
 
 #: The functions that leave a list as it is.
 _READING = frozenset(
@@ -50,8 +50,8 @@ def _written(findings: Findings) -> dict[str, int]:
                 again.update(_names(arguments))
             case Assign(target=Name(name=name), value=List(items=items)) if name not in found:
                 found[name] = len(items)
-            case Assign(target=Name(name=name)) | ForEach(target=Name(name=name)):
-                again.add(name)
+            case Assign() | ForEach():
+                again.update(set_by(item))
             case Def(parameters=parameters):
                 again.update(parameters)
     return {name: length for name, length in found.items() if name not in again}
@@ -72,7 +72,7 @@ def _changed(expression: Expression, item: Item, items: list[Index]) -> set[str]
     """The names whose lists an expression may change; its indexes are added to `items`."""
     mentions: Counter[str] = Counter()
     if isinstance(item, Assign | ForEach) and any(
-        expression is one for one in (item.target, _values(item))
+        expression is one for one in (*targets(item), _values(item))
     ):
         mentions.subtract(_names((expression,)))
     for node in within(expression):

@@ -22,7 +22,7 @@ _BUILTINS = frozenset((*dir(builtins), "__file__", "__doc__", "__spec__", "__ann
 #: With these, a program can define names that cannot be found by reading the program.
 _DYNAMIC = frozenset(("exec", "eval", "globals", "locals", "vars", "__import__", "setattr"))
 #: Attributes of a robot that have a name similar to that of a skill.
-_OF_CLIENT = frozenset(("has_extra_camera", "learn", "read", "stop", "time"))
+_OF_CLIENT = frozenset(("has_extra_camera", "learn", "read", "stop", "time", "wait_until"))
 _DECIMAL = re.compile(r"(\d+),(\d+)")
 
 

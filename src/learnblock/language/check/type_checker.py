@@ -187,10 +187,16 @@ class _TypeChecker:
                 self.decimal(bound)
 
     def each(self, item: ForEach) -> None:
+        if len(item.targets) > 1 and self.types.of(item.values) is Type.DICTIONARY:
+            names = ", ".join(one.name for one in item.targets)
+            code = self.findings.worded("check-for-dictionary", "check-for-dictionary-python")
+            message = Phrase(code, names=names, value=self.spelled(item.values))
+            self.report(message, item.values, "warning")
         if self.types.of(item.values) in NUMBERS:
             code = self.findings.worded("check-for-number", "check-for-number-python")
             self.report(
-                Phrase(code, name=item.target.name, value=self.spelled(item.values)), item.values
+                Phrase(code, name=item.targets[0].name, value=self.spelled(item.values)),
+                item.values,
             )
 
     def conditions(self, item: If | While | WaitUntil | When) -> None:
@@ -391,7 +397,7 @@ class _TypeChecker:
         """A text that a variable holds, if it only ever holds texts that are not numbers."""
         found: str | None = None
         for item in self.findings.everything:
-            if set_by(item) != node.name:
+            if node.name not in set_by(item):
                 continue
             match item:
                 case Assign(operator="=", value=String(value=text)) if not _is_number(item.value):

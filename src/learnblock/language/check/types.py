@@ -61,7 +61,7 @@ _RESULTS: Mapping[str, Type] = MappingProxyType(
             ),
             Type.NUMBER,
         ),
-        **dict.fromkeys(("list", "sorted", "split", "keys"), Type.LIST),
+        **dict.fromkeys(("list", "sorted", "split", "keys", "items", "enumerate"), Type.LIST),
         **dict.fromkeys(
             (
                 "print",
@@ -125,7 +125,8 @@ class Types:
         setting = [
             (name, item)
             for item in self.findings.everything
-            if (name := set_by(item)) is not None and name not in self.hidden
+            for name in set_by(item)
+            if name not in self.hidden
         ]
         self.variables = dict.fromkeys((name for name, _ in setting), Type.UNSET)
         for _ in range(_PASSES):
@@ -140,7 +141,8 @@ class Types:
         if isinstance(item, ForRange):
             return Type.NUMBER
         if isinstance(item, ForEach):
-            return Type.TEXT if self.of(item.values) in TEXTS else Type.UNKNOWN
+            is_letters = len(item.targets) == 1 and self.of(item.values) in TEXTS
+            return Type.TEXT if is_letters else Type.UNKNOWN
         if not isinstance(item, Assign):
             return Type.UNKNOWN
         if item.operator == "=":
@@ -225,7 +227,8 @@ def _all_parameters(findings: Findings) -> set[str]:
 def _loop_variables(function: Def) -> set[str]:
     """The variables of loops in a function, which are its own."""
     return {
-        item.target.name
+        name
         for item in statements(function.body)
         if isinstance(item, ForEach | ForRange)
+        for name in set_by(item)
     }

@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
+from itertools import chain
 
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.names import state_of
@@ -25,7 +26,14 @@ from learnblock.language.tree.nodes import (
     RawExpression,
     When,
 )
-from learnblock.language.tree.traversal import bodies, expressions, set_by, statements, within
+from learnblock.language.tree.traversal import (
+    bodies,
+    expressions,
+    set_by,
+    statements,
+    targets,
+    within,
+)
 
 
 def check_order(findings: Findings) -> None:
@@ -108,13 +116,13 @@ class _Order:
 
     def sets(self, body: Body) -> Counter[str]:
         """The variables that statements set, also through the functions that they call."""
-        names = Counter(filter(None, map(set_by, statements(body))))
+        names = Counter(chain.from_iterable(map(set_by, statements(body))))
         seen: set[str] = set()
         ahead = list(self.called_in(body))
         while ahead:
             name = ahead.pop()
             inner = self.functions[name].body
-            names.update(filter(None, map(set_by, statements(inner))))
+            names.update(chain.from_iterable(map(set_by, statements(inner))))
             if name not in seen:
                 seen.add(name)
                 ahead += self.called_in(inner)
@@ -133,7 +141,7 @@ class _Order:
 
     def statement(self, item: Item, scope: _Scope) -> None:
         self.expressions(evaluated(item), scope)
-        if (name := set_by(item)) is not None:
+        for name in set_by(item):
             scope.bind(name)
         for body in bodies(item):
             self.block(body, self.inner(item, body, scope))
@@ -180,16 +188,15 @@ class _Order:
 def _counted(body: Body) -> frozenset[str]:
     """The variables of loops, which each function has for itself."""
     loops = (one for one in statements(body) if isinstance(one, ForEach | ForRange))
-    return frozenset(one.target.name for one in loops)
+    return frozenset(chain.from_iterable(map(set_by, loops)))
 
 
 def evaluated(item: Item) -> Iterator[Expression]:
     """The expressions that a statement evaluates, without its target and the bodies inside it."""
-    target: object = None
-    if (isinstance(item, Assign) and item.operator == "=") or isinstance(item, ForEach | ForRange):
-        target = item.target
+    is_changed = isinstance(item, Assign) and item.operator != "="
+    names = () if is_changed else targets(item)
     for expression in expressions(item):
-        if expression is not target or not isinstance(target, Name):
+        if not any(expression is one for one in names):
             yield from within(expression)
 
 

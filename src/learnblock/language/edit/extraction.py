@@ -225,8 +225,8 @@ class _Extraction:
 def _set_in(statement: Item) -> Iterator[str]:
     if isinstance(statement, Raw):
         yield from raw_names(statement.text)
-    elif name := set_by(statement):
-        yield name
+    else:
+        yield from set_by(statement)
 
 
 def _problem(code: str, message: Phrase, span: Span) -> Diagnostic:

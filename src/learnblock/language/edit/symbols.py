@@ -18,7 +18,7 @@ from learnblock.language.tree.nodes import (
     Span,
     When,
 )
-from learnblock.language.tree.traversal import expressions, statements, within
+from learnblock.language.tree.traversal import expressions, statements, targets, within
 
 
 @dataclass(frozen=True)
@@ -77,7 +77,8 @@ class Symbols:
         found = dict.fromkeys(item.parameters, item.span) if isinstance(item, Def) else {}
         for node in statements(item.body):
             if isinstance(node, ForEach | ForRange):
-                found.setdefault(node.target.name, node.target.span)
+                for one in targets(node):
+                    found.setdefault(one.name, one.span)
         return found
 
     def owner(self, line: int) -> Def | When | None:
@@ -97,6 +98,4 @@ def names_in(item: Item) -> Iterator[Name]:
 
 def _targets(item: Item) -> Iterator[Name]:
     for node in statements((item,)):
-        target = getattr(node, "target", None)
-        if isinstance(target, Name):
-            yield target
+        yield from targets(node)

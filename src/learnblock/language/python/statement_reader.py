@@ -13,6 +13,7 @@ from learnblock.language.python.expression_reader import (
 )
 from learnblock.language.tree import markers, ranges
 from learnblock.language.tree import raw as raw_python
+from learnblock.language.tree.builtins import LOOPED
 from learnblock.language.tree.nodes import (
     Activate,
     Assign,
@@ -216,15 +217,37 @@ class StatementReader(CommentReader):
     def for_loop(
         self, node: ast.For, target: ast.expr, values: ast.expr, body: list[ast.stmt]
     ) -> ForEach | ForRange:
-        name = self.target(target)
-        if not isinstance(name, Name):
-            raise Unlike
+        names = self.loop_variables(target)
         span = span_of(node)
         match values:
             case ast.Call(func=ast.Name(id="range"), args=bounds, keywords=[]):
+                if len(names) != 1:
+                    raise Unlike
                 start, stop, step = self.bounds(bounds)
-                return ForRange(name, start, stop, step, *self.own_body(node, body), span)
-        return ForEach(name, self.expression(values), *self.own_body(node, body), span)
+                return ForRange(names[0], start, stop, step, *self.own_body(node, body), span)
+        return ForEach(names, self.looped(values), *self.own_body(node, body), span)
+
+    def loop_variables(self, target: ast.expr) -> tuple[Name, ...]:
+        parts = target.elts if isinstance(target, ast.Tuple) and target.elts[1:] else [target]
+        found = [self.target(one) for one in parts]
+        names = tuple(one for one in found if isinstance(one, Name))
+        if len(names) != len(found):
+            raise Unlike
+        return names
+
+    def looped(self, values: ast.expr) -> Expression:
+        """What a loop goes through; a list of it is made first only if the author makes one."""
+        match values:
+            case ast.Call(func=ast.Name(id="list")):
+                found = self.expression(values)
+                if isinstance(found, Call) and found.name in LOOPED:
+                    return Call("list", (found,), (), found.span)
+                return found
+            case ast.Call():
+                found = self.expression(_listed(values))
+                if isinstance(found, Call) and found.name in LOOPED:
+                    return found
+        return self.expression(values)
 
     def bounds(self, bounds: list[ast.expr]) -> tuple[Expression, Expression, Expression | None]:
         read = [self.expression(bound) for bound in bounds[:1]]
@@ -344,6 +367,12 @@ class StatementReader(CommentReader):
             if isinstance(read, Name | Index) and isinstance(root, Name | Call | SkillCall):
                 return read
         raise Unlike
+
+
+def _listed(node: ast.expr) -> ast.Call:
+    """A list of a value."""
+    function = ast.copy_location(ast.Name("list", ast.Load()), node)
+    return ast.copy_location(ast.Call(function, [node], []), node)
 
 
 def _last(end: Expression, direction: int) -> Expression:

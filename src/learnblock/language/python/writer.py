@@ -8,7 +8,7 @@ from learnblock.language.blocktext import names
 from learnblock.language.blocktext.names import state_of
 from learnblock.language.python import imports
 from learnblock.language.tree import markers, ranges
-from learnblock.language.tree.builtins import MODULES, TEMPLATES, is_builtin
+from learnblock.language.tree.builtins import LOOPED, MODULES, TEMPLATES, is_builtin
 from learnblock.language.tree.expression_writer import LOOSEST, SIGN, TIGHTEST
 from learnblock.language.tree.layout import placed, prologue_length
 from learnblock.language.tree.nodes import (
@@ -42,7 +42,7 @@ from learnblock.language.tree.nodes import (
     WaitUntil,
     When,
 )
-from learnblock.language.tree.traversal import statements
+from learnblock.language.tree.traversal import set_by, statements
 from learnblock.language.tree.writer import ProgramWriter, comment_text
 
 _RAW_ATOM = re.compile(r"[^\W\d]\w*(?:\.[^\W\d]\w*)*")
@@ -56,7 +56,7 @@ def global_names(body: Body, parameters: tuple[str, ...], whens: AbstractSet[str
         if isinstance(statement, Assign) and isinstance(statement.target, Name):
             assigned.add(statement.target.name)
         elif isinstance(statement, ForEach | ForRange):
-            counted.add(statement.target.name)
+            counted.update(set_by(statement))
     shared = assigned - counted - set(parameters)
     return sorted(names.to_python(name) for name in shared if state_of(name, whens) is None)
 
@@ -167,6 +167,22 @@ class PythonWriter(ProgramWriter):
 
     def for_range(self, node: ForRange) -> None:
         self.closed(f"for {self.expression(node.target)} in range({self.bounds(node)})", node)
+
+    def looped(self, values: Expression) -> str:
+        match values:
+            case Call("list", (Call() as inner,), ()) if self.is_looped(inner):
+                # It makes a list by itself, if it is anywhere but in the first line of a loop.
+                return self.expression(inner)
+            case Call("items", (argument,)) if self.is_looped(values):
+                return LOOPED["items"].format(self.receiver(argument))
+            case Call(name=name, arguments=(argument,)) if self.is_looped(values):
+                return LOOPED[name].format(self.expression(argument))
+        return super().looped(values)
+
+    def is_looped(self, call: Call) -> bool:
+        """Whether a loop takes the values of a call without making a list of them."""
+        is_known = call.name in LOOPED and call.name not in self.functions
+        return is_known and len(call.arguments) == 1 and not call.keywords
 
     def bounds(self, node: ForRange) -> str:
         direction = ranges.direction(node.step)

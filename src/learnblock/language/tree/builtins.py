@@ -63,6 +63,8 @@ reverse(values)             {0}.reverse()
 index(values, x)            {0}.index({1})
 count(values, x)            {0}.count({1})
 keys(dictionary)            list({0}.keys())
+items(dictionary)           list({0}.items())
+enumerate(values)           list(enumerate({0}))
 sublist(values, start, end) {0}[{1}:{2}]
 upper(text)                 {0}.upper()
 lower(text)                 {0}.lower()
@@ -112,6 +114,10 @@ TEMPLATES: Mapping[tuple[str, int], Template] = MappingProxyType(
         (template.name, len(template.parameters)): template
         for template in map(_template, _TEMPLATES.strip().splitlines())
     }
+)
+#: The functions whose values a loop takes one after the other, without making a list of them.
+LOOPED: Mapping[str, str] = MappingProxyType(
+    {"items": "{0}.items()", "enumerate": "enumerate({0})"}
 )
 FUNCTIONS = frozenset(BUILTINS) | {name for name, _ in TEMPLATES} | {"elapsedTime"}
 MODULES = ("math", "random", "statistics")

@@ -276,9 +276,9 @@ class Repeat:
 
 @dataclass(frozen=True, slots=True)
 class ForEach:
-    """``for target in values:``."""
+    """``for target in values:``; several targets take the parts of each value."""
 
-    target: Name
+    targets: tuple[Name, ...]
     values: Expression
     body: "Body"
     comment: str | None = None

@@ -34,14 +34,19 @@ from learnblock.language.tree.nodes import (
 )
 
 
-def set_by(node: Item | Main) -> str | None:
-    """The variable that a statement itself sets, if any; its bodies are ignored."""
+def targets(node: Item | Main) -> tuple[Name, ...]:
+    """The variables that a statement itself sets, where it names them."""
     match node:
-        case Assign(target=Name(name=name)) | ForEach(target=Name(name=name)):
-            return name
-        case ForRange(target=Name(name=name)):
-            return name
-    return None
+        case Assign(target=Name() as target) | ForRange(target=target):
+            return (target,)
+        case ForEach(targets=names):
+            return names
+    return ()
+
+
+def set_by(node: Item | Main) -> tuple[str, ...]:
+    """The names of the variables that a statement itself sets; its bodies are ignored."""
+    return tuple(one.name for one in targets(node))
 
 
 def _if_bodies(node: If) -> tuple[Body, ...]:
@@ -107,7 +112,7 @@ _EXPRESSIONS: dict[type, Callable[[Any], tuple[Expression, ...]]] = {
     If: lambda node: tuple(branch.condition for branch in node.branches),
     While: lambda node: (node.condition,),
     Repeat: lambda node: (node.count,),
-    ForEach: lambda node: (node.target, node.values),
+    ForEach: lambda node: (*node.targets, node.values),
     ForRange: _range_parts,
     WaitUntil: lambda node: (node.condition,),
     Return: lambda node: _optional(node.value),

@@ -16,6 +16,7 @@ from learnblock.language.tree.nodes import (
     Continue,
     Deactivate,
     Def,
+    Expression,
     ForEach,
     ForRange,
     If,
@@ -140,8 +141,13 @@ class ProgramWriter(ExpressionWriter):
         self.closed(f"while {self.expression(node.condition)}", node)
 
     def for_each(self, node: ForEach) -> None:
-        header = f"for {self.expression(node.target)} in {self.expression(node.values)}"
+        targets = ", ".join(map(self.expression, node.targets))
+        header = f"for {targets} in {self.looped(node.values)}"
         self.closed(header, node)
+
+    def looped(self, values: Expression) -> str:
+        """What a loop goes through."""
+        return self.expression(values)
 
     def word(self, node: Break | Continue | Pass) -> None:
         self.line(type(node).__name__.lower(), node, node.comment)

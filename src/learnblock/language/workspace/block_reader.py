@@ -85,9 +85,9 @@ class BlockReader:
         """The name of a skill or an argument."""
         return text if isinstance(text, str) and is_word(text) else self.name(block, text)
 
-    def variable(self, block: Block) -> Name:
-        """The variable chosen in the field of a block."""
-        chosen = block.fields.get("VAR")
+    def variable(self, block: Block, field: str = "VAR") -> Name:
+        """The variable chosen in a field of a block."""
+        chosen = block.fields.get(field)
         name: FieldValue = None
         if isinstance(chosen, dict):
             name = self.variables.get(chosen.get("id", ""), chosen.get("name"))

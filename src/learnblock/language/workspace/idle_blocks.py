@@ -12,6 +12,8 @@ from learnblock.language.workspace.reader import is_part
 from learnblock.language.workspace.types import (
     ANSWERING_FUNCTION,
     COMMENT,
+    FOR_EACH,
+    FOR_UNPACKING,
     FOREVER,
     FUNCTION,
     HATS,
@@ -21,7 +23,7 @@ from learnblock.language.workspace.value_reader import VALUES
 
 _FUNCTIONS = frozenset((FUNCTION, ANSWERING_FUNCTION))
 #: The blocks that have no use without blocks inside them; a loop with a condition may wait for it.
-_FRAMES = frozenset(("controls_if", "controls_repeat_ext", "controls_forEach", "controls_for"))
+_FRAMES = frozenset(("controls_if", "controls_repeat_ext", FOR_EACH, FOR_UNPACKING, "controls_for"))
 #: The blocks that can have blocks inside.
 _HOLDERS = HATS | _FRAMES | {WHILE, FOREVER}
 #: As a statement, this block removes an item of a list instead of getting it.

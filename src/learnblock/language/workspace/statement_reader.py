@@ -48,7 +48,13 @@ from learnblock.language.tree.nodes import (
 from learnblock.language.workspace.block_reader import extra, extra_count, is_disabled, plugged
 from learnblock.language.workspace.blocks import Block
 from learnblock.language.workspace.notes import Ends, Lead, Notes, comments_in, notes_of
-from learnblock.language.workspace.types import FOREVER, WHILE
+from learnblock.language.workspace.types import (
+    FOR_EACH,
+    FOR_UNPACKING,
+    FOREVER,
+    WHILE,
+    variable_fields,
+)
 from learnblock.language.workspace.value_reader import ValueReader, popped
 
 _FLOWS: dict[str, type[Break | Continue]] = {"BREAK": Break, "CONTINUE": Continue}
@@ -59,7 +65,8 @@ _OPENERS = frozenset(
         WHILE,
         FOREVER,
         "controls_repeat_ext",
-        "controls_forEach",
+        FOR_EACH,
+        FOR_UNPACKING,
         "controls_for",
     )
 )
@@ -156,6 +163,11 @@ class StatementReader(ValueReader):
             return Perform(self.made(call, block), ends[0])
         self.report(block, "no-effect", Phrase("workspace-unused-value"))
         return None
+
+    def variables_of(self, block: Block) -> tuple[Name, ...]:
+        """The variables of a loop with several."""
+        count = max(2, extra_count(block, "variables"))
+        return tuple(self.variable(block, field) for field in variable_fields(count))
 
     def target(
         self, block: Block, values: Expression, place: Expression, name: str = "LIST"
@@ -340,8 +352,11 @@ STATEMENTS: dict[str, Handler] = {
     "controls_repeat_ext": lambda reader, block, _, ends: Repeat(
         reader.number(block, "TIMES"), reader.body(block, "DO"), ends[0]
     ),
-    "controls_forEach": lambda reader, block, _, ends: ForEach(
-        reader.variable(block), reader.list(block, "LIST"), reader.body(block, "DO"), ends[0]
+    FOR_EACH: lambda reader, block, _, ends: ForEach(
+        (reader.variable(block),), reader.list(block, "LIST"), reader.body(block, "DO"), ends[0]
+    ),
+    FOR_UNPACKING: lambda reader, block, _, ends: ForEach(
+        reader.variables_of(block), reader.list(block, "LIST"), reader.body(block, "DO"), ends[0]
     ),
     "controls_for": _for_range,
     "controls_flow_statements": lambda reader, block, _, ends: reader.choice(block, "FLOW", _FLOWS)(

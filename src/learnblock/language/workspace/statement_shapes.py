@@ -47,11 +47,14 @@ from learnblock.language.workspace.shapes import (
 )
 from learnblock.language.workspace.types import (
     ANSWERING_FUNCTION,
+    FOR_EACH,
+    FOR_UNPACKING,
     FOREVER,
     FUNCTION,
     MAIN,
     WHEN,
     WHILE,
+    variable_fields,
 )
 
 _IDLE: Body = (Pass(),)
@@ -180,6 +183,13 @@ def _for_range(_: StatementShaper, node: ForRange) -> Shape:
     return shape._replace(notes=notes)
 
 
+def _for_each(_: StatementShaper, node: ForEach) -> Shape:
+    fields = dict(zip(variable_fields(len(node.targets)), node.targets, strict=True))
+    kind = FOR_EACH if len(fields) == 1 else FOR_UNPACKING
+    shape = _loop(kind, node, {"LIST": node.values}, fields)
+    return shape if len(fields) == 1 else shape._replace(extra={"variables": len(fields)})
+
+
 def _loop(kind: str, node: Any, values: dict[str, Expression], fields: dict[str, Any]) -> Shape:
     return Shape(kind, fields, values, _busy({"DO": node.body}), ends=(node.comment,))
 
@@ -237,9 +247,7 @@ _SHAPES: dict[type[Item | Main], Callable[[StatementShaper, Any], Shape]] = {
     If: _if,
     While: _while,
     Repeat: lambda _, node: _loop("controls_repeat_ext", node, {"TIMES": node.count}, {}),
-    ForEach: lambda _, node: _loop(
-        "controls_forEach", node, {"LIST": node.values}, {"VAR": node.target}
-    ),
+    ForEach: _for_each,
     ForRange: _for_range,
     WaitUntil: lambda _, node: Shape(
         "lb_wait_until", values={"CONDITION": node.condition}, ends=(node.comment,)

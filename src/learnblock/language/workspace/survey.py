@@ -64,8 +64,8 @@ def distinct(workspace: Workspace) -> Workspace:
 
 
 def _variables(block: Block) -> set[str]:
-    chosen = block.fields.get("VAR")
-    found = {chosen.get("id", "")} if isinstance(chosen, dict) else set()
+    fields = block.fields.values()
+    found = {chosen.get("id", "") for chosen in fields if isinstance(chosen, dict)}
     parameters = block.extraState.get("params") if isinstance(block.extraState, dict) else None
     if isinstance(parameters, list):
         ids = (one.get("id") for one in parameters if isinstance(one, dict))

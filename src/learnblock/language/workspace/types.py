@@ -11,6 +11,7 @@ from learnblock.language.blocktext.lexer import KEYWORDS
 COMMENT = "lb_comment"
 MAIN, START, WHEN = "lb_main", "lb_start", "lb_when"
 FUNCTION, ANSWERING_FUNCTION = "procedures_defnoreturn", "procedures_defreturn"
+FOR_EACH, FOR_UNPACKING = "controls_forEach", "lb_for_unpacking"
 FOREVER, WHILE = "lb_forever", "controls_whileUntil"
 #: The blocks that begin a part of the program; under any other block, only comments belong to it.
 HATS = frozenset((MAIN, START, WHEN, FUNCTION, ANSWERING_FUNCTION))
@@ -82,6 +83,7 @@ LIBRARY: Mapping[tuple[str, int], Library] = MappingProxyType(
         ("find", 2): Library("text_indexOf", ("VALUE", "FIND"), "END", "FIRST"),
         ("replace", 3): Library("text_replace", ("TEXT", "FROM", "TO")),
         ("keys", 1): Library("lb_dictionary_keys", ("DICTIONARY",)),
+        ("items", 1): Library("lb_dictionary_items", ("DICTIONARY",)),
         ("split", 2): _splitting("SPLIT"),
         ("join", 2): _splitting("JOIN"),
         **_family("math_single", "NUM", "OP", "sqrt=ROOT abs=ABS log=LN log10=LOG10 exp=EXP"),
@@ -107,6 +109,12 @@ FUNCTIONS_OF: Mapping[str, Mapping[str, tuple[str, Library]]] = MappingProxyType
         for kind in {found.type for found in LIBRARY.values()}
     }
 )
+
+
+def variable_fields(count: int) -> tuple[str, ...]:
+    """The names of the fields with the variables of a loop: VAR, VAR1, VAR2 and so on."""
+    return ("VAR", *(f"VAR{place}" for place in range(1, count)))
+
 
 _NAME = re.compile(r"[^\W\d]\w*")
 

@@ -313,6 +313,7 @@ _MISSING = {
     "lists_length": "workspace-missing-text-or-list",
     "math_on_list": "workspace-missing-list",
     "lb_dictionary_keys": "workspace-missing-dictionary",
+    "lb_dictionary_items": "workspace-missing-dictionary",
 }
 
 

@@ -69,6 +69,7 @@ _IN_BLOCKS: Mapping[str, str] = MappingProxyType(
         "check-never-equal": "workspace-never-equal",
         "check-repeat-whole-number": "workspace-repeat-whole-number",
         "check-for-number": "workspace-for-number",
+        "check-for-dictionary": "workspace-for-dictionary",
         "check-text-as-condition": "workspace-text-as-condition",
         "check-number-as-condition": "workspace-number-as-condition",
         "check-action-as-condition": "workspace-action-as-condition",

@@ -31,6 +31,7 @@ from learnblock.language.tree.nodes import (
     RawExpression,
     When,
 )
+from learnblock.language.tree.traversal import set_by
 
 #: The tokens of a part, of which a program has one beginning at each token.
 PART = 6
@@ -255,10 +256,8 @@ def _chosen(value: object) -> Iterator[str]:
             yield from value.parameters
         case When():
             yield value.name
-        case Assign(target=Name(name=name)) | ForEach(target=Name(name=name)):
-            yield name
-        case ForRange(target=Name(name=name)):
-            yield name
+        case Assign() | ForEach() | ForRange():
+            yield from set_by(value)
         case Raw() | RawExpression():
             yield from _python_names(value.text)
     if isinstance(value, tuple):

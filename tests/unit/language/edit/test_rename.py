@@ -45,6 +45,13 @@ def test_a_loop_variable_is_renamed():
     assert expected == renamed(PROGRAM, "variable", "i", "round")
 
 
+def test_a_variable_of_a_loop_that_takes_values_apart_is_renamed():
+    text = "for name, age in items(ages):\n    print(name, age)\nend\n"
+    assert renamed(text, "variable", "age", "years") == text.replace("age ", "years ").replace(
+        "age)", "years)"
+    )
+
+
 def test_a_function_is_renamed_with_its_calls():
     assert PROGRAM.replace("turn_by", "go_round") == renamed(
         PROGRAM, "function", "turn_by", "go_round"
