@@ -22,7 +22,7 @@ speed = 3
 class = 1
 
 def turn_by(angle):
-    function.turn(angle, rotSpeed=30)
+    function.turn(angle)
     for i from 1 to 3:
         speed += i
     end
@@ -228,7 +228,7 @@ def test_help_on_a_skill_has_its_parameters_and_description(program):
     assert found.title == "function.turn(angle, rotSpeed=30)"
     assert found.text == builtin()["turn"].tooltip["EN"]
     assert (found.from_column, found.to_column, found.needs) == (14, 18, ())
-    assert told(program, "python", "robot.tu|rn(").title == "robot.turn(angle)"
+    assert told(program, "python", "robot.tu|rn(").title == "robot.turn(angle, rotSpeed=30)"
 
 
 @pytest.mark.parametrize(
