@@ -49,16 +49,19 @@ def test_every_world_starts_with_a_large_robot_and_its_first_goal_in_sight(pupil
     pupil.page.evaluate(
         "name => learnblock.context.connection.send({ kind: 'ChooseRobot', name })", robot
     )
-    small, hidden = {}, {}
+    small, hidden, unseen = {}, {}, []
     for name in world_names():
         drawn = show_world(pupil, name)
         if drawn["share"] < 0.12:
             small[name] = drawn["share"]
+        if not drawn["seen"]:
+            unseen.append(name)
         places = [drawn["robot"], *([drawn["goal"]] if drawn["goal"] else [])]
         if any(abs(along) > INNER for place in places for along in place):
             hidden[name] = places
     assert small == {}
     assert hidden == {}
+    assert unseen == []
 
 
 def test_the_robot_stays_in_the_picture_while_it_drives(pupil):

@@ -3,11 +3,14 @@
 import { type PerspectiveCamera, Vector3 } from "three";
 
 import type { Subject } from "./framing";
+import { isHidden } from "./hiding";
 import type { XY } from "./scenery/description";
 
 export interface Drawn {
   /** The part of the picture's height that the robot takes. */
   readonly share: number;
+  /** Whether nothing stands in front of the robot's middle. */
+  readonly seen: boolean;
   /** Where the robot and the first goal with a place are in the picture: -1 to 1, to the right and up. */
   readonly robot: XY;
   readonly goal: XY | null;
@@ -16,7 +19,8 @@ export interface Drawn {
 }
 
 /** @param effects that have begun so far. */
-export function drawn({ x, y, reach, height, goal }: Subject, camera: PerspectiveCamera, effects: number): Drawn {
+export function drawn(subject: Subject, camera: PerspectiveCamera, effects: number): Drawn {
+  const { x, y, reach, height, goal, screens } = subject;
   camera.updateMatrixWorld();
   // The corners of a square in the robot's outline, not around it.
   const half = reach * Math.SQRT1_2;
@@ -24,6 +28,7 @@ export function drawn({ x, y, reach, height, goal }: Subject, camera: Perspectiv
     [-half, half].flatMap((east) => [-half, half].map((north) => placeOf(camera, x + east, y + north, z)[1])),
   );
   return {
+    seen: !isHidden(camera.position.toArray(), [x, y, height / 2], screens),
     share: (Math.max(...ups) - Math.min(...ups)) / 2,
     robot: placeOf(camera, x, y, 0),
     goal: goal && placeOf(camera, ...goal, 0),

@@ -2,6 +2,7 @@
 
 import { Vector3 } from "three";
 
+import { isHidden, type Point, type Screen } from "./hiding";
 import type { XY } from "./scenery/description";
 import { radians } from "./scenery/geometry";
 
@@ -16,6 +17,14 @@ const ALONE = 0.2;
 /** What a turn from the south by 90 degrees costs, and what a robot that looks into the camera is worth. */
 const SIDEWAYS = 0.05;
 const FACING = 0.04;
+/** What a robot costs of which nothing is seen, and a goal that is not seen. */
+const HIDDEN = 1;
+const GOAL_HIDDEN = 0.05;
+/** What it costs if a thing right before the camera fills the picture. */
+const COVERED = 0.6;
+/** Where that is looked for: across the picture, and up from its middle. */
+const ACROSS = [-0.9, -0.6, -0.3, 0, 0.3, 0.6, 0.9] as const;
+const UPWARDS = [0, 0.4] as const;
 /** Degrees down, and degrees from the south. */
 const STEEPNESSES = [30, 27, 33] as const;
 const TURNS = [0, 15, -15, 30, -30, 45, -45, 60, -60, 80, -80, 100, -100, 125, -125, 150, -150, 180] as const;
@@ -37,6 +46,8 @@ export interface Subject {
   readonly height: number;
   /** The first goal; null if it has no place. */
   readonly goal: XY | null;
+  /** What may hide it. */
+  readonly screens: readonly Screen[];
 }
 
 export interface View {
@@ -47,12 +58,16 @@ export interface View {
 /** The best of many places for the camera. */
 export function frame(subject: Subject, aspect: number): View {
   let best: { eye: Eye; score: number } | null = null;
+  const isBetter = (score: number) => score > (best?.score ?? Number.NEGATIVE_INFINITY);
   for (const steepness of STEEPNESSES) {
     for (const turn of TURNS) {
       for (const part of subject.goal ? PARTS : PARTS.slice(0, 1)) {
         const eye = nearest(subject, steepness, turn, part, aspect);
-        const score = eye ? worth(eye.share(subject), turn, subject.heading) : Number.NEGATIVE_INFINITY;
-        if (eye && score > (best?.score ?? Number.NEGATIVE_INFINITY)) best = { eye, score };
+        if (!eye) continue;
+        const clear = worth(eye.share(subject), turn, subject.heading);
+        // What is hidden is looked for only where it matters: there are many places.
+        const score = isBetter(clear) ? clear - eye.hidden(subject) : clear;
+        if (isBetter(score)) best = { eye, score };
       }
     }
   }
@@ -122,6 +137,36 @@ class Eye {
       }
     }
     return true;
+  }
+
+  /** What it costs that things stand in front of the robot, its goal and the world. */
+  hidden({ x, y, reach, height, goal, screens }: Subject): number {
+    const { place } = this.view;
+    const from: Point = [place.x, place.y, place.z];
+    const isBehind = (point: Point) => isHidden(from, point, screens);
+    const middle = height / 2;
+    const r = reach * Math.SQRT1_2;
+    const body: Point[] = [
+      [x, y, height],
+      [x, y, middle],
+      [x + r, y, middle],
+      [x - r, y, middle],
+      [x, y + r, middle],
+      [x, y - r, middle],
+    ];
+    const unseen = (HIDDEN * body.filter(isBehind).length) / body.length;
+    const view = this.openings();
+    const covered = (COVERED * view.filter(isBehind).length) / view.length;
+    return unseen + covered + (goal && isBehind([...goal, height]) ? GOAL_HIDDEN : 0);
+  }
+
+  /** Points all over the picture, as far away as what it looks at. */
+  private openings(): Point[] {
+    const half = TAN * this.distance;
+    return ACROSS.flatMap((part) => {
+      const right = part * half * this.aspect;
+      return UPWARDS.map((up): Point => [this.x - right * this.north, this.y + right * this.east, up * half]);
+    });
   }
 
   /** Whether a point is in the inner part of the picture. */

@@ -1,10 +1,11 @@
 import { PerspectiveCamera, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { FIELD, frame, INNER, type Subject } from "../../../src/views/world/framing";
+import { isHidden, type Screen } from "../../../src/views/world/hiding";
 
-const EBO: Subject = { x: -400, y: 0, heading: 0, reach: 75, height: 120, goal: [410, 0] };
-const SMALL: Subject = { x: -100, y: 100, heading: 0, reach: 55, height: 75, goal: [900, -800] };
-const LONELY: Subject = { x: 0, y: 0, heading: 90, reach: 75, height: 120, goal: null };
+const EBO: Subject = { x: -400, y: 0, heading: 0, reach: 75, height: 120, goal: [410, 0], screens: [] };
+const SMALL: Subject = { x: -100, y: 100, heading: 0, reach: 55, height: 75, goal: [900, -800], screens: [] };
+const LONELY: Subject = { x: 0, y: 0, heading: 90, reach: 75, height: 120, goal: null, screens: [] };
 
 function cameraFor(subject: Subject, aspect: number): PerspectiveCamera {
   const { place, target } = frame(subject, aspect);
@@ -51,5 +52,64 @@ describe.each([
     const down = Math.atan2(place.z, Math.hypot(place.x - target.x, place.y - target.y));
     expect((down * 180) / Math.PI).toBeGreaterThanOrEqual(25);
     expect((down * 180) / Math.PI).toBeLessThanOrEqual(35);
+  });
+});
+
+/** A wall with its corners, mm, standing on the floor. */
+function wall(west: number, south: number, east: number, north: number, bottom = 0, top = 200): Screen {
+  const outline = [
+    [west, south],
+    [east, south],
+    [east, north],
+    [west, north],
+  ] as const;
+  return { outline, bottom, top };
+}
+
+describe("what stands around a robot", () => {
+  it.each([
+    ["to the south", [wall(-600, -220, 600, -200)]],
+    ["on three sides", [wall(-220, -220, 220, -200), wall(-220, -220, -200, 220), wall(200, -220, 220, 220)]],
+  ])("does not hide it when it is %s", (_, screens) => {
+    const { place } = frame({ ...LONELY, screens }, 1.3);
+
+    expect(isHidden([place.x, place.y, place.z], [0, 0, LONELY.height / 2], screens)).toBe(false);
+  });
+
+  it("does not fill a third of the picture", () => {
+    const beside = [wall(-500, -910, -60, -900, 0, 700)];
+    const camera = cameraFor({ ...LONELY, screens: beside }, 1.3);
+    const { x, y, z } = camera.position;
+    const right = new Vector3().setFromMatrixColumn(camera.matrixWorld, 0).multiplyScalar(300);
+
+    expect(isHidden([x, y, z], [right.x, right.y, 100], beside)).toBe(false);
+    expect(isHidden([x, y, z], [-right.x, -right.y, 100], beside)).toBe(false);
+  });
+
+  it("does not change a picture that it is not in", () => {
+    const behind = [wall(-600, 400, 600, 420)];
+
+    expect(frame({ ...EBO, screens: behind }, 1.3)).toEqual(frame(EBO, 1.3));
+  });
+});
+
+describe("a view", () => {
+  const board = [wall(-50, 90, 50, 110, 50, 150)];
+
+  it.each([
+    ["through a board is hidden", 100, 100, true],
+    ["over it is not", 200, 160, false],
+    ["under it is not", 40, 40, false],
+    ["that enters its top and leaves its back is", 180, 120, true],
+  ])("%s", (_, from, to, hidden) => {
+    expect(isHidden([0, 0, from], [0, 200, to], board)).toBe(hidden);
+  });
+
+  it("past a board is not hidden", () => {
+    expect(isHidden([60, 0, 100], [60, 200, 100], board)).toBe(false);
+  });
+
+  it("that ends before a board is not hidden", () => {
+    expect(isHidden([0, 0, 100], [0, 80, 100], board)).toBe(false);
   });
 });

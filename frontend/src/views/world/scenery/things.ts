@@ -108,8 +108,8 @@ function addWall(parts: Parts, wall: WallValues, colour: string): void {
   }
 }
 
-/** Each end is extended by half of the thickness, which closes the corners. */
-function piecesOf({ points, thickness }: WallValues): { pose: Pose; length: number }[] {
+/** The straight pieces of a wall; each end is extended by half of the thickness, which closes the corners. */
+export function piecesOf({ points, thickness }: WallValues): { pose: Pose; length: number }[] {
   return points.slice(1).flatMap((end, i) => {
     const start = points[i] ?? end;
     const [dx, dy] = [end[0] - start[0], end[1] - start[1]];
