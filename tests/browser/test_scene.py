@@ -1,6 +1,7 @@
 """What the world's picture shows: the robot, its goal, themes and celebrations."""
 
 import json
+import re
 from typing import get_args
 
 import pytest
@@ -88,6 +89,28 @@ def test_the_robots_eye_is_another_view(pupil):
     assert all(abs(along) < 1 for along in goal)
     pupil.page.keyboard.press("f")
     assert pupil.page.evaluate(DRAWN)["share"] >= 0.12
+
+
+def test_a_chip_shows_where_its_value_comes_from_and_opens_its_plot(pupil):
+    page = pupil.page
+    show_world(pupil, "distance")
+    marks = f"() => ({DRAWN})().marks"
+    page.locator(".world-view").focus()
+    page.keyboard.press("l")
+    assert not any(page.evaluate(marks).values())
+
+    for chip, mark in {"Front": "beams", "Heading": "bearing"}.items():
+        page.get_by_role("button", name=re.compile(f"^{chip}")).hover()
+        assert [name for name, shown in page.evaluate(marks).items() if shown] == [mark]
+    pupil.picture("heading")
+
+    page.get_by_role("button", name=re.compile("^Heading")).click()
+    box = page.get_by_role("checkbox", name="Heading", exact=True)
+    expect(box).to_be_checked()
+    expect(page.get_by_role("checkbox", name="Distance in front 1")).not_to_be_checked()
+    page.mouse.move(0, 0)
+    page.locator(".world-view").focus()
+    assert not any(page.evaluate(marks).values())
 
 
 def celebrates(pupil):

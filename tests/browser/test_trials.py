@@ -13,10 +13,11 @@ COUNT_STEPS = """() => {
 }"""
 
 
-#: The names of what can be used, besides the palette and the program.
+#: The names of what can be used, besides the palette and the program, and the values in the world,
+#: which the 15 controls of the design's picture leave out too.
 CONTROLS = """() => [...document.querySelectorAll("button, select, input, a[href], [role=tab]")]
     .filter((one) => one.checkVisibility({ visibilityProperty: true }))
-    .filter((one) => !one.closest(".blocks, .cm-editor, .skip-links"))
+    .filter((one) => !one.closest(".blocks, .cm-editor, .skip-links, .chips"))
     .map((one) => one.ariaLabel || one.title || one.textContent)"""
 
 

@@ -5,6 +5,7 @@ import type { Problem, View } from "../protocol/messages";
 import type { Island } from "../ui/island";
 import { room } from "../ui/screen";
 import type { Tool } from "../ui/tool";
+import type { Measure } from "./measures";
 import { arrange, preferences } from "./preferences";
 
 export const VIEWS: readonly View[] = ["blocks", "blocktext", "python"];
@@ -21,6 +22,8 @@ export interface WorldIsland extends Island {
   readonly tools: readonly Tool[];
   /** What keys do in the world now, in words; empty if there is nothing to say. */
   readonly hint: ReadonlySignal<string>;
+  /** Show in the picture where a value of the robot comes from; null shows none. */
+  point(measure: Measure | null): void;
 }
 
 /** A view of the program. */
@@ -39,6 +42,8 @@ export class Views {
   readonly panel = signal<PanelName>("console");
   /** The world once it has loaded. */
   readonly world = signal<WorldIsland | null>(null);
+  /** What the user wants to have plotted, until the plot shows it. */
+  readonly plotted = signal<Measure | null>(null);
   /** The statement that the user has selected in a view, by its block. */
   readonly selected = signal<string | null>(null);
   /** Whether the user has closed the output. */
@@ -105,6 +110,12 @@ export class Views {
   showPanel(panel: PanelName): void {
     this.panel.value = panel;
     this.show("panel");
+  }
+
+  /** Plot a value of the robot. */
+  plot(measure: Measure): void {
+    this.plotted.value = measure;
+    this.showPanel("sensors");
   }
 
   /** A statement as a view shows it, in one line. */

@@ -66,7 +66,7 @@ async function loadVariables({ context }: Page) {
   return createVariables(context);
 }
 
-async function loadSensors({ context }: Page) {
+async function loadSensors({ context, views }: Page) {
   const { createSensors } = await import("../../views/output/sensors");
-  return createSensors(context);
+  return createSensors(context, views.plotted);
 }

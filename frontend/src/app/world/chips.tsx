@@ -1,9 +1,10 @@
-/** The values that matter most to a driver: the distance ahead, the heading and the way driven. */
+/** The values that matter most to a driver: pointed at, the world shows them; pressed, they are plotted. */
 
 import { useComputed } from "@preact/signals";
-import { useMemo } from "preact/hooks";
+import { useEffect, useMemo, useRef } from "preact/hooks";
 
 import { t } from "../../i18n";
+import { lengthOf, type Measure, measures } from "../../model/measures";
 import { Odometer } from "../../model/odometer";
 import { usePage } from "../../model/page";
 import type { Sensor } from "../../protocol/messages";
@@ -22,38 +23,62 @@ export function Chips() {
   });
   return (
     <ul class="chips" aria-label={t("page-world-values")}>
-      {front.value && <Chip icon="ruler" name={t("page-world-front")} value={front.value} />}
-      {heading.value && <Chip icon="compass" name={t("page-world-heading")} value={heading.value} />}
-      {driven.value && <Chip icon="trail" name={t("page-world-driven")} value={driven.value} />}
+      <Chip measure="front" icon="ruler" name={t("page-world-front")} value={front.value} />
+      <Chip measure="heading" icon="compass" name={t("page-world-heading")} value={heading.value} />
+      <Chip measure="driven" icon="trail" name={t("page-world-driven")} value={driven.value} />
     </ul>
   );
 }
 
-function Chip({ icon, name, value }: { icon: IconName; name: string; value: string }) {
+/** Nothing without a value. */
+function Chip(props: { measure: Measure; icon: IconName; name: string; value: string | null }) {
+  return props.value && <ShownChip {...props} value={props.value} />;
+}
+
+function ShownChip({ measure, icon, name, value }: { measure: Measure; icon: IconName; name: string; value: string }) {
+  const { views } = usePage();
+  const item = useRef<HTMLLIElement>(null);
+  const point = (what: Measure | null) => views.world.value?.point(what);
+  useEffect(() => () => point(null), []);
+  useEffect(() => onlyInSight(item.current), []);
   return (
-    <li class="chip">
-      <Icon name={icon} />
-      {name} <b>{value}</b>
+    <li ref={item}>
+      <button
+        type="button"
+        class="chip value"
+        title={t("page-world-plot")}
+        onPointerEnter={() => point(measure)}
+        onPointerLeave={() => point(null)}
+        onFocus={() => point(measure)}
+        onBlur={() => point(null)}
+        onClick={() => views.plot(measure)}
+      >
+        <Icon name={icon} />
+        {name} <b>{value}</b>
+      </button>
     </li>
   );
 }
 
+/** Let an item take part only while its row has room for it; return how to end that. */
+function onlyInSight(item: HTMLElement | null): (() => void) | undefined {
+  if (!item) return;
+  const watcher = new IntersectionObserver(
+    ([entry]) => entry && item.classList.toggle("left-out", !entry.isIntersecting),
+    { root: item.parentElement, threshold: 0.9 },
+  );
+  watcher.observe(item);
+  return () => watcher.disconnect();
+}
+
 /** The nearest reading of the sensors that look ahead; null without such sensors. */
 function frontInWords(sensors: readonly Sensor[]): string | null {
-  const ahead = sensors.filter(({ device, place }) => device === "DistanceSensors" && place === "front");
-  const [first, ...others] = ahead;
+  const [first, ...others] = sensors.filter((sensor) => measures("front", sensor));
   if (!first) return null;
   const nearest = others.reduce((least, one) => (Number(one.value) < Number(least.value) ? one : least), first);
   const value = Number(nearest.value);
   const isBeyond = nearest.highest !== undefined && value >= nearest.highest;
   return t(isBeyond ? "page-world-over-mm" : "page-world-mm", { mm: Math.round(value) });
-}
-
-function lengthOf(way: readonly (readonly [number, number])[]): number {
-  return way.slice(1).reduce((sum, [x, y], index) => {
-    const [fromX, fromY] = way[index] ?? [x, y];
-    return sum + Math.hypot(x - fromX, y - fromY);
-  }, 0);
 }
 
 function drivenInWords(way: number | null): string | null {

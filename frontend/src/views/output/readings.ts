@@ -7,6 +7,7 @@ import { filling, readingText, sensorId, sensorName } from "./quantities";
 
 interface Row {
   readonly dom: HTMLElement;
+  readonly box: HTMLInputElement;
   show(sensor: Sensor): void;
 }
 
@@ -23,7 +24,7 @@ function makeRow(sensor: Sensor, chosen: boolean, choose: (on: boolean) => void)
     text.textContent = readingText(now, now.value);
     fill.style.transform = `scaleX(${filling(now)})`;
   };
-  return { dom, show };
+  return { dom, box, show };
 }
 
 /** The rows; `choose` receives the id of a sensor to plot or not. */
@@ -39,6 +40,11 @@ export class Readings {
     const row = (sensor: Sensor, id: string) => makeRow(sensor, chosen.has(id), (on) => choose(id, on));
     this.rows = new Map(sensors.map((sensor) => [sensorId(sensor), row(sensor, sensorId(sensor))]));
     this.body.replaceChildren(...[...this.rows.values()].map(({ dom }) => dom));
+  }
+
+  /** Tick the boxes of these sensors, and no others. */
+  tick(chosen: ReadonlySet<string>): void {
+    for (const [id, { box }] of this.rows) box.checked = chosen.has(id);
   }
 
   show(sensors: readonly Sensor[]): void {

@@ -3,9 +3,11 @@
 import "./panel.css";
 import "./sensors.css";
 
-import { effect, signal } from "@preact/signals";
+import { effect, type Signal, signal } from "@preact/signals";
 import { language, t } from "../../i18n";
 import type { Context } from "../../model/context";
+import { lengthOf, type Measure, measures, motionOf, readingsOf } from "../../model/measures";
+import { Odometer } from "../../model/odometer";
 import { preferences } from "../../model/preferences";
 import type { Sensor, Telemetry } from "../../protocol/messages";
 import type { Island } from "../../ui/island";
@@ -38,6 +40,7 @@ class Sensors implements SensorsIsland {
   readonly dom = element("section", { class: "robot-panel sensors scroll", tabindex: "0" });
 
   private readonly recording = new Recording();
+  private readonly odometer = new Odometer();
   private readonly plot = new Plot(this.picture);
   private readonly visibility = watchVisibility(this.dom);
   /** Every sensor, and the ids of those to plot. */
@@ -49,12 +52,16 @@ class Sensors implements SensorsIsland {
     this.schedule();
   };
   private readonly disposers: (() => void)[];
+  private present: readonly Sensor[] = [];
   private outdated = true;
   private frame = 0;
   private drawn = 0;
   private summarised = 0;
 
-  constructor(private readonly context: Context) {
+  constructor(
+    private readonly context: Context,
+    private readonly wanted: Signal<Measure | null>,
+  ) {
     const details = element("details", {}, this.summaryTitle, this.summary.dom);
     const tools = element("div", { class: "tools" }, this.save);
     this.dom.append(this.nothing, this.readings.dom, this.picture, details, tools);
@@ -63,6 +70,7 @@ class Sensors implements SensorsIsland {
       effect(() => this.record(context.running.measured.value)),
       effect(() => void [context.running.past.value, this.schedule()]),
       effect(() => this.nameAll()),
+      effect(() => this.plotWanted()),
       effect(() => this.followPlot()),
     ];
   }
@@ -81,8 +89,10 @@ class Sensors implements SensorsIsland {
 
   private record(telemetry: Telemetry | null): void {
     if (!telemetry) return this.recording.clear();
-    this.recording.add(telemetry.time, telemetry.sensors ?? []);
-    this.learn(telemetry.sensors ?? []);
+    const readings = readingsOf(telemetry, this.odometer);
+    this.recording.add(telemetry.time, readings);
+    this.learn(readings);
+    this.present = readings;
     this.schedule();
   }
 
@@ -116,6 +126,17 @@ class Sensors implements SensorsIsland {
     this.chosen.value = chosen;
   }
 
+  /** Plot what the user asked for elsewhere, as soon as its sensors are known. */
+  private plotWanted(): void {
+    const { value: wanted } = this.wanted;
+    if (!wanted) return;
+    const found = this.known.value.filter((sensor) => measures(wanted, sensor));
+    if (found.length === 0) return;
+    this.chosen.value = new Set(found.map(sensorId));
+    this.readings.tick(this.chosen.value);
+    this.wanted.value = null;
+  }
+
   private plotted(): Sensor[] {
     return this.known.value.filter((sensor) => this.chosen.value.has(sensorId(sensor)));
   }
@@ -143,7 +164,7 @@ class Sensors implements SensorsIsland {
     this.frame = 0;
     if (now - this.drawn < DRAWING_PERIOD) return this.schedule();
     this.drawn = now;
-    this.readings.show(this.context.running.telemetry.peek()?.sensors ?? []);
+    this.readings.show(this.shown());
     const plotted = this.plotted();
     if (this.outdated) this.makePlot(plotted);
     const { times, readings } = this.toPlot(plotted.map(sensorId));
@@ -153,11 +174,21 @@ class Sensors implements SensorsIsland {
     this.summarise(plotted, readings);
   }
 
+  /** The readings at present, or those of the moment that the user looks back at. */
+  private shown(): readonly Sensor[] {
+    const { running } = this.context;
+    const past = running.past.peek();
+    if (!past) return this.present;
+    const [robot] = past.telemetry?.robots ?? [];
+    const motion = robot ? motionOf(robot.heading, lengthOf(running.wayUntil(past.time))) : [];
+    return [...(past.telemetry?.sensors ?? []), ...motion];
+  }
+
   /** The last minute, or that around the moment that the user looks back at. */
   private toPlot(ids: readonly string[]): { times: number[]; readings: Reading[][] } {
     const past = this.context.running.past.peek();
     if (!past) return this.recording.last(SHOWN_SECONDS, ids);
-    return this.recording.around(past.time, SHOWN_SECONDS, ids, past.telemetry?.sensors ?? []);
+    return this.recording.around(past.time, SHOWN_SECONDS, ids, this.shown());
   }
 
   /** The plot as a table, for screen readers. */
@@ -181,7 +212,7 @@ class Sensors implements SensorsIsland {
   }
 }
 
-/** The robot's sensors. */
-export function createSensors(context: Context): SensorsIsland {
-  return new Sensors(context);
+/** The robot's sensors; `wanted` is what to plot next. */
+export function createSensors(context: Context, wanted: Signal<Measure | null>): SensorsIsland {
+  return new Sensors(context, wanted);
 }

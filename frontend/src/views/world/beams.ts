@@ -17,10 +17,10 @@ import { distances } from "./scenery/readings";
 
 const HEIGHT = 42;
 /** Half of a beam's angle if the description gives none. */
-const THINNEST = 0.9;
+const THINNEST = 1.5;
 /** Opacities at the sensor, at the end of the beam, and where it meets something. */
-const NEAR = 0.55;
-const FAR = 0.16;
+const NEAR = 0.7;
+const FAR = 0.32;
 const HIT = 0.95;
 /** The thickness of the mark where a beam meets something, and its least width, mm. */
 const MARK = 7;
@@ -29,7 +29,8 @@ const MARK_WIDTH = 26;
 const CORNERS = 3 + 6;
 
 export class Beams {
-  readonly object: Mesh;
+  readonly object: Mesh<BufferGeometry, MeshBasicMaterial>;
+  private side: string | null = null;
   private readonly places: Float32BufferAttribute;
 
   constructor(private readonly robot: RobotValues) {
@@ -52,11 +53,24 @@ export class Beams {
     this.object.renderOrder = 6;
   }
 
+  /** Show only the beams of a side, also through the robot; null shows all. */
+  single(side: string | null): void {
+    this.side = side;
+    this.object.material.depthTest = side === null;
+  }
+
   /** Let each beam end at its reading, or at the end of its range. */
   show(telemetry: Telemetry): void {
     const readings = distances(this.robot, telemetry.sensors ?? []);
-    this.robot.distance.forEach((sensor, i) => this.write(i, sensor, readings[i] ?? null));
+    this.robot.distance.forEach((sensor, i) => {
+      if (this.shows(sensor)) this.write(i, sensor, readings[i] ?? null);
+      else this.write(i, { ...sensor, maximum: 0 }, null);
+    });
     this.places.needsUpdate = true;
+  }
+
+  private shows({ sides }: DistanceValues): boolean {
+    return this.side === null || sides.includes(this.side);
   }
 
   private write(i: number, { x, y, direction, beam, maximum }: DistanceValues, reading: number | null): void {

@@ -6,6 +6,12 @@ import type { Subject } from "./framing";
 import { isHidden } from "./hiding";
 import type { XY } from "./scenery/description";
 
+export interface Marks {
+  readonly beams: boolean;
+  readonly bearing: boolean;
+  readonly trail: boolean;
+}
+
 export interface Drawn {
   /** The part of the picture's height that the robot takes. */
   readonly share: number;
@@ -14,12 +20,14 @@ export interface Drawn {
   /** Where the robot and the first goal with a place are in the picture: -1 to 1, to the right and up. */
   readonly robot: XY;
   readonly goal: XY | null;
+  /** Whether the beams, the arrow of the heading and the trail are shown. */
+  readonly marks: Marks;
   /** The number of effects that have begun so far, such as confetti. */
   readonly effects: number;
 }
 
 /** @param effects that have begun so far. */
-export function drawn(subject: Subject, camera: PerspectiveCamera, effects: number): Drawn {
+export function drawn(subject: Subject, camera: PerspectiveCamera, marks: Marks, effects: number): Drawn {
   const { x, y, reach, height, goal, screens } = subject;
   camera.updateMatrixWorld();
   // The corners of a square in the robot's outline, not around it.
@@ -32,6 +40,7 @@ export function drawn(subject: Subject, camera: PerspectiveCamera, effects: numb
     share: (Math.max(...ups) - Math.min(...ups)) / 2,
     robot: placeOf(camera, x, y, 0),
     goal: goal && placeOf(camera, ...goal, 0),
+    marks,
     effects,
   };
 }

@@ -25,5 +25,6 @@ function withoutPicture(): WorldIsland {
   const end = effect(() => {
     dom.textContent = t("page-world-no3d");
   });
-  return { dom, framesDrawn: 0, tools: [], hint: signal(""), resize: () => undefined, destroy: end };
+  const nothing = () => undefined;
+  return { dom, framesDrawn: 0, tools: [], hint: signal(""), resize: nothing, point: nothing, destroy: end };
 }

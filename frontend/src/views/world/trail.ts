@@ -53,6 +53,11 @@ export class Trail {
     this.mesh.geometry.setDrawRange(0, 0);
   }
 
+  /** Draw it in a colour that stands out, or in its own. */
+  stress(on: boolean): void {
+    this.mesh.material.color.set(on ? MARKS.beam : this.look.colour);
+  }
+
   /** Extend the trail to the robot. */
   extend(x: number, y: number): void {
     const last = this.points.at(-1);

@@ -4,12 +4,14 @@ import { computed, effect, type ReadonlySignal, signal, untracked } from "@preac
 import { t, worldName } from "../../i18n";
 import type { Context } from "../../model/context";
 import type { Way } from "../../model/kept-runs";
+import type { Measure } from "../../model/measures";
 import { preferences, type ThemeName, theme } from "../../model/preferences";
 import type { WorldIsland } from "../../model/views";
 import type { GoalNow, Robot, Scene, Sound, Telemetry } from "../../protocol/messages";
 import { Throttle } from "../../ui/throttle";
 import type { Tool } from "../../ui/tool";
 import { Announcer } from "./announcer";
+import { Bearing } from "./bearing";
 import { type CameraMode, Cameras } from "./cameras";
 import { FloorDrawing } from "./drawing";
 import { type Drawn, drawn } from "./drawn";
@@ -53,6 +55,7 @@ export class World implements WorldIsland {
   private readonly motion = new Motion();
   private readonly trail = new Trail();
   private readonly ways = new Ways();
+  private readonly bearing = new Bearing();
   private readonly drawing = new FloorDrawing();
   private readonly effects = new Effects();
   private touches = false;
@@ -63,6 +66,8 @@ export class World implements WorldIsland {
   private readonly hand: Hand;
   private stage: Stage | null = null;
   private moved = false;
+  /** The value that the user points at. */
+  private pointed: Measure | null = null;
   private drawnScene = "";
   private worldName = "";
   private readonly labels = new Throttle(LABEL_PERIOD);
@@ -108,12 +113,26 @@ export class World implements WorldIsland {
 
   /** What the picture shows, for tests; null without a world. */
   get drawn(): Drawn | null {
-    return this.stage && drawn(this.stage.subject, this.cameras.camera, this.effects.begun);
+    if (!this.stage) return null;
+    const marks = {
+      beams: this.stage.beams?.object.visible ?? false,
+      bearing: this.bearing.object.visible,
+      trail: this.trail.mesh.visible,
+    };
+    return drawn(this.stage.subject, this.cameras.camera, marks, this.effects.begun);
   }
 
   resize(): void {
     this.cameras.size(this.frame.clientWidth, this.frame.clientHeight, OVERLAY);
     this.view.resize(this.frame.clientWidth, this.frame.clientHeight);
+  }
+
+  /** Show in the picture where a value comes from. */
+  point(measure: Measure | null): void {
+    this.pointed = measure;
+    this.bearing.object.visible = measure === "heading";
+    this.showBeams();
+    this.showTrail();
   }
 
   destroy(): void {
@@ -128,6 +147,7 @@ export class World implements WorldIsland {
     this.drawing.clear();
     this.effects.clear();
     this.ways.clear();
+    this.bearing.dispose();
     this.view.dispose();
     this.dom.remove();
   }
@@ -143,6 +163,7 @@ export class World implements WorldIsland {
     this.view.scene.add(
       this.trail.mesh,
       this.ways.object,
+      this.bearing.object,
       this.drawing.object,
       this.effects.object,
       this.placing.handle.object,
@@ -295,7 +316,9 @@ export class World implements WorldIsland {
 
   /** The ways of compared runs take the trail's place. */
   private showTrail(): void {
-    this.trail.mesh.visible = this.showsTrail.peek() && this.ways.empty;
+    const isPointed = this.pointed === "driven";
+    this.trail.mesh.visible = (this.showsTrail.peek() || isPointed) && this.ways.empty;
+    this.trail.stress(isPointed);
     this.view.invalidate();
   }
 
@@ -310,10 +333,13 @@ export class World implements WorldIsland {
     this.view.invalidate();
   }
 
+  /** The user's beams, or those that measure what is pointed at. */
   private showBeams(): void {
     const beams = this.stage?.beams;
     if (!beams) return;
-    beams.object.visible = this.showsBeams.peek();
+    const all = this.showsBeams.peek();
+    beams.object.visible = all || this.pointed === "front";
+    beams.single(all ? null : "front");
     const telemetry = this.context.running.telemetry.peek();
     if (telemetry) beams.show(telemetry);
   }
@@ -382,7 +408,8 @@ export class World implements WorldIsland {
     // The page announces reached goals itself.
     const failed = news.filter(({ state }) => state === "failed");
     if (failed.length) this.announcer.say(failed.map(goalInWords).join(" "));
-    if (this.showsBeams.peek()) this.stage?.beams?.show(telemetry);
+    const beams = this.stage?.beams;
+    if (beams?.object.visible) beams.show(telemetry);
     this.label();
     this.view.invalidate();
   }
@@ -454,6 +481,7 @@ export class World implements WorldIsland {
       this.stage.show({ ...moment, robots });
       this.placing.show();
     }
+    this.showBearing();
     const moving = this.motion.moving(now);
     // The last frame of a movement, too.
     if (moving || this.moved || this.placing.pose) this.view.moveShadows();
@@ -463,6 +491,11 @@ export class World implements WorldIsland {
     const blinks = !this.cameras.isCalm && isBlinking(now);
     this.stage?.blink(blinks);
     return this.moveCamera(now) || moving || shows || blinks;
+  }
+
+  private showBearing(): void {
+    const robot = this.stage?.robots[0];
+    if (robot && this.bearing.object.visible) this.bearing.show(robot.pose, robot.reach);
   }
 
   /** Move the camera with the robot; return whether it is still moving. */

@@ -24,6 +24,8 @@ page-sensors-name = { $device ->
     [LightSensor] Light
     [Controller] Button
     [Infrared] Infrared
+    [Heading] Heading
+    [Driven] Distance driven
    *[other] { $device }
 }{ $place ->
     [none] {""}

@@ -12,6 +12,7 @@ page-world-values = Values of the robot
 page-world-front = Front
 page-world-heading = Heading
 page-world-driven = Driven
+page-world-plot = Plot these values
 # $thing is such as "a wall".
 page-world-bumped = Bump: { $thing }
 page-world-real-speed = { $factor }×: as fast as this computer can

@@ -22,6 +22,8 @@ page-sensors-name = { $device ->
     [LightSensor] Luz
     [Controller] Botón
     [Infrared] Infrarrojos
+    [Heading] Rumbo
+    [Driven] Distancia recorrida
    *[other] { $device }
 }{ $place ->
     [none] {""}

@@ -12,6 +12,7 @@ page-world-values = Valores del robot
 page-world-front = Delante
 page-world-heading = Rumbo
 page-world-driven = Recorrido
+page-world-plot = Ver la gráfica de estos valores
 page-world-bumped = Choque: { $thing }
 page-world-real-speed = { $factor }×: lo más rápido que puede este ordenador
 page-world-mm = { $mm } mm
