@@ -2,13 +2,14 @@
 
 import math
 from collections.abc import Iterable, Iterator
+from itertools import pairwise
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from learnblock.simulator import textures
-from learnblock.simulator.colours import RGB, rgb
+from learnblock.simulator.colours import RGB
 from learnblock.simulator.floor import Floor
 from learnblock.simulator.geometry import forward
 from learnblock.simulator.picture import goals, icons
@@ -25,6 +26,7 @@ from learnblock.simulator.picture.svg import (
     Text,
     rectangle,
 )
+from learnblock.simulator.picture.themes import look_of, shown
 from learnblock.simulator.picture.view import View, round_step
 from learnblock.simulator.props import body_of
 from learnblock.simulator.world_description import (
@@ -37,7 +39,6 @@ from learnblock.simulator.world_description import (
     WorldDescription,
 )
 
-BORDER: RGB = (196, 190, 176)
 EDGE: RGB = (90, 88, 84)
 BOARD = (34.0, 84.0)
 """The smallest and largest side of a tag's or a face's picture, pixels."""
@@ -49,7 +50,7 @@ def drawn(world: WorldDescription, view: View) -> Iterator[Shape]:
     yield from goals.regions(world, view)
     for line in world.line:
         points = _points(line.polyline().points)
-        yield Polyline(view.all(points), rgb(line.colour), line.width * view.scale)
+        yield Polyline(view.all(points), shown(line.colour), line.width * view.scale)
     yield from goals.outlines(world, view)
     yield from _things(world, view)
     for lamp in world.light:
@@ -104,15 +105,35 @@ def grid_step(world: WorldDescription) -> float:
 def _ground(world: WorldDescription, view: View) -> Iterator[Shape]:
     east, north = world.floor.size[0] / 2, world.floor.size[1] / 2
     corners = view.all([(-east, -north), (east, -north), (east, north), (-east, north)])
+    look = look_of(world.theme)
+    even, odd = look.floor(world.floor.colour)
     if world.floor.border:
         yield Polygon(_shadow(corners), Paint(BLACK, BLACK, 12, 0.10))
-        yield Polygon(corners, Paint(BORDER, EDGE, 13))
-        yield Polygon(corners, Paint(BORDER, BORDER, 10))
-    yield Polygon(corners, Paint(rgb(world.floor.colour), EDGE, 1.2))
+        yield Polygon(corners, Paint(look.rim, _darker(look.rim), 13))
+        yield Polygon(corners, Paint(look.rim, look.rim, 10))
+    yield Polygon(corners, Paint(even, _darker(look.rim), 1.2))
     if world.floor.picture:
         yield _floor_picture(world, view)
     else:
+        yield from _squares(world, view, odd)
         yield from _grid(world, view)
+
+
+def _squares(world: WorldDescription, view: View, colour: RGB) -> Iterator[Shape]:
+    """Every second square of the floor; each row of them is a dashed line."""
+    step = grid_step(world) / 2
+    east, north = (size / 2 for size in world.floor.size)
+    edges = [-east, *_multiples(step, east), east]
+    lengths = [(right - left) * view.scale for left, right in pairwise(edges)]
+    # The rows and columns from the middle of the floor, where a line of the grid is.
+    first = math.floor(edges[0] / step)
+    for south, upper in pairwise([-north, *_multiples(step, north), north]):
+        row = math.floor((south + upper) / 2 / step)
+        # A dash of no length is not drawn: the row begins with a gap.
+        dash = (0.0, *lengths) if (first + row) % 2 else tuple(lengths)
+        middle = (south + upper) / 2
+        ends = view.all([(-east, middle), (east, middle)])
+        yield Polyline(ends, colour, (upper - south) * view.scale, dash=dash, cap="butt")
 
 
 def _floor_picture(world: WorldDescription, view: View) -> Image:
@@ -134,7 +155,8 @@ def _at_most(pixels: textures.Image, width: float) -> textures.Image:
 def _grid(world: WorldDescription, view: View) -> Iterator[Shape]:
     step = grid_step(world)
     east, north = world.floor.size[0] / 2, world.floor.size[1] / 2
-    ink = WHITE if is_dark(rgb(world.floor.colour)) else BLACK
+    even, _ = look_of(world.theme).floor(world.floor.colour)
+    ink = WHITE if is_dark(even) else BLACK
     for x in _multiples(step, east):
         yield Polyline(view.all([(x, -north), (x, north)]), ink, 1.0, 0.07, cap="butt")
     for y in _multiples(step, north):
@@ -157,8 +179,9 @@ def start(start: Start, view: View) -> Iterator[Shape]:
 
 
 def _things(world: WorldDescription, view: View) -> Iterator[Shape]:
-    for wall in world.wall:
-        yield from _wall(wall, view)
+    look = look_of(world.theme)
+    for index, wall in enumerate(world.wall):
+        yield from _wall(wall, look.wall(wall.colour, index), view)
     for box in world.box:
         yield from _box(box, view)
     for cylinder in world.cylinder:
@@ -173,13 +196,13 @@ def _things(world: WorldDescription, view: View) -> Iterator[Shape]:
         yield from _board(face, view, textures.face(face.emotion, 160))
 
 
-def _wall(wall: Wall, view: View) -> Iterator[Shape]:
+def _wall(wall: Wall, colour: RGB, view: View) -> Iterator[Shape]:
     points = view.all(wall.points)
     width = max(wall.thickness * view.scale, 4.0)
     yield Polyline(_shadow(points), BLACK, width, 0.16, cap="square")
-    yield Polyline(points, EDGE, width + 2.4, cap="square")
+    yield Polyline(points, _darker(colour), width + 2.4, cap="square")
     # The edge is a wider stroke below; a square end adds half its width to the length.
-    yield Polyline(points, rgb(wall.colour), width, cap="square")
+    yield Polyline(points, colour, width, cap="square")
 
 
 def _box(box: Box, view: View) -> Iterator[Shape]:
@@ -198,7 +221,8 @@ def _cylinder(cylinder: Cylinder, view: View) -> Iterator[Shape]:
 def _sides(thing: Box | Cylinder) -> Paint:
     """Draw objects that can be pushed with a dashed edge."""
     dash = () if thing.mass is None else (6.0, 4.0)
-    return Paint(rgb(thing.colour), _darker(rgb(thing.colour)), 2.4, dash=dash)
+    colour = shown(thing.colour)
+    return Paint(colour, _darker(colour), 2.4, dash=dash)
 
 
 def _board(board: Tag | Face, view: View, picture: textures.Image) -> Iterator[Shape]:

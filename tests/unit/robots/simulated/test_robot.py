@@ -2,6 +2,7 @@
 
 import sys
 from importlib.metadata import EntryPoint
+from typing import get_args
 
 import pytest
 
@@ -18,6 +19,7 @@ from learnblock.runtime.program import Program
 from learnblock.runtime.run import Run
 from learnblock.runtime.trace import Trace, record
 from learnblock.simulator import World, load_world
+from learnblock.simulator.world_description import Theme
 from runs import run_file
 
 TWINS = ("sim-ebo", "sim-thymio", "sim-ev3", "sim-cozmo")
@@ -173,6 +175,24 @@ def test_every_program_ends_with_its_robot_at_rest(ending, how):
     at_rest = session.client.where()
     simulation.advance(simulation.steps + 100)
     assert session.client.where() == at_rest
+
+
+@pytest.mark.parametrize("theme", get_args(Theme))
+def test_a_theme_and_decoration_do_not_change_a_trace(tmp_path, theme):
+    program, world = tmp_path / "drive.bt", tmp_path / "w.toml"
+    program.write_text(
+        "main:\n    function.drive_distance(150)\n    x = function.get_min_distance()\nend\n"
+    )
+    box = "[[box]]\nx = 200\ny = 0\nmass = 0.2\n"
+    tree = '[[prop]]\nkind = "tree"\nx = 150\ny = 0\n'
+
+    def traced(text):
+        world.write_text(text)
+        finished = run_file(program, "sim-ebo", world=str(world), seed=3)
+        assert finished.report.error is None
+        return finished.trace
+
+    assert traced(f'theme = "{theme}"\n{box}{tree}') == traced(box)
 
 
 def test_programs_of_one_world_leave_the_same_trace_every_time():

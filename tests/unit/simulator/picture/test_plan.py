@@ -104,3 +104,14 @@ def test_a_floor_without_a_border_has_an_open_edge():
         return len([shape for shape in drawn if isinstance(shape, Polygon)])
 
     assert grounds(border=0) < grounds(border=100)
+
+
+@pytest.mark.parametrize("size", [(2000, 2000), (1250, 830)])
+def test_half_of_a_floor_are_squares_of_another_colour(size):
+    world = WorldDescription(floor=Floor(size=size))
+    view = fitted(size, NOWHERE, bar=True)
+    rows = [one for one in plan.drawn(world, view) if isinstance(one, Polyline) and one.dash]
+    squares = sum(row.width * sum(row.dash[::2]) for row in rows)
+
+    assert squares == pytest.approx(size[0] * size[1] * view.scale**2 / 2, rel=0.01)
+    assert [sum(row.dash) for row in rows] == pytest.approx([size[0] * view.scale] * len(rows))
