@@ -1,4 +1,4 @@
-/** Lowers the quality of the picture in steps while frames are slow. */
+/** Lowers the quality of the picture in steps while frames are slow, and tries a better one after a pause. */
 
 /** Frames between two decisions. */
 const WATCHED = 45;
@@ -33,12 +33,16 @@ export class Qualities {
   private frames = 0;
   private spent = 0;
   private last = 0;
+  private step: number;
+  /** Whether the last frame asked for this one at once. */
+  private flowed = false;
 
-  /** @param step the first step, an index of `QUALITIES`. */
+  /** @param best the first and best step, an index of `QUALITIES`. */
   constructor(
-    private step: number,
+    private readonly best: number,
     private readonly apply: (quality: Quality) => void,
   ) {
+    this.step = best;
     this.choose();
   }
 
@@ -46,6 +50,8 @@ export class Qualities {
   note(now: number, flows: boolean): void {
     const took = now - this.last;
     this.last = now;
+    if (took > PAUSE && !this.flowed) this.improve();
+    this.flowed = flows;
     if (!flows || took > PAUSE) return;
     this.frames += 1;
     this.spent += took;
@@ -54,6 +60,14 @@ export class Qualities {
       this.step += 1;
       this.choose();
     }
+    this.frames = this.spent = 0;
+  }
+
+  /** What slowed the computer may be over. */
+  private improve(): void {
+    if (this.step === this.best) return;
+    this.step -= 1;
+    this.choose();
     this.frames = this.spent = 0;
   }
 

@@ -42,6 +42,8 @@ export class View {
   private frame = 0;
   /** When the next frame may be drawn. */
   private due = 0;
+  /** Pixels of the picture for each of the page: of the screen, and while something moves. */
+  private screen = 1;
   private ratio = 1;
   private stillness = 0;
 
@@ -110,7 +112,7 @@ export class View {
     cancelAnimationFrame(this.frame);
     this.frame = 0;
     const again = this.before(now);
-    this.sharpen(1);
+    this.sharpen(this.ratio);
     this.castShadows(again);
     this.renderer.render(this.scene, this.camera);
     this.framesDrawn += 1;
@@ -131,12 +133,11 @@ export class View {
   /** The picture will stay for a while: draw it once more without jagged edges. */
   private renderStill(): void {
     if (this.frame) return;
-    this.sharpen(STILL.sharpness);
+    this.sharpen(STILL.sharpness * this.screen);
     this.renderer.render(this.scene, this.camera);
   }
 
-  private sharpen(by: number): void {
-    const ratio = this.ratio * by;
+  private sharpen(ratio: number): void {
     if (ratio !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(ratio);
   }
 
@@ -146,7 +147,8 @@ export class View {
     this.shade();
     this.light.sharpen(shadows);
     this.moveShadows();
-    this.ratio = sharpness * Math.min(devicePixelRatio, this.fast ? SHARPEST : 1);
+    this.screen = Math.min(devicePixelRatio, this.fast ? SHARPEST : 1);
+    this.ratio = sharpness * this.screen;
     this.scene.environment = reflections ? this.furnish() : null;
   }
 

@@ -22,3 +22,26 @@ it("pauses between frames are not slow frames", () => {
   drive(new Qualities(0, apply), 500, 60);
   expect(apply).toHaveBeenCalledTimes(1);
 });
+
+it("each pause raises a lowered quality by one step, up to the first one", () => {
+  const apply = vi.fn();
+  const qualities = new Qualities(2, apply);
+  drive(qualities, 60, 6);
+  const lowest = QUALITIES.indexOf(apply.mock.lastCall?.[0]);
+  expect(lowest).toBeGreaterThan(3);
+
+  for (let pause = 1; pause < 20; pause++) qualities.note(6000 + 1000 * pause, false);
+
+  expect(apply.mock.lastCall?.[0]).toBe(QUALITIES[2]);
+});
+
+it("a picture that comes late while something moves raises no quality", () => {
+  const apply = vi.fn();
+  const qualities = new Qualities(0, apply);
+  drive(qualities, 60, 6);
+  apply.mockClear();
+
+  qualities.note(9000, true);
+
+  expect(apply).not.toHaveBeenCalled();
+});

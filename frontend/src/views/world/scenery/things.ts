@@ -1,6 +1,16 @@
 /** The objects in a world: walls, boxes, cylinders, boards, lamps. */
 
-import { DoubleSide, Group, Mesh, MeshBasicMaterial, MeshLambertMaterial, type Object3D, PlaneGeometry } from "three";
+import {
+  Color,
+  Float32BufferAttribute,
+  Group,
+  Mesh,
+  MeshBasicMaterial,
+  MeshLambertMaterial,
+  type Object3D,
+  PlaneGeometry,
+  RingGeometry,
+} from "three";
 
 import { friendly, isDefaultWall } from "./colours";
 import type { BoardValues, BoxValues, CylinderValues, LampValues, WallValues, WorldValues, XY } from "./description";
@@ -8,7 +18,7 @@ import { forward, headingOf, type Pose, radians } from "./geometry";
 import type { Palette } from "./palette";
 import type { Pictures } from "./pictures";
 import { circle, rectangle, shadows } from "./shadows";
-import { ball, cylinder, drum, Parts, roundedBox, turned } from "./solids";
+import { ball, drum, Parts, roundedBox, turned } from "./solids";
 
 const BOARD = "#ffffff";
 const BOARD_FOOT = "#8257e6";
@@ -16,6 +26,10 @@ const BOARD_THICKNESS = 6;
 /** The soft edges of boxes, cylinders and walls, mm. */
 const SOFT = 9;
 const SOFT_WALL = 7;
+/** The light of a lamp on the floor: its colour, its opacity below the lamp, and the steps in which it fades. */
+const LIGHT = "#ffd34d";
+const GLOW = 0.85;
+const GLOW_RINGS = 8;
 
 /** The fixed objects, and the movable ones in the order of telemetry. */
 export interface Things {
@@ -160,17 +174,25 @@ function addLamp(parts: Parts, { x, y, z }: LampValues): void {
   parts.add(ball(20), "#fff1b0", x, y, z + 4);
 }
 
-/** The light of a lamp on the floor. */
+/** The light of a lamp on the floor, which fades outwards. */
 export function glow({ x, y, z, brightness }: LampValues): Mesh {
   const radius = Math.min(600, z * 0.9);
-  const material = new MeshBasicMaterial({
-    color: "#ffd34d",
-    transparent: true,
-    opacity: 0.28 * Math.min(1, brightness / 600),
-    depthWrite: false,
-    side: DoubleSide,
+  const geometry = new RingGeometry(0, radius, 40, GLOW_RINGS);
+  const places = geometry.getAttribute("position");
+  const most = GLOW * Math.min(1, brightness / 600);
+  const { r, g, b } = new Color(LIGHT);
+  const colours = Array.from({ length: places.count }, (_, i) => {
+    const far = Math.hypot(places.getX(i), places.getY(i)) / radius;
+    return [r, g, b, most * (1 - far) ** 2];
   });
-  const mesh = new Mesh(cylinder(radius, 0.1), material);
+  geometry.setAttribute("color", new Float32BufferAttribute(colours.flat(), 4));
+  const material = new MeshBasicMaterial({
+    vertexColors: true,
+    toneMapped: false,
+    transparent: true,
+    depthWrite: false,
+  });
+  const mesh = new Mesh(geometry, material);
   mesh.position.set(x, y, 1);
   mesh.renderOrder = 2;
   return mesh;
