@@ -2,9 +2,9 @@
 
 import { effect, type ReadonlySignal, untracked } from "@preact/signals";
 import { t } from "../../i18n";
-import { css } from "../../views/world/scenery/colours";
 import type { WorldValues, XY } from "../../views/world/scenery/description";
 import type { Draft } from "./drafts";
+import { groundOf } from "./ground";
 import { type Handle, handlesOf } from "./handles";
 import type { Putting } from "./putting";
 import { shapesOf } from "./shapes";
@@ -131,19 +131,11 @@ export class Plan {
 
   private draw(world: WorldValues | null, selected: Ref | null): void {
     if (!world) return;
-    this.drawFloor(world);
+    this.floor.replaceChildren(...groundOf(world));
     const refs = allThings(world);
     this.forget(new Set(refs.map(key)));
     for (const ref of refs) this.drawThing(world, ref, same(ref, selected));
     untracked(() => this.drawHandles());
-  }
-
-  private drawFloor({ floor }: WorldValues): void {
-    const [width, height] = floor.size;
-    const place = { x: -width / 2, y: -height / 2, width, height };
-    const border = svg("rect", { ...place, class: floor.border > 0 ? "border" : "edge" });
-    const axes = svg("path", { d: "M0 -60 V60 M-60 0 H60", class: "axes" });
-    this.floor.replaceChildren(svg("rect", { ...place, fill: css(floor.colour) }), border, axes);
   }
 
   private forget(known: ReadonlySet<string>): void {

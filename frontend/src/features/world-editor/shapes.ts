@@ -1,7 +1,8 @@
 /** The shapes of each sort of object in the plan. */
 
+import { theme } from "../../model/preferences";
 import { iconSource } from "../../ui/icons";
-import { css, MARKS } from "../../views/world/scenery/colours";
+import { friendly, MARKS } from "../../views/world/scenery/colours";
 import type {
   BoardValues,
   BoxValues,
@@ -22,6 +23,7 @@ import type {
   XY,
 } from "../../views/world/scenery/description";
 import { cornersOf, type Pose } from "../../views/world/scenery/geometry";
+import { paletteOf, wallColour } from "../../views/world/scenery/palette";
 import { chain, svg } from "./svg";
 import { listOf, type Ref } from "./things";
 import "./shapes.css";
@@ -36,7 +38,7 @@ export function shapesOf(world: WorldValues, { sort, index }: Ref): Shapes {
     case "line":
       return line(thing);
     case "wall":
-      return wall(thing);
+      return wall(thing, wallColour(paletteOf(world.theme, theme.value), thing, index));
     case "box":
       return [posed(thing, box(thing))];
     case "cylinder":
@@ -80,30 +82,36 @@ function line(values: LineValues): Shapes {
     svg("polyline", {
       points,
       class: "stroke",
-      stroke: css(values.colour),
+      stroke: friendly(values.colour),
       "stroke-width": values.width,
       "stroke-linejoin": "round",
     }),
   ];
 }
 
-function wall({ points, thickness, colour }: WallValues): Shapes {
+function wall({ points, thickness }: WallValues, colour: string): Shapes {
   const attributes = { points: chain(points) };
   return [
     svg("polyline", { ...attributes, class: "grip", "stroke-width": thickness }),
     svg("polyline", { ...attributes, class: "wall outline", "stroke-width": thickness + 6 }),
-    svg("polyline", { ...attributes, class: "wall", stroke: css(colour), "stroke-width": thickness }),
+    svg("polyline", { ...attributes, class: "wall", stroke: colour, "stroke-width": thickness }),
   ];
 }
 
 function box({ length, width, colour, mass }: BoxValues): SVGElement {
   const place = { x: -length / 2, y: -width / 2, width: length, height: width };
-  return svg("rect", { ...place, class: mass === null ? "solid" : "solid pushed", fill: css(colour) });
+  return svg("rect", { ...place, class: mass === null ? "solid" : "solid pushed", fill: friendly(colour) });
 }
 
 function cylinder({ x, y, radius, colour, mass }: CylinderValues): Shapes {
   return [
-    svg("circle", { cx: x, cy: -y, r: radius, class: mass === null ? "solid" : "solid pushed", fill: css(colour) }),
+    svg("circle", {
+      cx: x,
+      cy: -y,
+      r: radius,
+      class: mass === null ? "solid" : "solid pushed",
+      fill: friendly(colour),
+    }),
   ];
 }
 

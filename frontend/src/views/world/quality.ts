@@ -1,11 +1,14 @@
 /** Lowers the quality of the picture in steps while frames are slow, and tries a better one after a pause. */
 
-/** Frames between two decisions. */
+/** Frames between two decisions, and before the first one about a better quality. */
 const WATCHED = 45;
+const TRIED = 15;
 /** ms from frame to frame that are too slow. */
 const SLOW = 33;
 /** A longer gap is a pause, not a slow frame. */
 const PAUSE = 400;
+/** A pause after which a better quality is tried: the computer may have less to do. */
+const REST = 3000;
 
 /** The steps, best first. */
 export interface Quality {
@@ -36,6 +39,8 @@ export class Qualities {
   private step: number;
   /** Whether the last frame asked for this one at once. */
   private flowed = false;
+  /** Frames until the next decision. */
+  private watched = WATCHED;
 
   /** @param best the first and best step, an index of `QUALITIES`. */
   constructor(
@@ -50,24 +55,28 @@ export class Qualities {
   note(now: number, flows: boolean): void {
     const took = now - this.last;
     this.last = now;
-    if (took > PAUSE && !this.flowed) this.improve();
+    if (took > REST && !this.flowed) this.improve();
     this.flowed = flows;
     if (!flows || took > PAUSE) return;
     this.frames += 1;
     this.spent += took;
-    if (this.frames < WATCHED) return;
+    if (this.frames < this.watched) return;
     if (this.spent / this.frames > SLOW && this.step < QUALITIES.length - 1) {
       this.step += 1;
       this.choose();
     }
-    this.frames = this.spent = 0;
+    this.decideAfter(WATCHED);
   }
 
-  /** What slowed the computer may be over. */
   private improve(): void {
     if (this.step === this.best) return;
     this.step -= 1;
     this.choose();
+    this.decideAfter(TRIED);
+  }
+
+  private decideAfter(frames: number): void {
+    this.watched = frames;
     this.frames = this.spent = 0;
   }
 

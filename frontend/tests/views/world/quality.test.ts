@@ -23,16 +23,30 @@ it("pauses between frames are not slow frames", () => {
   expect(apply).toHaveBeenCalledTimes(1);
 });
 
-it("each pause raises a lowered quality by one step, up to the first one", () => {
+it("each long pause raises a lowered quality by one step, up to the first one", () => {
   const apply = vi.fn();
   const qualities = new Qualities(2, apply);
   drive(qualities, 60, 6);
   const lowest = QUALITIES.indexOf(apply.mock.lastCall?.[0]);
   expect(lowest).toBeGreaterThan(3);
 
-  for (let pause = 1; pause < 20; pause++) qualities.note(6000 + 1000 * pause, false);
+  for (let pause = 1; pause < 20; pause++) qualities.note(6000 + 4000 * pause, false);
 
   expect(apply.mock.lastCall?.[0]).toBe(QUALITIES[2]);
+});
+
+it("a better quality that is too slow is left at once", () => {
+  const apply = vi.fn();
+  const qualities = new Qualities(0, apply);
+  drive(qualities, 60, 60);
+  const lowest = apply.mock.lastCall?.[0];
+  qualities.note(61_000, false);
+  apply.mockClear();
+
+  for (let i = 0; i < 20; i++) qualities.note(70_000 + 60 * i, true);
+
+  expect(apply).toHaveBeenCalledTimes(2);
+  expect(apply.mock.lastCall?.[0]).toBe(lowest);
 });
 
 it("a picture that comes late while something moves raises no quality", () => {

@@ -83,8 +83,8 @@ export function colourOf(floor: FloorValues, palette: Palette): string {
   return coloursOf(floor, palette).even;
 }
 
-/** A white floor is one that its world leaves to the theme. */
-function coloursOf({ colour }: FloorValues, { mat: [even, odd], thin, bold }: Palette): Squares {
+/** The colours of a floor; a white one is left to the theme. */
+export function coloursOf({ colour }: FloorValues, { mat: [even, odd], thin, bold }: Palette): Squares {
   if (colour === "white") return { even, odd, thin, bold };
   const own = new Color(friendly(colour));
   const line = own.getHSL({ h: 0, s: 0, l: 0 }).l > 0.4 ? "#1e2850" : "#dce4ff";

@@ -1,7 +1,8 @@
 /** The themes of worlds: the colours of everything that a world's file does not colour itself. */
 
 import type { ThemeName } from "../../../model/preferences";
-import type { Theme } from "./description";
+import { friendly, isDefaultWall } from "./colours";
+import type { Theme, WallValues } from "./description";
 import type { Line } from "./floor-paint";
 
 /** Colours in the notation of style sheets. */
@@ -134,6 +135,11 @@ export function paletteOf(theme: Theme | undefined, page: ThemeName): Palette {
   if (page === "contrast") return CONTRAST;
   const palette = THEMES[theme ?? "playground"] ?? PLAYGROUND;
   return page === "dark" ? atNight(palette) : palette;
+}
+
+/** The colour of a world's wall: those without one of their own take turns with the palette's. */
+export function wallColour({ walls }: Palette, { colour }: WallValues, index: number): string {
+  return isDefaultWall(colour) ? (walls[index % walls.length] as string) : friendly(colour);
 }
 
 /** The same place in the evening. */

@@ -12,10 +12,10 @@ import {
   RingGeometry,
 } from "three";
 
-import { friendly, isDefaultWall } from "./colours";
+import { friendly } from "./colours";
 import type { BoardValues, BoxValues, CylinderValues, LampValues, WallValues, WorldValues, XY } from "./description";
 import { forward, headingOf, type Pose, radians } from "./geometry";
-import type { Palette } from "./palette";
+import { type Palette, wallColour } from "./palette";
 import type { Pictures } from "./pictures";
 import { circle, rectangle, shadows } from "./shadows";
 import { ball, drum, Parts, roundedBox, turned } from "./solids";
@@ -56,11 +56,9 @@ function isFixed(thing: { mass: number | null }): boolean {
 }
 
 /** All fixed objects, in one mesh. */
-function standing(world: WorldValues, { walls }: Palette): Mesh {
+function standing(world: WorldValues, palette: Palette): Mesh {
   const parts = new Parts();
-  world.wall.forEach((wall, i) => {
-    addWall(parts, wall, isDefaultWall(wall.colour) ? (walls[i % walls.length] as string) : friendly(wall.colour));
-  });
+  world.wall.forEach((wall, i) => addWall(parts, wall, wallColour(palette, wall, i)));
   for (const box of world.box.filter(isFixed)) addBox(parts, box);
   for (const thing of world.cylinder.filter(isFixed)) {
     parts.add(solidCylinder(thing), friendly(thing.colour), thing.x, thing.y, thing.height / 2);
