@@ -4,6 +4,16 @@ import pytest
 from playwright.sync_api import expect
 
 EVENTS = "when a = True:\n    pass\nend\n\nwhen b = True:\n    pass\nend\n"
+USES = """def spin():
+    function.turn(90)
+end
+
+start = 0
+
+main:
+    spin()
+end
+"""
 NEW = "when b = True:\n    pass\nend\n\nwhen c = True:\n    pass\nend\n\n"
 
 
@@ -67,3 +77,41 @@ def test_blocks_copied_in_one_tab_are_pasted_in_another(empty):
     empty.page.locator(".blocklyMainBackground").first.click(position={"x": 300, "y": 300})
     empty.page.keyboard.press("Control+v")
     expect(empty.blocks("lb_when")).to_have_count(3)
+
+
+@pytest.mark.parametrize("size", [(1366, 768), (390, 844)])
+def test_main_is_in_sight_above_functions_when_a_project_opens_and_after_an_edit(
+    sit_down, server, size
+):
+    pupil = sit_down(
+        server,
+        empty=True,
+        stage="starter",
+        viewport={"width": size[0], "height": size[1]},
+    )
+
+    def switch(view):
+        return pupil.page.locator(".areas").get_by_role("button", name=view, exact=True)
+
+    switch("Block-Text").click()
+    pupil.write("blocktext", USES.replace("spin():\n", "spin():\n" + "    function.turn(9)\n" * 9))
+    pupil.wait_until_saved()
+    pupil.page.reload()
+    switch("Blocks").click()
+    expect(pupil.blocks("procedures_defnoreturn")).to_have_count(1)
+    expect_main_first(pupil)
+    pupil.picture(f"opened-{size[0]}")
+    switch("Block-Text").click()
+    pupil.write("blocktext", USES.replace("main:", f"{NEW}main:"))
+    switch("Blocks").click()
+    expect(pupil.blocks("lb_when")).to_have_count(2)
+    expect_main_first(pupil)
+    pupil.picture(f"changed-{size[0]}")
+
+
+def expect_main_first(pupil):
+    """Check that `main` is in sight above all definitions."""
+    main = pupil.blocks("lb_main")
+    expect(main).to_be_in_viewport(ratio=0.9)
+    others = pupil.blocks("procedures_defnoreturn").or_(pupil.blocks("lb_when")).all()
+    assert main.bounding_box()["y"] < min(one.bounding_box()["y"] for one in others)

@@ -6,7 +6,7 @@ type Svg = Blockly.BlockSvg;
 
 /** The blocks that begin a part of the program, as on the server. */
 const HATS = new Set(["lb_main", "lb_start", "lb_when", "procedures_defnoreturn", "procedures_defreturn"]);
-const COMMENT = "lb_comment";
+export const COMMENT = "lb_comment";
 
 /** Whether a stack, given by its blocks' types, is a part of the program. */
 export function isPart(types: readonly string[]): boolean {

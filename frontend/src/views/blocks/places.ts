@@ -39,6 +39,18 @@ function compare(one: Blockly.BlockSvg, other: Blockly.BlockSvg): number {
   return Math.round(a.y) - Math.round(b.y) || Math.round(a.x) - Math.round(b.x);
 }
 
+/** Stacks in the order of the program, but `main`, which runs last wherever it is, where it is drawn. */
+export function withMainAsDrawn(
+  stacks: readonly Blockly.BlockSvg[],
+  main: Blockly.BlockSvg,
+  unplaced: ReadonlySet<Blockly.BlockSvg>,
+): Blockly.BlockSvg[] {
+  const others = stacks.filter((one) => one !== main);
+  const next = others.findIndex((one) => !unplaced.has(one) && compare(main, one) < 0);
+  const place = next < 0 ? others.length : next;
+  return [...others.slice(0, place), main, ...others.slice(place)];
+}
+
 /** Give each new stack the place of the next one in the order of the program; return those without a next one. */
 export function placeInOrder(
   stacks: readonly Blockly.BlockSvg[],

@@ -7,9 +7,9 @@ import { addShadows, build, differsInShape, update } from "./build";
 import type { Link, Node } from "./flat";
 import { index, shadowLinks } from "./flat";
 import { blocksIn, blocksOf, fold, hiddenIn, REST, type Rest, restOf, unfold } from "./folds";
-import { isPart } from "./loose";
+import { COMMENT, isPart } from "./loose";
 import type { Covered } from "./places";
-import { bottomOf, covered, keepOrder, makeRoom, moveTo, placeBelow, placeInOrder } from "./places";
+import { bottomOf, covered, keepOrder, makeRoom, moveTo, placeBelow, placeInOrder, withMainAsDrawn } from "./places";
 import { readOwn, readWorkspace } from "./read";
 import { copied } from "./rest-block";
 import { isPlaced, type Stack, slices } from "./slices";
@@ -307,7 +307,7 @@ class Change {
 
   private place(): void {
     const unplaced = new Set(this.placeAndListRest());
-    const ordered = this.ordered();
+    const ordered = this.ordered(unplaced);
     const last = placeInOrder(ordered, unplaced);
     const among = new Set(ordered.filter((block) => unplaced.has(block) && !last.has(block.id)));
     const below = [...unplaced].filter((block) => !among.has(block));
@@ -319,11 +319,13 @@ class Change {
     keepOrder(ordered, among);
   }
 
-  /** The stacks whose order is that of the program; `main` runs last wherever it is, but comments may follow it. */
-  private ordered(): Svg[] {
+  /** The stacks whose order is that of the program. */
+  private ordered(unplaced: ReadonlySet<Svg>): Svg[] {
     const parts = this.wanted.stacks.filter((stack) => isPart(stack.map(({ type }) => type)));
     const blocks = parts.map(([first]) => this.workspace.getBlockById(first!.id)!).filter((block) => block.isEnabled());
-    return blocks.at(-1)?.type === MAIN ? blocks.slice(0, -1) : blocks;
+    const main = blocks.find(({ type }) => type === MAIN);
+    if (!main || unplaced.has(main) || isBeforeComments(blocks, main)) return blocks;
+    return withMainAsDrawn(blocks, main, unplaced);
   }
 
   /** Move stacks to their positions; return the new ones that have none. */
@@ -350,6 +352,12 @@ class Change {
     const again = this.made.find((block) => block.id === id);
     if (again) Blockly.getFocusManager().focusNode(again);
   }
+}
+
+/** Whether all that follows `main` are comments, which stay there only if it is drawn so. */
+function isBeforeComments(stacks: readonly Svg[], main: Svg): boolean {
+  const behind = stacks.slice(stacks.indexOf(main) + 1);
+  return behind.length > 0 && behind.every(({ type }) => type === COMMENT);
 }
 
 /** Whether both are placeholders. */

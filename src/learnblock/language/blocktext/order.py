@@ -8,7 +8,7 @@ import ast
 from collections.abc import Iterable, Iterator, Sequence
 
 from learnblock.language.blocktext.names import from_python, state_of, stem
-from learnblock.language.tree.layout import normalized, prologue_length
+from learnblock.language.tree.layout import prologue_length
 from learnblock.language.tree.loads import Function, loaded_names, parsed
 from learnblock.language.tree.nodes import (
     Activate,
@@ -18,7 +18,6 @@ from learnblock.language.tree.nodes import (
     Deactivate,
     Def,
     Expression,
-    Import,
     Item,
     Main,
     Name,
@@ -55,30 +54,6 @@ def definitions_first(items: Sequence[Item | Main]) -> list[Item | Main]:
         else:
             kept.append(item)
     return [*items[:top], *moved, *kept]
-
-
-def drawn(items: tuple[Item, ...]) -> tuple[Item, ...]:
-    """The items as stacks of blocks show them: a program's first run of statements stays one stack.
-
-    Imports and the robot's settings come first in Python. Where only the definitions that the
-    statements below need separate the two, the definitions follow both.
-    """
-    top = next((i for i, item in enumerate(items) if isinstance(item, Def | When)), len(items))
-    top -= _comments_at_end(items[:top])
-    if not any(isinstance(item, Import | Setup) for item in items[top - 1 : top]):
-        return items
-    run = top
-    for place, item in enumerate(items[top:], top):
-        if isinstance(item, Def | When):
-            run = place + 1
-        elif not isinstance(item, Comment):
-            break
-    rest = items[run:]
-    end = next((i for i, item in enumerate(rest) if isinstance(item, Def | When)), len(rest))
-    end -= _comments_at_end(rest[:end])
-    found = (*items[:top], *rest[:end], *items[top:run], *rest[end:])
-    same = end and tuple(normalized(definitions_first(found))) == items
-    return found if same else items
 
 
 def _first_early_use(items: Sequence[Item | Main]) -> int | None:

@@ -5,8 +5,6 @@ from collections.abc import Mapping
 from learnblock.blocks import BlockConfiguration
 from learnblock.errors import Diagnostic, ProgramError
 from learnblock.i18n import Phrase
-from learnblock.language.blocktext.order import definitions_first
-from learnblock.language.tree.layout import normalized
 from learnblock.language.tree.nodes import (
     Blank,
     Comment,
@@ -16,11 +14,11 @@ from learnblock.language.tree.nodes import (
     Import,
     Item,
     Main,
-    Program,
     Return,
     Setup,
     When,
 )
+from learnblock.language.workspace.arrangement import arranged
 from learnblock.language.workspace.block_reader import extra, extra_list, is_disabled, plugged
 from learnblock.language.workspace.blocks import Block, Workspace
 from learnblock.language.workspace.notes import Ends, Notes
@@ -29,7 +27,6 @@ from learnblock.language.workspace.statement_reader import (
     StatementReader,
     import_of,
     setup_of,
-    spaced,
 )
 from learnblock.language.workspace.types import (
     COMMENT,
@@ -63,7 +60,7 @@ class WorkspaceReader(StatementReader):
                 self.comments(stack)
             else:
                 self.stack(stack[0])
-        self.program = self.arranged()
+        self.program = arranged(self.separated())
 
     def stack(self, hat: Block) -> None:
         """Read a stack that is part of the program."""
@@ -159,27 +156,6 @@ class WorkspaceReader(StatementReader):
             is_below_note = hat is None
         return groups
 
-    def arranged(self) -> Program:
-        """The program in the order in which it runs, without blank lines that the layout adds."""
-        groups = self.separated()
-        mains = [group for group in groups if type(group.statement) is Main]
-        if not mains:
-            items = normalized(definitions_first(spaced(groups)))
-            return Program(_finished(items))
-        place = groups.index(mains[0])
-        behind = groups[place + 1 :]
-        notes = len(behind)
-        while notes and type(behind[notes - 1].statement) is Comment:
-            notes -= 1
-        # Comments at the end stay below `main` only if nothing else is below it.
-        ending = behind if notes == 0 else []
-        before = [*groups[:place], *(() if notes == 0 else behind)]
-        items = normalized(definitions_first(spaced([*before, mains[0], *ending])))
-        at = next(index for index, item in enumerate(items) if isinstance(item, Main))
-        main = items[at]
-        below = tuple(item for item in items[at + 1 :] if isinstance(item, Comment | Blank))
-        return Program(tuple(items[:at]), main, below)  # type: ignore[arg-type]
-
 
 def statements_of(hat: Block) -> list[Block]:
     """The blocks under a start block."""
@@ -214,7 +190,3 @@ def read(workspace: Workspace, configurations: Mapping[str, BlockConfiguration])
     except RecursionError:
         too_deep = Diagnostic("too-deep", Phrase("workspace-too-deep"))
         raise ProgramError("workspace", [too_deep]) from None
-
-
-def _finished(items: list[Item | Main]) -> tuple[Item, ...]:
-    return tuple([item for item in items if not isinstance(item, Main)])

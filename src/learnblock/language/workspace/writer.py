@@ -6,9 +6,7 @@ from itertools import groupby, pairwise
 import msgspec
 
 from learnblock.blocks import BlockConfiguration
-from learnblock.language.blocktext.order import drawn
 from learnblock.language.tree.nodes import (
-    Blank,
     Body,
     Comment,
     Def,
@@ -22,6 +20,7 @@ from learnblock.language.tree.nodes import (
 )
 from learnblock.language.tree.traversal import bodies, expressions, statements
 from learnblock.language.workspace.alignment import Match, aligned
+from learnblock.language.workspace.arrangement import drawn, grouped
 from learnblock.language.workspace.blocks import Block, Input, Variable, Workspace
 from learnblock.language.workspace.notes import comment_of
 from learnblock.language.workspace.reader import WorkspaceReader, is_note, is_part, statements_of
@@ -72,8 +71,7 @@ class WorkspaceWriter(ValueWriter):
     # The top level.
 
     def top(self, program: Program) -> None:
-        main = () if program.main is None else (program.main,)
-        groups = grouped((*drawn(program.items), *main, *program.ending))
+        groups = drawn(program)
         old = self.before.entries
         places = _with_moved(groups, old, _matches(groups, [group for group, _, _ in old]))
         run: list[tuple[Group, Block, Block | None]] = []
@@ -290,22 +288,6 @@ class WorkspaceWriter(ValueWriter):
         return [one for one in known.values() if one.id in used or one.id in self.set_aside]
 
 
-def grouped(items: Sequence[Item | Main]) -> list[Group]:
-    """Group statements with the comments directly above them; other comments stay alone."""
-    groups: list[Group] = []
-    lead: list[Blank | Comment] = []
-    for item in items:
-        if isinstance(item, Blank):
-            groups += _alone(lead)
-            lead = [item]
-        elif isinstance(item, Comment):
-            lead.append(item)
-        else:
-            groups.append(Group(tuple(lead), item))
-            lead = []
-    return groups + _alone(lead)
-
-
 def _continues(one: Group, other: Group) -> bool:
     """Whether two comments have neither a statement nor a blank line between them."""
     return type(one.statement) is type(other.statement) is Comment and not other.lead
@@ -314,13 +296,6 @@ def _continues(one: Group, other: Group) -> bool:
 def _may_follow(old: str, new: str) -> bool:
     """Whether a block of a type keeps what is inside one of another type."""
     return old == new or {old, new} == {WHILE, FOREVER}
-
-
-def _alone(lead: Sequence[Blank | Comment]) -> list[Group]:
-    """Comments without a statement directly below."""
-    comments = [one for one in lead if isinstance(one, Comment)]
-    blank = tuple(one for one in lead if isinstance(one, Blank))
-    return [Group(() if place else blank, one) for place, one in enumerate(comments)]
 
 
 def _matches(groups: Sequence[Group], old: Sequence[Group]) -> list[Match | None]:
