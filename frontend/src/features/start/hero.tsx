@@ -32,7 +32,7 @@ function Continue({ last }: { last: ProjectEntry }) {
       over={t("page-start-last", { day: day(last.changed) })}
       title={last.name}
       text={t("page-start-continue-text")}
-      picture={projectPicture(last) ?? pictureOf(FIRST)}
+      picture={projectPicture(last)}
     >
       <button type="button" class="start-big" onClick={() => project.open(last.name)}>
         <Icon name="run" />

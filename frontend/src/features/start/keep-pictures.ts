@@ -1,4 +1,6 @@
-/** Sends the server a picture of the world when a run ends, for the list of projects. */
+/** Sends the server a picture of the world for the list of projects: when a run ends, and of a new project. */
+
+import { effect } from "@preact/signals";
 
 import type { Page } from "../../model/page";
 import type { WorldIsland } from "../../model/views";
@@ -10,12 +12,29 @@ const HEIGHT = 270;
 /** The server's limit in bytes. */
 const LARGEST = 20_000;
 const QUALITIES = [0.8, 0.65, 0.5, 0.35];
+/** The ms after which the world of a project that has just been opened is drawn. */
+const DRAWN = 3000;
 
 export function keepPictures({ context: { connection, program }, project, views }: Page): void {
   connection.on("Ended", ({ tried }) => {
     if (tried || program.readOnly.peek()) return;
     // By the next frame, the world shows how the run ended.
     requestAnimationFrame(() => void send(project.name.peek(), views.world.peek()));
+  });
+
+  const seen = new Set<string>();
+  effect(() => {
+    const name = project.name.value;
+    if (!name || seen.has(name) || program.readOnly.value) return;
+    const look = setTimeout(() => project.list(), DRAWN);
+    return () => clearTimeout(look);
+  });
+  connection.on("Projects", ({ projects }) => {
+    const name = project.name.peek();
+    const entry = projects.find((one) => one.name === name);
+    if (!entry || seen.has(name) || !views.world.peek()) return;
+    seen.add(name);
+    if (!entry.picture) void send(name, views.world.peek());
   });
 
   async function send(project: string, world: WorldIsland | null): Promise<void> {

@@ -7,8 +7,8 @@ const SCALE = 0.74;
 /** CSS pixels. */
 export const HEAD_HEIGHT = 48;
 const LEAST_WIDTH = 238;
-/** Beside a program with little room, longer blocks are cut. */
-const MOST_WIDTH = { narrow: 250, wide: 330 };
+/** Beside a program with little room, longer blocks are cut until the pointer or the focus is in the palette. */
+const MOST_WIDTH = { narrow: 252, wide: 330 };
 /** The room of the scrollbar beside the blocks; the style sheet makes it thinner than this. */
 const SCROLLBAR = 12;
 /** From this width on, the program has room beside the widest palette. */

@@ -27,46 +27,37 @@ const ZOOM: Readonly<Record<string, IconName>> = {
   blocklyZoomReset: "follow",
 };
 
-/** Draw the buttons of a workspace in a row at the bottom; fingers get larger ones. */
+/** Draw the buttons of a workspace above each other at the edge, where few blocks reach; fingers get larger ones. */
 export function drawTools(workspace: Blockly.WorkspaceSvg): void {
   const size = matchMedia("(pointer: coarse)").matches ? 44 : 40;
   const measures = workspace.zoomControls_ as unknown as Measures | null;
-  if (measures) Object.assign(measures, inRow(size));
+  if (measures) Object.assign(measures, inColumn(size));
   const svg = workspace.getParentSvg();
-  svg.style.setProperty("--lb-step", `${size + GAP}px`);
-  for (const [kind, name] of Object.entries(ZOOM))
-    draw(svg.querySelector(`.${kind}`), name, { width: size, height: size });
+  for (const [kind, name] of Object.entries(ZOOM)) draw(svg.querySelector(`.${kind}`), name, { size });
   const bin = svg.querySelector(".blocklyTrash");
-  draw(bin, "trash", { width: BIN.width, height: size, top: BIN.height - size });
+  draw(bin, "trash", { size, left: BIN.width - size, top: BIN.height - size });
   workspace.resize();
 }
 
-/** Blockly would place the zoom's buttons above each other: here all are in one place, and the style sheet moves them. */
-function inRow(size: number): Measures {
-  return {
-    WIDTH: size,
-    HEIGHT: size,
-    SMALL_SPACING: -size,
-    LARGE_SPACING: -size,
-    MARGIN_HORIZONTAL: EDGE + BIN.width + GAP,
-  };
+function inColumn(size: number): Measures {
+  return { WIDTH: size, HEIGHT: size, SMALL_SPACING: GAP, LARGE_SPACING: GAP, MARGIN_HORIZONTAL: EDGE };
 }
 
-interface Size {
-  readonly width: number;
-  readonly height: number;
-  /** Its distance from the top of its place. */
+interface Place {
+  readonly size: number;
+  /** Its distance from the corner of its place. */
+  readonly left?: number;
   readonly top?: number;
 }
 
 /** Draw a button in place of Blockly's pictures; its role, label and keys are Blockly's. */
-function draw(button: Element | null, name: IconName, { width, height, top = 0 }: Size): void {
+function draw(button: Element | null, name: IconName, { size, left = 0, top = 0 }: Place): void {
   if (!button) return;
   button.replaceChildren();
   button.classList.add("lbTool");
-  dom.createSvgElement(Svg.RECT, { y: top, width, height, rx: 12, class: "lbToolFace" }, button);
+  dom.createSvgElement(Svg.RECT, { x: left, y: top, width: size, height: size, rx: 12, class: "lbToolFace" }, button);
   const picture = icon(name);
-  const place = { x: (width - ICON) / 2, y: top + (height - ICON) / 2, width: ICON, height: ICON };
+  const place = { x: left + (size - ICON) / 2, y: top + (size - ICON) / 2, width: ICON, height: ICON };
   for (const [key, value] of Object.entries(place)) picture.setAttribute(key, String(value));
   button.append(picture);
   // The label of the bin says whether it is empty, so it changes.
