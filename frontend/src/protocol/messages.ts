@@ -1928,38 +1928,10 @@ export interface WrongProgram {
 }
 
 export type FromPage =
-  | Open
-  | New
-  | OpenExample
-  | CloseProject
-  | Import
-  | ImportOriginal
-  | InstallOffered
-  | ImportWorld
-  | ExportWorld
-  | RenameWorld
-  | DeleteWorld
-  | RestoreWorld
-  | SaveAs
-  | RenameProject
-  | CopyProject
-  | KeepPicture
-  | Delete
-  | Export
-  | ListProjects
-  | ListHistory
-  | Restore
-  | EditBlocks
-  | EditText
-  | RecoverBlocks
-  | RecoverText
-  | Undo
-  | Redo
-  | Format
-  | Rename
-  | Complete
-  | Describe
-  | SetBreakpoints
+  | ListBlockSets
+  | ChooseBlockSet
+  | ReadBlockSet
+  | ExportBlockSet
   | ChooseRobot
   | ChooseWorld
   | Run
@@ -1969,12 +1941,20 @@ export type FromPage =
   | Step
   | SetSpeed
   | Answer
-  | HoldKeys
-  | HandleRobot
   | ResetWorld
   | PlaceRobot
   | Drive
   | WatchCamera
+  | FindRobots
+  | ConnectRobot
+  | DisconnectRobot
+  | TryRobot
+  | ReadContainment
+  | ReadNetwork
+  | ListCustomBlocks
+  | CheckCustomBlock
+  | TryCustomBlock
+  | ExportCustomBlock
   | ReadTimeline
   | ReadPrediction
   | LookBack
@@ -1986,89 +1966,179 @@ export type FromPage =
   | ListRuns
   | OpenRun
   | CloseRun
-  | NameRun
-  | DeleteRun
   | CompareRuns
   | ReadCallsBeside
-  | ReadWorld
-  | CheckWorld
-  | MakeWorld
-  | SaveWorld
-  | ListCustomBlocks
-  | CheckCustomBlock
-  | SaveCustomBlock
-  | TryCustomBlock
-  | DuplicateCustomBlock
-  | DeleteCustomBlock
-  | RestoreCustomBlock
-  | ExportCustomBlock
-  | ImportCustomBlock
-  | ListBlockSets
-  | ChooseBlockSet
-  | ReadBlockSet
-  | SaveBlockSet
-  | DeleteBlockSet
-  | ExportBlockSet
-  | ReadContainment
-  | ReadNetwork
-  | AllowNetwork
-  | ReadRunsOn
-  | ReadSettings
-  | ChangeSettings
-  | AddTab
-  | SetRobotCount
-  | OpenTab
-  | CloseTab
-  | ReopenTab
-  | RenameTab
-  | SaveTags
-  | ReadTags
-  | ExportTags
-  | ListLibraries
-  | ListExportable
-  | ReadLibraries
-  | ImportLibraries
-  | RemoveLibrary
-  | DownloadLibrary
-  | MakeLibrary
-  | ConvertLibrary
-  | UseLibrary
-  | BeginRobot
-  | MakeRobot
-  | FindRobots
-  | ConnectRobot
-  | DisconnectRobot
-  | TryRobot
-  | CorrectRobot
-  | NameRobot
-  | UseRobot
   | Introduce
   | ListLessons
-  | StartLesson
-  | ShowStep
-  | RestartStep
   | CheckStep
   | StopChecking
   | ShowVariant
   | TakeHint
   | AnswerQuiz
   | AnswerPuzzle
-  | ImportLesson
-  | ImportLessonFolder
-  | DeleteLesson
   | MakeLesson
   | ChangeLesson
+  | ReadLessonNotes
   | ExamineLesson
-  | SaveLesson
   | TryLesson
   | StopTrying
   | ExportLesson
-  | ReadLessonNotes
-  | CopyLesson;
+  | ListLibraries
+  | ListExportable
+  | ReadLibraries
+  | DownloadLibrary
+  | MakeLibrary
+  | ConvertLibrary
+  | Complete
+  | Describe
+  | ReadRunsOn
+  | SetBreakpoints
+  | ReadWorld
+  | CheckWorld
+  | MakeWorld
+  | ExportWorld
+  | Open
+  | CloseProject
+  | Export
+  | ListProjects
+  | ListHistory
+  | BeginRobot
+  | ReadSettings
+  | OpenTab
+  | ReadTags
+  | ExportTags
+  | SaveBlockSet
+  | DeleteBlockSet
+  | InstallOffered
+  | HoldKeys
+  | HandleRobot
+  | CorrectRobot
+  | NameRobot
+  | UseRobot
+  | AllowNetwork
+  | SaveCustomBlock
+  | DuplicateCustomBlock
+  | DeleteCustomBlock
+  | RestoreCustomBlock
+  | ImportCustomBlock
+  | NameRun
+  | DeleteRun
+  | StartLesson
+  | ShowStep
+  | RestartStep
+  | ImportLesson
+  | ImportLessonFolder
+  | DeleteLesson
+  | CopyLesson
+  | SaveLesson
+  | ImportLibraries
+  | RemoveLibrary
+  | UseLibrary
+  | EditBlocks
+  | EditText
+  | RecoverBlocks
+  | RecoverText
+  | Undo
+  | Redo
+  | Format
+  | Rename
+  | SaveWorld
+  | ImportWorld
+  | RenameWorld
+  | DeleteWorld
+  | RestoreWorld
+  | New
+  | OpenExample
+  | Import
+  | ImportOriginal
+  | SaveAs
+  | RenameProject
+  | CopyProject
+  | KeepPicture
+  | Delete
+  | Restore
+  | MakeRobot
+  | ChangeSettings
+  | AddTab
+  | SetRobotCount
+  | CloseTab
+  | ReopenTab
+  | RenameTab
+  | SaveTags;
 
 export type ToPage =
-  | Welcome
+  | BlockSets
+  | BlocksShown
+  | BlockSetRead
+  | CodeOffered
+  | Noted
+  | RunState
+  | InputWanted
+  | KeysWanted
+  | Printed
+  | Bumped
+  | PrintedByRobots
+  | Ended
+  | Variables
+  | RunningLine
+  | Drawing
+  | Telemetry
+  | RobotLink
+  | Sound
+  | CameraFrame
+  | RobotsNearby
+  | RobotConnected
+  | RobotValues
+  | RobotCorrected
+  | Containment
+  | Network
+  | CustomBlocks
+  | CustomBlockChecked
+  | CustomBlockSaved
+  | PaletteChanged
+  | Questions
+  | WhyAnswer
+  | Timeline
+  | ValuesThere
+  | Predicted
+  | Past
+  | CallGraph
+  | KeptRuns
+  | RunShown
+  | RunsCompared
+  | CallsBeside
+  | Lessons
+  | LessonShown
+  | LessonGoals
+  | LessonChecked
+  | LessonHints
+  | QuizJudged
+  | PuzzleJudged
+  | LessonImported
+  | LessonToEdit
+  | LessonNotes
+  | LessonExamined
+  | LessonSaved
+  | LessonTried
+  | LessonExported
+  | Libraries
+  | LibrariesRead
+  | Exportable
+  | LibraryMade
+  | LibraryConverted
+  | RunsOn
+  | Document
+  | Conflict
+  | Completions
+  | Description
   | Worlds
+  | WorldExported
+  | WorldDeleted
+  | Scene
+  | WorldToEdit
+  | WorldChecked
+  | WorldMade
+  | Welcome
   | Projects
   | Opened
   | ProjectRenamed
@@ -2079,81 +2149,11 @@ export type ToPage =
   | Saved
   | TakenIn
   | Failed
-  | Document
-  | Conflict
-  | Completions
-  | Description
-  | RunsOn
-  | RunState
-  | InputWanted
-  | KeysWanted
-  | Bumped
-  | Printed
-  | PrintedByRobots
-  | Ended
-  | Variables
-  | RunningLine
-  | Timeline
-  | Predicted
-  | Past
-  | ValuesThere
-  | CallGraph
-  | Questions
-  | WhyAnswer
-  | KeptRuns
-  | RunShown
-  | RunsCompared
-  | CallsBeside
-  | Telemetry
-  | Drawing
-  | RobotLink
-  | Sound
-  | CameraFrame
-  | Scene
-  | WorldToEdit
-  | WorldChecked
-  | WorldMade
-  | WorldExported
-  | WorldDeleted
-  | CodeOffered
-  | Noted
-  | CustomBlocks
-  | CustomBlockChecked
-  | CustomBlockSaved
-  | PaletteChanged
-  | BlockSets
-  | BlocksShown
-  | BlockSetRead
-  | Containment
-  | Network
+  | RobotBegun
+  | RobotMade
+  | Robots
   | SettingsTable
   | Tabs
   | TabOpened
   | Tags
-  | TagsRead
-  | Libraries
-  | LibrariesRead
-  | Exportable
-  | LibraryMade
-  | LibraryConverted
-  | RobotBegun
-  | RobotMade
-  | Robots
-  | RobotsNearby
-  | RobotConnected
-  | RobotValues
-  | RobotCorrected
-  | Lessons
-  | LessonShown
-  | LessonGoals
-  | LessonChecked
-  | LessonHints
-  | QuizJudged
-  | PuzzleJudged
-  | LessonImported
-  | LessonToEdit
-  | LessonExamined
-  | LessonSaved
-  | LessonTried
-  | LessonExported
-  | LessonNotes;
+  | TagsRead;

@@ -31,7 +31,7 @@ _SCALARS: dict[type[inspect.Type], str] = {
 
 def typescript() -> str:
     """The whole module."""
-    unions = {"FromPage": messages.FromPage, "ToPage": messages.ToPage}
+    unions = {"FromPage": messages.FROM_PAGE, "ToPage": messages.TO_PAGE}
     aliases = {name: getattr(messages, name) for name in ("Notation", "View")}
     return module(_HEADER, unions, aliases)
 

@@ -52,7 +52,7 @@ def drive(progress, clock, *places):
 @pytest.mark.parametrize("kind", sorted(module._READERS))
 def test_what_is_read_is_what_the_server_sends(kind):
     ours, theirs = getattr(module, kind), getattr(messages, kind)
-    assert theirs in typing.get_args(messages.ToPage)
+    assert theirs in typing.get_args(messages.TO_PAGE)
     names = {field.name for field in msgspec.structs.fields(theirs)}
     assert {field.name for field in msgspec.structs.fields(ours)} <= names
 

@@ -28,3 +28,19 @@ Coordinate = Annotated[float, Meta(ge=-5000, le=5000)]
 
 class Message(Struct, tag_field="kind", omit_defaults=True, frozen=True):
     """A message of the conversation."""
+
+
+class FromPage(Message, frozen=True):
+    """A message from a page."""
+
+
+class FromReader(FromPage, frozen=True):
+    """One that a page may also send while another server has the right to write.
+
+    It writes neither to the projects nor to the user's folder. Robot, world, breakpoints and block
+    set hold for a session, and are not saved.
+    """
+
+
+class ToPage(Message, frozen=True):
+    """A message to a page."""

@@ -2,29 +2,29 @@
 
 from learnblock.blocks.block_sets import BlockSet
 from learnblock.i18n import Phrase
-from learnblock.server.messages.base import Message, Name, Text
+from learnblock.server.messages.base import FromPage, FromReader, Name, Text, ToPage
 
 # From the page.
 
 
-class ListBlockSets(Message, frozen=True):
+class ListBlockSets(FromReader, frozen=True):
     """Ask for `BlockSets`."""
 
 
-class ChooseBlockSet(Message, frozen=True):
+class ChooseBlockSet(FromReader, frozen=True):
     """Show the blocks of a set, and save the set in the project; the reply is `BlocksShown`."""
 
     set: BlockSet
 
 
-class ReadBlockSet(Message, frozen=True):
+class ReadBlockSet(FromReader, frozen=True):
     """Ask for the set in a file's text; the reply is `BlockSetRead`."""
 
     filename: Name
     text: Text
 
 
-class SaveBlockSet(Message, frozen=True):
+class SaveBlockSet(FromPage, frozen=True):
     """Save a set in the user's folder.
 
     Args:
@@ -36,13 +36,13 @@ class SaveBlockSet(Message, frozen=True):
     replace: bool = False
 
 
-class DeleteBlockSet(Message, frozen=True):
+class DeleteBlockSet(FromPage, frozen=True):
     """Delete a set from the user's folder; projects that contain it keep it."""
 
     name: Name
 
 
-class ExportBlockSet(Message, frozen=True):
+class ExportBlockSet(FromReader, frozen=True):
     """Ask for a set as a file; the reply is `File`."""
 
     set: BlockSet
@@ -51,7 +51,7 @@ class ExportBlockSet(Message, frozen=True):
 # To the page.
 
 
-class BlockSets(Message, frozen=True):
+class BlockSets(ToPage, frozen=True):
     """The block sets to choose from.
 
     Args:
@@ -65,14 +65,14 @@ class BlockSets(Message, frozen=True):
     problems: tuple[Phrase, ...] = ()
 
 
-class BlocksShown(Message, frozen=True):
+class BlocksShown(ToPage, frozen=True):
     """The block set that the palette shows, and the sets saved in the project."""
 
     set: BlockSet
     carried: tuple[BlockSet, ...] = ()
 
 
-class BlockSetRead(Message, frozen=True):
+class BlockSetRead(ToPage, frozen=True):
     """The block set in a file, which is not saved yet."""
 
     set: BlockSet

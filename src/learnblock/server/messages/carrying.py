@@ -3,12 +3,12 @@
 from msgspec import Struct
 
 from learnblock.i18n import Phrase
-from learnblock.server.messages.base import Message
+from learnblock.server.messages.base import FromPage, ToPage
 
 # From the page.
 
 
-class InstallOffered(Message, frozen=True):
+class InstallOffered(FromPage, frozen=True):
     """Install the code of the last `CodeOffered`, as the user has asked: `CodeOffered` follows."""
 
 
@@ -29,14 +29,14 @@ class OfferedCode(Struct, frozen=True):
     replaces: bool
 
 
-class CodeOffered(Message, frozen=True):
+class CodeOffered(ToPage, frozen=True):
     """The code that the project carries and the user has not installed; empty if there is none."""
 
     blocks: tuple[OfferedCode, ...] = ()
     libraries: tuple[OfferedCode, ...] = ()
 
 
-class Noted(Message, frozen=True):
+class Noted(ToPage, frozen=True):
     """Something that the server has done for the project, such as adding its world."""
 
     message: Phrase

@@ -6,19 +6,19 @@ from msgspec import Meta, Struct, field
 
 from learnblock.i18n import Phrase
 from learnblock.robots.settings import LONGEST_NAME
-from learnblock.server.messages.base import Message, Name
+from learnblock.server.messages.base import FromPage, FromReader, Name, ToPage
 from learnblock.server.messages.running import Sensor
 
 # From the page.
 
 
-class FindRobots(Message, frozen=True):
+class FindRobots(FromReader, frozen=True):
     """Start or stop looking for real robots; while it looks, `RobotsNearby` follows each change."""
 
     on: bool
 
 
-class ConnectRobot(Message, frozen=True):
+class ConnectRobot(FromReader, frozen=True):
     """Connect to a robot without a program; the replies are `RobotConnected`.
 
     Args:
@@ -29,11 +29,11 @@ class ConnectRobot(Message, frozen=True):
     id: Annotated[str, Meta(min_length=1, max_length=400)]
 
 
-class DisconnectRobot(Message, frozen=True):
+class DisconnectRobot(FromReader, frozen=True):
     """Stop the connected robot, and disconnect."""
 
 
-class TryRobot(Message, frozen=True):
+class TryRobot(FromReader, frozen=True):
     """Have the connected robot do something; it halts what it is doing.
 
     Args:
@@ -43,7 +43,7 @@ class TryRobot(Message, frozen=True):
     action: Literal["wheels", "face", "lamps", "beep", "distance", "angle", "stop"]
 
 
-class CorrectRobot(Message, frozen=True):
+class CorrectRobot(FromPage, frozen=True):
     """Correct the settings of the connected robot; the reply is `RobotCorrected`.
 
     Args:
@@ -57,14 +57,14 @@ class CorrectRobot(Message, frozen=True):
     save: bool = False
 
 
-class NameRobot(Message, frozen=True):
+class NameRobot(FromPage, frozen=True):
     """Give a kind of robot the name that the user calls it; an empty name takes it away."""
 
     robot: Name
     name: Annotated[str, Meta(max_length=LONGEST_NAME)]
 
 
-class UseRobot(Message, frozen=True):
+class UseRobot(FromPage, frozen=True):
     """Disconnect, save what connects it, and choose the connected robot for the project, if any."""
 
 
@@ -103,7 +103,7 @@ class KnownRobot(Struct, frozen=True, omit_defaults=True):
     is_busy: bool = False
 
 
-class RobotsNearby(Message, frozen=True):
+class RobotsNearby(ToPage, frozen=True):
     """The real robots.
 
     Args:
@@ -115,7 +115,7 @@ class RobotsNearby(Message, frozen=True):
     known: tuple[KnownRobot, ...] = ()
 
 
-class RobotConnected(Message, frozen=True):
+class RobotConnected(ToPage, frozen=True):
     """The page's connection to a robot; sent when it changes.
 
     Args:
@@ -137,7 +137,7 @@ class RobotConnected(Message, frozen=True):
     corrects: bool = False
 
 
-class RobotValues(Message, frozen=True):
+class RobotValues(ToPage, frozen=True):
     """What the connected robot reports, several times a second while it changes.
 
     Args:
@@ -173,7 +173,7 @@ class Correction(Struct, frozen=True):
     after: float
 
 
-class RobotCorrected(Message, frozen=True):
+class RobotCorrected(ToPage, frozen=True):
     """The corrections that measurements suggest.
 
     Args:

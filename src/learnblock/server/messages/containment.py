@@ -2,20 +2,20 @@
 
 from learnblock.i18n import Phrase
 from learnblock.runtime.containment.survey import Finding
-from learnblock.server.messages.base import Message, ShortText
+from learnblock.server.messages.base import FromPage, FromReader, ShortText, ToPage
 
 # From the page.
 
 
-class ReadContainment(Message, frozen=True):
+class ReadContainment(FromReader, frozen=True):
     """Ask what contains programs; the reply is `Containment`."""
 
 
-class ReadNetwork(Message, frozen=True):
+class ReadNetwork(FromReader, frozen=True):
     """Ask whether the project's programs may use the network; the reply is `Network`."""
 
 
-class AllowNetwork(Message, frozen=True):
+class AllowNetwork(FromPage, frozen=True):
     """Allow the project's programs the network from the next run on, or forbid it.
 
     The reply is `Network`.
@@ -32,13 +32,13 @@ class AllowNetwork(Message, frozen=True):
 # To the page.
 
 
-class Containment(Message, frozen=True):
+class Containment(ToPage, frozen=True):
     """What programs have tried on the server's computer, and what has refused it."""
 
     findings: tuple[Finding, ...]
 
 
-class Network(Message, frozen=True):
+class Network(ToPage, frozen=True):
     """Whether the project's programs may use the network.
 
     Args:

@@ -5,7 +5,15 @@ from typing import Annotated, Any, Literal
 from msgspec import Meta, Struct, field
 
 from learnblock.i18n import Phrase
-from learnblock.server.messages.base import FileText, Message, Name, ShortText, Text
+from learnblock.server.messages.base import (
+    FileText,
+    FromPage,
+    FromReader,
+    Name,
+    ShortText,
+    Text,
+    ToPage,
+)
 
 #: The name of a function.
 MOST_ARGUMENTS = 100
@@ -13,11 +21,11 @@ MOST_ARGUMENTS = 100
 # From the page.
 
 
-class ListCustomBlocks(Message, frozen=True):
+class ListCustomBlocks(FromReader, frozen=True):
     """Ask for `CustomBlocks`."""
 
 
-class CheckCustomBlock(Message, frozen=True):
+class CheckCustomBlock(FromReader, frozen=True):
     """Check a block and preview it; the reply is `CustomBlockChecked`.
 
     Args:
@@ -37,7 +45,7 @@ class CheckCustomBlock(Message, frozen=True):
     language: Name = "en"
 
 
-class SaveCustomBlock(Message, frozen=True):
+class SaveCustomBlock(FromPage, frozen=True):
     """Save a block; the reply is `CustomBlockSaved`, or `CustomBlockChecked` with request 0.
 
     Args:
@@ -53,7 +61,7 @@ class SaveCustomBlock(Message, frozen=True):
     replaces: ShortText = ""
 
 
-class TryCustomBlock(Message, frozen=True):
+class TryCustomBlock(FromReader, frozen=True):
     """Run one function on the current robot, as a program of one line, without saving it.
 
     The result is printed; `Ended` follows, with `tried`.
@@ -71,32 +79,32 @@ class TryCustomBlock(Message, frozen=True):
     arguments: Annotated[list[Any], Meta(max_length=MOST_ARGUMENTS)] = field(default_factory=list)
 
 
-class DuplicateCustomBlock(Message, frozen=True):
+class DuplicateCustomBlock(FromPage, frozen=True):
     """Copy a block; its functions get free names; the reply is `CustomBlockSaved`."""
 
     name: Name
     new: Name
 
 
-class DeleteCustomBlock(Message, frozen=True):
+class DeleteCustomBlock(FromPage, frozen=True):
     """Delete a block; it can be restored until another block with the same name is deleted."""
 
     name: Name
 
 
-class RestoreCustomBlock(Message, frozen=True):
+class RestoreCustomBlock(FromPage, frozen=True):
     """Restore a deleted block; the reply is `CustomBlockSaved`."""
 
     name: Name
 
 
-class ExportCustomBlock(Message, frozen=True):
+class ExportCustomBlock(FromReader, frozen=True):
     """Ask for a block as one file; the reply is `File`."""
 
     name: Name
 
 
-class ImportCustomBlock(Message, frozen=True):
+class ImportCustomBlock(FromPage, frozen=True):
     """Add the block in an exported file; the reply is `CustomBlockSaved`, or `Failed`.
 
     Args:
@@ -153,7 +161,7 @@ class CustomBlock(Struct, frozen=True):
     problems: tuple[CustomBlockProblem, ...] = ()
 
 
-class CustomBlocks(Message, frozen=True):
+class CustomBlocks(ToPage, frozen=True):
     """All custom blocks; sent to every page after each change."""
 
     blocks: tuple[CustomBlock, ...]
@@ -173,7 +181,7 @@ class CustomBlockPreview(Struct, frozen=True):
     block: dict[str, Any]
 
 
-class CustomBlockChecked(Message, frozen=True):
+class CustomBlockChecked(ToPage, frozen=True):
     """The problems of a block, and its preview.
 
     Args:
@@ -194,11 +202,11 @@ class CustomBlockChecked(Message, frozen=True):
     previews: tuple[CustomBlockPreview, ...] = ()
 
 
-class CustomBlockSaved(Message, frozen=True):
+class CustomBlockSaved(ToPage, frozen=True):
     """A block is saved under this name."""
 
     name: str
 
 
-class PaletteChanged(Message, frozen=True):
+class PaletteChanged(ToPage, frozen=True):
     """The blocks have changed: fetch the palette again."""

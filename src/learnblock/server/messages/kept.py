@@ -5,7 +5,7 @@ from typing import Annotated
 from msgspec import Meta, Struct
 
 from learnblock.i18n import Phrase
-from learnblock.server.messages.base import Message
+from learnblock.server.messages.base import FromPage, FromReader, ToPage
 from learnblock.server.messages.looking import CallGraph
 
 #: A kept run: the time at which it began in milliseconds since 1970, and a number.
@@ -17,21 +17,21 @@ RunName = Annotated[str, Meta(max_length=LONGEST_RUN_NAME)]
 # From the page.
 
 
-class ListRuns(Message, frozen=True):
+class ListRuns(FromReader, frozen=True):
     """Ask for the project's kept runs; the reply is `KeptRuns`."""
 
 
-class OpenRun(Message, frozen=True):
+class OpenRun(FromReader, frozen=True):
     """Look back at a kept run instead of the newest; every page of the robot gets `RunShown`."""
 
     run: RunId
 
 
-class CloseRun(Message, frozen=True):
+class CloseRun(FromReader, frozen=True):
     """Look back at the newest run again; every page of the robot gets `RunShown`."""
 
 
-class NameRun(Message, frozen=True):
+class NameRun(FromPage, frozen=True):
     """Name a run, which is then kept until it is deleted; without a name it is one of many again.
 
     The reply is `KeptRuns`.
@@ -41,20 +41,20 @@ class NameRun(Message, frozen=True):
     name: RunName
 
 
-class DeleteRun(Message, frozen=True):
+class DeleteRun(FromPage, frozen=True):
     """Delete a run; the reply is `KeptRuns`."""
 
     run: RunId
 
 
-class CompareRuns(Message, frozen=True):
+class CompareRuns(FromReader, frozen=True):
     """Compare two kept runs; the reply is `RunsCompared`."""
 
     first: RunId
     second: RunId
 
 
-class ReadCallsBeside(Message, frozen=True):
+class ReadCallsBeside(FromReader, frozen=True):
     """Ask for the call graphs of two kept runs; the reply is `CallsBeside`."""
 
     first: RunId
@@ -104,13 +104,13 @@ class KeptRun(Struct, frozen=True, omit_defaults=True):
     version: str = ""
 
 
-class KeptRuns(Message, frozen=True):
+class KeptRuns(ToPage, frozen=True):
     """The runs of the project that were kept, the newest first."""
 
     runs: tuple[KeptRun, ...]
 
 
-class RunShown(Message, frozen=True):
+class RunShown(ToPage, frozen=True):
     """The run that the timeline, the calls and the answers are about.
 
     Args:
@@ -152,7 +152,7 @@ class ComparedRun(Struct, frozen=True):
     step: RunStep | None = None
 
 
-class RunsCompared(Message, frozen=True):
+class RunsCompared(ToPage, frozen=True):
     """Two kept runs compared.
 
     Args:
@@ -170,7 +170,7 @@ class RunsCompared(Message, frozen=True):
     causes: tuple[Phrase, ...] = ()
 
 
-class CallsBeside(Message, frozen=True):
+class CallsBeside(ToPage, frozen=True):
     """The call graphs of two runs, with the same name for the program in both.
 
     Args:

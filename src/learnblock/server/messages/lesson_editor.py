@@ -11,47 +11,47 @@ from msgspec import Struct, field
 from learnblock.i18n import Phrase
 from learnblock.language.workspace.blocks import Workspace
 from learnblock.lessons.editing import EditedLesson
-from learnblock.server.messages.base import Message
+from learnblock.server.messages.base import FromPage, FromReader, ToPage
 from learnblock.server.messages.lessons import LessonName, LessonText, LessonWords
 
 # From the page.
 
 
-class MakeLesson(Message, frozen=True):
+class MakeLesson(FromReader, frozen=True):
     """Ask for a lesson made of the open project: `LessonToEdit`."""
 
 
-class ChangeLesson(Message, frozen=True):
+class ChangeLesson(FromReader, frozen=True):
     """Ask for a lesson of the user's, to change it: `LessonToEdit`."""
 
     lesson: LessonName
 
 
-class ReadLessonNotes(Message, frozen=True):
+class ReadLessonNotes(FromReader, frozen=True):
     """Ask for what a lesson has for the teacher: `LessonNotes`."""
 
     lesson: LessonName
 
 
-class CopyLesson(Message, frozen=True):
+class CopyLesson(FromPage, frozen=True):
     """Add a copy of a lesson to the user's, to change it: `LessonToEdit`."""
 
     lesson: LessonName
 
 
-class ExamineLesson(Message, frozen=True):
+class ExamineLesson(FromReader, frozen=True):
     """Ask for the mistakes in a lesson and its checks in words: `LessonExamined`."""
 
     edited: EditedLesson
 
 
-class SaveLesson(Message, frozen=True):
+class SaveLesson(FromPage, frozen=True):
     """Save a lesson in the user's folder: `LessonSaved`, or `LessonExamined` if it has mistakes."""
 
     edited: EditedLesson
 
 
-class TryLesson(Message, frozen=True):
+class TryLesson(FromReader, frozen=True):
     """Try the solutions of a lesson that need not be saved.
 
     `LessonTried` follows, again and again; or `LessonExamined` if the lesson has mistakes.
@@ -60,11 +60,11 @@ class TryLesson(Message, frozen=True):
     edited: EditedLesson
 
 
-class StopTrying(Message, frozen=True):
+class StopTrying(FromReader, frozen=True):
     """Stop what `TryLesson` began."""
 
 
-class ExportLesson(Message, frozen=True):
+class ExportLesson(FromReader, frozen=True):
     """Ask for a lesson of the user's as a file: `LessonExported`.
 
     Args:
@@ -79,7 +79,7 @@ class ExportLesson(Message, frozen=True):
 # From the server.
 
 
-class LessonToEdit(Message, frozen=True):
+class LessonToEdit(ToPage, frozen=True):
     """A lesson to make or to change.
 
     Args:
@@ -119,7 +119,7 @@ class SolvedStep(Struct, frozen=True, omit_defaults=True):
     wrong: tuple[WrongProgram, ...] = ()
 
 
-class LessonNotes(Message, frozen=True):
+class LessonNotes(ToPage, frozen=True):
     """What a lesson has for the teacher.
 
     Args:
@@ -163,7 +163,7 @@ class ExaminedStep(Struct, frozen=True, omit_defaults=True):
     lines: tuple[str, ...] = ()
 
 
-class LessonExamined(Message, frozen=True):
+class LessonExamined(ToPage, frozen=True):
     """What is known of a lesson that is being edited.
 
     Args:
@@ -179,7 +179,7 @@ class LessonExamined(Message, frozen=True):
     refused: bool = False
 
 
-class LessonSaved(Message, frozen=True):
+class LessonSaved(ToPage, frozen=True):
     """A lesson is saved under this name."""
 
     lesson: str
@@ -203,7 +203,7 @@ class TriedProgram(Struct, frozen=True, omit_defaults=True):
     problems: tuple[Phrase, ...] = ()
 
 
-class LessonTried(Message, frozen=True):
+class LessonTried(ToPage, frozen=True):
     """How far the trial of a lesson's solutions has come.
 
     Args:
@@ -221,7 +221,7 @@ class LessonTried(Message, frozen=True):
     problem: Phrase | None = None
 
 
-class LessonExported(Message, frozen=True):
+class LessonExported(ToPage, frozen=True):
     """A lesson as a file."""
 
     filename: str

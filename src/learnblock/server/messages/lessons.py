@@ -11,7 +11,7 @@ from learnblock.i18n import Phrase
 from learnblock.language.workspace.blocks import Workspace
 from learnblock.lessons.archive import MOST_FILES
 from learnblock.lessons.lesson import Phase
-from learnblock.server.messages.base import Message, Name, ShortText
+from learnblock.server.messages.base import FromPage, FromReader, Name, ShortText, ToPage
 from learnblock.server.messages.running import VariantNumber
 
 #: The limit of a lesson's file in bytes; in base 64 it fits into a message.
@@ -27,7 +27,7 @@ LessonText = str | dict[str, str]
 # From the page.
 
 
-class Introduce(Message, frozen=True):
+class Introduce(FromReader, frozen=True):
     """Say in which browser the page is: it goes on with the lessons begun there.
 
     Args:
@@ -37,11 +37,11 @@ class Introduce(Message, frozen=True):
     browser: BrowserId
 
 
-class ListLessons(Message, frozen=True):
+class ListLessons(FromReader, frozen=True):
     """Ask for `Lessons`."""
 
 
-class StartLesson(Message, frozen=True):
+class StartLesson(FromPage, frozen=True):
     """Open the browser's own project of a lesson; create one if there is none.
 
     Args:
@@ -57,39 +57,39 @@ class StartLesson(Message, frozen=True):
     again: bool = False
 
 
-class ShowStep(Message, frozen=True):
+class ShowStep(FromPage, frozen=True):
     """Go to a step of the lesson, with its program, its world, its robots and its blocks."""
 
     step: StepNumber
 
 
-class RestartStep(Message, frozen=True):
+class RestartStep(FromPage, frozen=True):
     """Begin with the step's first program again; the current one is saved as a version."""
 
 
-class CheckStep(Message, frozen=True):
+class CheckStep(FromReader, frozen=True):
     """Check the program on all variants of the step's world and on all its robots.
 
     `LessonChecked` follows, again and again.
     """
 
 
-class StopChecking(Message, frozen=True):
+class StopChecking(FromReader, frozen=True):
     """Stop what `CheckStep` began."""
 
 
-class ShowVariant(Message, frozen=True):
+class ShowVariant(FromReader, frozen=True):
     """Run the program on a robot in a variant of the step's world, to see what happens there."""
 
     robot: Name
     variant: VariantNumber
 
 
-class TakeHint(Message, frozen=True):
+class TakeHint(FromReader, frozen=True):
     """Ask for a hint, or for the next level of the last one; `LessonHints` follows."""
 
 
-class AnswerQuiz(Message, frozen=True):
+class AnswerQuiz(FromReader, frozen=True):
     """Answer the question of the step; `QuizJudged` follows.
 
     Args:
@@ -99,7 +99,7 @@ class AnswerQuiz(Message, frozen=True):
     choices: Annotated[tuple[Annotated[int, Meta(ge=0, le=7)], ...], Meta(max_length=8)]
 
 
-class AnswerPuzzle(Message, frozen=True):
+class AnswerPuzzle(FromReader, frozen=True):
     """Solve the puzzle of the step; `PuzzleJudged` follows.
 
     Args:
@@ -109,7 +109,7 @@ class AnswerPuzzle(Message, frozen=True):
     order: Annotated[tuple[Annotated[int, Meta(ge=0, le=199)], ...], Meta(max_length=200)]
 
 
-class ImportLesson(Message, frozen=True):
+class ImportLesson(FromPage, frozen=True):
     """Add a lesson's file to the user's lessons; `LessonImported` follows.
 
     Args:
@@ -121,7 +121,7 @@ class ImportLesson(Message, frozen=True):
     content: Annotated[bytes, Meta(max_length=LARGEST_LESSON)]
 
 
-class ImportLessonFolder(Message, frozen=True):
+class ImportLessonFolder(FromPage, frozen=True):
     """Add the folder of a lesson to the user's lessons; `LessonImported` follows.
 
     Args:
@@ -138,7 +138,7 @@ class ImportLessonFolder(Message, frozen=True):
     ]
 
 
-class DeleteLesson(Message, frozen=True):
+class DeleteLesson(FromPage, frozen=True):
     """Delete a lesson of the user's; projects that were begun with it become usual ones."""
 
     lesson: LessonName
@@ -193,7 +193,7 @@ class LessonChoice(Struct, frozen=True, omit_defaults=True):
     project: str = ""
 
 
-class Lessons(Message, frozen=True):
+class Lessons(ToPage, frozen=True):
     """The lessons to choose from, by level.
 
     Args:
@@ -271,7 +271,7 @@ class LessonPuzzle(Struct, frozen=True, omit_defaults=True):
     solved: bool = False
 
 
-class LessonShown(Message, frozen=True):
+class LessonShown(ToPage, frozen=True):
     """The lesson of the open project; without a name it has none.
 
     Args:
@@ -308,7 +308,7 @@ class LessonShown(Message, frozen=True):
     restarts: bool = False
 
 
-class LessonGoals(Message, frozen=True):
+class LessonGoals(ToPage, frozen=True):
     """The checks of the current step, while a program runs and at its end.
 
     Args:
@@ -342,7 +342,7 @@ class LessonAttempt(Struct, frozen=True, omit_defaults=True):
     reasons: tuple[Phrase, ...] = ()
 
 
-class LessonChecked(Message, frozen=True):
+class LessonChecked(ToPage, frozen=True):
     """How far the check on all variants and robots has come.
 
     Args:
@@ -368,7 +368,7 @@ class LessonHint(Struct, frozen=True, omit_defaults=True):
     levels: tuple[LessonWords, ...]
 
 
-class LessonHints(Message, frozen=True):
+class LessonHints(ToPage, frozen=True):
     """The hints of the last run.
 
     Args:
@@ -382,7 +382,7 @@ class LessonHints(Message, frozen=True):
     count: int = 0
 
 
-class QuizJudged(Message, frozen=True):
+class QuizJudged(ToPage, frozen=True):
     """Whether an answer is right.
 
     Args:
@@ -394,7 +394,7 @@ class QuizJudged(Message, frozen=True):
     because: dict[str, LessonText] = field(default_factory=dict)
 
 
-class PuzzleJudged(Message, frozen=True):
+class PuzzleJudged(ToPage, frozen=True):
     """Whether a puzzle is solved.
 
     Args:
@@ -406,7 +406,7 @@ class PuzzleJudged(Message, frozen=True):
     good: int = 0
 
 
-class LessonImported(Message, frozen=True):
+class LessonImported(ToPage, frozen=True):
     """A lesson has been added to the user's."""
 
     lesson: str

@@ -8,9 +8,11 @@ from learnblock.i18n import Phrase
 from learnblock.server.messages.base import (
     LONGEST_FILE,
     LONGEST_TEXT,
-    Message,
+    FromPage,
+    FromReader,
     Name,
     ShortText,
+    ToPage,
 )
 
 #: The maximum number of libraries in one import.
@@ -35,40 +37,40 @@ class LibraryFile(Struct, frozen=True, omit_defaults=True):
     renames: Annotated[dict[ShortText, ShortText], Meta(max_length=MOST_SKILLS)] = {}
 
 
-class ListLibraries(Message, frozen=True):
+class ListLibraries(FromReader, frozen=True):
     """Ask which libraries are installed; the reply is `Libraries`."""
 
 
-class ListExportable(Message, frozen=True):
+class ListExportable(FromReader, frozen=True):
     """Ask for the functions and blocks that a library can contain; the reply is `Exportable`."""
 
 
-class ReadLibraries(Message, frozen=True):
+class ReadLibraries(FromReader, frozen=True):
     """Ask for the libraries in files, and for their problems; the reply is `LibrariesRead`."""
 
     files: Annotated[tuple[LibraryFile, ...], Meta(max_length=MOST_LIBRARIES)]
 
 
-class ImportLibraries(Message, frozen=True):
+class ImportLibraries(FromPage, frozen=True):
     """Install all of these libraries or none; `replace` also replaces equally new versions."""
 
     files: Annotated[tuple[LibraryFile, ...], Meta(max_length=MOST_LIBRARIES)]
     replace: bool = False
 
 
-class RemoveLibrary(Message, frozen=True):
+class RemoveLibrary(FromPage, frozen=True):
     """Remove an installed library; every page receives `Libraries`."""
 
     name: Name
 
 
-class DownloadLibrary(Message, frozen=True):
+class DownloadLibrary(FromReader, frozen=True):
     """Ask for an installed library in one file; the reply is `LibraryMade`."""
 
     name: Name
 
 
-class MakeLibrary(Message, frozen=True):
+class MakeLibrary(FromReader, frozen=True):
     """Ask for a library made from program functions and custom blocks; the reply is `LibraryMade`.
 
     Args:
@@ -86,7 +88,7 @@ class MakeLibrary(Message, frozen=True):
     own: Annotated[tuple[Name, ...], Meta(max_length=MOST_SKILLS)] = ()
 
 
-class ConvertLibrary(Message, frozen=True):
+class ConvertLibrary(FromReader, frozen=True):
     """Ask for a library file made from the files of one of the original LearnBlock.
 
     The reply is `LibraryConverted`; nothing is installed.
@@ -104,7 +106,7 @@ class ConvertLibrary(Message, frozen=True):
     configuration: Annotated[bytes, Meta(max_length=LONGEST_TEXT)] | None = None
 
 
-class UseLibrary(Message, frozen=True):
+class UseLibrary(FromPage, frozen=True):
     """Import an installed library into the program."""
 
     name: Name
@@ -133,7 +135,7 @@ class InstalledLibrary(Struct, frozen=True, omit_defaults=True):
     problem: Phrase | None = None
 
 
-class Libraries(Message, frozen=True):
+class Libraries(ToPage, frozen=True):
     """The installed libraries; sent to every page after each change."""
 
     libraries: tuple[InstalledLibrary, ...]
@@ -171,7 +173,7 @@ class LibraryRead(Struct, frozen=True, omit_defaults=True):
     problem: Phrase | None = None
 
 
-class LibrariesRead(Message, frozen=True):
+class LibrariesRead(ToPage, frozen=True):
     """The contents of files in the order of the request; nothing in them was run."""
 
     files: tuple[LibraryRead, ...]
@@ -200,21 +202,21 @@ class ExportableBlocks(Struct, frozen=True):
     blocks: tuple[str, ...]
 
 
-class Exportable(Message, frozen=True):
+class Exportable(ToPage, frozen=True):
     """The functions and custom blocks that a library can contain."""
 
     functions: tuple[ExportableFunction, ...]
     own: tuple[ExportableBlocks, ...]
 
 
-class LibraryMade(Message, frozen=True):
+class LibraryMade(ToPage, frozen=True):
     """A library in one file, in base64."""
 
     filename: str
     content: bytes
 
 
-class LibraryConverted(Message, frozen=True):
+class LibraryConverted(ToPage, frozen=True):
     """A library of the original LearnBlock as a file of today, in base64.
 
     Args:

@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 from msgspec import Meta, Struct
 
 from learnblock.i18n import Phrase
-from learnblock.server.messages.base import Message, ShortText
+from learnblock.server.messages.base import FromReader, ShortText, ToPage
 from learnblock.server.messages.running import Drawing, RunningLine, Telemetry, Variables
 
 #: A time of a run in s: longer than any run that can be shown.
@@ -20,15 +20,15 @@ MOST_POINTS = 5000
 # From the page.
 
 
-class ReadTimeline(Message, frozen=True):
+class ReadTimeline(FromReader, frozen=True):
     """Ask for the timeline of the run; the reply is `Timeline`."""
 
 
-class ReadPrediction(Message, frozen=True):
+class ReadPrediction(FromReader, frozen=True):
     """Ask where the twin of a real robot would have been; the reply is `Predicted`."""
 
 
-class LookBack(Message, frozen=True):
+class LookBack(FromReader, frozen=True):
     """Ask what the run was like at a place; the reply is `Past`.
 
     A place is a time, and the last event of the log that has happened there.
@@ -49,7 +49,7 @@ class LookBack(Message, frozen=True):
     subject: ShortText = ""
 
 
-class ReadPastPicture(Message, frozen=True):
+class ReadPastPicture(FromReader, frozen=True):
     """Ask for the camera's picture at a time; the reply is a `CameraFrame` of the past.
 
     Args:
@@ -59,11 +59,11 @@ class ReadPastPicture(Message, frozen=True):
     time: Time
 
 
-class ReadValues(Message, frozen=True):
+class ReadValues(FromReader, frozen=True):
     """Ask for the values beside the lines of a paused program; the reply is `ValuesThere`."""
 
 
-class ReadCalls(Message, frozen=True):
+class ReadCalls(FromReader, frozen=True):
     """Ask for the call graph of a part of the run; the reply is `CallGraph`.
 
     Args:
@@ -108,7 +108,7 @@ class WhyQuestion(Struct, frozen=True):
     time: Time | None = None
 
 
-class ReadQuestions(Message, frozen=True):
+class ReadQuestions(FromReader, frozen=True):
     """Ask what can be asked about the run; the reply is `Questions`.
 
     Args:
@@ -121,7 +121,7 @@ class ReadQuestions(Message, frozen=True):
     time: Time | None = None
 
 
-class AskWhy(Message, frozen=True):
+class AskWhy(FromReader, frozen=True):
     """Ask a question about the run; the reply is `WhyAnswer`."""
 
     question: WhyQuestion
@@ -144,7 +144,7 @@ class Asked(Struct, frozen=True):
     block: str | None = None
 
 
-class Questions(Message, frozen=True):
+class Questions(ToPage, frozen=True):
     """What can be asked about the run, one of its blocks, or the robot at a moment.
 
     Args:
@@ -172,7 +172,7 @@ class WhySentence(Struct, frozen=True):
     inner: str | None = None
 
 
-class WhyAnswer(Message, frozen=True):
+class WhyAnswer(ToPage, frozen=True):
     """An answer.
 
     Args:
@@ -200,7 +200,7 @@ class TimeMark(Struct, frozen=True):
     text: str
 
 
-class Timeline(Message, frozen=True):
+class Timeline(ToPage, frozen=True):
     """The run so far, or the last one.
 
     Args:
@@ -232,7 +232,7 @@ class ValueThere(Struct, frozen=True):
     value: str
 
 
-class ValuesThere(Message, frozen=True):
+class ValuesThere(ToPage, frozen=True):
     """The values beside the lines of a paused program."""
 
     values: tuple[ValueThere, ...] = ()
@@ -250,7 +250,7 @@ class TwinFinding(Struct, frozen=True):
     time: float | None = None
 
 
-class Predicted(Message, frozen=True):
+class Predicted(ToPage, frozen=True):
     """Where the twin of a real robot was that obeyed the same commands.
 
     Args:
@@ -266,7 +266,7 @@ class Predicted(Message, frozen=True):
     unrecorded: tuple[Phrase, ...] = ()
 
 
-class Past(Message, frozen=True):
+class Past(ToPage, frozen=True):
     """What a run was like at a place.
 
     Args:
@@ -336,7 +336,7 @@ class CallEdge(Struct, frozen=True):
     event: int
 
 
-class CallGraph(Message, frozen=True):
+class CallGraph(ToPage, frozen=True):
     """What called what in a part of a run.
 
     Args:

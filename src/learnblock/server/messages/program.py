@@ -7,11 +7,13 @@ from msgspec import Meta, Struct
 from learnblock.i18n import Phrase
 from learnblock.language.workspace.blocks import Workspace
 from learnblock.server.messages.base import (
+    FromPage,
+    FromReader,
     Id,
-    Message,
     Name,
     Notation,
     Text,
+    ToPage,
     View,
 )
 
@@ -20,7 +22,7 @@ MOST_BREAKPOINTS = 1000
 # From the page.
 
 
-class EditBlocks(Message, frozen=True):
+class EditBlocks(FromPage, frozen=True):
     """Replace the workspace; what others have changed since stays.
 
     Args:
@@ -36,7 +38,7 @@ class EditBlocks(Message, frozen=True):
     shown: int = 0
 
 
-class EditText(Message, frozen=True):
+class EditText(FromPage, frozen=True):
     """Replace a text; what others have changed since stays. See `EditBlocks`."""
 
     edit: int
@@ -46,7 +48,7 @@ class EditText(Message, frozen=True):
     shown: int = 0
 
 
-class RecoverBlocks(Message, frozen=True):
+class RecoverBlocks(FromPage, frozen=True):
     """Repeat an edit of the blocks that may not have been saved, after a crash for example.
 
     Args:
@@ -62,7 +64,7 @@ class RecoverBlocks(Message, frozen=True):
     shown: int = 0
 
 
-class RecoverText(Message, frozen=True):
+class RecoverText(FromPage, frozen=True):
     """Repeat an edit of a text that may not have been saved. See `RecoverBlocks`."""
 
     edit: int
@@ -72,19 +74,19 @@ class RecoverText(Message, frozen=True):
     shown: int = 0
 
 
-class Undo(Message, frozen=True):
+class Undo(FromPage, frozen=True):
     """Undo the last edit in any view."""
 
 
-class Redo(Message, frozen=True):
+class Redo(FromPage, frozen=True):
     """Redo the last undone edit."""
 
 
-class Format(Message, frozen=True):
+class Format(FromPage, frozen=True):
     """Give Block-Text its canonical form."""
 
 
-class Rename(Message, frozen=True):
+class Rename(FromPage, frozen=True):
     """Rename a variable, a function or a `when` everywhere; the reply is `Document`."""
 
     sort: Literal["variable", "function", "when"]
@@ -92,7 +94,7 @@ class Rename(Message, frozen=True):
     new: Name
 
 
-class Complete(Message, frozen=True):
+class Complete(FromReader, frozen=True):
     """Ask for `Completions` at a position of a text; line and column are counted from 1."""
 
     request: int
@@ -102,7 +104,7 @@ class Complete(Message, frozen=True):
     language: Name = "en"
 
 
-class Describe(Message, frozen=True):
+class Describe(FromReader, frozen=True):
     """Ask for help on a position of a text, and for its definition; the reply is `Description`."""
 
     request: int
@@ -112,11 +114,11 @@ class Describe(Message, frozen=True):
     language: Name = "en"
 
 
-class ReadRunsOn(Message, frozen=True):
+class ReadRunsOn(FromReader, frozen=True):
     """Ask which robots can run the program; the reply is `RunsOn`."""
 
 
-class SetBreakpoints(Message, frozen=True):
+class SetBreakpoints(FromReader, frozen=True):
     """Set breakpoints at these blocks."""
 
     blocks: Annotated[list[Id], Meta(max_length=MOST_BREAKPOINTS)]
@@ -140,7 +142,7 @@ class Verdict(Struct, frozen=True, omit_defaults=True):
     message: Phrase
 
 
-class RunsOn(Message, frozen=True):
+class RunsOn(ToPage, frozen=True):
     """Which robots can run the program."""
 
     robots: tuple[Verdict, ...]
@@ -182,7 +184,7 @@ class Place(Struct, frozen=True, array_like=True):
     python_end: int
 
 
-class Document(Message, frozen=True):
+class Document(ToPage, frozen=True):
     """The current program; a view that is None has not changed.
 
     Args:
@@ -210,7 +212,7 @@ class Document(Message, frozen=True):
     can_redo: bool = False
 
 
-class Conflict(Message, frozen=True):
+class Conflict(ToPage, frozen=True):
     """Two edits changed the same line, and the program has only one of them.
 
     Args:
@@ -243,7 +245,7 @@ class Completion(Struct, frozen=True, omit_defaults=True):
     category: str = ""
 
 
-class Completions(Message, frozen=True):
+class Completions(ToPage, frozen=True):
     """Suggestions for the text from `from_column` (from 1) to the requested position."""
 
     request: int
@@ -251,7 +253,7 @@ class Completions(Message, frozen=True):
     options: tuple[Completion, ...]
 
 
-class Description(Message, frozen=True):
+class Description(ToPage, frozen=True):
     """Help on a position of a text.
 
     Args:

@@ -10,9 +10,11 @@ from learnblock.server.messages.base import (
     LONGEST_CONTENT,
     LONGEST_FILE,
     LONGEST_TEXT,
-    Message,
+    FromPage,
+    FromReader,
     Name,
     ShortText,
+    ToPage,
 )
 from learnblock.server.messages.worlds import WorldChoice
 
@@ -26,7 +28,7 @@ Stage = Literal["starter", "explorer", "coder"]
 # From the page.
 
 
-class Open(Message, frozen=True):
+class Open(FromReader, frozen=True):
     """Open a project; the reply is `Opened`.
 
     Args:
@@ -38,7 +40,7 @@ class Open(Message, frozen=True):
     tab: ShortText = ""
 
 
-class New(Message, frozen=True):
+class New(FromPage, frozen=True):
     """Create a project and open it.
 
     Args:
@@ -53,7 +55,7 @@ class New(Message, frozen=True):
     robot: ShortText = ""
 
 
-class OpenExample(Message, frozen=True):
+class OpenExample(FromPage, frozen=True):
     """Open a project of an example that has not been changed; create one if there is none.
 
     Args:
@@ -67,14 +69,14 @@ class OpenExample(Message, frozen=True):
     robot: ShortText = ""
 
 
-class CloseProject(Message, frozen=True):
+class CloseProject(FromReader, frozen=True):
     """Leave the open project, which a page of the server need not have.
 
     As when a page is closed, its program goes on for a while.
     """
 
 
-class Import(Message, frozen=True):
+class Import(FromPage, frozen=True):
     """Import a file as a project and open it.
 
     Args:
@@ -86,7 +88,7 @@ class Import(Message, frozen=True):
     text: Annotated[str, Meta(max_length=LONGEST_CONTENT)]
 
 
-class ImportOriginal(Message, frozen=True):
+class ImportOriginal(FromPage, frozen=True):
     """Import a file from the original LearnBlock and open it; `OriginalImported` follows.
 
     Args:
@@ -102,13 +104,13 @@ class ImportOriginal(Message, frozen=True):
     ] = field(default_factory=dict)
 
 
-class SaveAs(Message, frozen=True):
+class SaveAs(FromPage, frozen=True):
     """Continue with a copy of the project under another name."""
 
     name: Name
 
 
-class RenameProject(Message, frozen=True):
+class RenameProject(FromPage, frozen=True):
     """Rename a project and its history.
 
     Args:
@@ -121,7 +123,7 @@ class RenameProject(Message, frozen=True):
     project: ShortText = ""
 
 
-class CopyProject(Message, frozen=True):
+class CopyProject(FromPage, frozen=True):
     """Copy a project that need not be open; `Projects` follows.
 
     Args:
@@ -133,7 +135,7 @@ class CopyProject(Message, frozen=True):
     name: Name
 
 
-class KeepPicture(Message, frozen=True):
+class KeepPicture(FromPage, frozen=True):
     """Keep a picture of the open project's world for the list of projects, which follows.
 
     Args:
@@ -145,13 +147,13 @@ class KeepPicture(Message, frozen=True):
     content: Annotated[bytes, Meta(max_length=LARGEST_PICTURE)]
 
 
-class Delete(Message, frozen=True):
+class Delete(FromPage, frozen=True):
     """Move a project that is not open to the trash folder."""
 
     name: Name
 
 
-class Export(Message, frozen=True):
+class Export(FromReader, frozen=True):
     """Ask for a file of a project; the reply is `File`.
 
     Args:
@@ -163,15 +165,15 @@ class Export(Message, frozen=True):
     project: ShortText = ""
 
 
-class ListProjects(Message, frozen=True):
+class ListProjects(FromReader, frozen=True):
     """Ask for `Projects`."""
 
 
-class ListHistory(Message, frozen=True):
+class ListHistory(FromReader, frozen=True):
     """Ask for `History`."""
 
 
-class Restore(Message, frozen=True):
+class Restore(FromPage, frozen=True):
     """Restore a version; the current program is saved as a version too."""
 
     version: Name
@@ -224,7 +226,7 @@ class ExampleChoice(Struct, frozen=True, omit_defaults=True):
     is_first: bool = False
 
 
-class Welcome(Message, frozen=True):
+class Welcome(ToPage, frozen=True):
     """The first message of the server.
 
     Args:
@@ -265,13 +267,13 @@ class ProjectEntry(Struct, frozen=True):
     picture: float = 0.0
 
 
-class Projects(Message, frozen=True):
+class Projects(ToPage, frozen=True):
     """All projects, the last changed first."""
 
     projects: tuple[ProjectEntry, ...]
 
 
-class Opened(Message, frozen=True):
+class Opened(ToPage, frozen=True):
     """A project is open; `Tabs`, a `Document`, a `Scene` and a `RunState` follow.
 
     Args:
@@ -289,13 +291,13 @@ class Opened(Message, frozen=True):
     tab: str = ""
 
 
-class ProjectRenamed(Message, frozen=True):
+class ProjectRenamed(ToPage, frozen=True):
     """The open project has another name."""
 
     name: str
 
 
-class OriginalImported(Message, frozen=True):
+class OriginalImported(ToPage, frozen=True):
     """What an import changed, and what it could not carry over."""
 
     filename: str
@@ -303,7 +305,7 @@ class OriginalImported(Message, frozen=True):
     missing: tuple[Phrase, ...]
 
 
-class Settings(Message, frozen=True):
+class Settings(ToPage, frozen=True):
     """The settings of the next run, after a change by any page."""
 
     robot: str
@@ -311,7 +313,7 @@ class Settings(Message, frozen=True):
     breakpoints: tuple[str, ...] = ()
 
 
-class File(Message, frozen=True):
+class File(ToPage, frozen=True):
     """A file to download."""
 
     filename: str
@@ -347,24 +349,24 @@ class PastRun(Struct, frozen=True):
     version: str
 
 
-class History(Message, frozen=True):
+class History(ToPage, frozen=True):
     """The versions and runs of the project, the newest first."""
 
     versions: tuple[Version, ...]
     runs: tuple[PastRun, ...]
 
 
-class Saved(Message, frozen=True):
+class Saved(ToPage, frozen=True):
     """The project is saved on disk, up to `edit`."""
 
     edit: int
 
 
-class TakenIn(Message, frozen=True):
+class TakenIn(ToPage, frozen=True):
     """Another program has changed the project's file, and the project has its changes now."""
 
 
-class Failed(Message, frozen=True):
+class Failed(ToPage, frozen=True):
     """A request failed, and nothing has changed.
 
     Args:

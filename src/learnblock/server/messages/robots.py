@@ -5,7 +5,7 @@ from typing import Annotated
 from msgspec import Meta, Struct
 
 from learnblock.i18n import Phrase
-from learnblock.server.messages.base import Message, ShortText
+from learnblock.server.messages.base import FromPage, FromReader, ShortText, ToPage
 from learnblock.server.messages.projects import RobotChoice
 
 #: The limit in characters; a description with every kind of device takes a tenth of it.
@@ -14,11 +14,11 @@ LONGEST_DESCRIPTION = 65_536
 # From the page.
 
 
-class BeginRobot(Message, frozen=True):
+class BeginRobot(FromReader, frozen=True):
     """Ask for a description template; the reply is `RobotBegun`."""
 
 
-class MakeRobot(Message, frozen=True):
+class MakeRobot(FromPage, frozen=True):
     """Generate a robot, its twin and its test from a description; the reply is `RobotMade`.
 
     Args:
@@ -33,7 +33,7 @@ class MakeRobot(Message, frozen=True):
 # To the page.
 
 
-class RobotBegun(Message, frozen=True):
+class RobotBegun(ToPage, frozen=True):
     """A description template."""
 
     description: str
@@ -46,7 +46,7 @@ class RobotProblem(Struct, frozen=True, omit_defaults=True):
     line: int = 0
 
 
-class RobotMade(Message, frozen=True):
+class RobotMade(ToPage, frozen=True):
     """A robot was generated and can be chosen, unless there are problems.
 
     Args:
@@ -60,7 +60,7 @@ class RobotMade(Message, frozen=True):
     problems: tuple[RobotProblem, ...] = ()
 
 
-class Robots(Message, frozen=True):
+class Robots(ToPage, frozen=True):
     """All robots; sent to every page when there is a new one."""
 
     robots: tuple[RobotChoice, ...]

@@ -6,18 +6,25 @@ from msgspec import Meta, Struct, field
 
 from learnblock.client.keyboard import KEYS, Key
 from learnblock.i18n import Phrase
-from learnblock.server.messages.base import Coordinate, Message, Name, StateName
+from learnblock.server.messages.base import (
+    Coordinate,
+    FromPage,
+    FromReader,
+    Name,
+    StateName,
+    ToPage,
+)
 
 VariantNumber = Annotated[int, Meta(ge=0, le=9999)]
 
 # From the page.
 
 
-class ChooseRobot(Message, frozen=True):
+class ChooseRobot(FromReader, frozen=True):
     name: Name
 
 
-class ChooseWorld(Message, frozen=True):
+class ChooseWorld(FromReader, frozen=True):
     """Choose a world, or another variant of it.
 
     Args:
@@ -29,7 +36,7 @@ class ChooseWorld(Message, frozen=True):
     variant: VariantNumber = 0
 
 
-class Run(Message, frozen=True):
+class Run(FromReader, frozen=True):
     """Run the program from the beginning.
 
     Args:
@@ -39,47 +46,47 @@ class Run(Message, frozen=True):
     paused: bool = False
 
 
-class Stop(Message, frozen=True):
+class Stop(FromReader, frozen=True):
     """Stop the program and the robot."""
 
 
-class Pause(Message, frozen=True):
+class Pause(FromReader, frozen=True):
     """Pause program and world."""
 
 
-class Resume(Message, frozen=True):
+class Resume(FromReader, frozen=True):
     """Resume after a pause or a breakpoint."""
 
 
-class Step(Message, frozen=True):
+class Step(FromReader, frozen=True):
     """Run to the next line; `over` does not follow calls into functions."""
 
     over: bool = False
 
 
-class SetSpeed(Message, frozen=True):
+class SetSpeed(FromReader, frozen=True):
     """Set the speed of simulated time, as a multiple of real time; None is the fastest."""
 
     factor: Annotated[float, Meta(ge=0.01, le=100)] | None
 
 
-class Answer(Message, frozen=True):
+class Answer(FromReader, frozen=True):
     """Answer `InputWanted` with a line."""
 
     text: Annotated[str, Meta(max_length=10_000)]
 
 
-class HoldKeys(Message, frozen=True):
+class HoldKeys(FromPage, frozen=True):
     """The keys that the user holds down now, for all programs that ask for them."""
 
     keys: Annotated[tuple[Key, ...], Meta(max_length=len(KEYS))]
 
 
-class ResetWorld(Message, frozen=True):
+class ResetWorld(FromReader, frozen=True):
     """Reset the world to its initial state; only while no program runs."""
 
 
-class PlaceRobot(Message, frozen=True):
+class PlaceRobot(FromReader, frozen=True):
     """Place the robot elsewhere; the next run starts there. Only while nothing moves.
 
     Args:
@@ -93,13 +100,13 @@ class PlaceRobot(Message, frozen=True):
     heading: Annotated[float, Meta(ge=-360, le=360)]
 
 
-class HandleRobot(Message, frozen=True):
+class HandleRobot(FromPage, frozen=True):
     """Shake a simulated robot, or tilt it to a side until another message; also during a run."""
 
     how: Literal["shake", "level", "front", "back", "left", "right"]
 
 
-class Drive(Message, frozen=True):
+class Drive(FromReader, frozen=True):
     """Drive by hand while no program runs; the robot stops half a second after the last message.
 
     Args:
@@ -111,7 +118,7 @@ class Drive(Message, frozen=True):
     rotation: Annotated[float, Meta(ge=-1, le=1)]
 
 
-class WatchCamera(Message, frozen=True):
+class WatchCamera(FromReader, frozen=True):
     """Begin or stop sending camera frames."""
 
     on: bool
@@ -120,7 +127,7 @@ class WatchCamera(Message, frozen=True):
 # From the server.
 
 
-class RunState(Message, frozen=True):
+class RunState(ToPage, frozen=True):
     """The state of the program.
 
     Args:
@@ -136,13 +143,13 @@ class RunState(Message, frozen=True):
     speed: float | None = 1.0
 
 
-class InputWanted(Message, frozen=True):
+class InputWanted(ToPage, frozen=True):
     """The program is waiting for a line."""
 
     prompt: str
 
 
-class KeysWanted(Message, frozen=True):
+class KeysWanted(ToPage, frozen=True):
     """The programs of a run ask whether keys are held down.
 
     Args:
@@ -154,7 +161,7 @@ class KeysWanted(Message, frozen=True):
     programs: int = 1
 
 
-class Printed(Message, frozen=True):
+class Printed(ToPage, frozen=True):
     """Output of the program, at most a few thousand characters at once.
 
     Args:
@@ -167,7 +174,7 @@ class Printed(Message, frozen=True):
     until: int = 0
 
 
-class Bumped(Message, frozen=True):
+class Bumped(ToPage, frozen=True):
     """The robot has bumped into something.
 
     Args:
@@ -193,7 +200,7 @@ class PrintedPart(Struct, frozen=True):
     until: int
 
 
-class PrintedByRobots(Message, frozen=True):
+class PrintedByRobots(ToPage, frozen=True):
     """`Printed` for robots that share a program, in the order in which they printed."""
 
     parts: tuple[PrintedPart, ...]
@@ -208,7 +215,7 @@ class GoalNow(Struct, frozen=True):
     time: float | None
 
 
-class Ended(Message, frozen=True):
+class Ended(ToPage, frozen=True):
     """How a run ended: the report of ``learnblock run``.
 
     Args:
@@ -248,7 +255,7 @@ class WhenNow(Struct, frozen=True):
     time: float
 
 
-class Variables(Message, frozen=True):
+class Variables(ToPage, frozen=True):
     """The program's variables as text: local ones of the current function, and global ones."""
 
     local: dict[str, str]
@@ -256,7 +263,7 @@ class Variables(Message, frozen=True):
     whens: tuple[WhenNow, ...] = ()
 
 
-class RunningLine(Message, frozen=True):
+class RunningLine(ToPage, frozen=True):
     """The position in the running program; sent when it changes, several times a second.
 
     Args:
@@ -312,7 +319,7 @@ class StrokePart(Struct, frozen=True):
     points: tuple[tuple[float, float], ...]
 
 
-class Drawing(Message, frozen=True):
+class Drawing(ToPage, frozen=True):
     """What has been drawn on the floor since the last such message.
 
     Args:
@@ -348,7 +355,7 @@ class Sensor(Struct, frozen=True, omit_defaults=True):
     highest: float = 1.0
 
 
-class Telemetry(Message, frozen=True):
+class Telemetry(ToPage, frozen=True):
     """The current state of the world, about twenty times per second while something changes.
 
     Args:
@@ -367,7 +374,7 @@ class Telemetry(Message, frozen=True):
     goals: tuple[GoalNow, ...] = ()
 
 
-class RobotLink(Message, frozen=True):
+class RobotLink(ToPage, frozen=True):
     """The link to the robot; sent when it changes.
 
     Args:
@@ -382,7 +389,7 @@ class RobotLink(Message, frozen=True):
     quality: float | None = None
 
 
-class Sound(Message, frozen=True):
+class Sound(ToPage, frozen=True):
     """A sound or another output of a simulated robot.
 
     Args:
@@ -410,7 +417,7 @@ class Seen(Struct, frozen=True, omit_defaults=True):
     corners: tuple[tuple[float, float], ...]
 
 
-class CameraFrame(Message, frozen=True):
+class CameraFrame(ToPage, frozen=True):
     """The size and the findings of the camera frame (JPEG) in the next binary message.
 
     Args:

@@ -5,12 +5,12 @@ from typing import Annotated, Any, Literal
 from msgspec import Meta, Struct, field
 
 from learnblock.i18n import Phrase
-from learnblock.server.messages.base import Message, ShortText
+from learnblock.server.messages.base import FromPage, FromReader, ShortText, ToPage
 
 # From the page.
 
 
-class ReadSettings(Message, frozen=True):
+class ReadSettings(FromReader, frozen=True):
     """Ask for the settings of a real robot or of camera recognition; the reply is `SettingsTable`.
 
     Args:
@@ -20,7 +20,7 @@ class ReadSettings(Message, frozen=True):
     robot: ShortText = ""
 
 
-class ChangeSettings(Message, frozen=True):
+class ChangeSettings(FromPage, frozen=True):
     """Change settings, all of them or none; the reply is `SettingsTable`.
 
     Args:
@@ -66,7 +66,7 @@ class Setting(Struct, frozen=True, omit_defaults=True):
     secret: bool = False
 
 
-class SettingsTable(Message, frozen=True):
+class SettingsTable(ToPage, frozen=True):
     """The settings of a real robot or of camera recognition.
 
     Args:

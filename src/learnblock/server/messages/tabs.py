@@ -5,14 +5,14 @@ from typing import Annotated
 from msgspec import Meta, Struct
 
 from learnblock.running import MOST_ROBOTS
-from learnblock.server.messages.base import Message, Name, ShortText, StateName
+from learnblock.server.messages.base import FromPage, FromReader, Name, ShortText, StateName, ToPage
 
 Count = Annotated[int, Meta(ge=1, le=MOST_ROBOTS)]
 
 # From the page.
 
 
-class AddTab(Message, frozen=True):
+class AddTab(FromPage, frozen=True):
     """Add an empty program for one or more robots; the reply is `TabOpened`.
 
     Args:
@@ -24,7 +24,7 @@ class AddTab(Message, frozen=True):
     count: Count = 1
 
 
-class SetRobotCount(Message, frozen=True):
+class SetRobotCount(FromPage, frozen=True):
     """Set how many robots run a program.
 
     Args:
@@ -36,7 +36,7 @@ class SetRobotCount(Message, frozen=True):
     count: Count
 
 
-class OpenTab(Message, frozen=True):
+class OpenTab(FromReader, frozen=True):
     """Show another robot and its program, or again the current one if there is none such.
 
     The reply is `TabOpened`.
@@ -50,17 +50,17 @@ class OpenTab(Message, frozen=True):
     robot: ShortText = ""
 
 
-class CloseTab(Message, frozen=True):
+class CloseTab(FromPage, frozen=True):
     """Close a program with its robots; the pages that show it receive `TabOpened` for another."""
 
     name: Name
 
 
-class ReopenTab(Message, frozen=True):
+class ReopenTab(FromPage, frozen=True):
     """Reopen the program that was closed last; the reply is `TabOpened`."""
 
 
-class RenameTab(Message, frozen=True):
+class RenameTab(FromPage, frozen=True):
     """Rename a robot, or all that share a program."""
 
     name: Name
@@ -104,7 +104,7 @@ class Tab(Struct, frozen=True, omit_defaults=True):
     robots: tuple[TabRobot, ...] = ()
 
 
-class Tabs(Message, frozen=True):
+class Tabs(ToPage, frozen=True):
     """The programs of the project with their robots, after each change.
 
     Args:
@@ -118,7 +118,7 @@ class Tabs(Message, frozen=True):
     shows: str = ""
 
 
-class TabOpened(Message, frozen=True):
+class TabOpened(ToPage, frozen=True):
     """The page shows another robot of the project; see `Opened`.
 
     Args:

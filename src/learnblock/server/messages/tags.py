@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 from msgspec import Meta
 
 from learnblock.i18n import Phrase
-from learnblock.server.messages.base import Message, Name, ShortText, Text
+from learnblock.server.messages.base import FromPage, FromReader, Name, ShortText, Text, ToPage
 
 #: The maximum number of tag names; there are 587 tags, and a tag may have several names.
 MOST_TAGS = 2000
@@ -13,20 +13,20 @@ MOST_TAGS = 2000
 # From the page.
 
 
-class SaveTags(Message, frozen=True):
+class SaveTags(FromPage, frozen=True):
     """Save the tag names; every page receives `Tags`."""
 
     names: Annotated[dict[ShortText, int], Meta(max_length=MOST_TAGS)]
 
 
-class ReadTags(Message, frozen=True):
+class ReadTags(FromReader, frozen=True):
     """Ask for the names in a file's text, TOML or CSV; the reply is `TagsRead`."""
 
     filename: Name
     text: Text
 
 
-class ExportTags(Message, frozen=True):
+class ExportTags(FromReader, frozen=True):
     """Ask for the tag names as a file, or for a sheet to print; the reply is `File`."""
 
     format: Literal["toml", "csv", "html"] = "toml"
@@ -35,7 +35,7 @@ class ExportTags(Message, frozen=True):
 # To the page.
 
 
-class Tags(Message, frozen=True):
+class Tags(ToPage, frozen=True):
     """The tag number of each name; sent when a page opens a project, and after changes.
 
     Args:
@@ -46,7 +46,7 @@ class Tags(Message, frozen=True):
     problem: Phrase | None = None
 
 
-class TagsRead(Message, frozen=True):
+class TagsRead(ToPage, frozen=True):
     """The names in a file, which are not saved yet."""
 
     names: dict[str, int]

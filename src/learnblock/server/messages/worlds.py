@@ -5,24 +5,24 @@ from typing import Annotated, Any, Literal
 from msgspec import Meta, Struct
 
 from learnblock.i18n import Phrase
-from learnblock.server.messages.base import LONGEST_CONTENT, Message, Name
+from learnblock.server.messages.base import LONGEST_CONTENT, FromPage, FromReader, Name, ToPage
 
 # From the page.
 
 
-class ReadWorld(Message, frozen=True):
+class ReadWorld(FromReader, frozen=True):
     """Ask for a world to edit; the reply is `WorldToEdit`."""
 
     name: Name
 
 
-class CheckWorld(Message, frozen=True):
+class CheckWorld(FromReader, frozen=True):
     """Check a world and preview its lines; the reply is `WorldChecked`."""
 
     world: dict[str, Any]
 
 
-class MakeWorld(Message, frozen=True):
+class MakeWorld(FromReader, frozen=True):
     """Ask for a world from a template; the reply is `WorldMade`.
 
     Args:
@@ -36,7 +36,7 @@ class MakeWorld(Message, frozen=True):
     seed: Annotated[int, Meta(ge=0, le=999_999)]
 
 
-class SaveWorld(Message, frozen=True):
+class SaveWorld(FromPage, frozen=True):
     """Save a world in the user's folder and choose it; `WorldChecked` if it has mistakes.
 
     Args:
@@ -50,7 +50,7 @@ class SaveWorld(Message, frozen=True):
     replace: bool = False
 
 
-class ImportWorld(Message, frozen=True):
+class ImportWorld(FromPage, frozen=True):
     """Save the world in a file under its name or a free one, and choose it.
 
     Args:
@@ -62,26 +62,26 @@ class ImportWorld(Message, frozen=True):
     content: Annotated[bytes, Meta(max_length=LONGEST_CONTENT)]
 
 
-class ExportWorld(Message, frozen=True):
+class ExportWorld(FromReader, frozen=True):
     """Ask for a world as a file: `WorldExported`."""
 
     name: Name
 
 
-class RenameWorld(Message, frozen=True):
+class RenameWorld(FromPage, frozen=True):
     """Give one of the user's worlds another title: `Worlds`."""
 
     name: Name
     title: Name
 
 
-class DeleteWorld(Message, frozen=True):
+class DeleteWorld(FromPage, frozen=True):
     """Move one of the user's worlds into the trash: `Worlds` and `WorldDeleted`."""
 
     name: Name
 
 
-class RestoreWorld(Message, frozen=True):
+class RestoreWorld(FromPage, frozen=True):
     """Take a world out of the trash, and choose it: `Worlds`."""
 
     name: Name
@@ -106,27 +106,27 @@ class WorldChoice(Struct, frozen=True, omit_defaults=True):
     robots: int = 1
 
 
-class Worlds(Message, frozen=True):
+class Worlds(ToPage, frozen=True):
     """All worlds, after one of them has changed."""
 
     worlds: tuple[WorldChoice, ...]
 
 
-class WorldExported(Message, frozen=True):
+class WorldExported(ToPage, frozen=True):
     """A world as a file: its TOML, or a zip with its floor picture too."""
 
     filename: str
     content: bytes
 
 
-class WorldDeleted(Message, frozen=True):
+class WorldDeleted(ToPage, frozen=True):
     """A world is in the trash, from which `RestoreWorld` takes it."""
 
     name: str
     title: str
 
 
-class Scene(Message, frozen=True):
+class Scene(ToPage, frozen=True):
     """The unchanging parts of a world, for drawing it; `Telemetry` has the changing parts.
 
     Args:
@@ -150,7 +150,7 @@ class Scene(Message, frozen=True):
     real: bool = False
 
 
-class WorldToEdit(Message, frozen=True):
+class WorldToEdit(ToPage, frozen=True):
     """A world as in its file (`WorldFile`), and the corner points of its lines in mm.
 
     Args:
@@ -177,7 +177,7 @@ class UnreachableGoal(Struct, frozen=True):
     reason: Phrase
 
 
-class WorldChecked(Message, frozen=True):
+class WorldChecked(ToPage, frozen=True):
     """The mistakes in a world; if there are none, `lines` as in `Scene`.
 
     Args:
@@ -189,7 +189,7 @@ class WorldChecked(Message, frozen=True):
     unreachable: tuple[UnreachableGoal, ...] = ()
 
 
-class WorldMade(Message, frozen=True):
+class WorldMade(ToPage, frozen=True):
     """A world from a template, as in its file (`WorldFile`)."""
 
     world: dict[str, Any]

@@ -1,15 +1,18 @@
 """Handlers of questions about the program: completion, help, and the robots that can run it."""
 
-from collections.abc import Mapping
 from functools import partial
 
 from anyio import to_thread
 
 from learnblock.server import catalog, messages
 from learnblock.server.help import services
-from learnblock.server.pages.page import Handler, Page
+from learnblock.server.pages.handlers import Handlers
+from learnblock.server.pages.page import Page
+
+HANDLERS = Handlers()
 
 
+@HANDLERS.add
 async def _complete(page: Page, message: messages.Complete) -> None:
     page.send(
         await to_thread.run_sync(
@@ -26,6 +29,7 @@ async def _complete(page: Page, message: messages.Complete) -> None:
     )
 
 
+@HANDLERS.add
 async def _describe(page: Page, message: messages.Describe) -> None:
     page.send(
         await to_thread.run_sync(
@@ -42,13 +46,7 @@ async def _describe(page: Page, message: messages.Describe) -> None:
     )
 
 
+@HANDLERS.add
 async def _runs_on(page: Page, message: messages.ReadRunsOn) -> None:
     del message
     page.send(await to_thread.run_sync(catalog.runs_on, page.part.document))
-
-
-HANDLERS: Mapping[type, Handler] = {
-    messages.Complete: _complete,
-    messages.Describe: _describe,
-    messages.ReadRunsOn: _runs_on,
-}

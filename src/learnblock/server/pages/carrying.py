@@ -1,15 +1,17 @@
 """Handlers of messages about the code that a project carries."""
 
-from collections.abc import Mapping
-
 from anyio import to_thread
 
 from learnblock.server import messages
 from learnblock.server.pages import custom_blocks, libraries
-from learnblock.server.pages.page import Handler, Page
+from learnblock.server.pages.handlers import Handlers
+from learnblock.server.pages.page import Page
 from learnblock.server.projects import offering
 
+HANDLERS = Handlers()
 
+
+@HANDLERS.add
 async def _install(page: Page, _: messages.InstallOffered) -> None:
     session = page.session
     code = session.offered
@@ -19,8 +21,3 @@ async def _install(page: Page, _: messages.InstallOffered) -> None:
     await page.sessions.renew_blocks(session)
     page.sessions.send(await to_thread.run_sync(custom_blocks.listed))
     page.sessions.send(await to_thread.run_sync(libraries.listed))
-
-
-HANDLERS: Mapping[type, Handler] = {
-    messages.InstallOffered: _install,
-}

@@ -9,16 +9,21 @@ from learnblock.errors import LearnBlockError, SettingsError
 from learnblock.i18n import Phrase
 from learnblock.robots import RobotEntry, find
 from learnblock.server import catalog, messages
-from learnblock.server.pages.page import Handler, Page
+from learnblock.server.pages.handlers import Handlers
+from learnblock.server.pages.page import Page
 
 # The drivers of robots are slow to import, and the server answers before that.
 
+HANDLERS = Handlers()
 
+
+@HANDLERS.add
 async def _find(page: Page, message: messages.FindRobots) -> None:
     nearby = page.sessions.connections.nearby
     (nearby.join if message.on else nearby.leave)(page)
 
 
+@HANDLERS.add
 async def _connect(page: Page, message: messages.ConnectRobot) -> None:
     connections = page.sessions.connections
     found = connections.nearby.find(message.id)
@@ -29,15 +34,18 @@ async def _connect(page: Page, message: messages.ConnectRobot) -> None:
     await _refresh(page)
 
 
+@HANDLERS.add
 async def _disconnect(page: Page, _: messages.DisconnectRobot) -> None:
     # Without waiting: a driver that is still connecting may take seconds to give up.
     page.sessions.connections.begin_to_disconnect(page)
 
 
+@HANDLERS.add
 async def _try(page: Page, message: messages.TryRobot) -> None:
     page.sessions.connections.of(page).act(message.action)
 
 
+@HANDLERS.add
 async def _correct(page: Page, message: messages.CorrectRobot) -> None:
     connections = page.sessions.connections
     connected = connections.of(page)
@@ -48,12 +56,14 @@ async def _correct(page: Page, message: messages.CorrectRobot) -> None:
         await connections.connect(page, connected.id, connected.robot, connected.chosen)
 
 
+@HANDLERS.add
 async def _name(page: Page, message: messages.NameRobot) -> None:
     await to_thread.run_sync(_named, message.robot, message.name.strip())
     page.sessions.send(messages.Robots(await to_thread.run_sync(catalog.robot_choices)))
     await _refresh(page)
 
 
+@HANDLERS.add
 async def _use(page: Page, _: messages.UseRobot) -> None:
     connections = page.sessions.connections
     connected = connections.of(page)
@@ -123,14 +133,3 @@ def _corrected(
     except SettingsError as error:
         return messages.RobotCorrected(corrections, problem=error.phrase)
     return messages.RobotCorrected(corrections, saved=True)
-
-
-HANDLERS: Mapping[type, Handler] = {
-    messages.FindRobots: _find,
-    messages.ConnectRobot: _connect,
-    messages.DisconnectRobot: _disconnect,
-    messages.TryRobot: _try,
-    messages.CorrectRobot: _correct,
-    messages.NameRobot: _name,
-    messages.UseRobot: _use,
-}

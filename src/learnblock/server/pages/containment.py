@@ -6,7 +6,6 @@ while such a program runs, and only a client that is still there after that can 
 """
 
 import secrets
-from collections.abc import Mapping
 from pathlib import Path
 
 from anyio import to_thread
@@ -15,13 +14,18 @@ from learnblock import running
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.server import messages
-from learnblock.server.pages.page import Handler, Page
+from learnblock.server.pages.handlers import Handlers
+from learnblock.server.pages.page import Page
+
+HANDLERS = Handlers()
 
 
+@HANDLERS.add
 async def _read(page: Page, _: messages.ReadContainment) -> None:
     page.send(messages.Containment(await page.sessions.survey.findings()))
 
 
+@HANDLERS.add
 async def _read_network(page: Page, _: messages.ReadNetwork) -> None:
     page.network_key = ""
     allowed, folder = await to_thread.run_sync(_permission, _file(page))
@@ -31,6 +35,7 @@ async def _read_network(page: Page, _: messages.ReadNetwork) -> None:
     page.send(messages.Network(allowed, page.network_key, reason or None))
 
 
+@HANDLERS.add
 async def _allow_network(page: Page, message: messages.AllowNetwork) -> None:
     if obstacle := _obstacle(page):
         raise LearnBlockError(obstacle.code, **obstacle.values)
@@ -60,10 +65,3 @@ def _permission(file: Path) -> tuple[bool, str | None]:
 
 def _file(page: Page) -> Path:
     return page.sessions.folder.file(page.session.name)
-
-
-HANDLERS: Mapping[type, Handler] = {
-    messages.ReadContainment: _read,
-    messages.ReadNetwork: _read_network,
-    messages.AllowNetwork: _allow_network,
-}

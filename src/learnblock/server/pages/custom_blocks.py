@@ -1,17 +1,19 @@
 """Handlers of messages about custom blocks."""
 
-from collections.abc import Mapping
-
 from anyio import to_thread
 
 from learnblock.blocks.palette import preview
 from learnblock.extensions import custom_blocks
 from learnblock.extensions.custom_blocks import Checked, CustomBlock, Problem
 from learnblock.server import messages
-from learnblock.server.pages.page import Handler, Page
+from learnblock.server.pages.handlers import Handlers
+from learnblock.server.pages.page import Page
 from learnblock.server.runs.trial import trial
 
+HANDLERS = Handlers()
 
+
+@HANDLERS.add
 async def _list(page: Page, _: messages.ListCustomBlocks) -> None:
     if await to_thread.run_sync(page.sessions.block_files.have_changed):
         await _renew(page)
@@ -19,11 +21,13 @@ async def _list(page: Page, _: messages.ListCustomBlocks) -> None:
     page.send(await to_thread.run_sync(listed))
 
 
+@HANDLERS.add
 async def _check(page: Page, message: messages.CheckCustomBlock) -> None:
     checked = await to_thread.run_sync(_checked, message)
     page.send(_result(message.request, checked, message.language))
 
 
+@HANDLERS.add
 async def _save(page: Page, message: messages.SaveCustomBlock) -> None:
     checked = await to_thread.run_sync(_saved, message)
     if checked.errors:
@@ -32,6 +36,7 @@ async def _save(page: Page, message: messages.SaveCustomBlock) -> None:
     await _have_changed(page, message.name)
 
 
+@HANDLERS.add
 async def _try(page: Page, message: messages.TryCustomBlock) -> None:
     made = await to_thread.run_sync(
         trial, message.name, message.source, message.function, message.arguments
@@ -40,25 +45,30 @@ async def _try(page: Page, message: messages.TryCustomBlock) -> None:
         await page.session.runs.try_out(page.part, page.player, made)
 
 
+@HANDLERS.add
 async def _duplicate(page: Page, message: messages.DuplicateCustomBlock) -> None:
     made = await to_thread.run_sync(custom_blocks.duplicate, message.name, message.new)
     await _have_changed(page, made.name)
 
 
+@HANDLERS.add
 async def _delete(page: Page, message: messages.DeleteCustomBlock) -> None:
     await to_thread.run_sync(custom_blocks.delete, message.name)
     await _have_changed(page)
 
 
+@HANDLERS.add
 async def _restore(page: Page, message: messages.RestoreCustomBlock) -> None:
     restored = await to_thread.run_sync(custom_blocks.restore, message.name)
     await _have_changed(page, restored.name)
 
 
+@HANDLERS.add
 async def _export(page: Page, message: messages.ExportCustomBlock) -> None:
     page.send(messages.File(*await to_thread.run_sync(custom_blocks.export, message.name)))
 
 
+@HANDLERS.add
 async def _import(page: Page, message: messages.ImportCustomBlock) -> None:
     imported = await to_thread.run_sync(_imported, message)
     await _have_changed(page, imported.name)
@@ -132,16 +142,3 @@ def _problem(problem: Problem) -> messages.CustomBlockProblem:
         column=one.column,
         end_column=one.end_column,
     )
-
-
-HANDLERS: Mapping[type, Handler] = {
-    messages.ListCustomBlocks: _list,
-    messages.CheckCustomBlock: _check,
-    messages.SaveCustomBlock: _save,
-    messages.TryCustomBlock: _try,
-    messages.DuplicateCustomBlock: _duplicate,
-    messages.DeleteCustomBlock: _delete,
-    messages.RestoreCustomBlock: _restore,
-    messages.ExportCustomBlock: _export,
-    messages.ImportCustomBlock: _import,
-}

@@ -27,11 +27,11 @@ class Inbox:
     """
 
     def __init__(self) -> None:
-        self._messages: deque[messages.Message] = deque()
+        self._messages: deque[messages.FromPage] = deque()
         self._changed = asyncio.Condition()
         self._closed = False
 
-    async def put(self, message: messages.Message) -> None:
+    async def put(self, message: messages.FromPage) -> None:
         """Add a message once there is room for it."""
         async with self._changed:
             if self._messages and _replaces(message, self._messages[-1]):
@@ -40,7 +40,7 @@ class Inbox:
             self._messages.append(message)
             self._changed.notify_all()
 
-    async def take(self) -> messages.Message | None:
+    async def take(self) -> messages.FromPage | None:
         """Return the next message as soon as there is one; None after the last."""
         async with self._changed:
             await self._changed.wait_for(lambda: self._messages or self._closed)
@@ -54,7 +54,7 @@ class Inbox:
             self._changed.notify_all()
 
 
-def _replaces(message: messages.Message, before: messages.Message) -> bool:
+def _replaces(message: messages.FromPage, before: messages.FromPage) -> bool:
     if type(message) is not type(before) or not isinstance(message, _NEWEST_ONLY):
         return False
     if isinstance(message, messages.EditText) and isinstance(before, messages.EditText):

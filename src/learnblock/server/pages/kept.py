@@ -1,20 +1,23 @@
 """Handlers of messages about the kept runs of a project."""
 
-from collections.abc import Mapping
-
 from anyio import to_thread
 
 from learnblock.server import messages
-from learnblock.server.pages.page import Handler, Page
+from learnblock.server.pages.handlers import Handlers
+from learnblock.server.pages.page import Page
 from learnblock.server.projects.kept_runs import KeptRuns
 from learnblock.server.runs.compared import calls_beside, compared
 from learnblock.server.runs.kept import OpenedRun, opened
 
+HANDLERS = Handlers()
 
+
+@HANDLERS.add
 async def _list(page: Page, _: messages.ListRuns) -> None:
     page.send(messages.KeptRuns(await to_thread.run_sync(_kept(page).runs)))
 
 
+@HANDLERS.add
 async def _open(page: Page, message: messages.OpenRun) -> None:
     kept, now = _kept(page), page.part.document
 
@@ -25,20 +28,24 @@ async def _open(page: Page, message: messages.OpenRun) -> None:
     page.player.show_kept(await to_thread.run_sync(read))
 
 
+@HANDLERS.add
 async def _close(page: Page, _: messages.CloseRun) -> None:
     page.player.show_newest()
 
 
+@HANDLERS.add
 async def _name(page: Page, message: messages.NameRun) -> None:
     await to_thread.run_sync(_kept(page).name, message.run, message.name)
     await _tell(page)
 
 
+@HANDLERS.add
 async def _delete(page: Page, message: messages.DeleteRun) -> None:
     await to_thread.run_sync(_kept(page).delete, message.run)
     await _tell(page)
 
 
+@HANDLERS.add
 async def _compare(page: Page, message: messages.CompareRuns) -> None:
     kept = _kept(page)
 
@@ -49,6 +56,7 @@ async def _compare(page: Page, message: messages.CompareRuns) -> None:
     page.send(await to_thread.run_sync(compare))
 
 
+@HANDLERS.add
 async def _read_calls(page: Page, message: messages.ReadCallsBeside) -> None:
     kept = _kept(page)
 
@@ -64,14 +72,3 @@ async def _tell(page: Page) -> None:
 
 def _kept(page: Page) -> KeptRuns:
     return page.sessions.folder.kept_runs(page.session.name)
-
-
-HANDLERS: Mapping[type, Handler] = {
-    messages.ListRuns: _list,
-    messages.OpenRun: _open,
-    messages.CloseRun: _close,
-    messages.NameRun: _name,
-    messages.DeleteRun: _delete,
-    messages.CompareRuns: _compare,
-    messages.ReadCallsBeside: _read_calls,
-}

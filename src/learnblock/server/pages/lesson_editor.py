@@ -16,11 +16,15 @@ from learnblock.lessons.describing import describe
 from learnblock.lessons.editing import EditedLesson, Examined
 from learnblock.lessons.opened import OpenLesson
 from learnblock.server import catalog, messages
-from learnblock.server.pages.page import Handler, Page
+from learnblock.server.pages.handlers import Handlers
+from learnblock.server.pages.page import Page
 from learnblock.server.pages.teaching import require_teacher
 from learnblock.server.sessions import lesson_view
 
+HANDLERS = Handlers()
 
+
+@HANDLERS.add
 async def _make(page: Page, _: messages.MakeLesson) -> None:
     require_teacher(page)
     session = page.session
@@ -37,6 +41,7 @@ async def _make(page: Page, _: messages.MakeLesson) -> None:
     page.send(await to_thread.run_sync(_to_edit, make))
 
 
+@HANDLERS.add
 async def _change(page: Page, message: messages.ChangeLesson) -> None:
     require_teacher(page)
 
@@ -50,10 +55,12 @@ def _to_edit(find: Callable[[], EditedLesson]) -> messages.LessonToEdit:
     return messages.LessonToEdit(find(), tuple(sorted(all_configurations())))
 
 
+@HANDLERS.add
 async def _examine(page: Page, message: messages.ExamineLesson) -> None:
     page.send(await to_thread.run_sync(_examined, message.edited, _saved(page, message.edited)))
 
 
+@HANDLERS.add
 async def _save(page: Page, message: messages.SaveLesson) -> None:
     require_teacher(page)
     edited = message.edited
@@ -67,15 +74,18 @@ async def _save(page: Page, message: messages.SaveLesson) -> None:
     page.send(messages.LessonSaved(await to_thread.run_sync(save)))
 
 
+@HANDLERS.add
 async def _try(page: Page, message: messages.TryLesson) -> None:
     if opened := await _assembled(page, message.edited):
         page.lesson_trial.start(opened)
 
 
+@HANDLERS.add
 async def _stop(page: Page, _: messages.StopTrying) -> None:
     page.lesson_trial.stop()
 
 
+@HANDLERS.add
 async def _export(page: Page, message: messages.ExportLesson) -> None:
     if not message.for_pupils:
         require_teacher(page)
@@ -164,14 +174,3 @@ def _texts(steps: Iterable[Mapping[str, Any]]) -> Iterator[str]:
         for one in text.values() if isinstance(text, dict) else [text]:
             if isinstance(one, str) and len(one) <= texts.LONGEST:
                 yield one
-
-
-HANDLERS: Mapping[type, Handler] = {
-    messages.MakeLesson: _make,
-    messages.ChangeLesson: _change,
-    messages.ExamineLesson: _examine,
-    messages.SaveLesson: _save,
-    messages.TryLesson: _try,
-    messages.StopTrying: _stop,
-    messages.ExportLesson: _export,
-}

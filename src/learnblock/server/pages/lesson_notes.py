@@ -1,18 +1,20 @@
 """Handlers of messages about what any lesson has for its teacher, also one of ours."""
 
-from collections.abc import Mapping
-
 from anyio import to_thread
 
 from learnblock.blocks.known import all_configurations
 from learnblock.lessons import editing
 from learnblock.lessons.teachers_part import SolvedStep, WrongProgram, teachers_part
 from learnblock.server import catalog, messages
-from learnblock.server.pages.page import Handler, Page
+from learnblock.server.pages.handlers import Handlers
+from learnblock.server.pages.page import Page
 from learnblock.server.pages.teaching import require_teacher
 from learnblock.server.sessions.lesson_view import drawings_in, plain, words
 
+HANDLERS = Handlers()
 
+
+@HANDLERS.add
 async def _read(page: Page, message: messages.ReadLessonNotes) -> None:
     require_teacher(page)
     page.send(await to_thread.run_sync(_notes, message.lesson))
@@ -40,6 +42,7 @@ def _wrong(wrong: WrongProgram) -> messages.WrongProgram:
     return messages.WrongProgram(wrong.program, words(wrong.check), tuple(map(words, wrong.hint)))
 
 
+@HANDLERS.add
 async def _copy(page: Page, message: messages.CopyLesson) -> None:
     require_teacher(page)
 
@@ -48,9 +51,3 @@ async def _copy(page: Page, message: messages.CopyLesson) -> None:
         return messages.LessonToEdit(edited, tuple(sorted(all_configurations())))
 
     page.send(await to_thread.run_sync(copy))
-
-
-HANDLERS: Mapping[type, Handler] = {
-    messages.ReadLessonNotes: _read,
-    messages.CopyLesson: _copy,
-}

@@ -1,6 +1,5 @@
 """Handlers of messages about lessons."""
 
-from collections.abc import Mapping
 from pathlib import PurePath
 
 from anyio import to_thread
@@ -9,13 +8,17 @@ from msgspec.structs import replace
 from learnblock.errors import LearnBlockError
 from learnblock.lessons.archive import received_files, zipped
 from learnblock.server import catalog, messages
-from learnblock.server.pages.page import Handler, Page
+from learnblock.server.pages.handlers import Handlers
+from learnblock.server.pages.page import Page
 from learnblock.server.pages.teaching import require_teacher
 from learnblock.server.projects.lesson_folder import Progress
 from learnblock.server.sessions import lesson_stage
 from learnblock.server.sessions.coach import Coach
 
+HANDLERS = Handlers()
 
+
+@HANDLERS.add
 async def _list(page: Page, _: messages.ListLessons) -> None:
     page.send(await to_thread.run_sync(_lessons, page))
 
@@ -52,10 +55,12 @@ def _is_own(page: Page, progress: Progress) -> bool:
     return progress.browser == page.browser or (page.is_local and not progress.browser)
 
 
+@HANDLERS.add
 async def _introduce(page: Page, message: messages.Introduce) -> None:
     page.browser = message.browser
 
 
+@HANDLERS.add
 async def _start(page: Page, message: messages.StartLesson) -> None:
     opened = await to_thread.run_sync(catalog.find_lesson, message.lesson)
     listed = await to_thread.run_sync(_lessons, page)
@@ -73,6 +78,7 @@ async def _start(page: Page, message: messages.StartLesson) -> None:
     await _tell_worlds(page)
 
 
+@HANDLERS.add
 async def _show_step(page: Page, message: messages.ShowStep) -> None:
     await _coach(page).show_step(message.step)
     await _tell_worlds(page)
@@ -83,40 +89,49 @@ async def _tell_worlds(page: Page) -> None:
     page.send(messages.Worlds(await to_thread.run_sync(catalog.world_choices)))
 
 
+@HANDLERS.add
 async def _restart_step(page: Page, _: messages.RestartStep) -> None:
     await _coach(page).restart_step()
 
 
+@HANDLERS.add
 async def _check(page: Page, _: messages.CheckStep) -> None:
     await _coach(page).check()
 
 
+@HANDLERS.add
 async def _stop_checking(page: Page, _: messages.StopChecking) -> None:
     _coach(page).stop_checking()
 
 
+@HANDLERS.add
 async def _show_variant(page: Page, message: messages.ShowVariant) -> None:
     await _coach(page).show_variant(message.robot, message.variant)
     await page.session.runs.run(page.session.parts[0].players[0], paused=False)
 
 
+@HANDLERS.add
 async def _take_hint(page: Page, _: messages.TakeHint) -> None:
     await _coach(page).take_hint()
 
 
+@HANDLERS.add
 async def _answer_quiz(page: Page, message: messages.AnswerQuiz) -> None:
     page.send(await _coach(page).answer_quiz(message.choices))
 
 
+@HANDLERS.add
 async def _answer_puzzle(page: Page, message: messages.AnswerPuzzle) -> None:
     page.send(await _coach(page).answer_puzzle(message.order))
 
 
+@HANDLERS.add
 async def _import(page: Page, message: messages.ImportLesson) -> None:
     require_teacher(page)
     await _add(page, PurePath(message.filename.replace("\\", "/")).stem, message.content)
 
 
+@HANDLERS.add
 async def _import_folder(page: Page, message: messages.ImportLessonFolder) -> None:
     require_teacher(page)
 
@@ -134,6 +149,7 @@ async def _add(page: Page, name: str, content: bytes) -> None:
     await _list(page, messages.ListLessons())
 
 
+@HANDLERS.add
 async def _delete(page: Page, message: messages.DeleteLesson) -> None:
     require_teacher(page)
     await to_thread.run_sync(catalog.delete_lesson, message.lesson)
@@ -150,21 +166,3 @@ def _coach(page: Page) -> Coach:
     if coach is None:
         raise LearnBlockError("server-lesson-none")
     return coach
-
-
-HANDLERS: Mapping[type, Handler] = {
-    messages.Introduce: _introduce,
-    messages.ListLessons: _list,
-    messages.StartLesson: _start,
-    messages.ShowStep: _show_step,
-    messages.RestartStep: _restart_step,
-    messages.CheckStep: _check,
-    messages.StopChecking: _stop_checking,
-    messages.ShowVariant: _show_variant,
-    messages.TakeHint: _take_hint,
-    messages.AnswerQuiz: _answer_quiz,
-    messages.AnswerPuzzle: _answer_puzzle,
-    messages.ImportLesson: _import,
-    messages.ImportLessonFolder: _import_folder,
-    messages.DeleteLesson: _delete,
-}

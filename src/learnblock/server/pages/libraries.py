@@ -16,22 +16,29 @@ from learnblock.language.edit.extraction import extracted, with_needed
 from learnblock.language.tree.nodes import Def, Program
 from learnblock.server import messages
 from learnblock.server.messages.problems import phrase_of
-from learnblock.server.pages.page import Handler, Page
+from learnblock.server.pages.handlers import Handlers
+from learnblock.server.pages.page import Page
+
+HANDLERS = Handlers()
 
 
+@HANDLERS.add
 async def _list(page: Page, _: messages.ListLibraries) -> None:
     page.send(await to_thread.run_sync(listed))
 
 
+@HANDLERS.add
 async def _list_exportable(page: Page, _: messages.ListExportable) -> None:
     program = page.part.document.block_tree
     page.send(await to_thread.run_sync(_exportable, program))
 
 
+@HANDLERS.add
 async def _read(page: Page, message: messages.ReadLibraries) -> None:
     page.send(await to_thread.run_sync(_looked_at, message.files))
 
 
+@HANDLERS.add
 async def _import(page: Page, message: messages.ImportLibraries) -> None:
     def install() -> None:
         libraries.install(map(_renamed, message.files), replace=message.replace)
@@ -39,14 +46,17 @@ async def _import(page: Page, message: messages.ImportLibraries) -> None:
     await _changing(page, install)
 
 
+@HANDLERS.add
 async def _remove(page: Page, message: messages.RemoveLibrary) -> None:
     await _changing(page, lambda: libraries.remove(message.name))
 
 
+@HANDLERS.add
 async def _download(page: Page, message: messages.DownloadLibrary) -> None:
     page.send(_made(await to_thread.run_sync(libraries.installed, message.name)))
 
 
+@HANDLERS.add
 async def _make(page: Page, message: messages.MakeLibrary) -> None:
     program = page.part.document.block_tree
 
@@ -57,10 +67,12 @@ async def _make(page: Page, message: messages.MakeLibrary) -> None:
     page.send(_made(await to_thread.run_sync(make)))
 
 
+@HANDLERS.add
 async def _convert(page: Page, message: messages.ConvertLibrary) -> None:
     page.send(await to_thread.run_sync(_converted, message))
 
 
+@HANDLERS.add
 async def _use(page: Page, message: messages.UseLibrary) -> None:
     await to_thread.run_sync(libraries.installed, message.name)
     await page.part.change(lambda document: document.with_import(message.name))
@@ -193,16 +205,3 @@ def _function(program: Program, one: Def) -> messages.ExportableFunction:
     except LearnBlockError as error:
         return messages.ExportableFunction(one.name, one.parameters, others, phrase_of(error))
     return messages.ExportableFunction(one.name, one.parameters, others)
-
-
-HANDLERS: Mapping[type, Handler] = {
-    messages.ListLibraries: _list,
-    messages.ListExportable: _list_exportable,
-    messages.ReadLibraries: _read,
-    messages.ImportLibraries: _import,
-    messages.RemoveLibrary: _remove,
-    messages.DownloadLibrary: _download,
-    messages.MakeLibrary: _make,
-    messages.ConvertLibrary: _convert,
-    messages.UseLibrary: _use,
-}

@@ -26,7 +26,7 @@ class OutboxFullError(Exception):
 class Parcel:
     """A message, and the bytes that follow it."""
 
-    message: messages.Message
+    message: messages.ToPage
     data: bytes | None = None
 
 
@@ -38,7 +38,7 @@ class Outbox:
         self._replaceable: dict[type, Parcel] = {}
         self._filled = asyncio.Event()
 
-    def put(self, message: messages.Message, data: bytes | None = None) -> None:
+    def put(self, message: messages.ToPage, data: bytes | None = None) -> None:
         """Queue a message; drop it once the page is too far behind."""
         waiting = self._replaceable.get(type(message))
         if waiting:

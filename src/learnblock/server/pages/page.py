@@ -3,9 +3,9 @@
 import asyncio
 import logging
 import secrets
-from collections.abc import Awaitable, Callable, Mapping
+from collections.abc import Mapping
 from contextlib import AbstractAsyncContextManager, nullcontext
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import msgspec
 from starlette.websockets import WebSocket, WebSocketDisconnect
@@ -14,10 +14,10 @@ from learnblock.errors import LearnBlockError
 from learnblock.i18n import Multilingual, Phrase
 from learnblock.server import messages
 from learnblock.server.messages.problems import phrase_of
+from learnblock.server.pages.handlers import Handler
 from learnblock.server.pages.inbox import Inbox
 from learnblock.server.pages.outbox import Outbox, OutboxFullError
 from learnblock.server.pages.quota import Quota
-from learnblock.server.pages.reading import require_reading
 from learnblock.server.program.shown import Shown
 from learnblock.server.sessions.lesson_trial import LessonTrial
 
@@ -37,7 +37,7 @@ _MOST_PROJECTS, _PERIOD = 20, 60.0
 _TOO_SLOW = 1013
 
 _log = logging.getLogger(__name__)
-_decoder = msgspec.json.Decoder(messages.FromPage)
+_decoder = msgspec.json.Decoder(messages.FROM_PAGE)
 
 
 def _with_languages(text: object) -> object:
@@ -48,8 +48,6 @@ def _with_languages(text: object) -> object:
 
 
 _encoder = msgspec.json.Encoder(enc_hook=_with_languages)
-
-Handler = Callable[["Page", Any], Awaitable[None]]
 
 
 class MessageError(LearnBlockError, ValueError):
@@ -71,7 +69,7 @@ class Page:
         self,
         socket: WebSocket,
         sessions: "Sessions",
-        handlers: Mapping[type, Handler],
+        handlers: Mapping[type[messages.FromPage], Handler],
         *,
         is_local: bool = False,
         is_alone: bool = False,
@@ -140,7 +138,7 @@ class Page:
             self.leave()
             self.sessions.connections.left(self)
 
-    def send(self, message: messages.Message, data: bytes | None = None) -> None:
+    def send(self, message: messages.ToPage, data: bytes | None = None) -> None:
         """Queue a message for the page, followed by `data`, if any."""
         self._outbox.put(message, data)
 
@@ -194,11 +192,11 @@ class Page:
         while (message := await self._inbox.take()) is not None:
             await self._handle(message)
 
-    async def _handle(self, message: messages.Message) -> None:
+    async def _handle(self, message: messages.FromPage) -> None:
         kind = type(message).__name__
         try:
-            if self.sessions.folder.read_only:
-                require_reading(message)
+            if self.sessions.folder.read_only and not isinstance(message, messages.FromReader):
+                raise LearnBlockError("server-read-only")
             async with self._turn():
                 await self._handlers[type(message)](self, message)
         except (LearnBlockError, OSError, ValueError) as error:
@@ -231,7 +229,7 @@ class Page:
             pass
 
 
-def decode(text: str | bytes) -> messages.Message:
+def decode(text: str | bytes) -> messages.FromPage:
     """Decode a message of a page.
 
     Raises:
@@ -240,7 +238,7 @@ def decode(text: str | bytes) -> messages.Message:
     if len(text) > LARGEST_MESSAGE:
         raise MessageError("server-message-too-long", count=len(text))
     try:
-        message: messages.Message = _decoder.decode(text)
+        message: messages.FromPage = _decoder.decode(text)
     except msgspec.MsgspecError as error:
         if _TOO_LONG in str(error):
             raise MessageError("server-text-too-long", limit=messages.LONGEST_TEXT) from error

@@ -1,13 +1,15 @@
 """Handlers of messages about the history of a project."""
 
-from collections.abc import Mapping
-
 from anyio import to_thread
 
 from learnblock.server import messages
-from learnblock.server.pages.page import Handler, Page
+from learnblock.server.pages.handlers import Handlers
+from learnblock.server.pages.page import Page
+
+HANDLERS = Handlers()
 
 
+@HANDLERS.add
 async def _list_history(page: Page, _: messages.ListHistory) -> None:
     folder, name = page.sessions.folder, page.session.name
     versions = await to_thread.run_sync(folder.versions, name)
@@ -15,13 +17,8 @@ async def _list_history(page: Page, _: messages.ListHistory) -> None:
     page.send(messages.History(versions, runs))
 
 
+@HANDLERS.add
 async def _restore(page: Page, message: messages.Restore) -> None:
     folder, session = page.sessions.folder, page.session
     earlier = await to_thread.run_sync(folder.read_version, session.name, message.version)
     await session.restore(earlier)
-
-
-HANDLERS: Mapping[type, Handler] = {
-    messages.ListHistory: _list_history,
-    messages.Restore: _restore,
-}

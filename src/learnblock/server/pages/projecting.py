@@ -1,6 +1,6 @@
 """Handlers of messages about projects."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import replace
 
 from anyio import to_thread
@@ -8,23 +8,29 @@ from anyio import to_thread
 from learnblock import robots, running
 from learnblock.i18n import Phrase
 from learnblock.server import catalog, messages
-from learnblock.server.pages.page import Handler, Page
+from learnblock.server.pages.handlers import Handlers
+from learnblock.server.pages.page import Page
 from learnblock.server.projects.packing import fits
 from learnblock.server.projects.project import Project, ProjectPart
 from learnblock.server.projects.project_file import LARGEST
 from learnblock.server.sessions.prepared import DEFAULT_WORLD, EMPTY
 
+HANDLERS = Handlers()
 
+
+@HANDLERS.add
 async def _open(page: Page, message: messages.Open) -> None:
     await page.move_to(await page.sessions.open(message.name), message.tab)
 
 
+@HANDLERS.add
 async def _new(page: Page, message: messages.New) -> None:
     page.new_projects.take()
     project = await to_thread.run_sync(new_project, message)
     await page.move_to(await page.sessions.start(project))
 
 
+@HANDLERS.add
 async def _open_example(page: Page, message: messages.OpenExample) -> None:
     wanted = messages.New(message.name, message.example, message.robot)
     project = await to_thread.run_sync(new_project, wanted)
@@ -37,10 +43,12 @@ async def _open_example(page: Page, message: messages.OpenExample) -> None:
     await page.move_to(session)
 
 
+@HANDLERS.add
 async def _close(page: Page, _: messages.CloseProject) -> None:
     await page.move_out()
 
 
+@HANDLERS.add
 async def _import(page: Page, message: messages.Import) -> None:
     page.new_projects.take()
     folder = page.sessions.folder
@@ -49,6 +57,7 @@ async def _import(page: Page, message: messages.Import) -> None:
     page.session.archive.changed()
 
 
+@HANDLERS.add
 async def _import_original(page: Page, message: messages.ImportOriginal) -> None:
     page.new_projects.take()
     folder = page.sessions.folder
@@ -59,6 +68,7 @@ async def _import_original(page: Page, message: messages.ImportOriginal) -> None
     page.send(messages.OriginalImported(message.filename, report.changed, report.missing))
 
 
+@HANDLERS.add
 async def _save_as(page: Page, message: messages.SaveAs) -> None:
     page.new_projects.take()
     project = page.session.project
@@ -70,6 +80,7 @@ async def _save_as(page: Page, message: messages.SaveAs) -> None:
     page.session.archive.changed()
 
 
+@HANDLERS.add
 async def _rename(page: Page, message: messages.RenameProject) -> None:
     if message.project:
         await page.sessions.rename_unshown(message.project, message.name)
@@ -78,6 +89,7 @@ async def _rename(page: Page, message: messages.RenameProject) -> None:
         await page.sessions.rename(page.session, message.name)
 
 
+@HANDLERS.add
 async def _copy(page: Page, message: messages.CopyProject) -> None:
     page.new_projects.take()
     session = await page.sessions.open(message.project)
@@ -96,6 +108,7 @@ async def _copy_picture(page: Page, name: str, copy: str) -> None:
     await to_thread.run_sync(folder.lesson(name).copy_to, folder.lesson(copy), page.browser)
 
 
+@HANDLERS.add
 async def _keep_picture(page: Page, message: messages.KeepPicture) -> None:
     # The page made the picture while it was perhaps leaving the project.
     if not page.has_session or page.session.name != message.project:
@@ -105,11 +118,13 @@ async def _keep_picture(page: Page, message: messages.KeepPicture) -> None:
     await _list(page, messages.ListProjects())
 
 
+@HANDLERS.add
 async def _delete(page: Page, message: messages.Delete) -> None:
     await page.sessions.delete(message.name)
     await _list(page, messages.ListProjects())
 
 
+@HANDLERS.add
 async def _export(page: Page, message: messages.Export) -> None:
     folder = page.sessions.folder
     if message.project:
@@ -124,6 +139,7 @@ async def _export(page: Page, message: messages.Export) -> None:
         page.send(messages.Failed(Phrase("project-carries-less", limit=LARGEST)))
 
 
+@HANDLERS.add
 async def _list(page: Page, _: messages.ListProjects) -> None:
     entries = await to_thread.run_sync(page.sessions.folder.entries)
     page.send(messages.Projects(tuple(entries)))
@@ -146,20 +162,3 @@ def _parts(example: str) -> Iterator[ProjectPart]:
     for program, robot, count in catalog.example_programs(example):
         text = running.read_text(running.example(f"{program}.bt"))
         yield ProjectPart(program.rpartition("/")[2], text, robot=robot, count=count)
-
-
-HANDLERS: Mapping[type, Handler] = {
-    messages.Open: _open,
-    messages.New: _new,
-    messages.OpenExample: _open_example,
-    messages.CloseProject: _close,
-    messages.Import: _import,
-    messages.ImportOriginal: _import_original,
-    messages.SaveAs: _save_as,
-    messages.RenameProject: _rename,
-    messages.CopyProject: _copy,
-    messages.KeepPicture: _keep_picture,
-    messages.Delete: _delete,
-    messages.Export: _export,
-    messages.ListProjects: _list,
-}

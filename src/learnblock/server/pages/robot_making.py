@@ -1,21 +1,24 @@
 """Handlers of messages about new robots."""
 
-from collections.abc import Mapping
-
 from anyio import to_thread
 
 from learnblock.errors import FileTakenError, NewNameError, RobotDescriptionError
 from learnblock.server import catalog, messages
-from learnblock.server.pages.page import Handler, Page
+from learnblock.server.pages.handlers import Handlers
+from learnblock.server.pages.page import Page
 from learnblock.storage.home import home
 
+HANDLERS = Handlers()
 
+
+@HANDLERS.add
 async def _begin(page: Page, _: messages.BeginRobot) -> None:
     from learnblock.new.template import read  # noqa: PLC0415 - few pages make robots
 
     page.send(messages.RobotBegun(read("robot/description.toml")))
 
 
+@HANDLERS.add
 async def _make(page: Page, message: messages.MakeRobot) -> None:
     try:
         files = await to_thread.run_sync(_written, message.name.strip(), message.description)
@@ -47,9 +50,3 @@ def _written(name: str, description: str) -> tuple[str, ...]:
     except FileTakenError:
         raise NewNameError("new-robot-exists", name=name) from None
     return tuple(map(str, files))
-
-
-HANDLERS: Mapping[type, Handler] = {
-    messages.BeginRobot: _begin,
-    messages.MakeRobot: _make,
-}

@@ -1,6 +1,5 @@
 """Handlers of messages about the settings of real robots and of camera recognition."""
 
-from collections.abc import Mapping
 from functools import partial
 
 from anyio import to_thread
@@ -8,13 +7,18 @@ from anyio import to_thread
 from learnblock.errors import LearnBlockError, SettingsError
 from learnblock.i18n import Phrase
 from learnblock.server import messages
-from learnblock.server.pages.page import Handler, Page
+from learnblock.server.pages.handlers import Handlers
+from learnblock.server.pages.page import Page
+
+HANDLERS = Handlers()
 
 
+@HANDLERS.add
 async def _read(page: Page, message: messages.ReadSettings) -> None:
     page.send(await to_thread.run_sync(_table, message.robot))
 
 
+@HANDLERS.add
 async def _change(page: Page, message: messages.ChangeSettings) -> None:
     wrong = await to_thread.run_sync(_changed, message)
     page.send(await to_thread.run_sync(partial(_table, message.robot, wrong)))
@@ -45,9 +49,3 @@ def _changed(message: messages.ChangeSettings) -> dict[str, Phrase]:
     if not wrong:
         table.change_all(values)
     return wrong
-
-
-HANDLERS: Mapping[type, Handler] = {
-    messages.ReadSettings: _read,
-    messages.ChangeSettings: _change,
-}

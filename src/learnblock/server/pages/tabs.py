@@ -1,41 +1,38 @@
 """Handlers of messages about the robots of a project."""
 
-from collections.abc import Mapping
-
 from learnblock.server import messages
-from learnblock.server.pages.page import Handler, Page
+from learnblock.server.pages.handlers import Handlers
+from learnblock.server.pages.page import Page
+
+HANDLERS = Handlers()
 
 
+@HANDLERS.add
 async def _add(page: Page, message: messages.AddTab) -> None:
     await page.session.add_robots(page, message.robot, message.count)
 
 
+@HANDLERS.add
 async def _set_count(page: Page, message: messages.SetRobotCount) -> None:
     part = page.session.require(message.name) if message.name else page.part
     await page.session.set_robot_count(part, message.count)
 
 
+@HANDLERS.add
 async def _open(page: Page, message: messages.OpenTab) -> None:
     page.session.show(page, message.name, message.robot)
 
 
+@HANDLERS.add
 async def _close(page: Page, message: messages.CloseTab) -> None:
     await page.session.close_robot(message.name)
 
 
+@HANDLERS.add
 async def _reopen(page: Page, _: messages.ReopenTab) -> None:
     await page.session.reopen_robot(page)
 
 
+@HANDLERS.add
 async def _rename(page: Page, message: messages.RenameTab) -> None:
     await page.session.rename_robot(message.name, message.new)
-
-
-HANDLERS: Mapping[type, Handler] = {
-    messages.AddTab: _add,
-    messages.SetRobotCount: _set_count,
-    messages.OpenTab: _open,
-    messages.CloseTab: _close,
-    messages.ReopenTab: _reopen,
-    messages.RenameTab: _rename,
-}

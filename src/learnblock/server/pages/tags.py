@@ -6,9 +6,13 @@ from anyio import to_thread
 
 from learnblock.perception import tag_names
 from learnblock.server import catalog, messages
-from learnblock.server.pages.page import Handler, Page
+from learnblock.server.pages.handlers import Handlers
+from learnblock.server.pages.page import Page
+
+HANDLERS = Handlers()
 
 
+@HANDLERS.add
 async def _save(page: Page, message: messages.SaveTags) -> None:
     before = dict((await to_thread.run_sync(catalog.tag_dictionary)).names)
     await to_thread.run_sync(tag_names.save_names, message.names)
@@ -16,11 +20,13 @@ async def _save(page: Page, message: messages.SaveTags) -> None:
     page.sessions.send(await to_thread.run_sync(catalog.tag_dictionary))
 
 
+@HANDLERS.add
 async def _read(page: Page, message: messages.ReadTags) -> None:
     read = await to_thread.run_sync(tag_names.parse, message.text, message.filename)
     page.send(messages.TagsRead(dict(read)))
 
 
+@HANDLERS.add
 async def _export(page: Page, message: messages.ExportTags) -> None:
     page.send(await to_thread.run_sync(_file, message.format))
 
@@ -36,10 +42,3 @@ def _sheet(names: Mapping[str, int]) -> str:
     from learnblock.monitor.tag_sheet import sheet  # noqa: PLC0415 - it loads the simulator
 
     return sheet([(number, name) for name, number in names.items()])
-
-
-HANDLERS: Mapping[type, Handler] = {
-    messages.SaveTags: _save,
-    messages.ReadTags: _read,
-    messages.ExportTags: _export,
-}

@@ -1,6 +1,5 @@
 """Handlers of messages about worlds."""
 
-from collections.abc import Mapping
 from itertools import count
 from typing import Any
 
@@ -8,18 +7,24 @@ from anyio import to_thread
 
 from learnblock.errors import LearnBlockError, UnknownNameError, WorldError
 from learnblock.server import catalog, messages
-from learnblock.server.pages.page import Handler, Page
+from learnblock.server.pages.handlers import Handlers
+from learnblock.server.pages.page import Page
+
+HANDLERS = Handlers()
 
 
+@HANDLERS.add
 async def _read(page: Page, message: messages.ReadWorld) -> None:
     page.send(await to_thread.run_sync(_to_edit, message.name))
 
 
+@HANDLERS.add
 async def _check(page: Page, message: messages.CheckWorld) -> None:
     robot = page.session.robots[0]
     page.send(await to_thread.run_sync(_checked, message.world, robot))
 
 
+@HANDLERS.add
 async def _make(page: Page, message: messages.MakeWorld) -> None:
     def make() -> messages.WorldMade:
         from learnblock.monitor import worlds  # noqa: PLC0415
@@ -30,6 +35,7 @@ async def _make(page: Page, message: messages.MakeWorld) -> None:
     page.send(await to_thread.run_sync(make))
 
 
+@HANDLERS.add
 async def _save(page: Page, message: messages.SaveWorld) -> None:
     session = page.session
     if not message.replace and await to_thread.run_sync(_is_own, message.name):
@@ -42,6 +48,7 @@ async def _save(page: Page, message: messages.SaveWorld) -> None:
     await session.choose_world(message.name)
 
 
+@HANDLERS.add
 async def _import(page: Page, message: messages.ImportWorld) -> None:
     def install() -> str:
         from learnblock.extensions import worlds  # noqa: PLC0415
@@ -53,6 +60,7 @@ async def _import(page: Page, message: messages.ImportWorld) -> None:
     await page.session.choose_world(name)
 
 
+@HANDLERS.add
 async def _export(page: Page, message: messages.ExportWorld) -> None:
     def pack() -> tuple[str, bytes]:
         from learnblock.extensions import worlds  # noqa: PLC0415
@@ -62,6 +70,7 @@ async def _export(page: Page, message: messages.ExportWorld) -> None:
     page.send(messages.WorldExported(*await to_thread.run_sync(pack)))
 
 
+@HANDLERS.add
 async def _rename(page: Page, message: messages.RenameWorld) -> None:
     def rename() -> None:
         from learnblock.extensions import worlds  # noqa: PLC0415
@@ -72,6 +81,7 @@ async def _rename(page: Page, message: messages.RenameWorld) -> None:
     await _have_changed(page)
 
 
+@HANDLERS.add
 async def _delete(page: Page, message: messages.DeleteWorld) -> None:
     title = await to_thread.run_sync(_title, message.name)
     await page.sessions.leave_world(page.session, message.name)
@@ -86,6 +96,7 @@ async def _delete(page: Page, message: messages.DeleteWorld) -> None:
     page.send(messages.WorldDeleted(message.name, title))
 
 
+@HANDLERS.add
 async def _restore(page: Page, message: messages.RestoreWorld) -> None:
     def restore() -> None:
         from learnblock.extensions import worlds  # noqa: PLC0415
@@ -168,16 +179,3 @@ def _saved(name: str, values: dict[str, Any]) -> messages.WorldChecked | None:
     except WorldError as error:
         return messages.WorldChecked(tuple(one.message for one in error.diagnostics))
     return None
-
-
-HANDLERS: Mapping[type, Handler] = {
-    messages.ReadWorld: _read,
-    messages.CheckWorld: _check,
-    messages.MakeWorld: _make,
-    messages.SaveWorld: _save,
-    messages.ImportWorld: _import,
-    messages.ExportWorld: _export,
-    messages.RenameWorld: _rename,
-    messages.DeleteWorld: _delete,
-    messages.RestoreWorld: _restore,
-}

@@ -51,7 +51,7 @@ class Connected:
         self._loop = asyncio.get_running_loop()
         self._connection = RobotConnection(robot, chosen, self._changed)
         self._reporting: asyncio.Task[None] | None = None
-        self._last: messages.Message | None = None
+        self._last: messages.ToPage | None = None
 
     @property
     def closing(self) -> bool:
@@ -127,7 +127,7 @@ class Connected:
                 self._send(values)
             await asyncio.sleep(PERIOD)
 
-    def _send(self, message: messages.Message) -> None:
+    def _send(self, message: messages.ToPage) -> None:
         self.page.send(message)
 
 

@@ -75,7 +75,7 @@ class Voice:
         self._console.printed(text, self.robot)
 
 
-def message_of(parts: Sequence[PrintedPart]) -> messages.Message | None:
+def message_of(parts: Sequence[PrintedPart]) -> messages.ToPage | None:
     """The message about some output; None if there is none."""
     if not parts:
         return None

@@ -66,7 +66,7 @@ class Reporter:
         self._watched = asyncio.Event()
         self._until = 0.0
         #: The last message of each type; equal ones are not sent again.
-        self._last: dict[type[messages.Message], messages.Message] = {}
+        self._last: dict[type[messages.ToPage], messages.ToPage] = {}
         self._filmed: Picture | None = None
         self._drawn = Drawn()
         self._bumps = Bumps()
@@ -135,7 +135,7 @@ class Reporter:
             for page in self._of.viewers:
                 page.send(sound)
 
-    def _send(self, message: messages.Message) -> None:
+    def _send(self, message: messages.ToPage) -> None:
         """Send a message to every page, unless it is the same as the last of its type."""
         if self._last.get(type(message)) == message:
             return

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import Protocol
 
-from learnblock.server.messages import Message
+from learnblock.server.messages import ToPage
 from learnblock.server.program.shown import Shown
 
 
@@ -15,7 +15,7 @@ class Viewer(Protocol):
     #: Whether it has requested camera frames.
     watching: bool
 
-    def send(self, message: Message, data: bytes | None = None) -> None:
+    def send(self, message: ToPage, data: bytes | None = None) -> None:
         """Queue a message for the page, followed by `data`, if any."""
 
 
@@ -39,7 +39,7 @@ class Viewers:
         """Stop sending messages to a page."""
         self._viewers.remove(viewer)
 
-    def send(self, message: Message) -> None:
+    def send(self, message: ToPage) -> None:
         """Send a message to every page."""
         for viewer in self:
             viewer.send(message)

@@ -21,7 +21,7 @@ class LessonTrial:
         send: sends a message to the page.
     """
 
-    def __init__(self, send: Callable[[messages.Message], object]) -> None:
+    def __init__(self, send: Callable[[messages.ToPage], object]) -> None:
         self._send = send
         self._task: asyncio.Task[None] | None = None
         self._switch = StopSwitch()

@@ -10,7 +10,7 @@ from anyio import to_thread
 from learnblock.blocks import BlockConfiguration
 from learnblock.blocks.known import all_configurations
 from learnblock.errors import LearnBlockError
-from learnblock.server.messages import Message, PaletteChanged
+from learnblock.server.messages import PaletteChanged, ToPage
 from learnblock.server.projects.folder import ProjectFolder
 from learnblock.server.projects.project import Project, checked_name, is_same_program
 from learnblock.server.sessions.connections import Connections
@@ -131,7 +131,7 @@ class Sessions:
         """Whether a program is running that may use the network."""
         return any(session.runs.uses_network for session in self._open.values())
 
-    def send(self, message: Message) -> None:
+    def send(self, message: ToPage) -> None:
         """Send a message to every page of every project."""
         for session in self._open.values():
             session.viewers.send(message)

@@ -29,7 +29,7 @@ fields = st.sampled_from(
 
 
 def test_every_message_of_a_page_has_a_handler():
-    assert set(messages.FromPage.__args__) == set(HANDLERS)
+    assert set(messages.FROM_PAGE.__args__) == set(HANDLERS)
 
 
 def test_the_server_sends_the_first_message(page):
