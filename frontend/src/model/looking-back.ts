@@ -31,7 +31,7 @@ export class LookingBack {
     private readonly connection: Connection,
   ) {
     connection.on("Past", () => this.next());
-    connection.on("Failed", ({ request }) => request === "LookBack" && this.next());
+    connection.onRefused(["LookBack"], () => this.next());
     // A connection that broke gives no answer any more.
     connection.on("Opened", () => {
       this.asked = false;

@@ -65,7 +65,7 @@ export class Project {
       // A page that only reads follows the other one all the time.
       if (!program.readOnly.value) this.toasts.note(t("page-project-taken-in"));
     });
-    connection.on("Failed", ({ message, request }) => this.failed(message, request ?? ""));
+    connection.on("Failed", ({ message, refused = "", request = 0 }) => request || this.failed(message, refused));
     program.recovered.subscribe((times) => {
       if (times > 0) this.toasts.note(t("page-project-drafts-recovered"));
     });
@@ -251,13 +251,12 @@ export class Project {
     this.list();
   }
 
-  private failed(message: Phrase, request: string): void {
-    // The dialog that sent the request shows the error itself.
-    if (/(CustomBlock|Library|Libraries)$/.test(request)) return;
-    if (request === "Run") this.refused(message);
+  /** Show a refusal; who has asked and waits for the answer shows it itself. */
+  private failed(message: Phrase, refused: string): void {
+    if (refused === "Run") this.refused(message);
     else this.toasts.error(say(message));
     // The page's address may name a project that does not exist.
-    if (request !== "Open") return;
+    if (refused !== "Open") return;
     if (this.name.value) return renameProject(this.name.value);
     forgetProject();
     this.showStart();

@@ -55,8 +55,10 @@ export class Channel<Sent extends Kind, Received extends Kind> {
   }
 
   protected receive(data: string | Blob): void {
-    if (data instanceof Blob) return;
-    const message = JSON.parse(data) as Received;
+    if (!(data instanceof Blob)) this.received(JSON.parse(data) as Received);
+  }
+
+  protected received(message: Received): void {
     for (const listener of this.listeners.get(message.kind) ?? []) listener(message as never);
   }
 

@@ -1,27 +1,44 @@
 /** The websocket to the server, with the messages of `messages.ts` and, in a class, of `classroom.ts`. */
 
-import type { Phrase } from "../i18n";
 import { Channel } from "./channel";
 import type { FromPupil, ToPupil } from "./classroom";
-import type { FromPage, ToPage } from "./messages";
+import type { Failed, FromPage, ToPage } from "./messages";
 
 export type { ConnectionState } from "./channel";
 
 type FrameListener = (jpeg: Blob) => void;
 
+/** What answers a request: `Done`, `Failed`, or a message of its own. */
+export type Answer = Extract<ToPage, { request?: number }>;
+
+/** The answer to what cannot be sent, or is not answered any more. */
+const UNSENT: Failed = { kind: "Failed", message: { code: "page-shell-unsent" } };
+
 export class Connection extends Channel<FromPage | FromPupil, ToPage | ToPupil> {
   private frameListeners = new Set<FrameListener>();
+  private readonly waiting = new Map<number, (answer: Answer) => void>();
+  private lastRequest = 0;
 
   constructor(address: URL, token: string) {
     // The token is sent as a subprotocol because addresses end up in logs. In a class there is none.
     super(address, token ? ["learnblock", token] : ["learnblock"]);
+    this.state.subscribe((state) => state !== "open" && this.abandon());
   }
 
-  /** Listen to the server's refusals of these requests; call the result to stop. */
-  onRefused(requests: readonly FromPage["kind"][], listener: (reason: Phrase) => void): () => void {
-    const known = new Set<string>(requests);
-    return this.on("Failed", ({ message, request = "" }) => {
-      if (known.has(request)) listener(message);
+  /** Send a message and wait for its answer. Who asks shows a refusal: no toast does. */
+  ask(message: FromPage): Promise<Answer> {
+    const request = ++this.lastRequest;
+    return new Promise((resolve) => {
+      if (this.send({ ...message, request })) this.waiting.set(request, resolve);
+      else resolve(UNSENT);
+    });
+  }
+
+  /** React to the server's refusals of these messages, which a toast shows; call the result to stop. */
+  onRefused(kinds: readonly FromPage["kind"][], listener: () => void): () => void {
+    const known = new Set<string>(kinds);
+    return this.on("Failed", ({ refused = "", request = 0 }) => {
+      if (!request && known.has(refused)) listener();
     });
   }
 
@@ -34,5 +51,17 @@ export class Connection extends Channel<FromPage | FromPupil, ToPage | ToPupil> 
   protected override receive(data: string | Blob): void {
     if (data instanceof Blob) for (const listener of this.frameListeners) listener(data);
     else super.receive(data);
+  }
+
+  protected override received(message: ToPage | ToPupil): void {
+    super.received(message);
+    if (!("request" in message) || !message.request) return;
+    this.waiting.get(message.request)?.(message);
+    this.waiting.delete(message.request);
+  }
+
+  private abandon(): void {
+    for (const resolve of this.waiting.values()) resolve(UNSENT);
+    this.waiting.clear();
   }
 }

@@ -10,32 +10,38 @@ export interface AddTab {
   kind: "AddTab";
   robot: string;
   count?: number;
+  request?: number;
 }
 
 export interface AllowNetwork {
   kind: "AllowNetwork";
   allowed: boolean;
   key: string;
+  request?: number;
 }
 
 export interface Answer {
   kind: "Answer";
   text: string;
+  request?: number;
 }
 
 export interface AnswerPuzzle {
   kind: "AnswerPuzzle";
   order: number[];
+  request?: number;
 }
 
 export interface AnswerQuiz {
   kind: "AnswerQuiz";
   choices: number[];
+  request?: number;
 }
 
 export interface AskWhy {
   kind: "AskWhy";
   question: WhyQuestion;
+  request?: number;
 }
 
 export interface Asked {
@@ -46,6 +52,7 @@ export interface Asked {
 
 export interface BeginRobot {
   kind: "BeginRobot";
+  request?: number;
 }
 
 export interface Block {
@@ -152,6 +159,7 @@ export interface CameraFrame {
 export interface ChangeLesson {
   kind: "ChangeLesson";
   lesson: string;
+  request?: number;
 }
 
 export interface ChangeSettings {
@@ -159,54 +167,63 @@ export interface ChangeSettings {
   robot: string;
   values: Record<string, unknown>;
   agreed?: boolean;
+  request?: number;
 }
 
 export interface CheckCustomBlock {
   kind: "CheckCustomBlock";
-  request: number;
   name: string;
   source: string;
   configuration?: string;
   replaces?: string;
   language?: string;
+  request?: number;
 }
 
 export interface CheckStep {
   kind: "CheckStep";
+  request?: number;
 }
 
 export interface CheckWorld {
   kind: "CheckWorld";
   world: Record<string, unknown>;
+  request?: number;
 }
 
 export interface ChooseBlockSet {
   kind: "ChooseBlockSet";
   set: BlockSet;
+  request?: number;
 }
 
 export interface ChooseRobot {
   kind: "ChooseRobot";
   name: string;
+  request?: number;
 }
 
 export interface ChooseWorld {
   kind: "ChooseWorld";
   name: string;
   variant?: number;
+  request?: number;
 }
 
 export interface CloseProject {
   kind: "CloseProject";
+  request?: number;
 }
 
 export interface CloseRun {
   kind: "CloseRun";
+  request?: number;
 }
 
 export interface CloseTab {
   kind: "CloseTab";
   name: string;
+  request?: number;
 }
 
 export interface CodeOffered {
@@ -219,6 +236,7 @@ export interface CompareRuns {
   kind: "CompareRuns";
   first: string;
   second: string;
+  request?: number;
 }
 
 export interface ComparedRun {
@@ -229,11 +247,11 @@ export interface ComparedRun {
 
 export interface Complete {
   kind: "Complete";
-  request: number;
   notation: "blocktext" | "python";
   line: number;
   column: number;
   language?: string;
+  request?: number;
 }
 
 export interface Completion {
@@ -261,6 +279,7 @@ export interface Conflict {
 export interface ConnectRobot {
   kind: "ConnectRobot";
   id: string;
+  request?: number;
 }
 
 export interface Containment {
@@ -274,17 +293,20 @@ export interface ConvertLibrary {
   content: string;
   python?: string | null;
   configuration?: string | null;
+  request?: number;
 }
 
 export interface CopyLesson {
   kind: "CopyLesson";
   lesson: string;
+  request?: number;
 }
 
 export interface CopyProject {
   kind: "CopyProject";
   project: string;
   name: string;
+  request?: number;
 }
 
 export interface CorrectRobot {
@@ -292,6 +314,7 @@ export interface CorrectRobot {
   distance?: number;
   angle?: number;
   save?: boolean;
+  request?: number;
 }
 
 export interface Correction {
@@ -347,40 +370,46 @@ export interface CustomBlocks {
 export interface Delete {
   kind: "Delete";
   name: string;
+  request?: number;
 }
 
 export interface DeleteBlockSet {
   kind: "DeleteBlockSet";
   name: string;
+  request?: number;
 }
 
 export interface DeleteCustomBlock {
   kind: "DeleteCustomBlock";
   name: string;
+  request?: number;
 }
 
 export interface DeleteLesson {
   kind: "DeleteLesson";
   lesson: string;
+  request?: number;
 }
 
 export interface DeleteRun {
   kind: "DeleteRun";
   run: string;
+  request?: number;
 }
 
 export interface DeleteWorld {
   kind: "DeleteWorld";
   name: string;
+  request?: number;
 }
 
 export interface Describe {
   kind: "Describe";
-  request: number;
   notation: "blocktext" | "python";
   line: number;
   column: number;
   language?: string;
+  request?: number;
 }
 
 export interface Description {
@@ -400,6 +429,7 @@ export interface Description {
 
 export interface DisconnectRobot {
   kind: "DisconnectRobot";
+  request?: number;
 }
 
 export interface Document {
@@ -417,9 +447,15 @@ export interface Document {
   can_redo?: boolean;
 }
 
+export interface Done {
+  kind: "Done";
+  request: number;
+}
+
 export interface DownloadLibrary {
   kind: "DownloadLibrary";
   name: string;
+  request?: number;
 }
 
 export interface Drawing {
@@ -432,12 +468,14 @@ export interface Drive {
   kind: "Drive";
   advance: number;
   rotation: number;
+  request?: number;
 }
 
 export interface DuplicateCustomBlock {
   kind: "DuplicateCustomBlock";
   name: string;
   new: string;
+  request?: number;
 }
 
 export interface EditBlocks {
@@ -446,6 +484,7 @@ export interface EditBlocks {
   workspace: Workspace;
   revision?: number;
   shown?: number;
+  request?: number;
 }
 
 export interface EditText {
@@ -455,6 +494,7 @@ export interface EditText {
   text: string;
   revision?: number;
   shown?: number;
+  request?: number;
 }
 
 export interface EditedLesson {
@@ -492,6 +532,7 @@ export interface Ended {
 export interface ExamineLesson {
   kind: "ExamineLesson";
   edited: EditedLesson;
+  request?: number;
 }
 
 export interface ExaminedStep {
@@ -515,32 +556,38 @@ export interface Export {
   kind: "Export";
   format: "bt" | "learnblock" | "py";
   project?: string;
+  request?: number;
 }
 
 export interface ExportBlockSet {
   kind: "ExportBlockSet";
   set: BlockSet;
+  request?: number;
 }
 
 export interface ExportCustomBlock {
   kind: "ExportCustomBlock";
   name: string;
+  request?: number;
 }
 
 export interface ExportLesson {
   kind: "ExportLesson";
   lesson: string;
   for_pupils?: boolean;
+  request?: number;
 }
 
 export interface ExportTags {
   kind: "ExportTags";
   format?: "csv" | "html" | "toml";
+  request?: number;
 }
 
 export interface ExportWorld {
   kind: "ExportWorld";
   name: string;
+  request?: number;
 }
 
 export interface Exportable {
@@ -564,7 +611,8 @@ export interface ExportableFunction {
 export interface Failed {
   kind: "Failed";
   message: Phrase;
-  request?: string;
+  refused?: string;
+  request?: number;
 }
 
 export interface File {
@@ -576,6 +624,7 @@ export interface File {
 export interface FindRobots {
   kind: "FindRobots";
   on: boolean;
+  request?: number;
 }
 
 export interface Finding {
@@ -586,6 +635,7 @@ export interface Finding {
 
 export interface Format {
   kind: "Format";
+  request?: number;
 }
 
 export interface GoalNow {
@@ -598,6 +648,7 @@ export interface GoalNow {
 export interface HandleRobot {
   kind: "HandleRobot";
   how: "back" | "front" | "left" | "level" | "right" | "shake";
+  request?: number;
 }
 
 export interface History {
@@ -609,36 +660,42 @@ export interface History {
 export interface HoldKeys {
   kind: "HoldKeys";
   keys: ("0" | "1" | "2" | "3" | "4" | "5" | "6" | "7" | "8" | "9" | "a" | "b" | "c" | "d" | "down" | "e" | "enter" | "f" | "g" | "h" | "i" | "j" | "k" | "l" | "left" | "m" | "n" | "o" | "p" | "q" | "r" | "right" | "s" | "space" | "t" | "u" | "up" | "v" | "w" | "x" | "y" | "z")[];
+  request?: number;
 }
 
 export interface Import {
   kind: "Import";
   filename: string;
   text: string;
+  request?: number;
 }
 
 export interface ImportCustomBlock {
   kind: "ImportCustomBlock";
   content: string;
   replace?: boolean;
+  request?: number;
 }
 
 export interface ImportLesson {
   kind: "ImportLesson";
   filename: string;
   content: string;
+  request?: number;
 }
 
 export interface ImportLessonFolder {
   kind: "ImportLessonFolder";
   name: string;
   files: Record<string, string>;
+  request?: number;
 }
 
 export interface ImportLibraries {
   kind: "ImportLibraries";
   files: LibraryFile[];
   replace?: boolean;
+  request?: number;
 }
 
 export interface ImportOriginal {
@@ -646,12 +703,14 @@ export interface ImportOriginal {
   filename: string;
   content: string;
   libraries?: Record<string, string>;
+  request?: number;
 }
 
 export interface ImportWorld {
   kind: "ImportWorld";
   filename: string;
   content: string;
+  request?: number;
 }
 
 export interface Input {
@@ -667,6 +726,7 @@ export interface InputWanted {
 
 export interface InstallOffered {
   kind: "InstallOffered";
+  request?: number;
 }
 
 export interface InstalledLibrary {
@@ -681,12 +741,14 @@ export interface InstalledLibrary {
 export interface Introduce {
   kind: "Introduce";
   browser: string;
+  request?: number;
 }
 
 export interface KeepPicture {
   kind: "KeepPicture";
   project: string;
   content: string;
+  request?: number;
 }
 
 export interface KeptRun {
@@ -930,34 +992,42 @@ export interface LibraryRead {
 
 export interface ListBlockSets {
   kind: "ListBlockSets";
+  request?: number;
 }
 
 export interface ListCustomBlocks {
   kind: "ListCustomBlocks";
+  request?: number;
 }
 
 export interface ListExportable {
   kind: "ListExportable";
+  request?: number;
 }
 
 export interface ListHistory {
   kind: "ListHistory";
+  request?: number;
 }
 
 export interface ListLessons {
   kind: "ListLessons";
+  request?: number;
 }
 
 export interface ListLibraries {
   kind: "ListLibraries";
+  request?: number;
 }
 
 export interface ListProjects {
   kind: "ListProjects";
+  request?: number;
 }
 
 export interface ListRuns {
   kind: "ListRuns";
+  request?: number;
 }
 
 export interface LookBack {
@@ -967,10 +1037,12 @@ export interface LookBack {
   step?: number;
   to?: "change" | "event" | "line" | "mark" | "run" | "turn";
   subject?: string;
+  request?: number;
 }
 
 export interface MakeLesson {
   kind: "MakeLesson";
+  request?: number;
 }
 
 export interface MakeLibrary {
@@ -980,12 +1052,14 @@ export interface MakeLibrary {
   title?: Record<string, string>;
   functions?: string[];
   own?: string[];
+  request?: number;
 }
 
 export interface MakeRobot {
   kind: "MakeRobot";
   name: string;
   description: string;
+  request?: number;
 }
 
 export interface MakeWorld {
@@ -993,18 +1067,21 @@ export interface MakeWorld {
   template: "field" | "maze" | "track";
   size: number;
   seed: number;
+  request?: number;
 }
 
 export interface NameRobot {
   kind: "NameRobot";
   robot: string;
   name: string;
+  request?: number;
 }
 
 export interface NameRun {
   kind: "NameRun";
   run: string;
   name: string;
+  request?: number;
 }
 
 export interface NearbyRobot {
@@ -1026,6 +1103,7 @@ export interface New {
   name?: string;
   example?: string | null;
   robot?: string;
+  request?: number;
 }
 
 export interface Noted {
@@ -1043,6 +1121,7 @@ export interface Open {
   kind: "Open";
   name: string;
   tab?: string;
+  request?: number;
 }
 
 export interface OpenExample {
@@ -1050,17 +1129,20 @@ export interface OpenExample {
   name: string;
   example: string;
   robot?: string;
+  request?: number;
 }
 
 export interface OpenRun {
   kind: "OpenRun";
   run: string;
+  request?: number;
 }
 
 export interface OpenTab {
   kind: "OpenTab";
   name: string;
   robot?: string;
+  request?: number;
 }
 
 export interface Opened {
@@ -1110,6 +1192,7 @@ export interface PastRun {
 
 export interface Pause {
   kind: "Pause";
+  request?: number;
 }
 
 export type Place = [block: string, blocktext: number, blocktext_end: number, python: number, python_end: number];
@@ -1119,6 +1202,7 @@ export interface PlaceRobot {
   x: number;
   y: number;
   heading: number;
+  request?: number;
 }
 
 export interface Predicted {
@@ -1196,79 +1280,95 @@ export interface ReadBlockSet {
   kind: "ReadBlockSet";
   filename: string;
   text: string;
+  request?: number;
 }
 
 export interface ReadCalls {
   kind: "ReadCalls";
   first?: number;
   last?: number | null;
+  request?: number;
 }
 
 export interface ReadCallsBeside {
   kind: "ReadCallsBeside";
   first: string;
   second: string;
+  request?: number;
 }
 
 export interface ReadContainment {
   kind: "ReadContainment";
+  request?: number;
 }
 
 export interface ReadLessonNotes {
   kind: "ReadLessonNotes";
   lesson: string;
+  request?: number;
 }
 
 export interface ReadLibraries {
   kind: "ReadLibraries";
   files: LibraryFile[];
+  request?: number;
 }
 
 export interface ReadNetwork {
   kind: "ReadNetwork";
+  request?: number;
 }
 
 export interface ReadPastPicture {
   kind: "ReadPastPicture";
   time: number;
+  request?: number;
 }
 
 export interface ReadPrediction {
   kind: "ReadPrediction";
+  request?: number;
 }
 
 export interface ReadQuestions {
   kind: "ReadQuestions";
   block?: string;
   time?: number | null;
+  request?: number;
 }
 
 export interface ReadRunsOn {
   kind: "ReadRunsOn";
+  request?: number;
 }
 
 export interface ReadSettings {
   kind: "ReadSettings";
   robot?: string;
+  request?: number;
 }
 
 export interface ReadTags {
   kind: "ReadTags";
   filename: string;
   text: string;
+  request?: number;
 }
 
 export interface ReadTimeline {
   kind: "ReadTimeline";
+  request?: number;
 }
 
 export interface ReadValues {
   kind: "ReadValues";
+  request?: number;
 }
 
 export interface ReadWorld {
   kind: "ReadWorld";
   name: string;
+  request?: number;
 }
 
 export interface RecoverBlocks {
@@ -1277,6 +1377,7 @@ export interface RecoverBlocks {
   workspace: Workspace;
   base: Workspace;
   shown?: number;
+  request?: number;
 }
 
 export interface RecoverText {
@@ -1286,15 +1387,18 @@ export interface RecoverText {
   text: string;
   base: string;
   shown?: number;
+  request?: number;
 }
 
 export interface Redo {
   kind: "Redo";
+  request?: number;
 }
 
 export interface RemoveLibrary {
   kind: "RemoveLibrary";
   name: string;
+  request?: number;
 }
 
 export interface Rename {
@@ -1302,55 +1406,66 @@ export interface Rename {
   sort: "function" | "variable" | "when";
   name: string;
   new: string;
+  request?: number;
 }
 
 export interface RenameProject {
   kind: "RenameProject";
   name: string;
   project?: string;
+  request?: number;
 }
 
 export interface RenameTab {
   kind: "RenameTab";
   name: string;
   new: string;
+  request?: number;
 }
 
 export interface RenameWorld {
   kind: "RenameWorld";
   name: string;
   title: string;
+  request?: number;
 }
 
 export interface ReopenTab {
   kind: "ReopenTab";
+  request?: number;
 }
 
 export interface ResetWorld {
   kind: "ResetWorld";
+  request?: number;
 }
 
 export interface RestartStep {
   kind: "RestartStep";
+  request?: number;
 }
 
 export interface Restore {
   kind: "Restore";
   version: string;
+  request?: number;
 }
 
 export interface RestoreCustomBlock {
   kind: "RestoreCustomBlock";
   name: string;
+  request?: number;
 }
 
 export interface RestoreWorld {
   kind: "RestoreWorld";
   name: string;
+  request?: number;
 }
 
 export interface Resume {
   kind: "Resume";
+  request?: number;
 }
 
 export interface Robot {
@@ -1445,6 +1560,7 @@ export interface RobotsNearby {
 export interface Run {
   kind: "Run";
   paused?: boolean;
+  request?: number;
 }
 
 export interface RunShown {
@@ -1490,12 +1606,14 @@ export interface RunsOn {
 export interface SaveAs {
   kind: "SaveAs";
   name: string;
+  request?: number;
 }
 
 export interface SaveBlockSet {
   kind: "SaveBlockSet";
   set: BlockSet;
   replace?: boolean;
+  request?: number;
 }
 
 export interface SaveCustomBlock {
@@ -1504,16 +1622,19 @@ export interface SaveCustomBlock {
   source: string;
   configuration?: string;
   replaces?: string;
+  request?: number;
 }
 
 export interface SaveLesson {
   kind: "SaveLesson";
   edited: EditedLesson;
+  request?: number;
 }
 
 export interface SaveTags {
   kind: "SaveTags";
   names: Record<string, number>;
+  request?: number;
 }
 
 export interface SaveWorld {
@@ -1521,6 +1642,7 @@ export interface SaveWorld {
   name: string;
   world: Record<string, unknown>;
   replace?: boolean;
+  request?: number;
 }
 
 export interface Saved {
@@ -1560,17 +1682,20 @@ export interface Sensor {
 export interface SetBreakpoints {
   kind: "SetBreakpoints";
   blocks: string[];
+  request?: number;
 }
 
 export interface SetRobotCount {
   kind: "SetRobotCount";
   name: string;
   count: number;
+  request?: number;
 }
 
 export interface SetSpeed {
   kind: "SetSpeed";
   factor: number | null;
+  request?: number;
 }
 
 export interface Setting {
@@ -1604,12 +1729,14 @@ export interface SettingsTable {
 export interface ShowStep {
   kind: "ShowStep";
   step: number;
+  request?: number;
 }
 
 export interface ShowVariant {
   kind: "ShowVariant";
   robot: string;
   variant: number;
+  request?: number;
 }
 
 export interface SkillClash {
@@ -1636,23 +1763,28 @@ export interface StartLesson {
   name: string;
   robot?: string;
   again?: boolean;
+  request?: number;
 }
 
 export interface Step {
   kind: "Step";
   over?: boolean;
+  request?: number;
 }
 
 export interface Stop {
   kind: "Stop";
+  request?: number;
 }
 
 export interface StopChecking {
   kind: "StopChecking";
+  request?: number;
 }
 
 export interface StopTrying {
   kind: "StopTrying";
+  request?: number;
 }
 
 export interface StrokePart {
@@ -1707,6 +1839,7 @@ export interface TagsRead {
 
 export interface TakeHint {
   kind: "TakeHint";
+  request?: number;
 }
 
 export interface TakenIn {
@@ -1751,16 +1884,19 @@ export interface TryCustomBlock {
   source: string;
   function?: string;
   arguments?: unknown[];
+  request?: number;
 }
 
 export interface TryLesson {
   kind: "TryLesson";
   edited: EditedLesson;
+  request?: number;
 }
 
 export interface TryRobot {
   kind: "TryRobot";
   action: "angle" | "beep" | "distance" | "face" | "lamps" | "stop" | "wheels";
+  request?: number;
 }
 
 export interface TwinFinding {
@@ -1770,6 +1906,7 @@ export interface TwinFinding {
 
 export interface Undo {
   kind: "Undo";
+  request?: number;
 }
 
 export interface UnreachableGoal {
@@ -1781,10 +1918,12 @@ export interface UnreachableGoal {
 export interface UseLibrary {
   kind: "UseLibrary";
   name: string;
+  request?: number;
 }
 
 export interface UseRobot {
   kind: "UseRobot";
+  request?: number;
 }
 
 export interface ValueThere {
@@ -1826,6 +1965,7 @@ export interface Version {
 export interface WatchCamera {
   kind: "WatchCamera";
   on: boolean;
+  request?: number;
 }
 
 export interface Welcome {
@@ -1877,6 +2017,7 @@ export interface WorldChecked {
   problems: Phrase[];
   lines?: [number, number][][];
   unreachable?: UnreachableGoal[];
+  request?: number;
 }
 
 export interface WorldChoice {
@@ -2149,6 +2290,7 @@ export type ToPage =
   | Saved
   | TakenIn
   | Failed
+  | Done
   | RobotBegun
   | RobotMade
   | Robots

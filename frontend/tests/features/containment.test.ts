@@ -44,10 +44,13 @@ test("another page does not ask by itself", () => {
   expect(begin(false).connection.sent).toEqual([]);
 });
 
-test("the network is allowed with the key of the last answer", () => {
+test("the network is allowed with the key of the last answer", async () => {
   const { connection, containment } = begin(false);
   containment.read();
   connection.tell({ kind: "Network", allowed: false, key: "abc" });
-  containment.allowNetwork(true);
+  await connection.answer();
+  void containment.allowNetwork(true);
   expect(connection.sent.at(-1)).toEqual({ kind: "AllowNetwork", allowed: true, key: "abc" });
+  await connection.refuse("server-network-ask-again");
+  expect(containment.requests.refusal.value).toEqual({ code: "server-network-ask-again" });
 });

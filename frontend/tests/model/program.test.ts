@@ -236,7 +236,7 @@ test("a refused edit does not keep later answers from being shown", () => {
   const [program, connection] = opened();
   program.editedText("python", () => "x = 1");
   drawFrame();
-  connection.tell({ kind: "Failed", message: { code: "server-too-deep" }, request: "RecoverText" });
+  connection.tell({ kind: "Failed", message: { code: "server-too-deep" }, refused: "RecoverText" });
   connection.tell({ kind: "Document", edit: 0, revision: 3, origin: "python", blocktext: "y = 1" });
   expect(program.state.value.blocktext).toBe("y = 1");
 });

@@ -101,14 +101,16 @@ describe("listening", () => {
     expect(printed).not.toHaveBeenCalled();
   });
 
-  test("hears of a refusal only for its own requests", () => {
+  test("reacts to refusals of the messages that it names, and of no answer that is awaited", () => {
     const [connection, socket] = opened();
     const refused = vi.fn();
     connection.onRefused(["SaveTags"], refused);
-    socket.tell({ kind: "Failed", message: { code: "server-other", values: {} }, request: "Step" });
-    const full = { code: "file-disk-full", values: {} };
-    socket.tell({ kind: "Failed", message: full, request: "SaveTags" });
-    expect(refused.mock.calls).toEqual([[full]]);
+    const failed = { kind: "Failed", message: { code: "file-disk-full" } } as const;
+    socket.tell({ ...failed, refused: "Step" });
+    socket.tell({ ...failed, refused: "SaveTags", request: 1 });
+    expect(refused).not.toHaveBeenCalled();
+    socket.tell({ ...failed, refused: "SaveTags" });
+    expect(refused).toHaveBeenCalledOnce();
   });
 
   test("receives pictures as they come", () => {
@@ -118,6 +120,32 @@ describe("listening", () => {
     const picture = new Blob(["jpeg"]);
     socket.onmessage({ data: picture });
     expect(frame).toHaveBeenCalledExactlyOnceWith(picture);
+  });
+});
+
+describe("asking", () => {
+  const STEP = { kind: "Step" } as const;
+  const UNSENT = { kind: "Failed", message: { code: "page-shell-unsent" } };
+
+  test("gives each of two requests its own answer, in whatever order they come", async () => {
+    const [connection, socket] = opened();
+    const answers = [connection.ask(STEP), connection.ask(STEP)];
+    expect(socket.sent).toEqual([
+      { kind: "Step", request: 1 },
+      { kind: "Step", request: 2 },
+    ]);
+    const failed = { kind: "Failed", message: { code: "server-other" }, refused: "Step", request: 2 } as const;
+    socket.tell(failed);
+    socket.tell({ kind: "Done", request: 1 });
+    expect(await Promise.all(answers)).toEqual([{ kind: "Done", request: 1 }, failed]);
+  });
+
+  test("is refused without a connection, and when the connection is lost", async () => {
+    const [connection, socket] = opened();
+    const asked = connection.ask(STEP);
+    socket.close();
+    expect(await asked).toEqual(UNSENT);
+    expect(await connection.ask(STEP)).toEqual(UNSENT);
   });
 });
 

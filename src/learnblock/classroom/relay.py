@@ -28,11 +28,6 @@ _BACK_SOON, _FORBIDDEN = 1012, 4403
 _PATIENCE = 10.0
 
 
-class _Kind(msgspec.Struct, frozen=True):
-    kind: str
-
-
-_kinds = msgspec.json.Decoder(_Kind)
 _from_pupil = msgspec.json.Decoder(ours.FromPupil)
 _OURS = frozenset(
     kind.__name__ for kind in (ours.AskForHelp, ours.LetTeacherWrite, ours.AskToWrite)
@@ -117,14 +112,14 @@ class Relay:
             while (received := await self._page.receive())["type"] == "websocket.receive":
                 text = received.get("text") or ""
                 await asyncio.sleep(self._pace.take())
-                kind = _kind_of(text)
-                if refusal := self._refusal(kind):
-                    self.tell(messages.Failed(refusal, kind))
-                elif kind in _OURS:
-                    self._hear(text, kind)
+                head = messages.head_of(text)
+                if refusal := self._refusal(head.kind):
+                    self.tell(messages.Failed(refusal, head.kind, head.request))
+                elif head.kind in _OURS:
+                    self._hear(text, head.kind)
                 else:
                     if not self.is_teacher:
-                        self._desk.progress.acted(kind)
+                        self._desk.progress.acted(head.kind)
                     await server.send(text)
 
     def _hear(self, text: str, kind: str) -> None:
@@ -160,11 +155,3 @@ class Relay:
         with suppress(WebSocketDisconnect, RuntimeError):
             while True:
                 await self._page.send_text(await self._outbox.get())
-
-
-def _kind_of(text: str) -> str:
-    """The kind of a message; empty if it has none."""
-    try:
-        return _kinds.decode(text).kind
-    except (msgspec.MsgspecError, UnicodeError, RecursionError):
-        return ""

@@ -2,21 +2,13 @@
 
 import { computed, signal } from "@preact/signals";
 import { language, type Phrase, t } from "../../i18n";
+import { DialogRequests } from "../../model/dialog-requests";
 import type { Connection } from "../../protocol/connection";
-import type { BlockSet, FromPage } from "../../protocol/messages";
+import type { BlockSet } from "../../protocol/messages";
 import { provided } from "../../ui/provided";
 import type { Draft } from "./ticks";
 
 const EVERYTHING: BlockSet = { name: "everything" };
-
-const REQUESTS = [
-  "ListBlockSets",
-  "ChooseBlockSet",
-  "ReadBlockSet",
-  "SaveBlockSet",
-  "DeleteBlockSet",
-  "ExportBlockSet",
-] as const satisfies readonly FromPage["kind"][];
 
 /** The server's limit. */
 const LONGEST = 256 * 1024;
@@ -35,11 +27,11 @@ export class BlockSets {
   readonly draft = signal<Draft | null>(null);
   /** The set deleted last, while this can be undone. */
   readonly deleted = signal<BlockSet | null>(null);
-  /** Why the server refused the last request. */
-  readonly refusal = signal<Phrase | string>("");
+  readonly requests: DialogRequests;
   readonly hidesSome = computed(() => this.shown.value.name !== EVERYTHING.name);
 
   constructor(private readonly connection: Connection) {
+    this.requests = new DialogRequests(connection);
     connection.on("Opened", () => (this.draft.value = null));
     connection.on("BlocksShown", ({ set, carried = [] }) => {
       // Rebuild the palette only if the set is a different one.
@@ -52,13 +44,11 @@ export class BlockSets {
       this.problems.value = problems;
     });
     connection.on("BlockSetRead", ({ set }) => (this.read.value = set));
-    connection.onRefused(REQUESTS, (reason) => (this.refusal.value = reason));
   }
 
   list(): void {
-    this.refusal.value = "";
     this.read.value = this.deleted.value = null;
-    this.connection.send({ kind: "ListBlockSets" });
+    void this.requests.ask({ kind: "ListBlockSets" });
   }
 
   choose(set: BlockSet): void {
@@ -66,25 +56,22 @@ export class BlockSets {
   }
 
   save(set: BlockSet, replace: boolean): void {
-    this.refusal.value = "";
     this.deleted.value = null;
-    this.connection.send({ kind: "SaveBlockSet", set, replace });
+    void this.requests.ask({ kind: "SaveBlockSet", set, replace });
   }
 
-  delete(set: BlockSet): void {
-    this.refusal.value = "";
-    if (this.connection.send({ kind: "DeleteBlockSet", name: set.name ?? "" })) this.deleted.value = set;
+  async delete(set: BlockSet): Promise<void> {
+    if (await this.requests.ask({ kind: "DeleteBlockSet", name: set.name ?? "" })) this.deleted.value = set;
   }
 
   export(set: BlockSet): void {
-    this.connection.send({ kind: "ExportBlockSet", set });
+    void this.requests.ask({ kind: "ExportBlockSet", set });
   }
 
   /** Read a set from a file, without saving it. */
   async readFile(file: File): Promise<void> {
-    this.refusal.value = file.size > LONGEST ? t("page-sets-large", { name: file.name }) : "";
-    if (this.refusal.value) return;
-    this.connection.send({ kind: "ReadBlockSet", filename: file.name.slice(-100), text: await file.text() });
+    const text = await this.requests.textOf(file, LONGEST, t("page-sets-large", { name: file.name }));
+    if (text !== null) void this.requests.ask({ kind: "ReadBlockSet", filename: file.name.slice(-100), text });
   }
 }
 

@@ -63,8 +63,8 @@ async function load(code: string): Promise<readonly LabelledTab[]> {
 }
 
 function Refusals() {
-  const { refusal, problems } = useBlockSets();
-  const sentences = [refusal.value, ...problems.value].filter(Boolean);
+  const { requests, problems } = useBlockSets();
+  const sentences = [requests.refusal.value, ...problems.value].filter(Boolean);
   return (
     <div role="alert" class="refusals">
       {sentences.map((one) => (

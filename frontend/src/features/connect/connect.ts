@@ -2,10 +2,9 @@
 
 import { computed, signal } from "@preact/signals";
 
-import type { Phrase } from "../../i18n";
+import { DialogRequests } from "../../model/dialog-requests";
 import type { Connection } from "../../protocol/connection";
 import type {
-  FromPage,
   KnownRobot,
   NearbyRobot,
   RobotConnected,
@@ -15,14 +14,6 @@ import type {
   TryRobot,
 } from "../../protocol/messages";
 import { provided } from "../../ui/provided";
-
-const REQUESTS = [
-  "ConnectRobot",
-  "TryRobot",
-  "CorrectRobot",
-  "NameRobot",
-  "UseRobot",
-] as const satisfies readonly FromPage["kind"][];
 
 const NONE: RobotConnected = { kind: "RobotConnected", state: "none" };
 
@@ -45,8 +36,7 @@ export class Connect {
   readonly state = signal<RobotConnected>(NONE);
   readonly values = signal<RobotValues | null>(null);
   readonly corrected = signal<RobotCorrected | null>(null);
-  /** Why the server refused the last request. */
-  readonly refusal = signal<Phrase | string>("");
+  readonly requests: DialogRequests;
 
   readonly lists = computed(() => lists(this.nearby.value, this.state.value));
   readonly isConnected = computed(() => this.state.value.state === "connected");
@@ -54,6 +44,7 @@ export class Connect {
   readonly isActing = computed(() => !!this.state.value.doing);
 
   constructor(private readonly connection: Connection) {
+    this.requests = new DialogRequests(connection);
     connection.on("RobotsNearby", (nearby) => (this.nearby.value = nearby));
     connection.on("RobotConnected", (state) => {
       if (state.state !== "connected") this.values.value = null;
@@ -61,7 +52,6 @@ export class Connect {
     });
     connection.on("RobotValues", (values) => (this.values.value = values));
     connection.on("RobotCorrected", (corrected) => (this.corrected.value = corrected));
-    connection.onRefused(REQUESTS, (reason) => (this.refusal.value = reason));
     // The server has forgotten both if the connection to it was lost.
     connection.on("Welcome", () => {
       this.state.value = NONE;
@@ -70,7 +60,7 @@ export class Connect {
   }
 
   begin(): void {
-    this.refusal.value = "";
+    this.requests.refuse("");
     this.searching.value = true;
     this.connection.send({ kind: "FindRobots", on: true });
   }
@@ -83,9 +73,8 @@ export class Connect {
   }
 
   connect(id: string): void {
-    this.refusal.value = "";
     this.corrected.value = null;
-    this.connection.send({ kind: "ConnectRobot", id });
+    void this.requests.ask({ kind: "ConnectRobot", id });
   }
 
   disconnect(): void {
@@ -96,21 +85,19 @@ export class Connect {
   }
 
   act(action: TryRobot["action"]): void {
-    this.refusal.value = "";
-    this.connection.send({ kind: "TryRobot", action });
+    void this.requests.ask({ kind: "TryRobot", action });
   }
 
   correct(distance: number, angle: number, save: boolean): void {
-    this.refusal.value = "";
-    this.connection.send({ kind: "CorrectRobot", distance, angle, save });
+    void this.requests.ask({ kind: "CorrectRobot", distance, angle, save });
   }
 
   rename(robot: string, name: string): void {
-    this.connection.send({ kind: "NameRobot", robot, name });
+    void this.requests.ask({ kind: "NameRobot", robot, name });
   }
 
   use(): void {
-    this.connection.send({ kind: "UseRobot" });
+    void this.requests.ask({ kind: "UseRobot" });
   }
 }
 

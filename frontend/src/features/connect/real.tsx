@@ -82,7 +82,7 @@ function Robots({ show }: { show: (next: Aside) => void }) {
 }
 
 function Refusal() {
-  const { refusal } = useConnect();
+  const { refusal } = useConnect().requests;
   return <>{refusal.value && say(refusal.value)}</>;
 }
 

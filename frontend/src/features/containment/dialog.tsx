@@ -14,7 +14,7 @@ export function ContainmentDialog() {
   const { dialogs } = usePage();
   const containment = useContainment();
   useEffect(() => containment.read(), []);
-  const refusal = containment.refusal.value;
+  const refusal = containment.requests.refusal.value;
   return (
     <Dialog title={t("page-containment-title")} close={() => dialogs.close()} size="large">
       <Findings />

@@ -20,29 +20,15 @@ export interface Outcome {
 
 /** The server's limit. */
 const LONGEST = 1_000_000;
-const REQUESTS = [
-  "DuplicateCustomBlock",
-  "DeleteCustomBlock",
-  "RestoreCustomBlock",
-  "ExportCustomBlock",
-  "ImportCustomBlock",
-] as const satisfies readonly FromPage["kind"][];
 
 export class CustomBlocks {
   /** Null until the server has sent it. */
   readonly blocks = signal<readonly CustomBlock[] | null>(null);
   readonly outcome = signal<Outcome | null>(null);
-  /** Makes the outcome when the server has confirmed the action. */
-  private doing: ((name: string) => Outcome) | null = null;
 
   constructor(private readonly connection: Connection) {
     connection.on("Opened", () => this.list());
     connection.on("CustomBlocks", ({ blocks }) => (this.blocks.value = blocks));
-    connection.on("CustomBlockSaved", ({ name }) => this.saved(name));
-    connection.onRefused(REQUESTS, (message) => {
-      this.doing = null;
-      this.outcome.value = { sort: "failed", message };
-    });
   }
 
   list(): void {
@@ -55,18 +41,16 @@ export class CustomBlocks {
 
   duplicate(name: string): void {
     const copy = this.freeName(name);
-    this.doing = () => done("page-custom-duplicated", { name, copy });
-    this.connection.send({ kind: "DuplicateCustomBlock", name, new: copy });
+    void this.do({ kind: "DuplicateCustomBlock", name, new: copy }, done("page-custom-duplicated", { name, copy }));
   }
 
   delete(name: string): void {
-    if (!this.connection.send({ kind: "DeleteCustomBlock", name })) return;
     const action = { word: "page-custom-undo", run: () => this.restore(name) };
-    this.outcome.value = { ...done("page-custom-deleted", { name }), action };
+    void this.do({ kind: "DeleteCustomBlock", name }, { ...done("page-custom-deleted", { name }), action });
   }
 
   export(name: string): void {
-    this.connection.send({ kind: "ExportCustomBlock", name });
+    void this.do({ kind: "ExportCustomBlock", name }, null);
   }
 
   /** Import a block from a file; the user must confirm before it replaces one with the same name. */
@@ -77,24 +61,24 @@ export class CustomBlocks {
     }
     const content = await file.text();
     const name = nameIn(content);
-    if (!name || !this.find(name)) return this.add(content, false);
-    const action = { word: "page-custom-replace", run: () => this.add(content, true) };
+    if (!name || !this.find(name)) return this.add(content, name ?? "", false);
+    const action = { word: "page-custom-replace", run: () => this.add(content, name, true) };
     this.outcome.value = { ...failed("page-custom-taken", { name }), action };
   }
 
-  private add(content: string, replace: boolean): void {
-    this.doing = (name) => done("page-custom-imported", { name });
-    this.connection.send({ kind: "ImportCustomBlock", content, replace });
+  private add(content: string, name: string, replace: boolean): void {
+    void this.do({ kind: "ImportCustomBlock", content, replace }, done("page-custom-imported", { name }));
   }
 
   private restore(name: string): void {
-    this.doing = () => done("page-custom-restored", { name });
-    this.connection.send({ kind: "RestoreCustomBlock", name });
+    void this.do({ kind: "RestoreCustomBlock", name }, done("page-custom-restored", { name }));
   }
 
-  private saved(name: string): void {
-    if (this.doing) this.outcome.value = this.doing(name);
-    this.doing = null;
+  /** Let the server do something, and show its outcome: this one, or why it was refused. */
+  private async do(message: FromPage, outcome: Outcome | null): Promise<void> {
+    const answer = await this.connection.ask(message);
+    if (answer.kind === "Failed") this.outcome.value = { sort: "failed", message: answer.message };
+    else if (outcome) this.outcome.value = outcome;
   }
 
   /** An unused name: the requested one plus a number. */

@@ -3,7 +3,13 @@
 import { batch, computed, effect, signal, untracked } from "@preact/signals";
 import { language, type Phrase, t } from "../../i18n";
 import type { Connection } from "../../protocol/connection";
-import type { CustomBlock, CustomBlockChecked, CustomBlockPreview, CustomBlockProblem } from "../../protocol/messages";
+import type {
+  CustomBlock,
+  CustomBlockChecked,
+  CustomBlockPreview,
+  CustomBlockProblem,
+  SaveCustomBlock,
+} from "../../protocol/messages";
 import { Throttle } from "../../ui/throttle";
 import { blocksIn, type Configured, withBlock } from "./configuration";
 import { drop, keep, unsaved, type Written } from "./unsaved";
@@ -35,26 +41,17 @@ export class Draft {
 
   private readonly original = signal<Written>(this.written.peek());
   private readonly asking = new Throttle(PERIOD);
-  private request = 0;
-  /** The text of the last request: an answer is ignored if the text has changed since. */
-  private asked: Written | null = null;
   /** The configuration without what the source defines; choices in the form go into it. */
   private chosen = "";
   private readonly answered = signal<Written | null>(null);
   /** Whether to save it when the server has answered. */
   private waiting = false;
-  private saving: Written | null = null;
   /** Whether the name follows the function's name, until the user types one. */
   private named = false;
   private readonly ends: (() => void)[];
 
   constructor(private readonly connection: Connection) {
-    this.ends = [
-      connection.on("CustomBlockChecked", (message) => this.hear(message)),
-      connection.on("CustomBlockSaved", ({ name }) => this.hearSaved(name)),
-      connection.onRefused(["SaveCustomBlock"], (reason) => this.refused(reason)),
-      effect(() => this.ask(language.value, this.written.value, this.saved.value)),
-    ];
+    this.ends = [effect(() => this.check(language.value, this.written.value, this.saved.value))];
   }
 
   destroy(): void {
@@ -99,10 +96,17 @@ export class Draft {
     if (this.waiting) return;
     const { name, source, configuration } = this.written.peek();
     if (!name.trim()) return this.refuse(t("page-custom-nameless"));
-    this.saving = this.written.peek();
     const replaces = this.saved.peek();
-    if (!this.connection.send({ kind: "SaveCustomBlock", name: name.trim(), source, configuration, replaces }))
-      this.refused(t("page-shell-lost"));
+    void this.ask({ kind: "SaveCustomBlock", name: name.trim(), source, configuration, replaces });
+  }
+
+  private async ask(message: SaveCustomBlock): Promise<void> {
+    const saving = this.written.peek();
+    const answer = await this.connection.ask(message);
+    if (answer.kind === "Failed") return this.refuse(answer.message);
+    // It has mistakes, which are shown in its source.
+    if (answer.kind === "CustomBlockChecked") this.show(answer);
+    else this.wasSaved(message.name, saving);
   }
 
   private begin(saved: string, original: Written): void {
@@ -117,28 +121,26 @@ export class Draft {
     this.ends.push(effect(() => this.keepUnsaved()));
   }
 
-  private ask(code: string, written: Written, replaces: string): void {
+  private check(code: string, written: Written, replaces: string): void {
     const { name, source, configuration } = written;
     const question = { name: name.trim(), source, configuration, replaces, language: code };
     if (!source) return;
-    this.asking.do(() => {
-      this.request += 1;
-      this.asked = written;
-      this.connection.send({ kind: "CheckCustomBlock", request: this.request, ...question });
+    this.asking.do(async () => {
+      const answer = await this.connection.ask({ kind: "CheckCustomBlock", ...question });
+      // The text has changed since: another answer is coming.
+      if (answer.kind !== "CustomBlockChecked" || written !== this.written.peek()) return;
+      this.show(answer);
+      if (this.waiting) this.save();
     });
   }
 
-  private hear(message: CustomBlockChecked): void {
-    if (message.request === 0) this.refused("");
-    else if (message.request !== this.request || this.asked !== this.written.peek()) return;
+  private show(message: CustomBlockChecked): void {
     this.checked.value = message;
-    const { configuration = "" } = message;
-    if (configuration) this.show(message);
+    if (message.configuration) this.preview(message);
     this.answered.value = this.written.peek();
-    if (this.waiting) this.save();
   }
 
-  private show({ configuration = "", chosen = "", previews = [] }: CustomBlockChecked): void {
+  private preview({ configuration = "", chosen = "", previews = [] }: CustomBlockChecked): void {
     this.chosen = chosen;
     this.blocks.value = blocksIn(configuration);
     this.previews.value = previews;
@@ -157,10 +159,7 @@ export class Draft {
     });
   }
 
-  private hearSaved(name: string): void {
-    const { saving } = this;
-    if (!saving) return;
-    this.saving = null;
+  private wasSaved(name: string, saving: Written): void {
     drop(this.saved.peek());
     drop(name);
     const original = { ...saving, name };
@@ -172,12 +171,6 @@ export class Draft {
       this.goesOn.value = false;
       this.outcome.value = { saved: name };
     });
-  }
-
-  private refused(reason: Phrase | string): void {
-    if (!this.saving) return;
-    this.saving = null;
-    this.refuse(reason);
   }
 
   private refuse(refused: Phrase | string): void {

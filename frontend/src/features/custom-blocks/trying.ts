@@ -28,7 +28,6 @@ export class Trying {
       connection.on("PrintedByRobots", ({ parts }) => this.print(parts.map(({ text }) => text).join(""))),
       connection.on("InputWanted", ({ prompt }) => this.ask(prompt)),
       connection.on("Ended", (ended) => this.end(ended)),
-      connection.onRefused(["TryCustomBlock"], (reason) => (this.refused.value = reason)),
     ];
   }
 
@@ -37,12 +36,13 @@ export class Trying {
     for (const end of this.ends) end();
   }
 
-  try(name: string, source: string, skill: string, values: readonly unknown[]): void {
+  async try(name: string, source: string, skill: string, values: readonly unknown[]): Promise<void> {
     this.output.value = this.refused.value = "";
     this.ended.value = this.prompt.value = null;
     this.begun.value = true;
     const question = { name: name.trim(), source, function: skill, arguments: [...values] };
-    this.context.connection.send({ kind: "TryCustomBlock", ...question });
+    const answer = await this.context.connection.ask({ kind: "TryCustomBlock", ...question });
+    if (answer.kind === "Failed") this.refused.value = answer.message;
   }
 
   stop(): void {

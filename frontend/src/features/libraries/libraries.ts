@@ -25,16 +25,6 @@ export interface Outcome {
 }
 
 const MOST = 20;
-const REQUESTS = [
-  "ListLibraries",
-  "ReadLibraries",
-  "ImportLibraries",
-  "RemoveLibrary",
-  "DownloadLibrary",
-  "MakeLibrary",
-  "ConvertLibrary",
-  "UseLibrary",
-] as const satisfies readonly FromPage["kind"][];
 
 export class Libraries {
   /** Null until the server has sent it. */
@@ -43,24 +33,18 @@ export class Libraries {
   /** The files to import. */
   readonly incoming = signal<readonly Incoming[]>([]);
   readonly outcome = signal<Outcome | null>(null);
-  /** Makes the outcome when the server has confirmed the action. */
-  private doing: string | null = null;
 
   constructor(private readonly connection: Connection) {
-    connection.on("Libraries", ({ libraries }) => this.receive(libraries));
+    connection.on("Libraries", ({ libraries }) => (this.installed.value = libraries));
     connection.on("LibrariesRead", ({ files }) => this.read(files));
     connection.on("Exportable", (exportable) => (this.exportable.value = exportable));
     connection.on("LibraryMade", ({ filename, content }) => this.made(filename, content));
     connection.on("LibraryConverted", (library) => this.converted(library));
-    connection.onRefused(REQUESTS, (message) => {
-      this.doing = null;
-      this.outcome.value = { sort: "failed", text: message };
-    });
   }
 
   /** Ask for the installed libraries and the parts for a new one. */
   list(): void {
-    this.connection.send({ kind: "ListLibraries" });
+    void this.do({ kind: "ListLibraries" });
     this.connection.send({ kind: "ListExportable" });
   }
 
@@ -81,7 +65,7 @@ export class Libraries {
     if (problem) return this.fail(problem);
     if (this.incoming.value.length + packed.length + originals.length > MOST)
       return this.fail(t("page-libraries-too-many", { most: MOST }));
-    for (const one of originals) this.connection.send(await conversion(one));
+    for (const one of originals) void this.do(await conversion(one));
     if (packed.length) this.look([...this.incoming.value, ...(await Promise.all(packed.map(incoming)))]);
   }
 
@@ -93,41 +77,44 @@ export class Libraries {
     this.look(this.incoming.value.filter((one) => one.filename !== filename));
   }
 
-  import(replace: boolean): void {
+  async import(replace: boolean): Promise<void> {
     const names = this.incoming.value.map((one) => one.read?.library?.name ?? "").join(", ");
-    this.doing = t("page-libraries-imported", { names });
-    this.connection.send({ kind: "ImportLibraries", files: this.incoming.value.map(fileOf), replace });
+    const files = this.incoming.value.map(fileOf);
+    const imported = await this.do(
+      { kind: "ImportLibraries", files, replace },
+      t("page-libraries-imported", { names }),
+    );
+    if (imported) this.incoming.value = [];
   }
 
   // The installed libraries.
 
   remove(name: string): void {
-    this.doing = t("page-libraries-removed", { name });
-    this.connection.send({ kind: "RemoveLibrary", name });
+    void this.do({ kind: "RemoveLibrary", name }, t("page-libraries-removed", { name }));
   }
 
   download(name: string): void {
-    this.connection.send({ kind: "DownloadLibrary", name });
+    void this.do({ kind: "DownloadLibrary", name });
   }
 
   use(name: string): void {
-    if (this.connection.send({ kind: "UseLibrary", name })) this.done(t("page-libraries-used", { name }));
+    void this.do({ kind: "UseLibrary", name }, t("page-libraries-used", { name }));
   }
 
   make(library: Omit<MakeLibrary, "kind">): void {
     this.outcome.value = null;
-    this.connection.send({ kind: "MakeLibrary", ...library });
+    void this.do({ kind: "MakeLibrary", ...library });
+  }
+
+  /** Let the server do something, and show its outcome: this text, or why it was refused. */
+  private async do(message: FromPage, text = ""): Promise<boolean> {
+    const answer = await this.connection.ask(message);
+    if (answer.kind === "Failed") this.outcome.value = { sort: "failed", text: answer.message };
+    else if (text) this.done(text);
+    return answer.kind !== "Failed";
   }
 
   // The server's answers.
-
-  private receive(libraries: readonly InstalledLibrary[]): void {
-    this.installed.value = libraries;
-    if (!this.doing) return;
-    this.done(this.doing);
-    this.doing = null;
-    this.incoming.value = [];
-  }
 
   private read(files: readonly LibraryRead[]): void {
     const known = this.incoming.value;
@@ -145,7 +132,7 @@ export class Libraries {
 
   private look(files: readonly Incoming[]): void {
     this.incoming.value = files;
-    if (files.length) this.connection.send({ kind: "ReadLibraries", files: files.map(fileOf) });
+    if (files.length) void this.do({ kind: "ReadLibraries", files: files.map(fileOf) });
   }
 
   private made(filename: string, content: string): void {

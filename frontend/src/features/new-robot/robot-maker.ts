@@ -6,8 +6,6 @@ import type { Connection } from "../../protocol/connection";
 import type { FromPage, RobotMade, RobotProblem } from "../../protocol/messages";
 import { provided } from "../../ui/provided";
 
-const REQUESTS = ["BeginRobot", "MakeRobot"] as const satisfies readonly FromPage["kind"][];
-
 /** The server's limit. */
 const LONGEST = 65_536;
 
@@ -22,19 +20,23 @@ export class RobotMaker {
   constructor(private readonly connection: Connection) {
     connection.on("RobotBegun", ({ description }) => (this.description.value ||= description));
     connection.on("RobotMade", (made) => this.hear(made));
-    connection.onRefused(REQUESTS, (message) => (this.problems.value = [{ message }]));
   }
 
   /** Continue with the current text, or start with the server's template. */
   begin(): void {
     this.problems.value = [];
     this.made.value = null;
-    if (!this.description.value) this.connection.send({ kind: "BeginRobot" });
+    if (!this.description.value) void this.ask({ kind: "BeginRobot" });
   }
 
   make(): void {
     this.problems.value = [];
-    this.connection.send({ kind: "MakeRobot", name: this.name.value.trim(), description: this.description.value });
+    void this.ask({ kind: "MakeRobot", name: this.name.value.trim(), description: this.description.value });
+  }
+
+  private async ask(message: FromPage): Promise<void> {
+    const answer = await this.connection.ask(message);
+    if (answer.kind === "Failed") this.problems.value = [answer];
   }
 
   /** Use a file's text as the description, and its name if the robot has none yet. */

@@ -66,7 +66,7 @@ export function SettingsForm({ robot, cancel, children }: SettingsFormProps) {
   // Before the form of an older answer is shown.
   useLayoutEffect(() => machine.read(robot), []);
   const table = useComputed(() => (machine.table.value?.robot === robot ? machine.table.value : null));
-  const problem = machine.refusal.value || table.value?.problem;
+  const problem = machine.requests.refusal.value || table.value?.problem;
   return (
     <>
       <p role="alert" class="refused">

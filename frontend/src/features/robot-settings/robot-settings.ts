@@ -2,9 +2,9 @@
 
 import { signal } from "@preact/signals";
 
-import type { Phrase } from "../../i18n";
+import { DialogRequests } from "../../model/dialog-requests";
 import type { Connection } from "../../protocol/connection";
-import type { FromPage, Setting, SettingsTable } from "../../protocol/messages";
+import type { Setting, SettingsTable } from "../../protocol/messages";
 import { provided } from "../../ui/provided";
 
 /** In place of a robot's name. */
@@ -12,28 +12,23 @@ export const PERCEPTION = "";
 
 export type Values = Readonly<Record<string, unknown>>;
 
-const REQUESTS = ["ReadSettings", "ChangeSettings"] as const satisfies readonly FromPage["kind"][];
-
 export class RobotSettings {
   /** The table received last; null before the first. */
   readonly table = signal<SettingsTable | null>(null);
-  /** Why the server refused the last request. */
-  readonly refusal = signal<Phrase | string>("");
+  readonly requests: DialogRequests;
 
-  constructor(private readonly connection: Connection) {
+  constructor(connection: Connection) {
+    this.requests = new DialogRequests(connection);
     connection.on("SettingsTable", (table) => (this.table.value = table));
-    connection.onRefused(REQUESTS, (reason) => (this.refusal.value = reason));
   }
 
   read(robot: string): void {
-    this.refusal.value = "";
     this.table.value = null;
-    this.connection.send({ kind: "ReadSettings", robot });
+    void this.requests.ask({ kind: "ReadSettings", robot });
   }
 
   change(robot: string, values: Values, agreed: boolean): void {
-    this.refusal.value = "";
-    this.connection.send({ kind: "ChangeSettings", robot, values, agreed });
+    void this.requests.ask({ kind: "ChangeSettings", robot, values, agreed });
   }
 }
 

@@ -32,7 +32,7 @@ export function TagsDialog() {
   const tags = useTagDictionary();
   const rows = useSignal(rowsOf(tags.names.peek()));
   useEffect(() => {
-    tags.refusal.value = "";
+    tags.requests.refuse("");
     tags.read.value = null;
   }, []);
   useSignalEffect(() => {
@@ -58,7 +58,7 @@ export function TagsDialog() {
     const last = namesOf(rows.peek());
     if (last && !sameNames(last, tags.names.peek())) saveInPassing(tags, toasts, last);
   };
-  const problem = tags.refusal.value || tags.problem.value;
+  const problem = tags.requests.refusal.value || tags.problem.value;
   return (
     <Dialog title={t("page-tags-title")} close={close} size="large">
       <p class="dim">{t("page-tags-help")}</p>

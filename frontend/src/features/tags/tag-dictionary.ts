@@ -2,13 +2,12 @@
 
 import { signal } from "@preact/signals";
 import { type Phrase, t } from "../../i18n";
+import { DialogRequests } from "../../model/dialog-requests";
 import type { Connection } from "../../protocol/connection";
-import type { ExportTags, FromPage } from "../../protocol/messages";
+import type { ExportTags } from "../../protocol/messages";
 import { provided } from "../../ui/provided";
 
 export type Names = Readonly<Record<string, number>>;
-
-const REQUESTS = ["SaveTags", "ReadTags", "ExportTags"] as const satisfies readonly FromPage["kind"][];
 
 /** The server's limit. */
 const LONGEST = 256 * 1024;
@@ -19,33 +18,29 @@ export class TagDictionary {
   readonly problem = signal<Phrase | null>(null);
   /** The names in the file that was read last. */
   readonly read = signal<Names | null>(null);
-  /** Why the server refused the last request. */
-  readonly refusal = signal<Phrase | string>("");
+  readonly requests: DialogRequests;
 
-  constructor(private readonly connection: Connection) {
+  constructor(connection: Connection) {
+    this.requests = new DialogRequests(connection);
     connection.on("Tags", ({ names, problem = null }) => {
       this.names.value = names;
       this.problem.value = problem;
     });
     connection.on("TagsRead", ({ names }) => (this.read.value = names));
-    connection.onRefused(REQUESTS, (reason) => (this.refusal.value = reason));
   }
 
   save(names: Names): void {
-    this.refusal.value = "";
-    this.connection.send({ kind: "SaveTags", names });
+    void this.requests.ask({ kind: "SaveTags", names });
   }
 
   /** Read the names in a TOML or CSV file, without saving them. */
   async readFile(file: File): Promise<void> {
-    this.refusal.value = file.size > LONGEST ? t("page-tags-large", { name: file.name }) : "";
-    if (this.refusal.value) return;
-    this.connection.send({ kind: "ReadTags", filename: file.name.slice(-100), text: await file.text() });
+    const text = await this.requests.textOf(file, LONGEST, t("page-tags-large", { name: file.name }));
+    if (text !== null) void this.requests.ask({ kind: "ReadTags", filename: file.name.slice(-100), text });
   }
 
   export(format: ExportTags["format"]): void {
-    this.refusal.value = "";
-    this.connection.send({ kind: "ExportTags", format });
+    void this.requests.ask({ kind: "ExportTags", format });
   }
 }
 

@@ -18,7 +18,6 @@ export class Saving implements Island {
   private readonly button = document.createElement("button");
   private readonly status = document.createElement("span");
   private readonly outcome = signal<Outcome | null>(null);
-  private saving = "";
   /** The user's world that is edited: what its field says, and the name of its file. */
   private own = { title: "", name: "" };
   private readonly endings: (() => void)[];
@@ -35,12 +34,7 @@ export class Saving implements Island {
   ) {
     this.build();
     const wrong = computed(() => problems.value.length > 0);
-    this.endings = [
-      effect(() => this.show(wrong.value)),
-      connection.on("Worlds", () => this.saved()),
-      connection.on("WorldChecked", ({ problems: found }) => found.length > 0 && this.refused(t("page-editor-wrong"))),
-      connection.onRefused(["SaveWorld"], (reason) => this.refused(say(reason))),
-    ];
+    this.endings = [effect(() => this.show(wrong.value))];
   }
 
   /** Propose a title for the world; `own` is the file's name if the world belongs to the user. */
@@ -70,7 +64,7 @@ export class Saving implements Island {
     this.dom.append(this.label, this.button, this.status);
     this.dom.addEventListener("submit", (event) => {
       event.preventDefault();
-      this.save();
+      void this.save();
     });
   }
 
@@ -87,33 +81,24 @@ export class Saving implements Island {
         : t(outcome.word, { name: outcome.name });
   }
 
-  private save(): void {
+  private async save(): Promise<void> {
     const world = this.draft.world.peek();
     if (!world || this.problems.peek().length) return;
     const title = this.name.value.trim();
     const replace = title === this.own.title;
-    this.saving = replace ? this.own.name : fileName(title);
+    const name = replace ? this.own.name : fileName(title);
     // The list of worlds shows what the user has typed here.
-    const titled = { ...world, title };
-    const sent = this.connection.send({ kind: "SaveWorld", name: this.saving, world: titled, replace });
-    if (!sent) this.refused(t("page-editor-offline"));
-  }
-
-  private saved(): void {
-    if (!this.saving) return;
-    const title = this.name.value.trim();
-    this.outcome.value = { word: "page-editor-saved", name: title };
-    this.own = { title, name: this.saving };
-    this.done(this.saving);
-    this.saving = "";
-  }
-
-  private refused(text: string): void {
-    if (!this.saving) return;
+    const answer = await this.connection.ask({ kind: "SaveWorld", name, world: { ...world, title }, replace });
     // Saving under that name a second time, after the warning, replaces the world.
-    this.own = { title: this.name.value.trim(), name: this.saving };
-    this.saving = "";
-    this.outcome.value = { text };
+    this.own = { title, name };
+    if (answer.kind === "Failed") this.outcome.value = { text: say(answer.message) };
+    else if (answer.kind === "WorldChecked") this.outcome.value = { text: t("page-editor-wrong") };
+    else this.saved(title, name);
+  }
+
+  private saved(title: string, name: string): void {
+    this.outcome.value = { word: "page-editor-saved", name: title };
+    this.done(name);
   }
 }
 

@@ -47,7 +47,7 @@ class Camera implements Island {
     this.disposers = [
       connection.on("CameraFrame", (frame) => (this.frame = frame)),
       connection.onFrame((jpeg) => void this.receive(jpeg)),
-      connection.on("Failed", ({ request }) => request === "ReadPastPicture" && this.answered()),
+      connection.onRefused(["ReadPastPicture"], () => this.answered()),
       connection.on("Opened", () => (this.asked = false)),
       // A newly opened project, for example after a reconnection, does not send frames until asked.
       connection.on("Opened", () => watching.peek() && this.watch(true)),

@@ -217,7 +217,7 @@ export class World implements WorldIsland {
       () => this.still.value,
       (still) => still || this.moves(),
     );
-    this.endings.push(connection.on("Failed", () => this.placing.forget()));
+    this.endings.push(connection.onRefused(["PlaceRobot"], () => this.placing.forget()));
     this.endings.push(connection.on("Sound", (sound) => this.showSound(sound)));
     this.watch(
       () => t("page-world-label"),

@@ -2,7 +2,7 @@
 
 from typing import Annotated, Literal
 
-from msgspec import Meta, Struct
+from msgspec import Meta, MsgspecError, Struct, json
 
 #: The limit of a program in characters: 6,000 lines. A longer one would keep other pages waiting.
 LONGEST_TEXT = 250_000
@@ -30,8 +30,33 @@ class Message(Struct, tag_field="kind", omit_defaults=True, frozen=True):
     """A message of the conversation."""
 
 
-class FromPage(Message, frozen=True):
-    """A message from a page."""
+class FromPage(Message, frozen=True, kw_only=True):
+    """A message from a page.
+
+    Args:
+        request: the page's number for it if it waits for the answer, which repeats the number: `Done`,
+            `Failed`, or a message of its own.
+    """
+
+    request: Annotated[int, Meta(ge=0)] = 0
+
+
+class Head(Struct, frozen=True):
+    """What a refusal repeats of a message from a page, see `FromPage`."""
+
+    kind: str = ""
+    request: int = 0
+
+
+_heads = json.Decoder(Head)
+
+
+def head_of(text: str | bytes) -> Head:
+    """The head of a message, also of one that is otherwise wrong; empty if it has none."""
+    try:
+        return _heads.decode(text)
+    except (MsgspecError, UnicodeError, RecursionError):
+        return Head()
 
 
 class FromReader(FromPage, frozen=True):

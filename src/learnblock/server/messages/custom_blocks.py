@@ -29,7 +29,6 @@ class CheckCustomBlock(FromReader, frozen=True):
     """Check a block and preview it; the reply is `CustomBlockChecked`.
 
     Args:
-        request: repeated in the answer.
         name: the name of its file, without suffix; empty for a new block.
         source: the Python source of its functions.
         configuration: the choices for them, as JSON; may be empty.
@@ -37,7 +36,6 @@ class CheckCustomBlock(FromReader, frozen=True):
         language: the language of the previews.
     """
 
-    request: int
     name: ShortText
     source: Text
     configuration: Text = ""
@@ -185,7 +183,7 @@ class CustomBlockChecked(ToPage, frozen=True):
     """The problems of a block, and its preview.
 
     Args:
-        request: the number of the request; 0 if saving failed.
+        request: the number of the request: a check, or saving that failed.
         problems: the problems of the source, the configuration and the name.
         configuration: complete, as JSON: from the source and from the choices. Empty if the
             source cannot be parsed.

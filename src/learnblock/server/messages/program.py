@@ -97,7 +97,6 @@ class Rename(FromPage, frozen=True):
 class Complete(FromReader, frozen=True):
     """Ask for `Completions` at a position of a text; line and column are counted from 1."""
 
-    request: int
     notation: Notation
     line: int
     column: int
@@ -107,7 +106,6 @@ class Complete(FromReader, frozen=True):
 class Describe(FromReader, frozen=True):
     """Ask for help on a position of a text, and for its definition; the reply is `Description`."""
 
-    request: int
     notation: Notation
     line: int
     column: int

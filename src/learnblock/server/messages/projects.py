@@ -371,8 +371,16 @@ class Failed(ToPage, frozen=True):
 
     Args:
         message: what happened and what to do.
-        request: the kind of the message that failed; empty if none did.
+        refused: the kind of the message that failed; empty if none did.
+        request: the number of the message that failed, for the page that waits for its answer.
     """
 
     message: Phrase
-    request: str = ""
+    refused: str = ""
+    request: int = 0
+
+
+class Done(ToPage, frozen=True):
+    """A request that the page waits for has been handled, and did not fail."""
+
+    request: int

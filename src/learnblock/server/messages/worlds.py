@@ -182,11 +182,13 @@ class WorldChecked(ToPage, frozen=True):
 
     Args:
         unreachable: the goals that our robot can't reach; the world can still be saved.
+        request: the number of the request to save it.
     """
 
     problems: tuple[Phrase, ...]
     lines: tuple[tuple[tuple[float, float], ...], ...] = ()
     unreachable: tuple[UnreachableGoal, ...] = ()
+    request: int = 0
 
 
 class WorldMade(ToPage, frozen=True):

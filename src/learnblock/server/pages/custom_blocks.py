@@ -31,7 +31,7 @@ async def _check(page: Page, message: messages.CheckCustomBlock) -> None:
 async def _save(page: Page, message: messages.SaveCustomBlock) -> None:
     checked = await to_thread.run_sync(_saved, message)
     if checked.errors:
-        page.send(_result(0, checked, "en"))
+        page.send(_result(message.request, checked, "en"))
         return
     await _have_changed(page, message.name)
 

@@ -31,14 +31,15 @@ class Inbox:
         self._changed = asyncio.Condition()
         self._closed = False
 
-    async def put(self, message: messages.FromPage) -> None:
-        """Add a message once there is room for it."""
+    async def put(self, message: messages.FromPage) -> messages.FromPage | None:
+        """Add a message once there is room for it; return the one that it replaces."""
         async with self._changed:
-            if self._messages and _replaces(message, self._messages[-1]):
-                self._messages.pop()
+            is_newer = self._messages and _replaces(message, self._messages[-1])
+            replaced = self._messages.pop() if is_newer else None
             await self._changed.wait_for(lambda: len(self._messages) < _MOST)
             self._messages.append(message)
             self._changed.notify_all()
+            return replaced
 
     async def take(self) -> messages.FromPage | None:
         """Return the next message as soon as there is one; None after the last."""

@@ -184,9 +184,11 @@ class Page:
         try:
             message = decode(text)
         except MessageError as error:
-            self.send(messages.Failed(error.phrase))
+            head = messages.head_of(text)
+            self.send(messages.Failed(error.phrase, head.kind, head.request))
         else:
-            await self._inbox.put(message)
+            if replaced := await self._inbox.put(message):
+                self._done(replaced)
 
     async def _handle_all(self) -> None:
         while (message := await self._inbox.take()) is not None:
@@ -200,14 +202,20 @@ class Page:
             async with self._turn():
                 await self._handlers[type(message)](self, message)
         except (LearnBlockError, OSError, ValueError) as error:
-            self.send(messages.Failed(phrase_of(error), kind))
+            self.send(messages.Failed(phrase_of(error), kind, message.request))
         except RecursionError:
-            self.send(messages.Failed(Phrase("server-too-deep"), kind))
+            self.send(messages.Failed(Phrase("server-too-deep"), kind, message.request))
         except Exception as error:  # noqa: BLE001 - see below
             # A bug in our code must not end the pupil's session.
             _log.exception("%s failed", kind)
             reason = f"{type(error).__name__}: {error}"
-            self.send(messages.Failed(Phrase("server-mistake", reason=reason), kind))
+            self.send(messages.Failed(Phrase("server-mistake", reason=reason), kind, message.request))
+        else:
+            self._done(message)
+
+    def _done(self, message: messages.FromPage) -> None:
+        if message.request:
+            self.send(messages.Done(message.request))
 
     def _turn(self) -> AbstractAsyncContextManager[object]:
         """Let the pages of a project take turns."""

@@ -4,6 +4,7 @@ from itertools import count
 from typing import Any
 
 from anyio import to_thread
+from msgspec import structs
 
 from learnblock.errors import LearnBlockError, UnknownNameError, WorldError
 from learnblock.server import catalog, messages
@@ -42,7 +43,7 @@ async def _save(page: Page, message: messages.SaveWorld) -> None:
         raise LearnBlockError("server-world-exists", name=message.name)
     wrong = await to_thread.run_sync(_saved, message.name, message.world)
     if wrong:
-        page.send(wrong)
+        page.send(structs.replace(wrong, request=message.request))
         return
     await _have_changed(page)
     await session.choose_world(message.name)

@@ -109,9 +109,9 @@ def test_a_name_that_is_a_path_or_built_in_is_refused(name, page, own_home):
     page.open()
     for kind in ("ChooseBlockSet", "SaveBlockSet"):
         page.say(kind, set={**LESSON, "name": name})
-        assert page.hear("Failed")["request"] == kind
+        assert page.hear("Failed")["refused"] == kind
     page.say("DeleteBlockSet", name=name or "x")
-    assert page.hear("Failed")["request"] == "DeleteBlockSet"
+    assert page.hear("Failed")["refused"] == "DeleteBlockSet"
     assert list(own_home.rglob("*.toml")) == []
 
 

@@ -33,7 +33,7 @@ def allow(page, allowed=True):
 
 def refusal(page, **values):
     page.say("AllowNetwork", **{"allowed": True, "key": "", **values})
-    return english(page.hear("Failed", request="AllowNetwork")["message"])
+    return english(page.hear("Failed", refused="AllowNetwork")["message"])
 
 
 def allowed_programs(own_home):
@@ -207,7 +207,7 @@ def test_a_mistake_in_the_settings_is_reported(page, own_home):
     (own_home / "settings.toml").write_text("[network]\nallowed = 3\n")
     page.open("weather")
     page.say("ReadNetwork")
-    message = page.hear("Failed", request="ReadNetwork")["message"]
+    message = page.hear("Failed", refused="ReadNetwork")["message"]
     assert english(message).startswith("Line 2: 'network.allowed' is 3")
 
 

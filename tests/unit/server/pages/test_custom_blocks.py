@@ -154,7 +154,7 @@ def test_an_error_in_a_tried_function_has_the_line_of_its_source(page):
 def test_a_block_that_cannot_be_tried_is_refused(page, values, message):
     page.open()
     page.say("TryCustomBlock", name="dance", **values)
-    assert message in english(page.hear("Failed", request="TryCustomBlock")["message"])
+    assert message in english(page.hear("Failed", refused="TryCustomBlock")["message"])
 
 
 def test_an_error_in_a_block_is_reported_with_its_line_and_the_calling_block(page):

@@ -191,7 +191,7 @@ def test_a_server_that_only_reads_shows_runs_and_changes_none(ran, projects):
         page.hear("Document")
         assert show(page, newest)["run"]["seconds"] == 2
         page.say("DeleteRun", run=newest)
-        assert page.hear("Failed")["request"] == "DeleteRun"
+        assert page.hear("Failed")["refused"] == "DeleteRun"
         file = reading.get(f"/projects/drive/runs/{newest}.why", **COOKIE).body
         assert reading.post("/projects/drive/runs", file, **COOKIE).status == 400
     assert len(kept(ran)) == 2

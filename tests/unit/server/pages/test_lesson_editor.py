@@ -164,7 +164,7 @@ def test_the_teacher_reads_notes_of_a_lesson_of_their_own(page, own_home):
     page.say("ReadLessonNotes", lesson="small")
     assert page.hear("LessonNotes")["notes"] == {"en": small_lesson.SECRET}
     page.say("ReadLessonNotes", lesson="none")
-    assert page.hear("Failed")["request"] == "ReadLessonNotes"
+    assert page.hear("Failed")["refused"] == "ReadLessonNotes"
 
 
 def test_a_lesson_of_ours_is_copied_and_changed(page, own_home):
@@ -208,7 +208,7 @@ def test_a_page_on_another_computer_can_do_nothing_to_lessons(server, own_home, 
         page.open()
         page.say(kind, **values)
         failed = page.hear("Failed")
-        assert (failed["request"], failed["message"]["code"]) == (kind, "server-lesson-only-here")
+        assert (failed["refused"], failed["message"]["code"]) == (kind, "server-lesson-only-here")
     [file] = (own_home / "lessons").iterdir()
     assert file.read_bytes() == small_lesson.packed()
 

@@ -277,7 +277,7 @@ def test_a_quiz_and_a_puzzle_are_judged_by_the_server(page):
     assert not judged.get("right")
     assert judged["because"] == {"1": "A negative speed would do that."}
     page.say("AnswerQuiz", choices=[7])
-    assert page.hear("Failed")["request"] == "AnswerQuiz"
+    assert page.hear("Failed")["refused"] == "AnswerQuiz"
     page.say("ShowStep", step=3)
     pieces = page.hear("LessonShown")["puzzle"]["pieces"]
     right = ["function.expressJoy()", "function.sleep(1)", "function.stop_bot()"]
@@ -421,7 +421,7 @@ def test_a_folder_that_is_no_lesson_is_refused(page, tmp_path, name, files):
 @pytest.mark.parametrize("content", [b"", b"PK", b"x" * 10_000])
 def test_a_file_that_is_no_lesson_is_refused(page, content, tmp_path):
     page.say("ImportLesson", filename="bad.lblesson", content=base64.b64encode(content).decode())
-    assert page.hear("Failed")["request"] == "ImportLesson"
+    assert page.hear("Failed")["refused"] == "ImportLesson"
     assert [one.name for one in (tmp_path / "home" / "lessons").iterdir()] == ["small.lblesson"]
 
 

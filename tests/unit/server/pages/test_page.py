@@ -96,7 +96,7 @@ def test_broken_messages_are_refused(page, said):
 def test_messages_about_a_project_are_refused_before_one_is_open(page, kind, values):
     page.say(kind, **values)
     failed = page.hear("Failed")
-    assert failed["request"] == kind
+    assert failed["refused"] == kind
     assert "Open a project first" in english(failed["message"])
 
 
@@ -128,8 +128,27 @@ def test_an_impossible_request_is_refused_with_a_reason(page, kind, values, reas
         assert page.hear("Opened")["name"] == "a b"
         return
     failed = page.hear("Failed")
-    assert (failed["request"], reason in english(failed["message"])) == (kind, True), failed
+    assert (failed["refused"], reason in english(failed["message"])) == (kind, True), failed
     page.pulse()
+
+
+def test_a_request_is_answered_with_its_number_also_if_it_is_wrong_in_itself(page):
+    page.open(text=PROGRAM)
+    page.say("ListBlockSets", request=7)
+    assert page.hear("Done")["request"] == 7
+    page.say("Answer", request=8, text="hello")
+    failed = page.hear("Failed")
+    assert (failed["refused"], failed["request"]) == ("Answer", 8)
+    page.say("SetSpeed", request=9, factor=0)
+    failed = page.hear("Failed")
+    assert (failed["refused"], failed["request"]) == ("SetSpeed", 9)
+
+
+def test_a_request_that_a_newer_one_replaces_is_answered_too(page):
+    page.open(text=PROGRAM)
+    for request in range(1, 40):
+        page.say("CheckWorld", request=request, world={})
+    assert [page.hear("Done")["request"] for _ in range(1, 40)] == list(range(1, 40))
 
 
 @given(st.text() | st.binary() | json_values.map(json.dumps))

@@ -51,7 +51,7 @@ def test_an_empty_program_is_for_the_users_robot(page):
     page.say("New", name="mine", robot="sim-thymio")
     assert page.hear("Opened")["robot"] == "sim-thymio"
     page.say("New", name="wrong", robot="sim-nothing")
-    assert page.hear("Failed")["request"] == "New"
+    assert page.hear("Failed")["refused"] == "New"
     assert names(page) == ["mine"]
 
 

@@ -432,7 +432,7 @@ def test_a_project_is_not_renamed_to_a_name_that_is_taken(page):
     page.open("two")
     page.say("RenameProject", name="One")
     refused = page.hear("Failed")
-    assert refused["request"] == "RenameProject"
+    assert refused["refused"] == "RenameProject"
     assert english(refused["message"]).startswith("There is already a project named 'One'.")
     assert {one["name"] for one in page.pulse()["projects"]} == {"one", "two"}
 

@@ -15,7 +15,6 @@ page-editor-name-rule = Up to 40 letters, digits, spaces, - and _
 page-editor-save = Save and use
 page-editor-saved = Saved. Now using { $name }.
 page-editor-wrong = Not saved. Correct the listed problems first.
-page-editor-offline = Not saved: there is no connection to LearnBlock. Try again in a moment.
 page-editor-goes-on = Your unsaved changes were restored. Undo returns to the saved world.
 page-editor-named = { $sort }: { $name }
 page-editor-numbered = { $sort } { $number }

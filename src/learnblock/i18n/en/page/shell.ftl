@@ -36,6 +36,7 @@ page-shell-cancel = Cancel
 page-shell-dismiss = Dismiss
 page-shell-notes = Notifications
 page-shell-part-failed = This part of the page could not be loaded. Reload the page; if that does not help, restart LearnBlock.
+page-shell-unsent = That did not work: there is no connection to LearnBlock. Try again in a moment.
 page-shell-lost = Connection lost. Keep working: your changes will be sent when LearnBlock is back.
 page-shell-refused = LearnBlock restarted. Open the address that it shows now.
 page-shell-goal-reached = Goal reached: { $goal }

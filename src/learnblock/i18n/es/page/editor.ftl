@@ -15,7 +15,6 @@ page-editor-name-rule = Hasta 40 letras, cifras, espacios, - y _
 page-editor-save = Guardar y usar
 page-editor-saved = Guardado. Ahora se usa { $name }.
 page-editor-wrong = No se ha guardado. Corrige primero los problemas de la lista.
-page-editor-offline = No se ha guardado: no hay conexión con LearnBlock. Inténtalo de nuevo en un momento.
 page-editor-goes-on = Se han recuperado tus cambios sin guardar. Deshacer vuelve al mundo guardado.
 page-editor-named = { $sort }: { $name }
 page-editor-numbered = { $sort } { $number }

@@ -36,6 +36,7 @@ page-shell-cancel = Cancelar
 page-shell-dismiss = Cerrar
 page-shell-notes = Notificaciones
 page-shell-part-failed = No se ha podido cargar esta parte de la página. Recarga la página; si no funciona, reinicia LearnBlock.
+page-shell-unsent = No ha funcionado: no hay conexión con LearnBlock. Inténtalo de nuevo en un momento.
 page-shell-lost = Se ha perdido la conexión. Sigue trabajando: tus cambios se envían cuando LearnBlock vuelva.
 page-shell-refused = LearnBlock se ha reiniciado. Abre la dirección que muestra ahora.
 page-shell-goal-reached = Objetivo alcanzado: { $goal }

@@ -1,0 +1,35 @@
+/** The requests of a dialog, which shows itself why one was refused. */
+
+import { type ReadonlySignal, signal } from "@preact/signals";
+
+import type { Phrase } from "../i18n";
+import type { Answer, Connection } from "../protocol/connection";
+import type { FromPage } from "../protocol/messages";
+
+export class DialogRequests {
+  private readonly reason = signal<Phrase | string>("");
+  /** Why the last request was refused, or could not be made; empty if it was not. */
+  readonly refusal: ReadonlySignal<Phrase | string> = this.reason;
+
+  constructor(private readonly connection: Connection) {}
+
+  /** Send a request and return its answer; null if it was refused. */
+  async ask(message: FromPage): Promise<Answer | null> {
+    this.refuse("");
+    const answer = await this.connection.ask(message);
+    if (answer.kind !== "Failed") return answer;
+    this.refuse(answer.message);
+    return null;
+  }
+
+  /** Show a reason of the page's own; an empty one forgets the last. */
+  refuse(reason: Phrase | string): void {
+    this.reason.value = reason;
+  }
+
+  /** The text of a file; null and a reason if it is longer than the server accepts. */
+  async textOf(file: File, longest: number, tooLong: string): Promise<string | null> {
+    this.refuse(file.size > longest ? tooLong : "");
+    return file.size > longest ? null : file.text();
+  }
+}
