@@ -4,7 +4,6 @@ import { computed } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 
 import { BlockSets, BlockSetsProvider } from "../features/block-sets/block-sets";
-import { Connect, ConnectProvider } from "../features/connect/connect";
 import { Containment, ContainmentProvider } from "../features/containment/containment";
 import { CustomBlocks, CustomBlocksProvider } from "../features/custom-blocks/custom-blocks";
 import { ClassNews, ClassNewsProvider } from "../features/in-class/in-class";
@@ -18,6 +17,7 @@ import { TagDictionary, TagDictionaryProvider } from "../features/tags/tag-dicti
 import { Worlds, WorldsProvider } from "../features/worlds/worlds";
 import { Announcer } from "../model/announcer";
 import { AskingWhy } from "../model/asking-why";
+import { Connect, ConnectProvider } from "../model/connect";
 import type { Context } from "../model/context";
 import { Controls } from "../model/controls";
 import { Dialogs } from "../model/dialogs";

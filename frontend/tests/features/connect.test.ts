@@ -2,11 +2,10 @@ import { readFileSync } from "node:fs";
 
 import { signal } from "@preact/signals";
 import { expect, test } from "vitest";
-
-import { Connect, lists } from "../../src/features/connect/connect";
 import { gauges } from "../../src/features/connect/gauges";
 import { questions } from "../../src/features/connect/help";
 import { startLanguage } from "../../src/i18n";
+import { Connect, lists } from "../../src/model/connect";
 import type { RobotConnected, RobotsNearby, Sensor } from "../../src/protocol/messages";
 import { FakeConnection } from "../fake-connection";
 

@@ -1,8 +1,8 @@
 /** The chosen robot, and the menu that chooses another. */
 
-import { type Connect, useConnect } from "../../features/connect/connect";
 import { titleOf } from "../../features/connect/names";
 import { t } from "../../i18n";
+import { type Connect, useConnect } from "../../model/connect";
 import { type Page, usePage } from "../../model/page";
 import { hasReal, robotGroups, robotTitle } from "../../model/robots";
 import type { RobotChoice } from "../../protocol/messages";

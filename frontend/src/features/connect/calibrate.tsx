@@ -4,9 +4,9 @@ import { type Signal, useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 
 import { say, t, translated } from "../../i18n";
+import { useConnect } from "../../model/connect";
 import type { TryRobot } from "../../protocol/messages";
 import { Icon } from "../../ui/icons";
-import { useConnect } from "./connect";
 import { StopButton } from "./panel";
 
 /** The drive in mm and the turn in degrees that are measured; see `learnblock.robots.calibration`. */

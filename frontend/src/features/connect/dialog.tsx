@@ -4,10 +4,10 @@ import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 
 import { t } from "../../i18n";
+import { useConnect } from "../../model/connect";
 import { usePage } from "../../model/page";
 import { Dialog } from "../../ui/dialog";
 import { Icon, type IconName } from "../../ui/icons";
-import { useConnect } from "./connect";
 import { RealRobots } from "./real";
 import { SimulatedRobots } from "./simulated";
 import "./dialog.css";

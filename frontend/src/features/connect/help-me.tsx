@@ -3,11 +3,11 @@
 import { useSignal } from "@preact/signals";
 
 import { t } from "../../i18n";
+import { useConnect } from "../../model/connect";
 import { usePage } from "../../model/page";
 import { Icon } from "../../ui/icons";
 import { RobotPicture } from "../../ui/robots/picture";
 import { type Aside, ROBOT } from "./aside";
-import { useConnect } from "./connect";
 import { questions } from "./help";
 import { kindTitle } from "./names";
 

@@ -1,8 +1,8 @@
 /** How a robot is called. */
 
+import type { Listed } from "../../model/connect";
 import { plainTitle } from "../../model/robots";
 import type { RobotChoice } from "../../protocol/messages";
-import type { Listed } from "./connect";
 
 /** The kind of a robot in words. */
 export function kindTitle(robots: readonly RobotChoice[], robot: string): string {

@@ -3,13 +3,13 @@
 import { useId, useRef } from "preact/hooks";
 
 import { say, t } from "../../i18n";
+import { useConnect } from "../../model/connect";
 import { usePage } from "../../model/page";
 import { prefer } from "../../model/preferences";
 import type { RobotValues, TryRobot } from "../../protocol/messages";
 import { Icon, type IconName } from "../../ui/icons";
 import { RobotPicture } from "../../ui/robots/picture";
 import type { Aside } from "./aside";
-import { useConnect } from "./connect";
 import { type Gauge, gauges } from "./gauges";
 import { kindTitle } from "./names";
 

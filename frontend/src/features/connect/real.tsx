@@ -4,6 +4,7 @@ import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 
 import { say, t } from "../../i18n";
+import { type Listed, useConnect } from "../../model/connect";
 import { usePage } from "../../model/page";
 import { OTHER_SIMULATORS } from "../../model/robots";
 import { Icon, type IconName } from "../../ui/icons";
@@ -11,7 +12,6 @@ import { RobotPicture } from "../../ui/robots/picture";
 import { SettingsForm } from "../robot-settings/dialogs";
 import { type Aside, ROBOT } from "./aside";
 import { Calibrate } from "./calibrate";
-import { type Listed, useConnect } from "./connect";
 import { HelpMe } from "./help-me";
 import { kindTitle, titleOf } from "./names";
 import { Connected, Idle, Trouble } from "./panel";

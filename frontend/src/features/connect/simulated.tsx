@@ -1,13 +1,13 @@
 /** The robots that need no connection: the twins, the user's own, and those in other simulators. */
 
 import { t } from "../../i18n";
+import { useConnect } from "../../model/connect";
 import { usePage } from "../../model/page";
 import { prefer, preferences } from "../../model/preferences";
 import { OTHER_SIMULATORS, plainTitle } from "../../model/robots";
 import type { RobotChoice } from "../../protocol/messages";
 import { Icon } from "../../ui/icons";
 import { RobotPicture } from "../../ui/robots/picture";
-import { useConnect } from "./connect";
 
 /** Our twins; the others are the user's. */
 const TWINS: ReadonlySet<string> = new Set(["sim-ebo", "sim-thymio", "sim-ev3", "sim-cozmo"]);

@@ -4,8 +4,8 @@ import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 
 import { say, t } from "../../i18n";
+import { useConnect } from "../../model/connect";
 import { Icon } from "../../ui/icons";
-import { useConnect } from "../connect/connect";
 
 interface Props {
   readonly robot: string;
@@ -61,9 +61,9 @@ export function TestConnection({ robot, title, isSaved }: Props) {
 }
 
 function Problem({ title }: { readonly title: string }) {
-  const { refusal, state } = useConnect();
+  const { requests, state } = useConnect();
   const { state: reached, problem } = state.value;
-  if (refusal.value) return <>{say(refusal.value)}</>;
+  if (requests.refusal.value) return <>{say(requests.refusal.value)}</>;
   if (reached !== "failed" && reached !== "lost") return null;
   return <>{problem ? say(problem) : t(`page-connect-state-${reached}`, { robot: title })}</>;
 }

@@ -4,7 +4,14 @@ const skills = (...names: string[]) => names.map((name) => `lb_skill_${name}`);
 
 /** The blocks of each meaning; its words are messages. */
 export const MEANINGS: Readonly<Record<string, readonly string[]>> = {
-  loop: ["controls_repeat_ext", "lb_forever", "controls_whileUntil", "controls_for", "controls_forEach", "lb_for_unpacking"],
+  loop: [
+    "controls_repeat_ext",
+    "lb_forever",
+    "controls_whileUntil",
+    "controls_for",
+    "controls_forEach",
+    "lb_for_unpacking",
+  ],
   condition: ["controls_if"],
   pause: [...skills("sleep", "wait_until_still"), "lb_wait_until"],
   speed: skills(

@@ -2,6 +2,7 @@ import { PerspectiveCamera, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { FIELD, frame, INNER, type Subject } from "../../../src/views/world/framing";
 import { isHidden, type Screen } from "../../../src/views/world/hiding";
+import type { XY } from "../../../src/views/world/scenery/description";
 
 const EBO: Subject = { x: -400, y: 0, heading: 0, reach: 75, height: 120, goal: [410, 0], screens: [] };
 const SMALL: Subject = { x: -100, y: 100, heading: 0, reach: 55, height: 75, goal: [900, -800], screens: [] };
@@ -57,12 +58,12 @@ describe.each([
 
 /** A wall with its corners, mm, standing on the floor. */
 function wall(west: number, south: number, east: number, north: number, bottom = 0, top = 200): Screen {
-  const outline = [
+  const outline: XY[] = [
     [west, south],
     [east, south],
     [east, north],
     [west, north],
-  ] as const;
+  ];
   return { outline, bottom, top };
 }
 

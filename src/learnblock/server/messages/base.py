@@ -34,8 +34,8 @@ class FromPage(Message, frozen=True, kw_only=True):
     """A message from a page.
 
     Args:
-        request: the page's number for it if it waits for the answer, which repeats the number: `Done`,
-            `Failed`, or a message of its own.
+        request: the page's number for it if it waits for the answer, which repeats the number:
+            `Done`, `Failed`, or a message of its own.
     """
 
     request: Annotated[int, Meta(ge=0)] = 0

@@ -195,27 +195,31 @@ class Page:
             await self._handle(message)
 
     async def _handle(self, message: messages.FromPage) -> None:
-        kind = type(message).__name__
-        try:
-            if self.sessions.folder.read_only and not isinstance(message, messages.FromReader):
-                raise LearnBlockError("server-read-only")
-            async with self._turn():
-                await self._handlers[type(message)](self, message)
-        except (LearnBlockError, OSError, ValueError) as error:
-            self.send(messages.Failed(phrase_of(error), kind, message.request))
-        except RecursionError:
-            self.send(messages.Failed(Phrase("server-too-deep"), kind, message.request))
-        except Exception as error:  # noqa: BLE001 - see below
-            # A bug in our code must not end the pupil's session.
-            _log.exception("%s failed", kind)
-            reason = f"{type(error).__name__}: {error}"
-            self.send(messages.Failed(Phrase("server-mistake", reason=reason), kind, message.request))
+        if refusal := await self._refusal(message):
+            self.send(messages.Failed(refusal, type(message).__name__, message.request))
         else:
             self._done(message)
 
     def _done(self, message: messages.FromPage) -> None:
         if message.request:
             self.send(messages.Done(message.request))
+
+    async def _refusal(self, message: messages.FromPage) -> Phrase | None:
+        """Do what a message asks for; why that was not possible."""
+        try:
+            if self.sessions.folder.read_only and not isinstance(message, messages.FromReader):
+                raise LearnBlockError("server-read-only")
+            async with self._turn():
+                await self._handlers[type(message)](self, message)
+        except (LearnBlockError, OSError, ValueError) as error:
+            return phrase_of(error)
+        except RecursionError:
+            return Phrase("server-too-deep")
+        except Exception as error:  # noqa: BLE001 - see below
+            # A bug in our code must not end the pupil's session.
+            _log.exception("%s failed", type(message).__name__)
+            return Phrase("server-mistake", reason=f"{type(error).__name__}: {error}")
+        return None
 
     def _turn(self) -> AbstractAsyncContextManager[object]:
         """Let the pages of a project take turns."""

@@ -1,9 +1,7 @@
 /** The real robots near this computer, and the page's connection to one of them. */
 
 import { computed, signal } from "@preact/signals";
-
-import { DialogRequests } from "../../model/dialog-requests";
-import type { Connection } from "../../protocol/connection";
+import type { Connection } from "../protocol/connection";
 import type {
   KnownRobot,
   NearbyRobot,
@@ -12,8 +10,9 @@ import type {
   RobotsNearby,
   RobotValues,
   TryRobot,
-} from "../../protocol/messages";
-import { provided } from "../../ui/provided";
+} from "../protocol/messages";
+import { provided } from "../ui/provided";
+import { DialogRequests } from "./dialog-requests";
 
 const NONE: RobotConnected = { kind: "RobotConnected", state: "none" };
 
