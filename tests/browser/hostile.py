@@ -4,7 +4,7 @@ import json
 import random
 from typing import get_args
 
-from learnblock.server.messages import FromPage
+from learnblock.server.messages import FROM_PAGE
 from learnblock.server.pages.page import MessageError, decode
 
 PROGRAM = "main:\n    function.sleep(1)\nend\n"
@@ -165,7 +165,7 @@ MESSAGES = {
     "UseRobot": {},
     "MakeRobot": {"name": "rover", "description": "[body]\nlength = -1"},
 }
-assert set(MESSAGES) == {kind.__name__ for kind in get_args(FromPage)}
+assert set(MESSAGES) == {kind.__name__ for kind in get_args(FROM_PAGE)}
 WRONG = (
     None, True, -1, 10**30, 10**400, 1.5e308, float("inf"), float("nan"), "", "\0", "x" * 2000,
     "../../etc/passwd", [], [[[]]], {}, {"": {}}, ["a", 1, None], {"kind": "Open"}, "🤖", "\ud800",
