@@ -61,7 +61,10 @@ def spoken(block: BlockConfiguration, language: str, values: Mapping[str, object
         is_directed = one.directions and isinstance(shown, int | float)
         return str(abs(shown) if is_directed else shown)  # type: ignore[arg-type] # is_directed
 
-    filling = Filling(field, lambda one: direction(one, value(one), language))
+    def unusual(parameters: Sequence[Parameter], words: str) -> str:
+        return words if any(value(one) != one.default for one in parameters) else ""
+
+    filling = Filling(field, lambda one: direction(one, value(one), language), unusual)
     return sentence(block, language, filling)
 
 
@@ -78,7 +81,7 @@ class Filling:
         direction: returns that for its direction; it precedes the parameter if the label does not
             say where it belongs.
         optional: returns the replacement for a part that may be left out, by its parameters and
-            words, whose places are still to be filled.
+            words, whose places are still to be filled; empty to leave it out.
     """
 
     field: Callable[[Parameter], str]
@@ -89,8 +92,11 @@ class Filling:
 def sentence(block: BlockConfiguration, language: str, filling: Filling) -> str:
     """The label of a block in a language such as ``es``, filled."""
     text = translated(block.languages, language, block.name)
+    left_out: set[str] = set()
     for part in optional_parts(block, language):
-        text = text.replace(f"[{part.words}]", filling.optional(part.parameters, part.words))
+        words = filling.optional(part.parameters, part.words)
+        text = text.replace(f"[{part.words}]", words)
+        left_out |= set() if words else {one.name for one in part.parameters}
     parameters = {one.name: one for one in block.parameters}
     fields = {name: filling.field(one) for name, one in parameters.items()}
     directions = {
@@ -103,7 +109,7 @@ def sentence(block: BlockConfiguration, language: str, filling: Filling) -> str:
     following = [
         f"{parameter_name(one, language)} {fields[name]}"
         for name, one in parameters.items()
-        if name not in named
+        if name not in named | left_out
     ]
 
     def filled(place: re.Match[str]) -> str:

@@ -41,8 +41,8 @@ def go_to(robot: "Client", x: float, y: float, advSpeed: float = 80) -> None:
         StillDrivingError: the drive takes far too long; the robot may be stuck.
     """
     speed = speed_of(advSpeed)
-    base, place = robot.device(Base), _from_robot(robot, x, y)
-    if base is None or place is None or robot.senses.heading() is None:
+    base, heading, place = robot.device(Base), robot.senses.heading(), _from_robot(robot, x, y)
+    if base is None or heading is None or place is None:
         return
     if math.hypot(*place) <= WITHIN:
         return

@@ -270,8 +270,8 @@ def test_lists_can_be_printed_as_json():
 
 def test_a_skill_is_explained():
     shown = call("skills", "turn").stdout
-    assert "function.turn(angle)" in shown
-    assert "robot.turn(angle)" in shown
+    assert "function.turn(angle, rotSpeed=120)" in shown
+    assert "robot.turn(angle, rotSpeed=120)" in shown
 
 
 def test_a_file_in_another_format_is_refused(write):

@@ -225,10 +225,10 @@ def test_a_completion_replaces_the_word_from_its_start(program):
 
 def test_help_on_a_skill_has_its_parameters_and_description(program):
     found = told(program, "blocktext", "function.tu|rn(")
-    assert found.title == "function.turn(angle, rotSpeed=30)"
+    assert found.title == "function.turn(angle, rotSpeed=120)"
     assert found.text == builtin()["turn"].tooltip["EN"]
     assert (found.from_column, found.to_column, found.needs) == (14, 18, ())
-    assert told(program, "python", "robot.tu|rn(").title == "robot.turn(angle, rotSpeed=30)"
+    assert told(program, "python", "robot.tu|rn(").title == "robot.turn(angle, rotSpeed=120)"
 
 
 @pytest.mark.parametrize(

@@ -148,7 +148,7 @@ def test_a_request_that_a_newer_one_replaces_is_answered_too(page):
     page.open(text=PROGRAM)
     for request in range(1, 40):
         page.say("CheckWorld", request=request, world={})
-    assert [page.hear("Done")["request"] for _ in range(1, 40)] == list(range(1, 40))
+    assert sorted(page.hear("Done")["request"] for _ in range(1, 40)) == [*range(1, 40)]
 
 
 @given(st.text() | st.binary() | json_values.map(json.dumps))
