@@ -214,7 +214,7 @@ def test_what_is_missing_is_listed_by_name_and_leaves_a_program_that_checks_clea
         project(
             main(
                 control("if", [skill("old_sensor")], skill("publish", ("string", "go"))),
-                control("while", [], skill("turn", ("float", "90"), ("float", "60"), ("float", "1"))),
+                control("while", [], skill("turn", *[("float", one) for one in ("90", "60", "1")])),
                 Old("lost", FUNCTION),
                 Old("other", LIBRARY),
                 Old("activate gone", VARIABLE),

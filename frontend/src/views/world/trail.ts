@@ -76,31 +76,21 @@ export class Trail {
   private write(i: number): void {
     const [start, end] = [this.points[i - 1], this.points[i]];
     if (!start || !end) return;
-    const length = Math.hypot(end[0] - start[0], end[1] - start[1]);
-    const { halfWidth, height } = this.look;
-    const sideX = (-halfWidth * (end[1] - start[1])) / length;
-    const sideY = (halfWidth * (end[0] - start[0])) / length;
-    // A piece starts at the end of the previous one, which avoids gaps at the outer side.
-    const [a, b] = this.endOf(i - 1) ?? [
-      [start[0] - sideX, start[1] - sideY],
-      [start[0] + sideX, start[1] + sideY],
-    ];
-    const [c, d]: [XY, XY] = [
-      [end[0] + sideX, end[1] + sideY],
-      [end[0] - sideX, end[1] - sideY],
-    ];
-    [a, d, c, a, c, b].forEach(([x, y], k) => this.places.setXYZ((i - 1) * CORNERS + k, x, y, height));
+    for (const [k, [x, y]] of piece(start, end, this.look.halfWidth).entries())
+      this.places.setXYZ((i - 1) * CORNERS + k, x, y, this.look.height);
     this.places.addUpdateRange((i - 1) * CORNERS * 3, CORNERS * 3);
     this.places.needsUpdate = true;
     this.mesh.geometry.setDrawRange(0, i * CORNERS);
   }
+}
 
-  private endOf(i: number): [XY, XY] | null {
-    if (i < 1) return null;
-    const at = (corner: number): XY => {
-      const index = (i - 1) * CORNERS + corner;
-      return [this.places.getX(index), this.places.getY(index)];
-    };
-    return [at(1), at(2)];
-  }
+/** The corners of the two triangles of a piece. It begins a little earlier, so that bends have no gap outside. */
+function piece([x, y]: XY, [endX, endY]: XY, halfWidth: number): XY[] {
+  const length = Math.hypot(endX - x, endY - y);
+  const [alongX, alongY] = [((endX - x) / length) * halfWidth, ((endY - y) / length) * halfWidth];
+  const right: XY = [x - alongX + alongY, y - alongY - alongX];
+  const left: XY = [x - alongX - alongY, y - alongY + alongX];
+  const endRight: XY = [endX + alongY, endY - alongX];
+  const endLeft: XY = [endX - alongY, endY + alongX];
+  return [right, endRight, endLeft, right, endLeft, left];
 }

@@ -178,6 +178,11 @@ export class World implements WorldIsland {
       (telemetry) => telemetry && this.receive(telemetry),
     );
     this.watch(
+      () => running.timeline.value,
+      // A fast run passes more places than it reports.
+      (timeline) => timeline && !running.past.peek() && this.showWay(Number.POSITIVE_INFINITY),
+    );
+    this.watch(
       () => running.strokes.value,
       () => this.showDrawing(),
     );
