@@ -12,6 +12,7 @@ from runs import EXAMPLES, run_example
 SQUARE_ROBOTS = ("sim-cozmo", "sim-ev3")
 TAG_ROBOTS = ("sim-ebo", "sim-cozmo")
 LINE_RUNS = (("line-ebo.bt", "sim-ebo"), ("line-thymio.bt", "sim-thymio"))
+SWAPPED = tuple(zip(LINE_RUNS, reversed(LINE_RUNS), strict=True))
 
 pytestmark = pytest.mark.spread
 
@@ -62,6 +63,13 @@ def test_three_tags_are_searched_approached_and_answered_with_joy_surprise_and_f
         early, late, searching = (pose_at(finished, time + after) for after in (0.3, 1.9, 2.5))
         assert early == late
         assert (searching[2] - late[2]) % 360 > 5
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("example", "robot"), [(one, other) for (one, _), (_, other) in SWAPPED])
+def test_each_line_program_drives_a_lap_on_the_robot_of_the_other_one(example, robot):
+    [goal] = run_example(example, robot, world="line", seconds=145).report.goals
+    assert goal.state == "reached"
 
 
 @pytest.mark.slow

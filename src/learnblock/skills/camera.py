@@ -20,7 +20,8 @@ def get_image(robot: "Client") -> "Frame | None":
 def is_center_black_line(robot: "Client") -> bool:
     """Is a black line mostly in the middle of the camera's picture?
 
-    A robot without a camera uses its ground sensors; a single one follows the line's right edge.
+    The camera tilts to the floor, unless the program has tilted it. A robot without a camera uses
+    its ground sensors; a single one follows the line's right edge.
     """
     return robot.senses.line("black").is_center
 
@@ -28,7 +29,8 @@ def is_center_black_line(robot: "Client") -> bool:
 def is_left_black_line(robot: "Client") -> bool:
     """Is a black line mostly on the left of the camera's picture?
 
-    A robot without a camera uses its ground sensors; a single one follows the line's right edge.
+    The camera tilts to the floor, unless the program has tilted it. A robot without a camera uses
+    its ground sensors; a single one follows the line's right edge.
     """
     return robot.senses.line("black").is_left
 
@@ -36,7 +38,8 @@ def is_left_black_line(robot: "Client") -> bool:
 def is_right_black_line(robot: "Client") -> bool:
     """Is a black line mostly on the right of the camera's picture?
 
-    A robot without a camera uses its ground sensors; a single one follows the line's right edge.
+    The camera tilts to the floor, unless the program has tilted it. A robot without a camera uses
+    its ground sensors; a single one follows the line's right edge.
     """
     return robot.senses.line("black").is_right
 
@@ -44,7 +47,8 @@ def is_right_black_line(robot: "Client") -> bool:
 def is_there_black_line(robot: "Client") -> bool:
     """Is there a black line in the camera's picture?
 
-    A robot without a camera uses its ground sensors; a single one follows the line's right edge.
+    The camera tilts to the floor, unless the program has tilted it. A robot without a camera uses
+    its ground sensors; a single one follows the line's right edge.
     """
     return robot.senses.line("black").is_there
 

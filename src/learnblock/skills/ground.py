@@ -53,7 +53,8 @@ def is_there_ground(robot: "Client") -> bool:
 def get_line_position(robot: "Client") -> float | None:
     """How far to the side is the black line? From -100 (left) to 100 (right), 0 in the middle.
 
-    By a camera or by the sensors under the robot; for a single one the middle is the line's right
+    By a camera, which tilts to the floor unless the program has tilted it, or by the sensors under
+    the robot; for a single one the middle is the line's right
     edge. A robot that has lost the line gets -100 or 100, for the side on which it was last.
     """
     return robot.senses.line_position()

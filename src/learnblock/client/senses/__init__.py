@@ -51,7 +51,7 @@ class Senses:
         self._edge = LineEdge(robot)
         self._ground_line = GroundLine(robot, self._heading)
         self._camera_line = CameraLine(robot)
-        self._line_position = LinePosition(robot)
+        self._line_position = LinePosition(robot, self._camera_line)
         self._motion = Motion(robot)
 
     def heading(self) -> float | None:
@@ -64,10 +64,15 @@ class Senses:
             self._heading.reset()
 
     def line(self, colour: str) -> Line:
-        """The line of a colour, ``black``, ``red`` or ``blue``, ahead of or under the robot."""
+        """The line of a colour, ``black``, ``red`` or ``blue``, ahead of or under the robot.
+
+        A camera looks at the floor for a black line, which sensors under other robots see as well.
+        """
         server = self._server(f"{colour}-line")
         if server == "GroundSensors:line":
             return self._edge.look()
+        if server == "Camera" and colour == "black":
+            return self._camera_line.view() or NOWHERE
         found = None if server is None else self._robot.detect("lines")
         line: Line = NOWHERE if found is None else getattr(found, colour)
         return line

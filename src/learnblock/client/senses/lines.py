@@ -13,6 +13,7 @@ from learnblock.devices import Base, GroundSensors, JointMotor, Pose
 
 if TYPE_CHECKING:
     from learnblock.client.client import Client
+    from learnblock.perception import LineView
 
 #: A reading below this is dark; a white floor reads more than 90.
 DARK, BRIGHT = 50.0, 100.0
@@ -24,6 +25,9 @@ LOST = 100.0
 SEARCH = (45.0, 70.0)
 #: Degrees to which a camera tilts to see a line, and the seconds that this takes.
 FLOOR, TILTING = -30.0, 0.3
+#: The position from which a line in the picture is on a side. Between both sides it is in the centre,
+#: so a robot that turns towards a line on a side always gets there, also where the line is oblique.
+ASIDE = 40.0
 
 
 class Line(Protocol):
@@ -141,11 +145,19 @@ class CameraLine:
     def __init__(self, robot: "Client") -> None:
         self._robot = robot
 
-    def look(self) -> Line:
+    def look(self) -> Sighting:
+        """Where the line is, by its position."""
+        seen = self.view()
+        if seen is None or not seen.is_there:
+            return NOWHERE
+        position = _position(seen)
+        return LEFT if position < -ASIDE else RIGHT if position > ASIDE else CENTER
+
+    def view(self) -> "LineView | None":
+        """The line in the picture; None without a picture."""
         self._look_down()
         found = self._robot.detect("lines")
-        black: Line = NOWHERE if found is None else found.black
-        return black
+        return None if found is None else found.black
 
     def _look_down(self) -> None:
         """Tilt the camera to the floor, unless the program has already chosen where it looks."""
@@ -164,20 +176,18 @@ class LinePosition:
 
     Args:
         robot: the robot.
+        camera: the line in its camera's picture.
     """
 
-    def __init__(self, robot: "Client") -> None:
+    def __init__(self, robot: "Client", camera: CameraLine) -> None:
         self._robot = robot
+        self._camera = camera
         self._last = 0.0
 
     def by_camera(self) -> float:
         """From the shares of the line in the left and the right of the picture."""
-        found = self._robot.detect("lines")
-        if found is None or not found.black.is_there:
-            return self._lost()
-        black = found.black
-        share = (black.right - black.left) / (black.left + black.center + black.right)
-        return self._seen(100 * share)
+        seen = self._camera.view()
+        return self._lost() if seen is None or not seen.is_there else self._seen(_position(seen))
 
     def by_ground(self) -> float:
         """From the difference of both sensors, or from a single one at the line's right edge."""
@@ -221,6 +231,11 @@ class _LastSeen:
     def _now(self) -> Pose | None:
         base = self._robot.device(Base)
         return None if base is None else base.pose()
+
+
+def _position(view: "LineView") -> float:
+    """From -100, all of a line in the left of the picture, to 100, all of it in the right."""
+    return 100 * (view.right - view.left) / (view.left + view.center + view.right)
 
 
 def _readings(robot: "Client") -> dict[str, float]:

@@ -96,8 +96,8 @@ def test_it_looks_first_where_it_found_the_line_last(robot):
     assert turn_to(robot, 20) == ["right"]
 
 
-def with_black(robot):
-    black = LineView("black", 0, 500, 0)
+def with_black(robot, left=0, center=500, right=0):
+    black = LineView("black", left, center, right)
     robot.set_detections("lines", Lines(black, NOTHING, NOTHING))
 
 
@@ -117,6 +117,40 @@ def test_a_camera_looks_at_the_floor_for_a_ground_line():
         assert robot.commands == [("JointMotor:CAMERA.move", -30)]
         robot.senses.ground_line()
         assert len(robot.commands) == 1
+
+
+@pytest.mark.parametrize(
+    ("pixels", "found"),
+    [
+        ((500, 0, 0), ["left"]),
+        # From the bottom left to the top right of the picture, or the reverse.
+        ((520, 300, 500), ["center"]),
+        ((500, 300, 520), ["center"]),
+        ((0, 100, 500), ["right"]),
+    ],
+)
+def test_a_ground_line_in_the_picture_is_on_a_side_or_in_the_centre_by_its_position(pixels, found):
+    with FakeRobot(only=[Base, Camera, JointMotor]) as robot:
+        with_black(robot, *pixels)
+
+        assert side(robot.senses.ground_line()) == found
+
+
+@pytest.mark.parametrize(
+    ("skill", "commands"),
+    [
+        ("is_center_black_line", [("JointMotor:CAMERA.move", -30)]),
+        ("get_line_position", [("JointMotor:CAMERA.move", -30)]),
+        # Only a camera sees it, so the program decides where that looks.
+        ("is_center_red_line", []),
+    ],
+)
+def test_a_camera_looks_at_the_floor_for_what_ground_sensors_see_too(skill, commands):
+    with FakeRobot(only=[Base, Camera, JointMotor]) as robot:
+        with_black(robot)
+        getattr(robot, skill)()
+
+        assert robot.commands == commands
 
 
 def test_a_camera_stays_where_the_program_has_tilted_it():
