@@ -75,6 +75,16 @@ LIBRARY = (
     ("pop", 2),
     ("pi", 0),
     ("elapsedTime", 1),
+    ("input", 1),
+    ("print", 1),
+    ("atan2", 2),
+    ("sum", 1),
+    ("random_fraction", 0),
+    ("round", 1),
+    ("upper", 1),
+    ("find", 2),
+    ("replace", 3),
+    ("strip", 1),
 )
 NUMBERS = ("0", "1", "2", "10", "2.5", "1e3", "0xFF", ".5", "5.")
 TEXTS = ("", "hi", '"', "'", "\\", "\n", "# end", "é", "\ud800", "a'b\"c", "\x00")
@@ -188,6 +198,11 @@ class Trees:
     def comment(self):
         return self.choice(COMMENTS) if self.random.random() < 0.3 else None
 
+    def short_call(self):
+        """A call that has a block of its own as a statement."""
+        removed = Call("pop", (self.name(), self.string(0)))
+        return self.choice((removed, Call("print", (self.expression(1),))))
+
     def target(self):
         target = self.name()
         while self.random.random() < 0.2:
@@ -196,7 +211,9 @@ class Trees:
 
     def statement(self, depth):
         simple = (
-            lambda _: Perform(self.choice((self.call, self.skill_call))(), self.comment()),
+            lambda _: Perform(
+                self.choice((self.call, self.skill_call, self.short_call))(), self.comment()
+            ),
             lambda _: Assign(
                 self.target(), self.choice(ASSIGNMENTS), self.expression(), self.comment()
             ),

@@ -4,12 +4,19 @@ import msgspec
 
 from learnblock.blocks import builtin
 from learnblock.language import Workspace
-from learnblock.language.tree.nodes import Number
+from learnblock.language.tree.nodes import Number, SkillCall
 from trees import Trees
 
 CONFIGURATIONS = builtin()
 SKILLS = ("is_tag", "turn", "class", "end", "move_left", "set_move", "move_straight", "say_Text")
 SKILLS += ("get_image", "stop_bot", "is_any_tag", "sleep", "set_orientation")
+#: What programs need besides: ways that end, a person who holds the robot, keys, time, notes, pen.
+NEWER_SKILLS = ("drive_distance", "drive_arc", "go_to", "wait_until_still", "is_bumped")
+NEWER_SKILLS += ("is_shaken", "is_tilted", "get_light", "get_line_position", "is_key_pressed")
+NEWER_SKILLS += ("get_obstacle_direction", "get_timer", "reset_timer", "show_text", "show_number")
+NEWER_SKILLS += ("play_note", "rest", "set_tempo", "pen_down", "pen_up", "set_pen_color")
+NEWER_SKILLS += ("send", "received", "message_value")
+SKILLS += NEWER_SKILLS
 NUMBERS = ("0", "1", "2.5", "1e3", "0xFF", ".5", "5.", "00", "1_000", "40", "40.0", "0.50", "8")
 NUMBERS += ("12345678901234567890", "1e999", "20")
 
@@ -21,6 +28,14 @@ class BlockTrees(Trees):
 
     def number(self, _):
         return Number(self.choice(NUMBERS))
+
+    def skill_call(self, depth=2):
+        """A call of a skill; half of them have a value for each parameter of its block."""
+        call = super().skill_call(depth)
+        skill = CONFIGURATIONS.get(call.name)
+        if skill is None or self.random.random() < 0.5:
+            return call
+        return SkillCall(call.name, tuple(self.expression(depth) for _ in skill.parameters))
 
 
 def as_json(workspace):

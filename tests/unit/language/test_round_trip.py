@@ -90,7 +90,7 @@ def is_all_raw(program):
 
 
 @pytest.mark.slow
-@settings(many, max_examples=1800)
+@settings(many, max_examples=2000)
 @given(seeds)
 def test_a_random_program_survives_every_round_trip(trees):
     program = trees.program()

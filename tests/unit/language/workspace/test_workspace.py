@@ -7,14 +7,16 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from learnblock.blocks.palette import palette
 from learnblock.blocks.schema.configuration import BlockConfiguration, Parameter
+from learnblock.blocks.toolbox import SKILL
 from learnblock.fields import Range
 from learnblock.language import format as format_program
 from learnblock.language import from_python, from_workspace, parse, to_python, to_workspace
 from learnblock.language.tree.nodes import Blank, Comment
 from learnblock.language.tree.traversal import expressions, statements, within
 from places import ROOT, TESTS
-from workspaces import CONFIGURATIONS, BlockTrees, as_json, blocks, through_json
+from workspaces import CONFIGURATIONS, NEWER_SKILLS, BlockTrees, as_json, blocks, through_json
 
 GOLDEN = sorted((TESTS / "cases").glob("*/program.json"))
 PROGRAMS = sorted([*(TESTS / "cases").glob("*/program.bt"), *(ROOT / "examples").glob("*.bt")])
@@ -69,6 +71,16 @@ def test_python_survives_as_blocks(path):
 @given(seeds)
 def test_a_random_program_survives_as_blocks(trees):
     assert_survives(trees.program())
+
+
+def test_the_random_programs_have_every_block_of_the_language_and_the_newer_skills():
+    found = set()
+    for seed in range(500):
+        found.update(block.type for block in blocks(written(BlockTrees(seed).program())))
+    tabs = palette(CONFIGURATIONS, "en")["toolbox"]["contents"]
+    offered = {one["type"] for tab in tabs for one in tab.get("contents", ()) if "type" in one}
+    of_language = {one for one in offered if not one.startswith(SKILL)}
+    assert (of_language | {SKILL + one for one in NEWER_SKILLS}) - found == set()
 
 
 @settings(many, max_examples=300)
