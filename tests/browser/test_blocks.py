@@ -114,12 +114,16 @@ def test_help_says_what_the_chosen_robot_lacks_for_a_block(own_server, sit_down)
     question.click(position={"x": 12, "y": 20})
     pupil.page.keyboard.press("Control+i")
     expect(pupil.page.locator(".lbHelp")).to_contain_text("Thymio II has no camera")
+    able = pupil.page.locator(".lbHelp > p", has_text="Works on:")
+    expect(able).to_contain_text("Cozmo")
+    expect(able).not_to_contain_text("Thymio")
 
 
 def test_help_shows_the_block_with_its_values_in_both_texts(pupil):
     pupil.write("blocktext", "main:\n    function.drive_distance(200, 80)\nend\n")
     pupil.select_block(pupil.blocks("lb_skill_drive_distance"))
     pupil.page.keyboard.press("Control+i")
+    expect(pupil.page.locator(".lbHelp dd").first).to_have_text("a number, in mm")
     texts = pupil.page.locator(".lbTexts")
     expect(texts).to_contain_text("function.drive_distance(200, 80)")
     expect(texts).to_contain_text("robot.drive_distance(200, 80)")

@@ -183,13 +183,29 @@ def test_the_buttons_of_the_zoom_are_large_enough_for_a_finger(sit_down, server)
         assert box["height"] >= 44
 
 
-def test_the_zoom_and_the_bin_are_in_one_row_beside_each_other(sit_down, server):
+def test_the_zoom_and_the_bin_are_above_each_other_at_the_edge(sit_down, server):
     pupil = sit_down(server, stage="starter", empty=True)
     faces = [one.bounding_box() for one in pupil.page.locator(".lbToolFace").all()]
-    faces.sort(key=lambda box: box["x"])
-    assert {round(box["y"]) for box in faces} == {round(faces[0]["y"])}
-    for left, right in pairwise(faces):
-        assert left["x"] + left["width"] < right["x"]
+    faces.sort(key=lambda box: box["y"])
+    [right] = {round(box["x"] + box["width"]) for box in faces}
+    blocks = pupil.page.locator("[data-region=blocks]").bounding_box()
+    assert blocks["x"] + blocks["width"] - right < 40
+    for upper, lower in pairwise(faces):
+        assert upper["y"] + upper["height"] < lower["y"]
+
+
+@pytest.mark.parametrize("language", ["en", "es"])
+def test_a_long_block_is_whole_while_the_pointer_is_at_the_palette(sit_down, server, language):
+    pupil = sit_down(server, stage="starter", language=language, empty=True)
+    palette = pupil.page.locator(".blocklyFlyout:visible")
+    block = palette.locator(".lb_skill_turn_right")
+    block.hover(position={"x": 20, "y": 12})
+    box = block.bounding_box()
+    end = box["x"] + box["width"] - 12
+    beyond = palette.bounding_box()["x"] + palette.bounding_box()["width"]
+    assert language == "en" or end > beyond
+    at = "([x, y]) => !!document.elementFromPoint(x, y).closest('.lb_skill_turn_right')"
+    assert pupil.page.evaluate(at, [end, box["y"] + box["height"] / 2])
 
 
 def test_a_palette_without_room_leaves_no_piece_of_its_head(sit_down, server):

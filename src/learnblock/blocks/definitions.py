@@ -19,6 +19,7 @@ from learnblock.blocks.labels import (
     parameter_name,
     sentence,
     translated,
+    units,
 )
 from learnblock.blocks.schema.configuration import NUMBERS, SIGNS, BlockConfiguration, Parameter
 from learnblock.blocks.toolbox import SKILL, is_skill_block, parameter_shadow
@@ -227,7 +228,9 @@ def _arguments(configuration: BlockConfiguration, language: str) -> list[Definit
     parameters = configuration.parameters
     directions = [_direction(one, language) for one in parameters if one.directions]
     parts = [one for part in optional_parts(configuration, language) for one in _optional(part)]
-    return [*(_parameter(one, language) for one in parameters), *directions, *parts]
+    unit = units(configuration, language)
+    named = [_parameter(one, language, unit.get(one.name, "")) for one in parameters]
+    return [*named, *directions, *parts]
 
 
 def _optional(part: OptionalPart) -> list[Definition]:
@@ -252,10 +255,11 @@ def _direction(parameter: Parameter, language: str) -> Definition:
     return {"type": "lb_direction", "name": parameter.name + _DIRECTION, "options": options}
 
 
-def _parameter(parameter: Parameter, language: str) -> Definition:
+def _parameter(parameter: Parameter, language: str, unit: str) -> Definition:
     field = _field(parameter, language)
     value = _value(parameter.name, _CHECKS.get(parameter.type))
     named = {**value, "label": parameter_name(parameter, language), "kind": parameter.type}
+    named |= {"unit": unit} if unit else {}
     return {**named, "field": field} if field else named
 
 

@@ -22,12 +22,23 @@ from learnblock.blocks.schema.configuration import (
 
 _OPTIONAL = re.compile(r"\[([^\[\]]+)\]")
 _PLACE = re.compile(r"\{(\w+)(\.direction)?\}")
+_UNIT = re.compile(r"\{(\w+)\} ?(mm/s|mm|°/s|°|%|Hz|ms|seconds|segundos|beats|tiempos)(?!\w)")
 
 
 def translated(texts: Mapping[str, str], language: str, otherwise: str) -> str:
     """A text of a configuration in a language, else in English, else `otherwise`."""
     code = language.upper()
     return texts.get(code) or texts.get(code.partition("-")[0]) or texts.get("EN") or otherwise
+
+
+def units(block: BlockConfiguration, language: str) -> dict[str, str]:
+    """The units that follow parameters in the label, by parameter.
+
+    >>> from learnblock.blocks.schema.loading import builtin
+    >>> units(builtin()["move_straight"], "en")
+    {'advSpeed': 'mm/s'}
+    """
+    return dict(_UNIT.findall(translated(block.languages, language, "")))
 
 
 def label(block: BlockConfiguration, language: str) -> str:

@@ -258,3 +258,25 @@ def alone(state):
 
 def test_each_function_of_the_language_has_the_colour_of_a_tab():
     assert {*BUILTINS, *(name for name, _ in TEMPLATES)} == palette(builtin(), "en")["calls"].keys()
+
+
+@pytest.mark.parametrize(("language", "unit"), [("en", "seconds"), ("es", "segundos")])
+def test_a_parameter_names_the_unit_that_follows_it_in_the_sentence(language, unit):
+    found = palette(builtin(), language)
+    seconds = next(one for one in named(found, "lb_skill_sleep")["args0"] if one.get("label"))
+    assert unit == seconds["unit"]
+    assert "unit" not in named(found, "lb_skill_say_Text")["args0"][0]
+
+
+@every_language
+def test_each_call_of_python_in_the_palette_is_a_sentence_with_all_its_values(language):
+    found = palette(builtin(), language)
+    words = translation(language)
+    calls = [
+        one["extraState"] for one in blocks(found) if one["type"] in ("lb_call", "lb_call_value")
+    ]
+    assert calls
+    for one in calls:
+        sentence = words[f"LB_CALL_{one['name'].upper()}_{one['arguments']}"]
+        places = [f"%{place + 1}" for place in range(one["arguments"])]
+        assert places == re.findall(r"%\d", sentence)

@@ -9,6 +9,8 @@ export interface OfferedRobot {
   readonly title: string;
   /** The needs of blocks that it can't serve. */
   readonly lacks: ReadonlySet<string>;
+  /** The simulated robots, with what each cannot serve. */
+  readonly all: readonly { readonly title: string; readonly lacks: readonly string[] }[];
   /** What serves the senses among the needs of a block, as a sentence; empty if it has none. */
   readonly serving: (needs: readonly string[]) => string;
 }

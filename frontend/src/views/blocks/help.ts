@@ -4,7 +4,7 @@ import * as Blockly from "blockly/core";
 
 import { t } from "../../i18n";
 import { icon } from "../../ui/icons";
-import { actionsOf } from "./actions";
+import { actionsOf, type OfferedRobot } from "./actions";
 import { type Parameter, parametersOf } from "./fields/allowed";
 import { STYLES } from "./groups";
 import type { Item } from "./offers";
@@ -78,14 +78,20 @@ function paragraph(text: string): HTMLElement {
   return Object.assign(document.createElement("p"), { textContent: text });
 }
 
-/** What serves the block's senses on the chosen robot, or what that robot lacks. */
+/** What serves the block's senses on the chosen robot, or what that robot lacks; and the robots that can do it. */
 function robotOf(block: Block): HTMLElement[] {
   const actions = actionsOf(block.workspace);
   const { needs = [] } = (actions?.offered(block.type) ?? {}) as Item;
   const robot = actions?.robot();
   if (!robot) return [];
   const lacking = needs.filter((need) => robot.lacks.has(need)).map(paletteWords(robot.title).missing);
-  return [robot.serving(needs), ...lacking].filter(Boolean).map(paragraph);
+  return [robot.serving(needs), ...lacking, worksOn(needs, robot)].filter(Boolean).map(paragraph);
+}
+
+function worksOn(needs: readonly string[], { all }: OfferedRobot): string {
+  const able = all.filter(({ lacks }) => !needs.some((need) => lacks.includes(need)));
+  if (able.length === all.length) return t("page-blocks-help-all-robots");
+  return able.length ? t("page-blocks-help-robots", { robots: able.map(({ title }) => title).join(", ") }) : "";
 }
 
 function valuesOf(block: Block): HTMLElement[] {
@@ -95,7 +101,10 @@ function valuesOf(block: Block): HTMLElement[] {
   const list = document.createElement("dl");
   for (const parameter of parameters) {
     const name = Object.assign(document.createElement("dt"), { textContent: parameter.label });
-    list.append(name, Object.assign(document.createElement("dd"), { textContent: rangeOf(parameter) }));
+    const range = rangeOf(parameter);
+    const { kind, unit } = parameter;
+    const textContent = unit && kind !== "angle" ? t("page-blocks-help-unit", { range, unit }) : range;
+    list.append(name, Object.assign(document.createElement("dd"), { textContent }));
   }
   return [heading, list];
 }

@@ -260,8 +260,11 @@ class Blocks implements BlocksIsland {
   }
 
   private get robot(): OfferedRobot {
-    const chosen = this.context.robots.value.find(({ name }) => name === this.context.running.robot.value);
+    const robots = this.context.robots.value;
+    const chosen = robots.find(({ name }) => name === this.context.running.robot.value);
+    const simulated = robots.filter((one) => one.simulated);
     return {
+      all: simulated.map((one) => ({ title: plainTitle(one), lacks: one.lacks ?? [] })),
       title: chosen ? plainTitle(chosen) : "",
       lacks: new Set(chosen?.lacks ?? []),
       serving: (needs) => (chosen ? servingWords(chosen, needs) : ""),

@@ -19,16 +19,29 @@ const ARGUMENTS = {
   },
   loadExtraState(this: WithArguments, state: ArgumentsState): void {
     this.arguments_ = state;
-    if (state.name !== undefined) setName(this, state.name);
-    const { arguments: count = 0, keywords = [] } = state;
+    const { name, arguments: count = 0, keywords = [] } = state;
+    const [words, ...between] = keywords.length ? [] : sentenceOf(name, count);
+    if (name !== undefined) setName(this, name, words ?? name);
     resize(this, "ARG", count + keywords.length);
+    between.forEach((text, place) => label(this, `ARG${place + 1}`, text));
     keywords.forEach((keyword, place) => label(this, `ARG${count + place}`, `${keyword} =`));
   },
 };
 
-function setName(block: Blockly.Block, name: string): void {
-  if (block.getField("NAME")) block.setFieldValue(name, "NAME");
-  else block.getInput("PLACE")?.appendField(name, "NAME");
+/** The words before each value of a call of Python's that has a sentence; none for any other. */
+function sentenceOf(name = "", count: number): string[] {
+  const sentence = Blockly.Msg[`LB_CALL_${name.toUpperCase()}_${count}`];
+  return sentence
+    ? sentence
+        .split(/%\d/)
+        .slice(0, count)
+        .map((words) => words.trim())
+    : [];
+}
+
+function setName(block: Blockly.Block, name: string, words: string): void {
+  if (block.getField("NAME")) block.setFieldValue(words, "NAME");
+  else block.getInput("PLACE")?.appendField(words, "NAME");
   styleCall(block, name);
 }
 

@@ -57,7 +57,8 @@ function shows(block: Block, name: string, value: unknown): boolean {
   const target = block.getInputTargetBlock(name);
   if (!target) return true;
   const field = ["NUM", "TEXT", "BOOL"].map((one) => target.getField(one)).find(Boolean);
-  return target.isShadow() && field?.getValue() === value;
+  const spelled = typeof value === "boolean" ? String(value).toUpperCase() : value;
+  return target.isShadow() && field?.getValue() === spelled;
 }
 
 /** Arrange the optional parts of a block; call it before the block is measured. */

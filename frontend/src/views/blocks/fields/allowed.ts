@@ -28,6 +28,8 @@ export interface Parameter {
   /** Its name for readers, and its type; only a skill's parameters have them. */
   readonly label: string;
   readonly kind: string;
+  /** What follows it in the sentence, such as "mm/s". */
+  readonly unit?: string;
   readonly field?: Allowed;
 }
 
