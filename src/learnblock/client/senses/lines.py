@@ -25,8 +25,8 @@ LOST = 100.0
 SEARCH = (45.0, 70.0)
 #: Degrees to which a camera tilts to see a line, and the seconds that this takes.
 FLOOR, TILTING = -30.0, 0.3
-#: The position from which a line in the picture is on a side. Between the sides it is in the centre,
-#: so a robot that turns towards a line on a side always gets there, even if the line is oblique.
+#: The position from which a line in the picture is on a side. Between the sides it is in the
+#: centre, so a robot that turns towards a line always gets there, even if the line is oblique.
 ASIDE = 40.0
 
 
