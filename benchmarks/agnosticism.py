@@ -1,7 +1,8 @@
 """What becomes of each example on each robot, in the world in which its purpose is a goal.
 
 With `--wires` the robots are the six real ones, each emulated at the other end of its wire, in
-real time: some 25 minutes. Words select examples: `agnosticism.py --wires first/park square`.
+real time: some 25 minutes. Words select examples: `agnosticism.py --wires first/park square`. With
+`--page` it only writes the table of the docs.
 """
 
 import os
@@ -23,7 +24,6 @@ from learnblock.emulators import TWINS as WIRES
 from learnblock.emulators import emulate
 from learnblock.language.check.robots import Verdict
 from learnblock.running import Options, ProgramRun
-from learnblock.runtime.inline import InlineWorker
 from learnblock.runtime.process import ProcessWorker
 from learnblock.simulator.goals import RobotState, goals
 
@@ -31,11 +31,17 @@ TESTS = Path(__file__).parents[1] / "tests" / "helpers"
 sys.path.insert(0, str(TESTS))
 
 from emulated import settle  # noqa: E402 - found through the line above
+from every_robot import (  # noqa: E402 - as above
+    PATIENCE,
+    missed_goals,
+    programs_table,
+    run_for_goals,
+    write_part,
+)
+from every_robot import outcome as cell  # noqa: E402 - as above
 from playground import Playground  # noqa: E402
-from runs import EXAMPLES, TASKS, TWINS, Holder, person  # noqa: E402
+from runs import EXAMPLES, TASKS, TWINS, person  # noqa: E402
 
-#: How much longer a robot may take than the one that the example is meant for.
-PATIENCE = 2
 #: How many robots drive in real time at once.
 AT_ONCE = 6
 #: Seconds between two looks at the goals.
@@ -48,14 +54,12 @@ UNSEEN = {"avoid", "show"}
 
 def outcome(name: str, robot: str) -> str:
     """Return `reached` or `missed GOAL`, and without what, or why the robot can't run it."""
-    source, entry = running.read(EXAMPLES / name), robots.find(robot)
-    verdict = running.runs_on(source)[robot]
+    verdict = running.runs_on(running.read(EXAMPLES / name))[robot]
     # What CoppeliaSim's robot has is known only once it is connected.
     is_known = isinstance(verdict, Verdict)
     if is_known and not verdict.runs:
         return str(verdict.phrase)
-    program = running.program(source, entry)
-    report, missed = (on_twin if robot in TWINS else over_wire)(name, program, entry)
+    report, missed = (on_twin if robot in TWINS else over_wire)(name, robot)
     if report.error:
         return f"error: {report.error['message']}"
     announced = {lack.skill.name for lack in verdict.missed} if is_known else set()
@@ -69,22 +73,18 @@ def outcome(name: str, robot: str) -> str:
     return what + (f" ({without})" if without else "")
 
 
-def on_twin(name: str, program: Any, entry: Any) -> tuple[Any, list[str]]:
-    """Run a program; return its report and the names of the goals that it missed."""
-    world, seconds = TASKS[name]
-    options = Options(world=world, seconds=PATIENCE * seconds)
-    watcher = person(name)
-    run = ProgramRun(program, entry, options, worker=InlineWorker, watcher=watcher)
-    if isinstance(watcher, Holder):
-        watcher.session = run
-    report = run.run()
-    return report, [goal.name for goal in report.goals if goal.state != "reached"]
+def on_twin(name: str, robot: str) -> tuple[Any, list[str]]:
+    """Run an example; return its report and the names of the goals that it missed."""
+    report = run_for_goals(name, robot)
+    return report, missed_goals(report)
 
 
-def over_wire(name: str, program: Any, entry: Any) -> tuple[Any, list[str]]:
+def over_wire(name: str, robot: str) -> tuple[Any, list[str]]:
     """The same over a robot's wire; the run ends as soon as all goals are reached."""
     world, seconds = TASKS[name]
-    with tempfile.TemporaryDirectory() as home, observed(entry.name, world, home) as missed:
+    entry = robots.find(robot)
+    program = running.program(running.read(EXAMPLES / name), entry)
+    with tempfile.TemporaryDirectory() as home, observed(robot, world, home) as missed:
         options = Options(seconds=PATIENCE * seconds)
         run = ProgramRun(program, entry, options, worker=ProcessWorker, watcher=person(name))
         ended = threading.Event()
@@ -149,8 +149,17 @@ class Judge:
         return [f"{state.name}?" for state in states if state.kind in UNSEEN] or open_goals
 
 
+def write_page() -> None:
+    """Write the table of the docs."""
+    found = {name: {robot: cell(name, robot) for robot in TWINS} for name in TASKS}
+    write_part("programs", programs_table(found))
+
+
 def main() -> None:
     arguments = sys.argv[1:]
+    if "--page" in arguments:
+        write_page()
+        return
     over_wires = "--wires" in arguments
     words = [word for word in arguments if word != "--wires"]
     names = [name for name in TASKS if not words or any(word in name for word in words)]

@@ -58,7 +58,7 @@ DISTANCE = Way(
 )
 ANGLE = Way(
     "turn(180, {})",
-    30,
+    120,
     (360, 270, 180, 120, 90, 60, 30, 15),
     "°/s",
     lambda speed, track: math.radians(speed) * track / 2,

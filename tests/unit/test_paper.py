@@ -7,7 +7,7 @@ import pytest
 
 from learnblock import language, robots, running
 from learnblock.simulator import load_robot, load_world
-from runs import EXAMPLES, run_example
+from runs import EXAMPLES, TWINS, run_example
 
 SQUARE_ROBOTS = ("sim-cozmo", "sim-ev3")
 TAG_ROBOTS = ("sim-ebo", "sim-cozmo")
@@ -27,6 +27,14 @@ def corners(finished):
     turns = [entry["t"] for entry in finished.entries("call") if entry["call"] == "stop_bot"]
     ends = [pose_at(finished, turn) for turn in turns]
     return [finished.recorder.path[0][1], *ends], finished.recorder.path[-1][1]
+
+
+@pytest.mark.parametrize("robot", TWINS)
+def test_the_square_is_800_mm_long_and_ends_where_it_began_on_every_twin(robot):
+    places = [pose[:2] for _, pose in run_example("square.bt", robot).recorder.path]
+    length = sum(itertools.starmap(math.dist, itertools.pairwise(places)))
+    assert length == pytest.approx(800, rel=0.05)
+    assert math.dist(places[0], places[-1]) < 40
 
 
 @pytest.mark.parametrize("robot", SQUARE_ROBOTS)

@@ -1,0 +1,59 @@
+"""The page "One program, every robot" says what becomes of each example on each twin."""
+
+import pytest
+
+from every_robot import MISSED, REACHED, missed_goals, outcome, run_for_goals, verdict
+from every_robot import written_outcomes as written
+from runs import TASKS, TWINS
+
+OUTCOMES = written()
+PAIRS = [(name, robot) for name in OUTCOMES for robot in TWINS]
+#: They drive, turn, avoid, follow a line or react to what they see, with sensors on the front.
+FOR_THREE = [
+    "avoid.bt",
+    "first/bump.bt",
+    "first/edge.bt",
+    "first/line.bt",
+    "first/park.bt",
+    "line-ebo.bt",
+    "line-states.bt",
+    "line-thymio.bt",
+    "patrol.bt",
+    "square.bt",
+    "watch-out.bt",
+]
+
+
+def done(cell):
+    return cell.partition(",")[0]
+
+
+def test_the_table_has_every_example():
+    assert list(OUTCOMES) == list(TASKS)
+
+
+@pytest.mark.parametrize("name", TASKS)
+def test_the_table_says_of_each_twin_what_the_check_says(name):
+    for robot in TWINS:
+        cell, found = OUTCOMES[name][robot], verdict(name, robot)
+        assert cell.startswith("refused: no ") is not found.runs
+        assert (", without " in cell) is (found.runs and bool(found.missed))
+        if not found.runs:
+            assert cell == outcome(name, robot)
+
+
+@pytest.mark.slow
+@pytest.mark.sample(6)
+@pytest.mark.parametrize(
+    ("name", "robot"),
+    [pair for pair in PAIRS if done(OUTCOMES[pair[0]][pair[1]]) in {REACHED, MISSED}],
+)
+def test_a_run_ends_as_the_table_says(name, robot):
+    report = run_for_goals(name, robot)
+    assert report.error is None
+    assert done(OUTCOMES[name][robot]) == (MISSED if missed_goals(report) else REACHED)
+
+
+@pytest.mark.parametrize("name", FOR_THREE)
+def test_a_program_reaches_its_goal_on_three_of_four_twins(name):
+    assert sum(done(cell) == REACHED for cell in OUTCOMES[name].values()) >= 3
