@@ -8,6 +8,8 @@ from runs import EXAMPLES, TASKS, TWINS, person, run_example, run_file
 pytestmark = pytest.mark.spread
 
 FIRST = sorted(name for name in TASKS if name.startswith("first/"))
+#: What else beginners want: remote control, notes, a pen; programs for two robots are elsewhere.
+FIRST += ["flower.bt", "melody.bt", "remote-control.bt"]
 #: A lap of a line takes minutes.
 SHORT = [name for name in FIRST if TASKS[name][0] not in {"line", "red-line"}]
 VERDICTS = {name: running.runs_on(running.read(EXAMPLES / name)) for name in FIRST}
@@ -34,6 +36,13 @@ def test_a_program_that_runs_wholly_reaches_every_goal(name, robot):
     world, seconds = TASKS[name]
     report = run_example(name, robot, world=world, seconds=seconds).report
     assert report.error is None
+    assert {goal.state for goal in report.goals} == {"reached"}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("robot", ["sim-thymio", "sim-ev3"])
+def test_a_control_loop_follows_a_line_by_sensors_under_the_robot(robot):
+    report = run_example("first/pid.bt", robot, world="line", seconds=145).report
     assert {goal.state for goal in report.goals} == {"reached"}
 
 
