@@ -199,3 +199,14 @@ def is_large_enough(control):
     height = control["bottom"] - control["top"]
     # Positions in fractions of a pixel do not add up exactly.
     return round(width, 1) >= 44 and round(height, 1) >= 44
+
+
+def test_at_a_zoom_of_200_percent_on_a_laptop_the_blocks_and_the_world_have_room(sit_down, server):
+    pupil = sit_down(
+        server, empty=True, stage="starter", viewport={"width": 1366 // 2, "height": 768 // 2}
+    )
+    palette = pupil.page.locator(".blocklyToolbox").bounding_box()
+    blocks = pupil.page.locator("[data-region=blocks]").bounding_box()
+    assert palette["y"] - blocks["y"] > 120
+    assert pupil.page.locator(SHOWN["World"]).bounding_box()["height"] > 200
+    pupil.picture("zoomed")
