@@ -1,6 +1,6 @@
 """axe finds nothing in any state of the page, whatever its impact, in any theme.
 
-And no dialog is beyond the window, where it could not be scrolled to.
+And no dialog is beyond the window, where it could not be scrolled to, and no id is there twice.
 """
 
 import re
@@ -20,6 +20,11 @@ BEYOND = """() => [...document.querySelectorAll("dialog[open]")]
         return left < 0 || top < 0 || right > innerWidth || bottom > innerHeight;
     })
     .map((one) => one.querySelector("h2")?.textContent)"""
+#: The ids that several elements have.
+DOUBLE = """() => {
+    const ids = [...document.querySelectorAll("[id]")].map((one) => one.id);
+    return [...new Set(ids.filter((id, at) => ids.indexOf(id) !== at))];
+}"""
 RUN_AXE = """([theme, rules]) => {
     document.documentElement.dataset.theme = theme;
     const runOnly = rules ? { runOnly: rules } : {};
@@ -46,6 +51,7 @@ def visit(sit_down, axe):
         for state in walk(states.Visitor(pupil, language)):
             pupil.picture(f"{language}-{size}-{state}")
             found += [(state, "beyond the window", one) for one in pupil.page.evaluate(BEYOND)]
+            found += [(state, "double id", one) for one in pupil.page.evaluate(DOUBLE)]
             found += [(state, *fault) for fault in faults(pupil.page, axe, THEMES)]
         return found
 

@@ -9,6 +9,7 @@ import { icon } from "../../ui/icons";
 import { MORE } from "./offers";
 import type { PaletteFlyout } from "./palette-flyout";
 import { GroupItem, groupIcon } from "./palette-group";
+import { nameRow, tabOf } from "./palette-rows";
 
 /** Whether the palette stays open, where there is room for it. */
 const pinned = computed(() => preferences.value.layout.pinned);
@@ -60,6 +61,7 @@ export class PaletteToolbox extends Blockly.Toolbox {
     const name = this.getSelectedItem()?.getName();
     super.clearSelection();
     super.render(toolbox);
+    this.getToolboxItems().forEach(nameRow);
     const same = this.getToolboxItems().find((item) => item instanceof GroupItem && item.getName() === name);
     if (same) this.setSelectedItem(same);
   }
@@ -85,6 +87,10 @@ export class PaletteToolbox extends Blockly.Toolbox {
     if (on) this.begin();
     else super.clearSelection();
     this.handleToolboxItemResize();
+  }
+
+  override getToolboxItemById(id: string): Blockly.IToolboxItem | null {
+    return super.getToolboxItemById(tabOf(id));
   }
 
   override clearSelection(): void {
