@@ -104,9 +104,10 @@ export class Draft {
     const saving = this.written.peek();
     const answer = await this.connection.ask(message);
     if (answer.kind === "Failed") return this.refuse(answer.message);
+    if (answer.kind !== "CustomBlockChecked") return this.wasSaved(message.name, saving);
     // It has mistakes, which are shown in its source.
-    if (answer.kind === "CustomBlockChecked") this.show(answer);
-    else this.wasSaved(message.name, saving);
+    this.refuse("");
+    this.show(answer);
   }
 
   private begin(saved: string, original: Written): void {
