@@ -11,7 +11,7 @@ import type { SettingsTable } from "../../protocol/messages";
 import { Actions, Dialog } from "../../ui/dialog";
 import { SettingField } from "./field";
 import { changes, PERCEPTION, useRobotSettings, type Values, valuesOf } from "./robot-settings";
-import { TestConnection } from "./test";
+import { TestConnection } from "./test-connection";
 import "./dialogs.css";
 
 const EMOTIONS = "emotions_on_cameras";

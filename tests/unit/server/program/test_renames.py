@@ -50,7 +50,7 @@ def edited(document, *changes):
 def test_calls_by_parameters_names_and_raw_python_follow_a_function(document):
     after = edited(
         document,
-        ('"id":"b15","fields":{"NAME":"twice"}', '"id":"b15","fields":{"NAME":"doubled"}'),
+        ('"fields":{"NAME":"twice"}', '"fields":{"NAME":"doubled"}'),
         ('{"name":"twice","params"', '{"name":"doubled","params"'),
     )
     assert after.blocktext == PROGRAM.replace("twice", "doubled")
