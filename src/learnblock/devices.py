@@ -399,6 +399,23 @@ class Matrix(Device):
         )
 
 
+def positive(name: str, value: object, code: str) -> float:
+    """`value` as a finite float of more than 0.
+
+    Args:
+        name: the parameter.
+        value: what it was given.
+        code: the message about a number that is not more than 0, which has the number as `value`.
+
+    Raises:
+        DeviceValueError: the parameter has any other value.
+    """
+    found = number(name, value)
+    if found <= 0:
+        raise DeviceValueError(code, value=found)
+    return found
+
+
 class MP3(Device):
     """A music player: folders of numbered songs; volume from 0 to 100."""
 

@@ -4,8 +4,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from learnblock.client.senses.heading import UPRIGHT
-from learnblock.devices import Base, Gyroscope, number
-from learnblock.errors import DeviceValueError
+from learnblock.devices import Base, Gyroscope, number, positive
 from learnblock.skills.turning import BRISK, Manner, shortest, turn_by
 
 if TYPE_CHECKING:
@@ -80,7 +79,7 @@ def stop_bot(robot: "Client") -> None:
 def turn(robot: "Client", angle: float, rotSpeed: float = 120) -> None:
     """Turn on the spot by an angle, then continue with the program.
 
-    The robot turns slower towards the end and stops within 1 degree of the angle by its gyroscope
+    The robot slows down towards the end and stops within 1 degree of the angle by its gyroscope
     or, without one, by its wheels.
 
     Args:
@@ -91,9 +90,8 @@ def turn(robot: "Client", angle: float, rotSpeed: float = 120) -> None:
         DeviceValueError: the speed is not more than 0.
         StillTurningError: the turn takes far too long; the robot may be stuck.
     """
-    angle, speed = number("angle", angle), number("rotSpeed", rotSpeed)
-    if speed <= 0:
-        raise DeviceValueError("skill-turning-speed-not-positive", speed=speed)
+    angle = number("angle", angle)
+    speed = positive("rotSpeed", rotSpeed, "skill-turning-speed-not-positive")
     base = robot.device(Base)
     if base is not None:
         manner = replace(BRISK, fastest=speed, slowest=min(speed, BRISK.slowest))

@@ -1,27 +1,23 @@
 """Driving a way that ends: the control loop on the odometry that the driving skills share."""
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from learnblock.devices import Base, number
-from learnblock.errors import DeviceValueError, StillDrivingError
-from learnblock.skills.progress import PATIENCE, Progress
+from learnblock.devices import Base, positive
+from learnblock.errors import StillDrivingError
+from learnblock.skills.progress import PERIOD, Pace, Progress
 
 if TYPE_CHECKING:
     from learnblock.client import Client
 
 #: Millimetres from the target at which the wheels are stopped.
 WITHIN = 1.0
-#: mm/s for each mm that remains, and the slowest speed, at which every robot still moves.
-_GAIN, _SLOWEST = 5.0, 10.0
-#: mm/s by which two commands differ at most while the robot speeds up; see `turning`.
-_SPEEDING_UP = 8.0
+#: mm/s for each mm that remains, the slowest speed, at which every robot still moves, and mm/s by
+#: which two commands differ at most while the robot speeds up.
+_GAIN, _SLOWEST, _SPEEDING_UP = 5.0, 10.0, 8.0
 #: Degrees/s for each degree off the heading.
 STEERING = 2.0
-#: Seconds between two commands.
-PERIOD = 0.02
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,12 +43,12 @@ def drive(robot: "Client", base: Base, course: Course, speed: float) -> None:
     Raises:
         StillDrivingError: the robot is stuck, or the drive takes far too long.
     """
-    magnitude = 0.0
-    began = robot.clock.time()
     # A robot must not pass the end between two commands.
     slowest = min(speed, _SLOWEST, course.within / PERIOD / 2)
-    deadline = began + 5 + abs(course.length) / slowest
-    progress = Progress(slowest * PATIENCE / 10)
+    pace = Pace(gain=_GAIN, slowest=slowest, fastest=speed, speeding_up=_SPEEDING_UP)
+    began = robot.clock.time()
+    deadline = began + pace.time_limit(course.length)
+    adv, progress = 0.0, Progress(pace.least_progress)
     while abs(remaining := course.remaining()) > course.within:
         now = robot.clock.time()
         progress.note(now, remaining)
@@ -64,9 +60,7 @@ def drive(robot: "Client", base: Base, course: Course, speed: float) -> None:
                 distance=round(course.length),
                 seconds=round(robot.clock.time() - began),
             )
-        wanted = min(max(_GAIN * abs(remaining), slowest), speed)
-        magnitude = min(wanted, magnitude + _SPEEDING_UP)
-        adv = math.copysign(magnitude, remaining)
+        adv = pace.speed(remaining, adv)
         base.move(adv, course.turning(adv))
         robot.clock.sleep(PERIOD)
     base.stop()
@@ -78,7 +72,4 @@ def speed_of(speed: float) -> float:
     Raises:
         DeviceValueError: it is not more than 0.
     """
-    speed = number("advSpeed", speed)
-    if speed <= 0:
-        raise DeviceValueError("skill-speed-not-positive", speed=speed)
-    return speed
+    return positive("advSpeed", speed, "skill-speed-not-positive")

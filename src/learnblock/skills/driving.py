@@ -1,11 +1,11 @@
-"""Driving a distance or an arc, and waiting until the robot stands still."""
+"""Driving a distance or an arc, and waiting until the robot has stopped."""
 
 import math
 from typing import TYPE_CHECKING
 
-from learnblock.devices import Base, Pose, number
-from learnblock.errors import DeviceValueError
-from learnblock.skills.course import PERIOD, STEERING, WITHIN, Course, drive, speed_of
+from learnblock.devices import Base, Pose, number, positive
+from learnblock.skills.course import STEERING, WITHIN, Course, drive, speed_of
+from learnblock.skills.progress import PERIOD
 from learnblock.skills.turning import shortest
 
 if TYPE_CHECKING:
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 #: Degrees/s at which a robot drives a narrow arc at most.
 _NARROW = 90.0
-#: A robot that moves by less than these mm and degrees within these seconds stands still.
+#: A robot that moves by less than these mm and degrees within these seconds has stopped.
 _STILL_WITHIN, _STILL_FOR = 0.5, 0.2
 
 
@@ -59,9 +59,8 @@ def drive_arc(robot: "Client", radius: float, angle: float, advSpeed: float = 80
         DeviceValueError: the radius or the speed is not more than 0.
         StillDrivingError: the drive takes far too long; the robot may be stuck.
     """
-    radius, angle, speed = number("radius", radius), number("angle", angle), speed_of(advSpeed)
-    if radius <= 0:
-        raise DeviceValueError("skill-radius-not-positive", radius=radius)
+    radius = positive("radius", radius, "skill-radius-not-positive")
+    angle, speed = number("angle", angle), speed_of(advSpeed)
     base, heading = robot.device(Base), robot.senses.heading()
     if base is None or heading is None:
         return
@@ -85,9 +84,9 @@ def drive_arc(robot: "Client", radius: float, angle: float, advSpeed: float = 80
 
 
 def wait_until_still(robot: "Client") -> None:
-    """Wait until the robot stands still, after it was told to stop or something stopped it.
+    """Wait until the robot has stopped, for example after `stop_bot` or at an obstacle.
 
-    Its wheels tell; a robot that is told to drive on may never stand still.
+    This is measured by the wheels. While the robot is told to keep driving, it may never return.
     """
     base = robot.device(Base)
     if base is None:

@@ -1,13 +1,54 @@
-"""Noticing that a robot is stuck: it is told to move, and what it measures stays the same."""
+"""How fast a robot moves towards its target, and noticing that it is stuck."""
 
 import math
+from dataclasses import dataclass
 
-#: Seconds after which a robot that does not get on is stuck.
+#: Seconds after which a robot that makes no progress is stuck.
 PATIENCE = 3.0
+#: Seconds between two commands; at 10 degrees/s a robot turns a fifth of a degree meanwhile.
+PERIOD = 0.02
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Pace:
+    """The speeds of a movement, in mm/s or degrees/s; its way is in mm or degrees.
+
+    Args:
+        gain: the speed for each unit of the way that remains.
+        slowest: below it some robots do not move at all.
+        fastest: the highest speed.
+        speeding_up: by which two commands differ at most while the robot speeds up. A pose that is
+            reckoned from the commands takes for granted that the robot can follow them.
+    """
+
+    gain: float
+    slowest: float
+    fastest: float
+    speeding_up: float
+
+    def speed(self, remaining: float, before: float) -> float:
+        """The next speed, with the sign of what remains.
+
+        Args:
+            remaining: the way that remains.
+            before: the previous speed.
+        """
+        magnitude = min(max(self.gain * abs(remaining), self.slowest), self.fastest)
+        magnitude = min(magnitude, abs(before) + self.speeding_up)
+        return math.copysign(magnitude, remaining)
+
+    @property
+    def least_progress(self) -> float:
+        """The shortest way that a robot that is not stuck covers within `PATIENCE`."""
+        return self.slowest * PATIENCE / 10
+
+    def time_limit(self, way: float) -> float:
+        """The most seconds that a robot that is not stuck needs for a way."""
+        return 5 + abs(way) / self.slowest
 
 
 class Progress:
-    """How a movement gets on.
+    """The progress of a movement.
 
     Args:
         least: what a robot that is not stuck covers at least within `PATIENCE`, in the unit of the
@@ -17,7 +58,7 @@ class Progress:
     def __init__(self, least: float) -> None:
         self._least = least
         self._since, self._from = 0.0, math.inf
-        #: Whether the robot has not got on for so long.
+        #: Whether the robot has made no progress for so long.
         self.is_stuck = False
 
     def note(self, time: float, measured: float) -> None:

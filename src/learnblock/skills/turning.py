@@ -1,62 +1,31 @@
 """Turning to a heading: the control loop that the turning skills share."""
 
-import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from learnblock.devices import Base
 from learnblock.errors import StillTurningError
-from learnblock.skills.progress import PATIENCE, Progress
+from learnblock.skills.progress import PERIOD, Pace, Progress
 
 if TYPE_CHECKING:
     from learnblock.client import Client
 
 #: Degrees from the target at which the wheels are stopped; what remains adds up over many turns.
 WITHIN = 0.3
-#: Seconds between two commands; at 10 degrees/s the robot turns a fifth of a degree meanwhile.
-PERIOD = 0.02
-#: Degrees/s by which two commands differ at most while the robot speeds up. A pose that is reckoned
-#: from the commands takes for granted that the robot can follow them.
-SPEEDING_UP = 5.0
 #: Seconds a robot rocks after its wheels have stopped.
 SETTLING = 0.2
 
 
-@dataclass(frozen=True, slots=True)
-class Manner:
-    """The speeds and tolerance of a turn.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Manner(Pace):
+    """The speeds of a turn, in degrees/s, and its tolerance.
 
     Args:
-        gain: degrees/s for each degree that remains.
-        slowest: degrees/s; below it some robots do not move at all.
-        fastest: degrees/s.
         settled_within: degrees it may be off once the robot has settled; else it turns again.
     """
 
-    gain: float
-    slowest: float
-    fastest: float
+    speeding_up: float = 5.0
     settled_within: float
-
-    def speed(self, remaining: float, before: float) -> float:
-        """The speed in degrees/s, with the sign of the remaining degrees.
-
-        Args:
-            remaining: degrees.
-            before: the previous speed in degrees/s.
-        """
-        magnitude = min(max(self.gain * abs(remaining), self.slowest), self.fastest)
-        magnitude = min(magnitude, abs(before) + SPEEDING_UP)
-        return math.copysign(magnitude, remaining)
-
-    @property
-    def least_progress(self) -> float:
-        """The fewest degrees that a robot that is not stuck turns within `PATIENCE`."""
-        return self.slowest * PATIENCE / 10
-
-    def time_limit(self, angle: float) -> float:
-        """The most seconds that a robot that is not stuck needs for a turn by `angle`."""
-        return 5 + abs(angle) / self.slowest
 
 
 #: A turn that takes no longer than it must.

@@ -6,7 +6,7 @@ skill-file-syntax = { $file } can't be loaded because of a mistake on line { $li
 skill-file-broken = { $file } can't be loaded ({ $reason }). Correct the file and run the program again.
 # A turn that takes too long; $turned and $angle in degrees.
 skill-still-driving = The robot drove only { $driven } of { $distance } mm in { $seconds } seconds. Is it stuck, or lifted off the floor?
-skill-speed-not-positive = The speed is { $speed } mm/s. Write a speed of more than 0; a negative distance drives backwards.
-skill-radius-not-positive = The radius is { $radius } mm. Write a radius of more than 0; a negative angle drives to the left.
-skill-turning-speed-not-positive = The turning speed is { $speed }°/s. Write a speed of more than 0; a negative angle turns to the left.
+skill-speed-not-positive = The speed is { $value } mm/s. Write a speed of more than 0; a negative distance drives backwards.
+skill-radius-not-positive = The radius is { $value } mm. Write a radius of more than 0; a negative angle drives to the left.
+skill-turning-speed-not-positive = The turning speed is { $value }°/s. Write a speed of more than 0; a negative angle turns to the left.
 skill-still-turning = The robot turned only { $turned } of { $angle } degrees in { $seconds } seconds. Is it stuck, or lifted off the floor?
