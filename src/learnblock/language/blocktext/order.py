@@ -26,7 +26,7 @@ from learnblock.language.tree.nodes import (
     Setup,
     When,
 )
-from learnblock.language.tree.traversal import expressions, statements, within
+from learnblock.language.tree.traversal import all_expressions, statements
 
 #: What identifies a definition.
 Key = tuple[type[Def | When], str]
@@ -130,9 +130,8 @@ class _Uses:
                 yield When, one.name
             elif isinstance(one, Raw):
                 yield from _keys_in(one.text)
-            for expression in expressions(one):
-                for node in within(expression):
-                    yield from self.named_in(node)
+            for node in all_expressions(one):
+                yield from self.named_in(node)
 
     def named_in(self, node: Expression) -> Iterator[Key]:
         if isinstance(node, Call):

@@ -26,7 +26,7 @@ from learnblock.language.tree.nodes import (
     Span,
     String,
 )
-from learnblock.language.tree.traversal import expressions, within
+from learnblock.language.tree.traversal import all_expressions
 
 # Quarter turns and their multiples.
 _ANGLES = frozenset((90, 180, 270, 360))
@@ -43,9 +43,8 @@ class CallChecker:
 
     def own_expressions(self, item: Item) -> None:
         """Check the expressions of a statement, except those in its bodies."""
-        for expression in expressions(item):
-            for node in within(expression):
-                self.expression(node)
+        for node in all_expressions(item):
+            self.expression(node)
 
     def expression(self, node: Expression) -> None:
         if isinstance(node, SkillCall):

@@ -42,7 +42,13 @@ from learnblock.language.tree.nodes import (
     When,
     is_only_raw,
 )
-from learnblock.language.tree.traversal import bodies, expressions, statements, targets, within
+from learnblock.language.tree.traversal import (
+    all_expressions,
+    bodies,
+    statements,
+    targets,
+    within,
+)
 
 # CPython allows fewer than 100 levels of indentation, and 20 loops inside each other.
 MAX_INDENTATION = 99
@@ -250,8 +256,7 @@ def _used_parameters(function: Def) -> list[str]:
     read = {
         node.name
         for item in statements(function.body)
-        for expression in expressions(item)
-        for node in within(expression)
+        for node in all_expressions(item)
         if isinstance(node, Name)
     }
     return [name for name in function.parameters if name in read]

@@ -30,7 +30,11 @@ from learnblock.language.tree.nodes import (
     Unary,
     When,
 )
-from learnblock.language.tree.traversal import expressions, set_by, statements, within
+from learnblock.language.tree.traversal import (
+    all_expressions,
+    set_by,
+    statements,
+)
 from learnblock.language.workspace.literals import value_of
 
 
@@ -110,10 +114,9 @@ class Findings:
         for item in self.everything:
             if isinstance(item, Raw):
                 found |= markers.raw_names(item.text) | defined_names(item.text)
-            for expression in expressions(item):
-                for node in within(expression):
-                    if isinstance(node, RawExpression) and ":=" in node.text:
-                        found |= markers.raw_names(node.text.strip())
+            for node in all_expressions(item):
+                if isinstance(node, RawExpression) and ":=" in node.text:
+                    found |= markers.raw_names(node.text.strip())
         return found
 
     def unknown_when(self, name: str) -> Phrase:

@@ -19,7 +19,7 @@ from learnblock.language.tree.nodes import (
     Name,
     Perform,
 )
-from learnblock.language.tree.traversal import expressions, set_by, targets, within
+from learnblock.language.tree.traversal import all_expressions, expressions, set_by, targets, within
 
 #: The functions that leave a list as it is.
 _READING = frozenset(
@@ -125,7 +125,7 @@ def _counting(findings: Findings, item: ForRange) -> None:
         case _:
             return
     for one in item.body:
-        for node in (node for expression in expressions(one) for node in within(expression)):
+        for node in all_expressions(one):
             match node:
                 case Index(value=Name(name=found), index=Name(name=index)) if (
                     found == values and index == item.target.name

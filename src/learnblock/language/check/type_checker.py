@@ -33,7 +33,12 @@ from learnblock.language.tree.nodes import (
     When,
     While,
 )
-from learnblock.language.tree.traversal import expressions, set_by, statements, within
+from learnblock.language.tree.traversal import (
+    all_expressions,
+    expressions,
+    set_by,
+    statements,
+)
 
 _COLLECTIONS = frozenset((Type.LIST, Type.DICTIONARY))
 #: What each function takes, by argument.
@@ -106,11 +111,10 @@ class _TypeChecker:
             self.types.parameters = frozenset()
 
     def statement(self, item: Item) -> None:
-        for expression in expressions(item):
-            for node in within(expression):
-                check = _EXPRESSIONS.get(type(node))
-                if check is not None:
-                    check(self, node)
+        for node in all_expressions(item):
+            check = _EXPRESSIONS.get(type(node))
+            if check is not None:
+                check(self, node)
         check = _STATEMENTS.get(type(item))
         if check is not None:
             check(self, item)

@@ -29,7 +29,7 @@ from learnblock.language.tree.nodes import (
     Span,
     String,
 )
-from learnblock.language.tree.traversal import expressions, statements, within
+from learnblock.language.tree.traversal import all_expressions, statements
 
 #: What a file with functions for other programs contains besides them.
 _BESIDE_FUNCTIONS = Blank | Comment | Import | Setup
@@ -55,16 +55,12 @@ def skill_calls(
             line, column = item.span.line, item.span.column
             place = Span(line, column) if in_python else Span(line + 1, column + _INDENT)
             yield from raw.calls(item.text, place)
-        for node in _nodes(item):
+        for node in all_expressions(item):
             if isinstance(node, SkillCall):
                 yield node
             elif isinstance(node, RawExpression):
                 for call in raw.calls(node.text.strip(), node.span):
                     yield SkillCall(call.name, call.arguments, call.keywords, node.span)
-
-
-def _nodes(item: Item) -> Iterator[Expression]:
-    return (node for expression in expressions(item) for node in within(expression))
 
 
 def _running(program: Program) -> tuple[Item, ...]:
@@ -88,7 +84,7 @@ def _names(item: Item) -> Iterator[str]:
     for one in statements((item,)):
         if isinstance(one, Raw):
             yield from _names_in(one.text)
-        for node in _nodes(one):
+        for node in all_expressions(one):
             if isinstance(node, Call | Name):
                 yield node.name
             elif isinstance(node, RawExpression):

@@ -27,6 +27,7 @@ from learnblock.language.tree.nodes import (
     When,
 )
 from learnblock.language.tree.traversal import (
+    all_expressions,
     bodies,
     expressions,
     set_by,
@@ -108,10 +109,9 @@ class _Order:
         """The functions that parts in raw Python may call at any time."""
         names = set(self.findings.raw_names)
         for item in self.findings.everything:
-            for expression in expressions(item):
-                for node in within(expression):
-                    if isinstance(node, RawExpression):
-                        names |= raw_names(node.text.strip())
+            for node in all_expressions(item):
+                if isinstance(node, RawExpression):
+                    names |= raw_names(node.text.strip())
         return names & self.functions.keys()
 
     def sets(self, body: Body) -> Counter[str]:
@@ -130,10 +130,9 @@ class _Order:
 
     def called_in(self, body: Body) -> Iterator[str]:
         for item in statements(body):
-            for expression in expressions(item):
-                for node in within(expression):
-                    if isinstance(node, Call) and node.name in self.functions:
-                        yield node.name
+            for node in all_expressions(item):
+                if isinstance(node, Call) and node.name in self.functions:
+                    yield node.name
 
     def block(self, body: Iterable[Item], scope: _Scope) -> None:
         for item in body:

@@ -9,7 +9,7 @@ from learnblock.i18n import Phrase
 from learnblock.language.blocktext.format import format as format_program
 from learnblock.language.blocktext.names import state_of
 from learnblock.language.edit.symbols import Symbols
-from learnblock.language.edit.uses import called_by, expressions_in, names_in, set_by_python
+from learnblock.language.edit.uses import called_by, names_in, set_by_python
 from learnblock.language.tree.builtins import FUNCTIONS
 from learnblock.language.tree.markers import raw_names
 from learnblock.language.tree.nodes import (
@@ -27,7 +27,7 @@ from learnblock.language.tree.nodes import (
     SkillCall,
     Span,
 )
-from learnblock.language.tree.traversal import set_by, statements, within
+from learnblock.language.tree.traversal import all_expressions, set_by, statements, within
 
 
 def with_needed(program: Program, names: Iterable[str]) -> tuple[str, ...]:
@@ -158,7 +158,7 @@ class _Extraction:
 
     def calls(self, function: Def) -> Iterator[Diagnostic]:
         for statement in statements((function,)):
-            for node in expressions_in(statement):
+            for node in all_expressions(statement):
                 if isinstance(node, Call) and not self.is_known(node.name):
                     message = Phrase("edit-call-in-library", function=function.name, name=node.name)
                     yield _problem("unknown-function", message, node.span)

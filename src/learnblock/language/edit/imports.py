@@ -6,7 +6,7 @@ from dataclasses import replace
 from learnblock.blocks import BlockConfiguration
 from learnblock.language.tree.layout import prologue_length
 from learnblock.language.tree.nodes import Blank, Import, Program, SkillCall
-from learnblock.language.tree.traversal import expressions, statements, within
+from learnblock.language.tree.traversal import all_expressions, statements
 
 
 def with_import(program: Program, module: str) -> Program:
@@ -39,7 +39,6 @@ def libraries_used(
 def _skills(program: Program) -> Iterator[str]:
     main = program.main.body if program.main else ()
     for statement in statements((*program.items, *main)):
-        for expression in expressions(statement):
-            for node in within(expression):
-                if isinstance(node, SkillCall):
-                    yield node.name
+        for node in all_expressions(statement):
+            if isinstance(node, SkillCall):
+                yield node.name

@@ -18,7 +18,7 @@ from learnblock.language.tree.nodes import (
     Span,
     When,
 )
-from learnblock.language.tree.traversal import expressions, statements, targets, within
+from learnblock.language.tree.traversal import all_expressions, statements, targets
 
 
 @dataclass(frozen=True)
@@ -92,8 +92,7 @@ class Symbols:
 def names_in(item: Item) -> Iterator[Name]:
     """Every variable that is set or read in an item of the top level."""
     for node in statements((item,)):
-        for expression in expressions(node):
-            yield from (one for one in within(expression) if isinstance(one, Name))
+        yield from (one for one in all_expressions(node) if isinstance(one, Name))
 
 
 def _targets(item: Item) -> Iterator[Name]:

@@ -6,14 +6,14 @@ from collections.abc import Iterator
 from learnblock.language.check.findings import defined_names, python_error
 from learnblock.language.python.scopes import stored_names
 from learnblock.language.tree.markers import raw_names
-from learnblock.language.tree.nodes import Call, Def, Expression, Item, Name, Raw, RawExpression
-from learnblock.language.tree.traversal import expressions, statements, within
+from learnblock.language.tree.nodes import Call, Def, Item, Name, Raw, RawExpression
+from learnblock.language.tree.traversal import all_expressions, statements
 
 
 def called_by(function: Def) -> Iterator[str]:
     """The names of the functions that a function calls."""
     for statement in statements((function,)):
-        for node in expressions_in(statement):
+        for node in all_expressions(statement):
             if isinstance(node, Call):
                 yield node.name
 
@@ -23,7 +23,7 @@ def names_in(statement: Item) -> Iterator[tuple[Name | Raw | RawExpression, str]
     if isinstance(statement, Raw):
         for name in sorted(raw_names(statement.text)):
             yield statement, name
-    for node in expressions_in(statement):
+    for node in all_expressions(statement):
         if isinstance(node, Name):
             yield node, node.name
         elif isinstance(node, RawExpression):
@@ -36,9 +36,3 @@ def set_by_python(text: str) -> set[str]:
     if python_error(text, "exec"):
         return set()
     return defined_names(text) | stored_names(ast.parse(text))
-
-
-def expressions_in(statement: Item) -> Iterator[Expression]:
-    """Every expression of a statement without its bodies."""
-    for expression in expressions(statement):
-        yield from within(expression)

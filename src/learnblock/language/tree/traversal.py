@@ -139,6 +139,12 @@ def expressions(node: Item | Main) -> tuple[Expression, ...]:
     return () if get is None else get(node)
 
 
+def all_expressions(node: Item | Main) -> Iterator[Expression]:
+    """The expressions of a statement and those inside them, except those in its bodies."""
+    for expression in expressions(node):
+        yield from within(expression)
+
+
 def within(expression: Expression) -> list[Expression]:
     """An expression and all expressions inside it."""
     found = [expression]

@@ -1,4 +1,4 @@
-"""The order in which a program is drawn as stacks, and the program that an order stands for.
+"""In which order the parts of a program are drawn as stacks, and which program drawn stacks form.
 
 What runs first is drawn first: the statements outside of `main`, `main`, and below them the
 definitions that they use, so that the beginning of a program is in sight however long the rest is.

@@ -14,7 +14,7 @@ from learnblock.language.tree.nodes import (
     String,
     While,
 )
-from learnblock.language.tree.traversal import expressions, within
+from learnblock.language.tree.traversal import all_expressions
 from learnblock.lessons.checks import (
     At,
     Called,
@@ -283,8 +283,7 @@ def _lines_with(situation: Situation, name: str) -> tuple[int, ...]:
     return tuple(
         one.span.line
         for one in situation.statements
-        for expression in expressions(one)
-        for inner in within(expression)
+        for inner in all_expressions(one)
         if (isinstance(inner, SkillCall) and inner.name == name)
         or (isinstance(inner, String) and inner.value == name)
     )[:3]

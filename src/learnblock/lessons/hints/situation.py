@@ -28,7 +28,7 @@ from learnblock.language.tree.nodes import (
     WaitUntil,
     While,
 )
-from learnblock.language.tree.traversal import expressions, statements, within
+from learnblock.language.tree.traversal import all_expressions, statements, within
 from learnblock.lessons.evidence import Evidence
 from learnblock.lessons.hints.vocabulary import WAITING
 from learnblock.lessons.judging import Verdict
@@ -247,10 +247,7 @@ def _texts(entry: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
 
 def calls_in(node: Any, kind: type[Any]) -> Iterator[Any]:
     """The calls in a statement, without its bodies."""
-    for expression in expressions(node):
-        for inner in within(expression):
-            if isinstance(inner, kind):
-                yield inner
+    return (inner for inner in all_expressions(node) if isinstance(inner, kind))
 
 
 def asked_in(expression: Expression) -> Iterator[SkillCall]:
