@@ -1,4 +1,4 @@
-/** Parts of sentences that only say the usual, such as a speed: hidden behind "…" until they say something else. */
+/** Parts of sentences that only state defaults, such as a speed: hidden behind "…" until a value differs. */
 
 import * as Blockly from "blockly/core";
 

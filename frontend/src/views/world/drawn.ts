@@ -15,7 +15,7 @@ export interface Marks {
 export interface Drawn {
   /** The part of the picture's height that the robot takes. */
   readonly share: number;
-  /** Whether nothing stands in front of the robot's middle. */
+  /** Whether the middle of the robot is visible. */
   readonly seen: boolean;
   /** Where the robot and the first goal with a place are in the picture: -1 to 1, to the right and up. */
   readonly robot: XY;

@@ -1,4 +1,4 @@
-/** What stands between the camera and what it should show. */
+/** What blocks the view of the camera. */
 
 import type { BoardValues, WorldValues, XY } from "./scenery/description";
 import { circle, rectangle } from "./scenery/shadows";

@@ -53,8 +53,8 @@ export class Trail {
     this.mesh.geometry.setDrawRange(0, 0);
   }
 
-  /** Draw it in a colour that stands out, or in its own. */
-  stress(on: boolean): void {
+  /** Highlight it, or draw it in its own colour again. */
+  highlight(on: boolean): void {
     this.mesh.material.color.set(on ? MARKS.beam : this.look.colour);
   }
 

@@ -323,7 +323,7 @@ export class World implements WorldIsland {
   private showTrail(): void {
     const isPointed = this.pointed === "driven";
     this.trail.mesh.visible = (this.showsTrail.peek() || isPointed) && this.ways.empty;
-    this.trail.stress(isPointed);
+    this.trail.highlight(isPointed);
     this.view.invalidate();
   }
 

@@ -67,7 +67,7 @@ function wall(west: number, south: number, east: number, north: number, bottom =
   return { outline, bottom, top };
 }
 
-describe("what stands around a robot", () => {
+describe("obstacles around a robot", () => {
   it.each([
     ["to the south", [wall(-600, -220, 600, -200)]],
     ["on three sides", [wall(-220, -220, 220, -200), wall(-220, -220, -200, 220), wall(200, -220, 220, 220)]],

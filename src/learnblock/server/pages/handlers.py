@@ -13,10 +13,11 @@ H = TypeVar("H", bound=Handler)
 class Handlers(dict[type[messages.FromPage], Handler]):
     """Handlers by kind of message.
 
-    HANDLERS = Handlers()
+    Example:
+        HANDLERS = Handlers()
 
-    @HANDLERS.add
-    async def _stop(page: Page, message: messages.Stop) -> None: ...
+        @HANDLERS.add
+        async def _stop(page: Page, message: messages.Stop) -> None: ...
     """
 
     def add(self, handler: H) -> H:
