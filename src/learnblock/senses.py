@@ -28,6 +28,21 @@ SENSES: Mapping[str, tuple[str, ...]] = {
     "text-display": ("Matrix", "Screen"),
 }
 
+#: The sense that each method of `robot.senses` asks for; ``{}`` stands for its argument.
+METHODS: Mapping[str, str] = {
+    "heading": "heading",
+    "reset_heading": "heading",
+    "line": "{}-line",
+    "line_position": "black-line",
+    "ground_line": "ground-line",
+    "distance": "obstacle-{}",
+    "obstacle_direction": "obstacle-front",
+    "brightness": "brightness",
+    "is_shaken": "shaking",
+    "tilt": "tilting",
+    "text_display": "text-display",
+}
+
 #: Devices that can serve for another one with the same key: a coloured LED can be white, too.
 STAND_INS: Mapping[str, str] = {"Led": "RGBLed"}
 
@@ -87,6 +102,17 @@ def served_by(need: str, equipment: frozenset[str]) -> str | None:
     stand_in = (f"{STAND_INS[kind]}{colon}{key}",) if kind in STAND_INS else ()
     ways = SENSES.get(need, (need, *stand_in))
     return next((way for way in ways if way in equipment), None)
+
+
+def sense_of(method: str, argument: str | None = None) -> str | None:
+    """The sense that a method of `robot.senses` asks for; None if only the run will tell.
+
+    >>> sense_of("distance", "front"), sense_of("heading")
+    ('obstacle-front', 'heading')
+    >>> sense_of("distance")
+    """
+    sense = METHODS.get(method, "").format(argument)
+    return sense if sense in SENSES else None
 
 
 def is_decoration(need: str) -> bool:

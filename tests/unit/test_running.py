@@ -69,6 +69,45 @@ def test_a_program_may_import_files_next_to_it(tmp_path, monkeypatch):
     assert codes(path) == []
 
 
+def test_functions_of_imported_files_need_what_they_ask_for(tmp_path, monkeypatch):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path / "home"))
+    (tmp_path / "helpers.py").write_text(
+        "from parts.eyes import look\n\n\n"
+        "def follow(who):\n    while not look(who):\n        who.move_straight(50)\n\n\n"
+        "def greet(who):\n    who.expressJoy()\n"
+    )
+    (tmp_path / "parts").mkdir()
+    (tmp_path / "parts" / "eyes.py").write_text(
+        "import helpers\n\n\ndef look(who):\n    return who.is_tag(1)\n"
+    )
+    path = tmp_path / "program.py"
+    path.write_text(
+        "import helpers as h\nfrom helpers import greet as hello\n"
+        "from learnblock.robots.sim_ev3 import Robot\n\nrobot = Robot()\n\n# main\n"
+        "hello(robot)\nh.follow(robot)\n"
+    )
+    source = running.read(path)
+    assert running.runs_on(source)["sim-cozmo"].runs
+    refused = running.runs_on(source)["sim-ev3"].refused
+    assert [(one.skill.name, one.needs) for one in refused] == [("h.follow", ("Camera",))]
+    found = running.check(source, running.choose_robot(source))
+    assert [(one.code, one.line, one.severity) for one in found] == [
+        ("missing-device", 8, "warning"),
+        ("missing-device", 9, "error"),
+    ]
+    assert "h.follow" in str(found[1].message)
+
+
+def test_a_function_of_the_program_hides_an_imported_one(tmp_path):
+    (tmp_path / "helpers.py").write_text("def look(who):\n    return who.is_tag(1)\n")
+    path = tmp_path / "program.py"
+    path.write_text(
+        "from helpers import look\nfrom learnblock.robots.sim_ev3 import Robot\n\n"
+        "robot = Robot()\n\n\ndef look(who):\n    return 1\n\n\n# main\nprint(look(robot))\n"
+    )
+    assert running.runs_on(running.read(path))["sim-ev3"].runs
+
+
 def test_a_python_file_may_import_any_package(tmp_path):
     path = tmp_path / "program.py"
     path.write_text(

@@ -3,16 +3,19 @@
 import pytest
 
 from learnblock import robots
+from learnblock.client.senses import Senses
 from learnblock.devices import DEVICE_TYPES
 from learnblock.perception.settings import TABLE
 from learnblock.senses import (
     ABILITIES,
     DECORATIONS,
+    METHODS,
     SENSES,
     STAND_INS,
     UNSERVED,
     equipment,
     is_decoration,
+    sense_of,
     served_by,
 )
 
@@ -24,6 +27,14 @@ def test_the_table_names_devices_and_abilities_that_exist():
             assert kind in DEVICE_TYPES
             assert kind not in ABILITIES or not key or key in ABILITIES[kind]
     assert {one.partition(":")[0] for one in DECORATIONS} | set(ABILITIES) <= set(DEVICE_TYPES)
+
+
+def test_every_method_of_senses_asks_for_a_sense():
+    methods = {name for name in vars(Senses) if not name.startswith("_")}
+    assert set(METHODS) == methods
+    # Those with a place for an argument ask for one of several.
+    for method, sense in METHODS.items():
+        assert sense_of(method) is None if "{}" in sense else sense_of(method) in SENSES
 
 
 def test_a_robot_has_its_devices_their_types_and_what_they_can_do():

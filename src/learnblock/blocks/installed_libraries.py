@@ -1,14 +1,16 @@
 """Library blocks, read from the libraries' files without running any code."""
 
+import ast
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 
 from learnblock.blocks.importable import Importable
 from learnblock.blocks.schema.configuration import BlockConfiguration
-from learnblock.blocks.schema.loading import load_configurations
+from learnblock.blocks.schema.loading import builtin, load_configurations
 from learnblock.blocks.source.derivation import derived, fitted
 from learnblock.blocks.source.signature import Signature, signatures
+from learnblock.blocks.source.uses import Uses, imported_names, uses_of, with_needs
 from learnblock.errors import LearnBlockError, LibraryError
 from learnblock.storage import skill_files, toml_source
 from learnblock.storage.home import home
@@ -66,6 +68,43 @@ def blocks_beside(folder: Path, modules: frozenset[str]) -> Iterator[BlockConfig
             yield from blocks(module, texts(nearby[module]))
 
 
+def functions_beside(
+    folder: Path, imports: ast.Module, skills: Mapping[str, BlockConfiguration]
+) -> dict[str, BlockConfiguration]:
+    """The functions that a program imports from files beside it and that need something.
+
+    Args:
+        folder: the program's folder.
+        imports: its imports.
+        skills: the skills that the functions may call; they are not listed again.
+
+    Returns:
+        Their needs, by their names as the program writes them.
+
+    Raises:
+        LearnBlockError: one of the files is invalid.
+        OSError: one of them cannot be read.
+    """
+    known: dict[str, dict[str, Uses]] = {}
+
+    def defined(module: str) -> dict[str, Uses]:
+        file = None if module in known else _file(folder, module)
+        if file is not None:
+            # Files may import each other.
+            known[module] = {}
+            tree = skill_files.parse(skill_files.read(file), file.name)
+            imported = imported_names(tree, defined)
+            known[module] = imported | uses_of(tree, imported)
+        return known.get(module, {})
+
+    needs = {name: one.needed(skills) for name, one in imported_names(imports, defined).items()}
+    return {
+        name: BlockConfiguration("others", "", name, needs=found)
+        for name, found in needs.items()
+        if found and name not in skills
+    }
+
+
 def blocks(name: str, files: Mapping[str, str]) -> tuple[BlockConfiguration, ...]:
     """The blocks of a library, or of a Python file that is imported like one.
 
@@ -83,7 +122,9 @@ def blocks(name: str, files: Mapping[str, str]) -> tuple[BlockConfiguration, ...
     for block in load_configurations(files[CONFIGURATIONS]) if CONFIGURATIONS in files else ():
         if block.name in found:
             found[block.name] = fitted(block, skills[block.name], found[block.name])
-    return tuple(replace(block, library=name, titles=titles) for block in found.values())
+    uses = {name: one.uses for name, one in skills.items()}
+    ready = with_needs(found.values(), uses, builtin())
+    return tuple(replace(block, library=name, titles=titles) for block in ready)
 
 
 def skills_in(filename: str, source: str) -> tuple[Signature, ...]:

@@ -10,6 +10,7 @@ from learnblock.blocks.schema.configuration import BlockConfiguration, Configura
 from learnblock.blocks.schema.loading import builtin, completed, load_configurations
 from learnblock.blocks.source.derivation import derive_plugin, derived, fitted
 from learnblock.blocks.source.signature import Signature, signatures
+from learnblock.blocks.source.uses import with_needs
 from learnblock.errors import FileError, LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.storage import skill_files
@@ -35,6 +36,7 @@ def all_configurations() -> Configurations:
         search.found.setdefault(block.name, block)
     for path in sorted((home() / "blocks").glob("*.json")):
         search.configured(path)
+    search.add_needs()
     return Configurations(search.found, search.broken, tuple(search.problems))
 
 
@@ -88,6 +90,13 @@ class _Search:
             return
         for block in blocks:
             self.found[block.name] = self.described(block)
+
+    def add_needs(self) -> None:
+        """Add what custom skills need by their source."""
+        uses = {name: one.uses for name, one in self.signatures.items()}
+        others = {name: one for name, one in self.found.items() if name not in uses}
+        own = [self.found[name] for name in uses]
+        self.found.update({one.name: one for one in with_needs(own, uses, others)})
 
     def described(self, block: BlockConfiguration) -> BlockConfiguration:
         """A configured block, completed from its earlier configuration."""

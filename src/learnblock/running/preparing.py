@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from importlib.util import find_spec
 from pathlib import Path
+from types import MappingProxyType
 
 from learnblock import language, robots
 from learnblock.blocks import BlockConfiguration, builtin, installed_libraries
@@ -12,6 +13,7 @@ from learnblock.blocks.schema.configuration import Configurations
 from learnblock.errors import Diagnostic, LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.language.check.robots import Demand, Verdict, demands, verdict
+from learnblock.language.check.used_skills import imports_of
 from learnblock.language.tree.nodes import Program as Tree
 from learnblock.robots import RobotEntry
 from learnblock.running.source import Source
@@ -34,20 +36,31 @@ def choose_robot(source: Source, name: str | None = None) -> RobotEntry:
 def check(source: Source, robot: RobotEntry | None = None) -> list[Diagnostic]:
     """Check a program, for a robot if one is given; return its mistakes and warnings."""
     equipment = robot.load().known_equipment() if robot else None
-    found = installed_libraries.importable(_folder(source), source.imports)
     python = source.text if source.is_python else None
-    packages = _with_packages(found, source)
-    return language.check(source.tree, _skills(source), equipment, packages, python=python)
+    skills = _skills(source)
+    importable = _importable(source, skills)
+    return language.check(source.tree, skills, equipment, importable, python=python)
 
 
 def runs_on(source: Source) -> dict[str, Verdict | Phrase]:
     """For each robot, whether it can run a program, or why that is unknown."""
-    return verdicts(source.tree, _skills(source))
+    skills = _skills(source)
+    return verdicts(source.tree, skills, _functions(source, skills))
 
 
-def verdicts(tree: Tree, skills: Mapping[str, BlockConfiguration]) -> dict[str, Verdict | Phrase]:
-    """For each robot, whether it can run a program with these skills, as `runs_on`."""
-    demanded = demands(tree, skills)
+def verdicts(
+    tree: Tree,
+    skills: Mapping[str, BlockConfiguration],
+    functions: Mapping[str, BlockConfiguration] = MappingProxyType({}),
+) -> dict[str, Verdict | Phrase]:
+    """For each robot, whether it can run a program, as `runs_on`.
+
+    Args:
+        tree: the program.
+        skills: the skills that it can use.
+        functions: see `learnblock.blocks.importable.Importable`.
+    """
+    demanded = demands(tree, skills, functions)
     return {entry.name: _verdict(demanded, entry) for entry in robots.entries().values()}
 
 
@@ -80,8 +93,15 @@ def _folder(source: Source) -> Path:
     return source.path.resolve().parent
 
 
-def _with_packages(found: Importable, source: Source) -> Importable:
+def _importable(source: Source, skills: Configurations) -> Importable:
     """The modules that Python can import; a library is `learnblock.libraries.NAME` there."""
+    found = installed_libraries.importable(_folder(source), source.imports)
     plain = source.imports - source.libraries
     packages = {one for one in plain if find_spec(one.partition(".")[0]) is not None}
-    return Importable(found.libraries - plain, found.files | packages)
+    functions = _functions(source, skills)
+    return Importable(found.libraries - plain, found.files | packages, functions)
+
+
+def _functions(source: Source, skills: Configurations) -> dict[str, BlockConfiguration]:
+    """The functions of imported files that need something of the robot."""
+    return installed_libraries.functions_beside(_folder(source), imports_of(source.tree), skills)

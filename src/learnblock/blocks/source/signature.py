@@ -3,10 +3,11 @@
 import ast
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 
 from learnblock.blocks.schema.configuration import ParameterType, Returns
 from learnblock.blocks.source.hints import FieldType, field_type
+from learnblock.blocks.source.uses import Uses, uses_of
 from learnblock.errors import HintError
 from learnblock.i18n import Phrase
 from learnblock.storage import skill_files
@@ -68,6 +69,7 @@ class Signature:
         summary: the first paragraph of its docstring, if any.
         unfit: parameters that a block cannot set: ``*args``, and keyword-only ones without default.
         place: the position of its name.
+        uses: what it uses, and what the functions of its file do that it calls.
     """
 
     name: str
@@ -79,6 +81,7 @@ class Signature:
     summary: str
     unfit: tuple[str, ...]
     place: Place
+    uses: Uses = field(default_factory=Uses)
 
 
 def signatures(source: str, filename: str) -> tuple[Signature, ...]:
@@ -87,8 +90,10 @@ def signatures(source: str, filename: str) -> tuple[Signature, ...]:
     Raises:
         ProgramError: the source is not valid Python.
     """
-    found = skill_files.functions(skill_files.parse(source, filename))
-    return tuple({one.name: signature(one) for one in found}.values())
+    tree = skill_files.parse(source, filename)
+    uses = uses_of(tree)
+    found = {one.name: signature(one) for one in skill_files.functions(tree)}
+    return tuple(replace(one, uses=uses[name]) for name, one in found.items())
 
 
 def signature(function: ast.FunctionDef) -> Signature:

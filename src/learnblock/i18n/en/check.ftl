@@ -157,6 +157,7 @@ check-numbers-of-list = '{ $call }' calculates with the numbers of a list, but {
 check-skill-without-answer = This robot has no { $devices }: it can't answer '{ $skill }'.
 check-skill-impossible = This robot has no { $devices }: it can't do '{ $skill }'.
 check-skill-without-effect = This robot has no { $devices }: '{ $skill }' does nothing.
+check-skill-partly = This robot has no { $devices }: that part of '{ $skill }' does nothing.
 check-no-device-of-name = This robot has no { $device } '{ $key }': '{ $skill }' does nothing. Use one of these: { $known }.
 # $kind: a sense, or the type of a device. $key: which of several such devices, or what it can do, or empty
 check-device = { $kind ->

@@ -157,6 +157,7 @@ check-numbers-of-list = '{ $call }' calcula con los números de una lista, pero 
 check-skill-without-answer = Este robot no tiene { $devices }: no puede responder a '{ $skill }'.
 check-skill-impossible = Este robot no tiene { $devices }: no puede hacer '{ $skill }'.
 check-skill-without-effect = Este robot no tiene { $devices }: '{ $skill }' no hace nada.
+check-skill-partly = Este robot no tiene { $devices }: esa parte de '{ $skill }' no hace nada.
 check-no-device-of-name = Este robot no tiene { $device } '{ $key }': '{ $skill }' no hace nada. Usa uno de estos: { $known }.
 # $kind: the type of the device. $key: the name of one of several such devices, or empty
 check-device = { $kind ->

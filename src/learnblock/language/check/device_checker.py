@@ -3,8 +3,7 @@
 from learnblock.errors import Severity
 from learnblock.i18n import Phrase
 from learnblock.language.check.findings import Findings
-from learnblock.language.check.robots import Lack, demand, need_phrase
-from learnblock.language.check.used_skills import skill_calls
+from learnblock.language.check.robots import Lack, calls_that_demand, need_phrase
 from learnblock.language.tree.nodes import SkillCall
 
 
@@ -13,15 +12,18 @@ def check_devices(findings: Findings) -> None:
     equipment = findings.equipment
     if equipment is None:
         return
-    for call in skill_calls(findings.program, findings.skills, in_python=findings.in_python):
-        skill = findings.skills.get(call.name)
-        if skill is not None and (lack := demand(call, skill).lack(equipment)):
-            _missing_devices(findings, call, lack)
+    functions = findings.importable.functions if findings.importable else {}
+    for call, demand in calls_that_demand(
+        findings.program, findings.skills, functions, in_python=findings.in_python
+    ):
+        if lack := demand.lack(equipment):
+            is_foreign = call.name in functions
+            called = call.name if is_foreign else findings.called(call.name)
+            _missing_devices(findings, call, called, lack)
 
 
-def _missing_devices(findings: Findings, call: SkillCall, lack: Lack) -> None:
+def _missing_devices(findings: Findings, call: SkillCall, called: str, lack: Lack) -> None:
     devices = tuple(map(need_phrase, lack.needs))
-    called = findings.called(call.name)
     severity: Severity = "warning" if lack.is_harmless else "error"
     kind, _, key = lack.needs[0].partition(":")
     named = _keys(findings, kind) if key and lack.needs[0] not in lack.skill.needs else ()
@@ -36,7 +38,8 @@ def _missing_devices(findings: Findings, call: SkillCall, lack: Lack) -> None:
     elif lack.skill.returns_value:
         message = Phrase("check-skill-without-answer", skill=called, devices=devices)
     elif lack.is_harmless:
-        message = Phrase("check-skill-without-effect", skill=called, devices=devices)
+        code = "check-skill-partly" if lack.is_partial else "check-skill-without-effect"
+        message = Phrase(code, skill=called, devices=devices)
     else:
         message = Phrase("check-skill-impossible", skill=called, devices=devices)
     findings.report("missing-device", message, call.span, severity)

@@ -2,12 +2,14 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 from learnblock.blocks import BlockConfiguration
+from learnblock.blocks.source.derivation import VALUE
 from learnblock.i18n import Phrase
 from learnblock.language.check.used_skills import skill_calls
 from learnblock.language.tree.nodes import Constant, Expression, Program, SkillCall, String
-from learnblock.senses import SENSES, UNSERVED, is_decoration, served_by
+from learnblock.senses import SENSES, UNSERVED, is_decoration, sense_of, served_by
 
 Texts = Mapping[str, str | None]
 
@@ -26,14 +28,19 @@ class Demand:
     texts: Texts
 
     @property
+    def key(self) -> tuple[object, ...]:
+        """The same for calls that demand the same."""
+        return (self.skill.name, self.skill.needs, *sorted(self.texts.items(), key=str))
+
+    @property
     def needs(self) -> tuple[str, ...]:
         """What it needs."""
         return self.skill.needed(self.texts)
 
     def lack(self, equipment: frozenset[str]) -> "Lack | None":
         """What a robot lacks for it; None if it can do it."""
-        needs = self.skill.lacks(equipment, self.texts)
-        return Lack(self.skill, needs) if needs else None
+        lacks = self.skill.lacks(equipment, self.texts)
+        return Lack(self.skill, lacks, is_partial=lacks != self.needs) if lacks else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,10 +50,12 @@ class Lack:
     Args:
         skill: its block.
         needs: the senses or devices that the robot lacks.
+        is_partial: whether it has others that the skill needs.
     """
 
     skill: BlockConfiguration
     needs: tuple[str, ...]
+    is_partial: bool = False
 
     @property
     def is_harmless(self) -> bool:
@@ -120,8 +129,39 @@ def device_phrase(need: str) -> Phrase:
     return Phrase("check-device", kind=kind, key=key)
 
 
-def demand(call: SkillCall, skill: BlockConfiguration) -> Demand:
-    """What a call of a skill demands."""
+def calls_that_demand(
+    program: Program,
+    skills: Mapping[str, BlockConfiguration],
+    functions: Mapping[str, BlockConfiguration],
+    *,
+    in_python: bool = False,
+) -> Iterator[tuple[SkillCall, Demand]]:
+    """Every call that demands something of a robot, in source order.
+
+    Args:
+        program: the tree.
+        skills: the skills, by name.
+        functions: of `learnblock.blocks.importable.Importable`.
+        in_python: whether its author wrote Python.
+    """
+    foreign = {name: one for name, one in functions.items() if name not in program.functions}
+    for call in skill_calls(program, skills, foreign, in_python=in_python):
+        skill = _sense(call) or skills.get(call.name) or foreign.get(call.name)
+        if skill is not None and skill.needs:
+            yield call, _demand(call, skill)
+
+
+def _sense(call: SkillCall) -> BlockConfiguration | None:
+    """A method of `robot.senses` as a skill; None if only the run will tell which sense."""
+    owner, _, method = call.name.partition(".")
+    asked = _text(call.arguments[0]) if call.arguments else None
+    sense = sense_of(method, asked) if owner == "senses" else None
+    if sense is None:
+        return None
+    return BlockConfiguration("perceptual", "", call.name, shapes=VALUE, needs=(sense,))
+
+
+def _demand(call: SkillCall, skill: BlockConfiguration) -> Demand:
     names = (parameter.name for parameter in skill.parameters)
     given = dict(zip(names, call.arguments, strict=False))
     given |= {keyword.name: keyword.value for keyword in call.keywords}
@@ -137,18 +177,14 @@ def _text(value: Expression) -> str | None:
     return None
 
 
-def demands(program: Program, skills: Mapping[str, BlockConfiguration]) -> tuple[Demand, ...]:
+def demands(
+    program: Program,
+    skills: Mapping[str, BlockConfiguration],
+    functions: Mapping[str, BlockConfiguration] = MappingProxyType({}),
+) -> tuple[Demand, ...]:
     """What a program demands of a robot; calls that demand the same are listed once."""
-    return tuple(dict(_demands(program, skills)).values())
-
-
-def _demands(
-    program: Program, skills: Mapping[str, BlockConfiguration]
-) -> Iterator[tuple[object, Demand]]:
-    for call in skill_calls(program, skills):
-        if (skill := skills.get(call.name)) and skill.needs:
-            found = demand(call, skill)
-            yield (skill.name, *sorted(found.texts.items(), key=str)), found
+    found = (one for _, one in calls_that_demand(program, skills, functions))
+    return tuple({one.key: one for one in found}.values())
 
 
 def verdict(demanded: tuple[Demand, ...], equipment: frozenset[str]) -> Verdict:

@@ -7,6 +7,7 @@ import ast
 from collections.abc import Container, Iterator
 from dataclasses import dataclass
 
+from learnblock.blocks.source.uses import dotted
 from learnblock.language.blocktext.names import from_python
 from learnblock.language.tree.loads import parsed
 from learnblock.language.tree.nodes import (
@@ -30,6 +31,7 @@ from learnblock.language.tree.nodes import (
     String,
 )
 from learnblock.language.tree.traversal import all_expressions, statements
+from learnblock.senses import METHODS
 
 #: What a file with functions for other programs contains besides them.
 _BESIDE_FUNCTIONS = Blank | Comment | Import | Setup
@@ -38,17 +40,24 @@ _INDENT = 4
 
 
 def skill_calls(
-    program: Program, skills: Container[str], *, in_python: bool = False
+    program: Program,
+    skills: Container[str],
+    functions: Container[str] = frozenset(),
+    *,
+    in_python: bool = False,
 ) -> Iterator[SkillCall]:
     """Every call of a skill, in source order.
+
+    Methods of `robot.senses` count as skills, and are called ``senses.heading`` and so on.
 
     Args:
         program: the tree.
         skills: the names of the skills, to find them in parts that stay Python.
+        functions: functions of imported files that count as skills, as the program writes them.
         in_python: whether its author wrote Python.
     """
     parts = tuple(statements(_running(program)))
-    raw = _Raw.of(parts, skills)
+    raw = _Raw.of(parts, skills, functions)
     for item in parts:
         if isinstance(item, Raw):
             # In Block-Text it is inside of a block.
@@ -58,9 +67,23 @@ def skill_calls(
         for node in all_expressions(item):
             if isinstance(node, SkillCall):
                 yield node
+            elif isinstance(node, Call) and node.name in functions:
+                yield SkillCall(node.name, node.arguments, node.keywords, node.span)
             elif isinstance(node, RawExpression):
                 for call in raw.calls(node.text.strip(), node.span):
                     yield SkillCall(call.name, call.arguments, call.keywords, node.span)
+
+
+def imports_of(program: Program) -> ast.Module:
+    """What the parts of a program that stay Python import, and its own imports."""
+    found: list[ast.stmt] = []
+    for item in statements(_running(program)):
+        if isinstance(item, Raw):
+            nodes = ast.walk(parsed(item.text))
+            found += [one for one in nodes if isinstance(one, ast.Import | ast.ImportFrom)]
+        elif isinstance(item, Import):
+            found.append(ast.ImportFrom(item.module, [ast.alias("*")], 0))
+    return ast.Module(found, [])
 
 
 def _running(program: Program) -> tuple[Item, ...]:
@@ -106,16 +129,20 @@ class _Raw:
 
     Args:
         skills: the names of the skills.
+        functions: the functions of imported files that count as skills.
         modules: the names that the program imports.
         methods: the names of the methods of its classes.
     """
 
     skills: Container[str]
+    functions: Container[str]
     modules: frozenset[str]
     methods: frozenset[str]
 
     @classmethod
-    def of(cls, parts: tuple[Item, ...], skills: Container[str]) -> "_Raw":
+    def of(
+        cls, parts: tuple[Item, ...], skills: Container[str], functions: Container[str]
+    ) -> "_Raw":
         modules = {item.module for item in parts if isinstance(item, Import)}
         methods: set[str] = set()
         for item in parts:
@@ -124,7 +151,7 @@ class _Raw:
                     modules |= {(one.asname or one.name).partition(".")[0] for one in node.names}
                 elif isinstance(node, ast.ClassDef):
                     methods |= {one.name for one in node.body if isinstance(one, ast.FunctionDef)}
-        return cls(skills, frozenset(modules), frozenset(methods))
+        return cls(skills, functions, frozenset(modules), frozenset(methods))
 
     def calls(self, text: str, span: Span) -> Iterator[SkillCall]:
         """The calls in a text at a place; a skill that is not called at once counts as well."""
@@ -141,9 +168,13 @@ class _Raw:
 
     def skill(self, node: ast.expr) -> str:
         """The skill that an expression names; empty if it names none."""
+        if (written := dotted(node)) in self.functions:
+            return written
         match node:
-            case ast.Attribute(value=ast.Name(id=owner), attr=name) if owner in self.modules:
+            case ast.Attribute(value=ast.Name(id=owner)) if owner in self.modules:
                 return ""
+            case ast.Attribute(value=ast.Attribute(attr="senses"), attr=name) if name in METHODS:
+                return f"senses.{name}"
             case ast.Attribute(attr=name):
                 pass
             case ast.Call(func=ast.Name(id="getattr"), args=[_, ast.Constant(str(name)), *_]):

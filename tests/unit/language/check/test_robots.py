@@ -4,8 +4,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from learnblock import parse, robots
-from learnblock.blocks import builtin
+from learnblock import language, parse, robots
+from learnblock.blocks import BlockConfiguration, builtin
 from learnblock.language import check
 from learnblock.language.check.robots import demands, verdict
 from learnblock.senses import equipment
@@ -13,9 +13,9 @@ from learnblock.senses import equipment
 TWINS = ("sim-ebo", "sim-thymio", "sim-ev3", "sim-cozmo")
 
 
-def judged(text, robot):
+def judged(text, robot, read=parse):
     have = robots.find(robot).load().known_equipment()
-    return verdict(demands(parse(text), builtin()), have)
+    return verdict(demands(read(text), builtin()), have)
 
 
 def named(lacks):
@@ -100,3 +100,26 @@ def test_the_verdict_says_what_the_check_reports(names, have):
 
     assert found.runs == ("error" not in severities)
     assert bool(found.missed) == ("warning" in severities)
+
+
+@pytest.mark.parametrize(
+    ("asked", "needs"),
+    [
+        ("distance('left')", {"senses.distance": ("obstacle-left",)}),
+        ("line('red').left", {"senses.line": ("red-line",)}),
+        ("distance(side)", {}),
+        ("heading()", {}),
+    ],
+)
+def test_a_sense_that_raw_python_asks_for_is_a_demand(asked, needs):
+    text = f"from learnblock.robots.ebo import Robot\n\nrobot = Robot()\nx = robot.senses.{asked}\n"
+    found = judged(text, "sim-ev3", language.from_python)
+    assert named(found.refused) == needs
+
+
+def test_a_skill_that_loses_a_part_is_said_to_lose_a_part():
+    both = BlockConfiguration("others", "", "dance", needs=("Base", "Speaker:say"))
+    have = robots.find("sim-thymio").load().known_equipment()
+    skills = {**builtin(), "dance": both}
+    (problem,) = language.check(parse("function.dance()"), skills, have)
+    assert (problem.message.code, problem.severity) == ("check-skill-partly", "warning")

@@ -26,6 +26,7 @@ def in_blocktext(text):
         "x = getattr(robot, 'is_left_obstacle')()\n",
         "class Pilot:\n    def look(self):\n        return robot.is_left_obstacle()\n",
         "def look(r):\n    return r.is_left_obstacle()\n\nlook(robot)\n",
+        "x = robot.is_left_obstacle() if robot.senses.heading() else 1\n",
         "try:\n    x = robot.is_left_obstacle()\nfinally:\n    x = 1\n",
         "x = 1 if (y := robot.is_left_obstacle()) else 2\n",
         "robot.wait_until(lambda: robot.is_left_obstacle() and [y for y in range(2)])\n",

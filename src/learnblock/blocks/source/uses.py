@@ -1,0 +1,190 @@
+"""What the functions of a Python file need of a robot, read from their source.
+
+A function that asks a skill for a distance needs what the skill needs. So nobody has to write down
+the needs of an own skill, and a robot that lacks one of them is refused before the program starts.
+"""
+
+import ast
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import reduce
+from types import MappingProxyType
+
+from learnblock.blocks.schema.configuration import BlockConfiguration
+from learnblock.devices import DEVICE_TYPES
+from learnblock.senses import is_decoration, sense_of
+
+#: The most parts of a name after the first: packages are seldom nested deeper.
+_MOST_PARTS = 5
+
+
+@dataclass(frozen=True, slots=True)
+class SkillUse:
+    """A call of something that may be a skill: an attribute of any object.
+
+    Args:
+        name: the attribute.
+        arguments: the text given for each, also of True and False; None for what only the run will
+            tell.
+        keywords: the same by name.
+    """
+
+    name: str
+    arguments: tuple[str | None, ...]
+    keywords: tuple[tuple[str, str | None], ...]
+
+    def needed(self, skill: BlockConfiguration) -> tuple[str, ...]:
+        """What this call of a skill needs."""
+        names = (parameter.name for parameter in skill.parameters)
+        given = dict(zip(names, self.arguments, strict=False)) | dict(self.keywords)
+        return skill.needed(given)
+
+
+@dataclass(frozen=True, slots=True)
+class Uses:
+    """What a function or a class uses.
+
+    Args:
+        needs: the senses and devices that it reads itself.
+        calls: its calls of what may be skills.
+        mentions: every name in it, some of which may be functions, such as ``near`` and
+            ``helpers.near``.
+    """
+
+    needs: frozenset[str] = frozenset()
+    calls: tuple[SkillUse, ...] = ()
+    mentions: frozenset[str] = frozenset()
+
+    def needed(self, skills: Mapping[str, BlockConfiguration]) -> tuple[str, ...]:
+        """What it needs, with the needs of the skills that it calls; sorted."""
+        known = (call.needed(skills[call.name]) for call in self.calls if call.name in skills)
+        return tuple(sorted(self.needs.union(*known)))
+
+    def joined(self, other: "Uses") -> "Uses":
+        """What both use."""
+        mentions = self.mentions | other.mentions
+        return Uses(self.needs | other.needs, self.calls + other.calls, mentions)
+
+
+def uses_of(
+    tree: ast.Module, imported: Mapping[str, Uses] = MappingProxyType({})
+) -> dict[str, Uses]:
+    """What each function and class at the top of a file uses, by its name.
+
+    What it mentions counts as well.
+
+    Args:
+        tree: the file.
+        imported: what the functions use that it imports, as it writes them.
+    """
+    kinds = ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef
+    own = {one.name: _uses(one) for one in tree.body if isinstance(one, kinds)}
+    return {name: _all(name, {**imported, **own}) for name in own}
+
+
+def imported_names(
+    tree: ast.Module, defined: Callable[[str], Mapping[str, Uses]]
+) -> dict[str, Uses]:
+    """What the functions and classes use that a file imports, as it writes them.
+
+    They are ``follow`` or, after ``import helpers``, ``helpers.follow``.
+
+    Args:
+        tree: the file.
+        defined: returns what is defined in a module; nothing if it is not beside the program.
+    """
+    found: dict[str, Uses] = {}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            for one in node.names:
+                module = one.asname or one.name
+                uses = defined(one.name)
+                found |= {f"{module}.{name}": value for name, value in uses.items()}
+        elif isinstance(node, ast.ImportFrom) and node.module:
+            uses = defined(node.module)
+            for one in node.names:
+                if one.name == "*":
+                    found |= uses
+                elif one.name in uses:
+                    found[one.asname or one.name] = uses[one.name]
+    return found
+
+
+def with_needs(
+    blocks: Iterable[BlockConfiguration],
+    uses: Mapping[str, Uses],
+    skills: Mapping[str, BlockConfiguration],
+) -> Iterator[BlockConfiguration]:
+    """Blocks with the needs of their functions, unless their configurations name some.
+
+    Args:
+        blocks: the blocks.
+        uses: what each of the functions uses, by name.
+        skills: all other skills, which they may call.
+    """
+    for block in blocks:
+        found = () if block.needs else _all(block.name, uses).needed(skills)
+        # A question is answered without its decoration, too.
+        needs = [one for one in found if not (block.returns_value and is_decoration(one))]
+        yield replace(block, needs=tuple(needs)) if needs else block
+
+
+def _all(name: str, uses: Mapping[str, Uses]) -> Uses:
+    """What something uses, and in turn what it mentions."""
+    seen: dict[str, Uses] = {}
+    ahead = [name]
+    while ahead:
+        found = ahead.pop()
+        if found in uses and found not in seen:
+            seen[found] = uses[found]
+            ahead += uses[found].mentions
+    return reduce(Uses.joined, seen.values(), Uses())
+
+
+def _uses(definition: ast.stmt) -> Uses:
+    nodes = list(ast.walk(definition))
+    calls = [node for node in nodes if isinstance(node, ast.Call)]
+    names = {node.id for node in nodes if isinstance(node, ast.Name)}
+    attributes = [node for node in nodes if isinstance(node, ast.Attribute)]
+    names |= {node.attr for node in attributes}
+    return Uses(
+        frozenset(filter(None, map(_read, calls))),
+        tuple(filter(None, map(_skill_use, calls))),
+        frozenset(names.union(map(dotted, attributes))),
+    )
+
+
+def _read(call: ast.Call) -> str | None:
+    """The sense or device that a call reads: ``robot.senses.heading()``, ``robot.read(Camera)``."""
+    match call:
+        case ast.Call(func=ast.Attribute(value=ast.Attribute(attr="senses"), attr=method)):
+            return sense_of(method, text_of(call.args[0]) if call.args else None)
+        case ast.Call(func=ast.Attribute(attr="read"), args=[ast.Name(id=kind), *_]):
+            return kind if kind in DEVICE_TYPES else None
+    return None
+
+
+def _skill_use(call: ast.Call) -> SkillUse | None:
+    if not isinstance(call.func, ast.Attribute):
+        return None
+    keywords = tuple((one.arg, text_of(one.value)) for one in call.keywords if one.arg)
+    return SkillUse(call.func.attr, tuple(map(text_of, call.args)), keywords)
+
+
+def dotted(node: ast.expr) -> str:
+    """The name of a function as a program writes it, such as ``helpers.follow``; else empty."""
+    parts: list[str] = []
+    while isinstance(node, ast.Attribute) and len(parts) < _MOST_PARTS:
+        parts.append(node.attr)
+        node = node.value
+    return ".".join((node.id, *reversed(parts))) if isinstance(node, ast.Name) else ""
+
+
+def text_of(value: ast.expr) -> str | None:
+    """The text of a literal text, True or False; None for what only the run will tell."""
+    match value:
+        case ast.Constant(value=str(text)):
+            return text
+        case ast.Constant(value=bool() as is_so):
+            return str(is_so)
+    return None
