@@ -44,7 +44,7 @@ LABEL = 10
 SHORT = 12
 _NEW_LINE = "\n" + " " * (LABEL + 1)
 #: How a run ended, by the names in the report's words.
-_HOW = {How.FINISHED: "finished", How.STOPPED: "stopped"}
+_HOW = {How.FINISHED: "report-ended-finished", How.STOPPED: "report-ended-stopped"}
 
 EXIT_CODES = {
     How.ERROR: ExitCode.PROGRAM_FAILED,
@@ -419,7 +419,7 @@ def ending(report: Report, limit: float | None) -> str:
     if error is None:
         if report.ended == How.TIME_LIMIT and limit is not None:
             return text(Phrase("report-ended-time-limit", seconds=limit))
-        return text(Phrase("report-ended", how=_HOW.get(How(report.ended), "other")))
+        return text(Phrase(_HOW.get(How(report.ended), "report-ended-otherwise")))
     place = f"{error['file']}:{error['line']}: " if error["line"] else ""
     message = error["message"]
     shown = text(message) if isinstance(message, Phrase) else str(message)

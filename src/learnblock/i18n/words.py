@@ -15,6 +15,11 @@ _PAGE = "page"
 # Not importlib.resources, whose import would slow the start of every program.
 _FOLDER = Path(__file__).parent
 _CODE = re.compile(r"[a-z][a-z0-9]*(?:-[a-z0-9]+)+")
+#: A message on one line, which no indented line continues.
+_ONE_LINE = re.compile(r"^([a-z][a-z0-9-]*) = (\S.*)$(?!\s*^[ ])", re.MULTILINE)
+#: A place for a value, and what is left of any other.
+_PLACE = re.compile(r"\{ \$([a-z][A-Za-z0-9_-]*) \}")
+_BRACE = re.compile(r"[{}]")
 
 
 @cache
@@ -35,7 +40,12 @@ def words(code: str, values: dict[str, str | int | float], language: str) -> str
     Raises:
         ValueError: the words are invalid, or a value in them is missing.
     """
-    bundle = _bundle(language, _area(code))
+    area = _area(code)
+    plain = _plain(language, area).get(code)
+    # Fluent writes numbers as the language does, and reports a missing value.
+    if plain is not None and all(isinstance(values.get(one), str) for one in _PLACE.findall(plain)):
+        return _PLACE.sub(lambda place: str(values[place[1]]), plain)
+    bundle = _bundle(language, area)
     if bundle is None or not bundle.has_message(code):
         return None
     pattern = bundle.get_message(code).value
@@ -49,7 +59,10 @@ def words(code: str, values: dict[str, str | int | float], language: str) -> str
 
 def is_known(code: str) -> bool:
     """Whether there are English words for a code."""
-    bundle = _bundle(ENGLISH, _area(code))
+    area = _area(code)
+    if code in _plain(ENGLISH, area):
+        return True
+    bundle = _bundle(ENGLISH, area)
     return bundle is not None and bundle.has_message(code)
 
 
@@ -60,16 +73,30 @@ def _area(code: str) -> str:
 
 
 @cache
+def _text(language: str, area: str) -> str | None:
+    """The file of an area's words, or None where the language has none."""
+    file = _FOLDER / language / f"{area}.ftl"
+    return file.read_text("utf-8") if file.is_file() else None
+
+
+@cache
+def _plain(language: str, area: str) -> dict[str, str]:
+    """By code the words that are text and places for values, which need no Fluent."""
+    found = _ONE_LINE.findall(_text(language, area) or "")
+    return {code: text.rstrip() for code, text in found if not _BRACE.search(_PLACE.sub("", text))}
+
+
+@cache
 def _bundle(language: str, area: str) -> "FluentBundle | None":
     """The words of one area, or None where the language has none."""
-    file = _FOLDER / language / f"{area}.ftl"
-    if not file.is_file():
+    text = _text(language, area)
+    if text is None:
         return None
-    # Imported late: loading Fluent takes a tenth of a second, and `--help` needs no phrase.
+    # Imported late: loading Fluent takes a tenth of a second, and most runs show only plain words.
     from fluent.runtime import FluentBundle, FluentResource  # noqa: PLC0415
 
     bundle = FluentBundle([language], use_isolating=False)
-    bundle.add_resource(FluentResource(file.read_text("utf-8")))
+    bundle.add_resource(FluentResource(text))
     return bundle
 
 

@@ -11,11 +11,9 @@ report-label-no-effect = no effect
 report-label-trace = trace
 report-label-picture = picture
 
-report-ended = { $how ->
-    [finished] finished
-    [stopped] stopped
-   *[other] ended
-}
+report-ended-finished = finished
+report-ended-stopped = stopped
+report-ended-otherwise = ended
 report-ended-time-limit = at the time limit of { $seconds } s (change it with --for SECONDS)
 
 # $state is reached, failed or open; $time is seconds of the robot's time.

@@ -10,11 +10,9 @@ report-label-no-effect = sin efecto
 report-label-trace = traza
 report-label-picture = dibujo
 
-report-ended = { $how ->
-    [finished] terminado
-    [stopped] detenido
-   *[other] acabado
-}
+report-ended-finished = terminado
+report-ended-stopped = detenido
+report-ended-otherwise = acabado
 report-ended-time-limit = en el límite de { $seconds } s (cámbialo con --for SEGUNDOS)
 
 report-goal = { $name }: { $state ->

@@ -1,0 +1,56 @@
+"""Plain words are read without Fluent, and mean the same."""
+
+import re
+import subprocess
+import sys
+
+import pytest
+from fluent.runtime import FluentBundle, FluentResource
+from fluent.syntax import FluentParser
+from fluent.syntax.ast import Message
+
+from learnblock.i18n import languages
+from learnblock.i18n.words import words
+from places import ROOT
+
+WORDS = ROOT / "src" / "learnblock" / "i18n"
+_VALUE = re.compile(r"\$(\w+)")
+
+
+@pytest.mark.parametrize("language", languages())
+def test_every_message_with_texts_as_values_is_as_fluent_has_it(language):
+    different = []
+    for file in sorted((WORDS / language).rglob("*.ftl")):
+        source = file.read_text("utf-8")
+        # A value with backslashes and braces shows whether a value is read as words.
+        values = {name: f"\\1 {{ ${name} }}" for name in _VALUE.findall(source)}
+        bundle = FluentBundle([language], use_isolating=False)
+        bundle.add_resource(FluentResource(source))
+        for message in FluentParser().parse(source).body:
+            if not isinstance(message, Message):
+                continue
+            pattern = bundle.get_message(message.id.name).value
+            text, errors = bundle.format_pattern(pattern, values)
+            if not errors and words(message.id.name, values, language) != text:
+                different.append(message.id.name)
+    assert different == []
+
+
+def test_a_number_is_written_as_the_language_writes_it():
+    code, values = "report-ended-time-limit", {"seconds": 1234.5}
+    assert "1,234.5" in words(code, values, "en")
+    assert "1.234,5" in words(code, values, "es")
+
+
+def test_a_run_that_shows_only_plain_words_does_not_load_fluent():
+    program = (
+        "import sys; from learnblock.cli import main\n"
+        "try: main(['run', 'examples/square.bt'])\n"
+        "except SystemExit: pass\n"
+        "print('fluent.runtime' in sys.modules)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    assert "ended      finished" in done.stderr
+    assert done.stdout == "False\n"
