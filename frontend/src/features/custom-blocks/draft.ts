@@ -10,6 +10,7 @@ import type {
   CustomBlockProblem,
   SaveCustomBlock,
 } from "../../protocol/messages";
+import { Cleanup } from "../../ui/cleanup";
 import { Throttle } from "../../ui/throttle";
 import { blocksIn, type Configured, withBlock } from "./configuration";
 import { drop, keep, unsaved, type Written } from "./unsaved";
@@ -48,14 +49,14 @@ export class Draft {
   private waiting = false;
   /** Whether the name follows the function's name, until the user types one. */
   private named = false;
-  private readonly ends: (() => void)[];
+  private readonly cleanup: Cleanup;
 
   constructor(private readonly connection: Connection) {
-    this.ends = [effect(() => this.check(language.value, this.written.value, this.saved.value))];
+    this.cleanup = new Cleanup(effect(() => this.check(language.value, this.written.value, this.saved.value)));
   }
 
   destroy(): void {
-    for (const end of this.ends) end();
+    this.cleanup.dispose();
     this.asking.cancel();
   }
 
@@ -119,7 +120,7 @@ export class Draft {
       this.goesOn.value = left !== null;
       this.written.value = left ?? original;
     });
-    this.ends.push(effect(() => this.keepUnsaved()));
+    this.cleanup.add(effect(() => this.keepUnsaved()));
   }
 
   private check(code: string, written: Written, replaces: string): void {

@@ -5,6 +5,7 @@ import { language, t } from "../../i18n";
 import type { Context } from "../../model/context";
 import { explained } from "../../model/run-error";
 import type { CustomBlockProblem } from "../../protocol/messages";
+import { Cleanup } from "../../ui/cleanup";
 import { fetchPalette, type Palette } from "../../views/blocks/palette";
 import { Code } from "./code";
 import type { CustomBlocks } from "./custom-blocks";
@@ -31,7 +32,7 @@ export class Editing {
   readonly problems = computed(() => [...this.draft.problems.value, ...this.failure.value]);
 
   private readonly failure = computed(() => this.failureOf());
-  private readonly ends: (() => void)[];
+  private readonly cleanup: Cleanup;
 
   constructor(
     private readonly all: CustomBlocks,
@@ -52,17 +53,17 @@ export class Editing {
       (configuration) => this.wrote({ configuration }),
       [],
     );
-    this.ends = [
+    this.cleanup = new Cleanup(
       effect(() => this.source.show(this.draft.written.value.source)),
       effect(() => this.json.show(this.draft.configuration.value)),
       effect(() => this.preview.show(this.shown.value)),
       effect(() => this.showProblems(this.problems.value)),
-    ];
+    );
     this.begin(name, line);
   }
 
   destroy(): void {
-    for (const end of this.ends) end();
+    this.cleanup.dispose();
     this.draft.destroy();
     this.trying.destroy();
   }
@@ -87,7 +88,7 @@ export class Editing {
       else this.draft.create(stub(new Set(blocks.flatMap((one) => one.blocks))));
       if (line) requestAnimationFrame(() => this.source.goTo(line));
     };
-    this.ends.push(effect(begin));
+    this.cleanup.add(effect(begin));
   }
 
   private wrote(change: { source: string } | { configuration: string }): void {

@@ -5,6 +5,7 @@ import { computed, signal } from "@preact/signals";
 import type { Phrase } from "../../i18n";
 import type { Context } from "../../model/context";
 import type { Ended } from "../../protocol/messages";
+import { Cleanup } from "../../ui/cleanup";
 
 /** Longer output is cut at the start. */
 const MOST_OUTPUT = 20_000;
@@ -19,21 +20,21 @@ export class Trying {
   /** Whether the current run was started here. */
   readonly active = computed(() => this.begun.value && !this.ended.value && !this.refused.value);
   private readonly begun = signal(false);
-  private readonly ends: (() => void)[];
+  private readonly cleanup: Cleanup;
 
   constructor(private readonly context: Context) {
     const { connection } = context;
-    this.ends = [
+    this.cleanup = new Cleanup(
       connection.on("Printed", ({ text }) => this.print(text)),
       connection.on("PrintedByRobots", ({ parts }) => this.print(parts.map(({ text }) => text).join(""))),
       connection.on("InputWanted", ({ prompt }) => this.ask(prompt)),
       connection.on("Ended", (ended) => this.end(ended)),
-    ];
+    );
   }
 
   destroy(): void {
     if (this.active.peek()) this.stop();
-    for (const end of this.ends) end();
+    this.cleanup.dispose();
   }
 
   async try(name: string, source: string, skill: string, values: readonly unknown[]): Promise<void> {

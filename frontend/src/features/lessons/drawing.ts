@@ -6,6 +6,7 @@ import * as Blockly from "blockly/core";
 import { language } from "../../i18n";
 import { theme } from "../../model/preferences";
 import type { Workspace } from "../../protocol/messages";
+import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
 import { prepare } from "../../views/blocks";
 import { Checker } from "../../views/blocks/checker";
@@ -24,7 +25,7 @@ export class Drawing implements Island {
   private readonly host = document.createElement("div");
   private workspace: Blockly.WorkspaceSvg | null = null;
   private isGone = false;
-  private readonly ends: (() => void)[];
+  private readonly cleanup: Cleanup;
 
   constructor(
     private readonly blocks: Workspace,
@@ -37,15 +38,15 @@ export class Drawing implements Island {
     // It is a picture: nothing in it takes the focus or a click.
     this.host.inert = true;
     this.dom.append(this.host);
-    this.ends = [
+    this.cleanup = new Cleanup(
       effect(() => this.workspace?.setTheme(themeOf(theme.value))),
       effect(() => void this.draw(language.value)),
-    ];
+    );
   }
 
   destroy(): void {
     this.isGone = true;
-    for (const end of this.ends) end();
+    this.cleanup.dispose();
     this.workspace?.dispose();
     this.dom.remove();
   }

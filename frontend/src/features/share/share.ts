@@ -4,6 +4,7 @@ import { signal } from "@preact/signals";
 
 import { t } from "../../i18n";
 import type { Page } from "../../model/page";
+import { Cleanup } from "../../ui/cleanup";
 import { saveFile } from "../../ui/files";
 import { provided } from "../../ui/provided";
 import { Film, filmFormat } from "./film";
@@ -56,14 +57,14 @@ export class Share {
   /** End a film with its run, and drop that of a run which does not start; return what stops this. */
   private follow(film: Film): () => void {
     const { connection } = this.page.context;
-    const ends = [
+    const cleanup = new Cleanup(
       connection.on("Ended", () => window.setTimeout(() => film.end(), LAST_LOOK)),
       connection.onRefused(["Run"], () => film.drop()),
       // Its run is not seen any more.
       connection.state.subscribe((state) => state !== "open" && film.drop()),
-    ];
+    );
     return () => {
-      for (const end of ends) end();
+      cleanup.dispose();
     };
   }
 

@@ -4,6 +4,7 @@ import type { ReadonlySignal } from "@preact/signals";
 
 import type { Page } from "../../model/page";
 import type { ExampleChoice } from "../../protocol/messages";
+import { Cleanup } from "../../ui/cleanup";
 import { plainTitle } from "../examples/words";
 
 export async function tryExample(page: Page, example: ExampleChoice): Promise<void> {
@@ -30,9 +31,12 @@ function present(wanted: ReadonlySignal<unknown>): Promise<void> {
 /** Whether the server sends a scene; false if it refuses to open the example. */
 function nextScene({ context: { connection } }: Page): Promise<boolean> {
   return new Promise((resolve) => {
-    const endings = [connection.on("Scene", () => end(true)), connection.onRefused(["OpenExample"], () => end(false))];
+    const cleanup = new Cleanup(
+      connection.on("Scene", () => end(true)),
+      connection.onRefused(["OpenExample"], () => end(false)),
+    );
     const end = (came: boolean) => {
-      for (const stop of endings) stop();
+      cleanup.dispose();
       resolve(came);
     };
   });

@@ -2,6 +2,7 @@
 
 import { effect, type ReadonlySignal, signal } from "@preact/signals";
 import { t } from "../../i18n";
+import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
 import { svg } from "./svg";
 
@@ -29,12 +30,12 @@ export class Actions implements Island {
   readonly dom = document.createElement("div");
   /** Whether positions are rounded to the grid. */
   readonly snaps = signal(true);
-  private readonly endings: (() => void)[] = [];
+  private readonly cleanup = new Cleanup();
 
   constructor(actions: readonly Action[]) {
     this.dom.className = "editor-actions";
     this.dom.role = "group";
-    this.endings.push(
+    this.cleanup.add(
       effect(() => {
         this.dom.ariaLabel = t("page-editor-actions");
       }),
@@ -43,7 +44,7 @@ export class Actions implements Island {
   }
 
   destroy(): void {
-    for (const end of this.endings) end();
+    this.cleanup.dispose();
     this.dom.remove();
   }
 
@@ -53,7 +54,7 @@ export class Actions implements Island {
     button.dataset.action = name;
     button.append(svg("svg", { viewBox: "0 0 24 24", "aria-hidden": "true" }, svg("path", { d: PICTURES[name] })));
     button.addEventListener("click", act);
-    this.endings.push(
+    this.cleanup.add(
       effect(() => {
         button.ariaLabel = button.title = t(`page-editor-action-${name}`);
         button.disabled = enabled ? !enabled.value : false;
@@ -70,7 +71,7 @@ export class Actions implements Island {
     box.checked = this.snaps.peek();
     box.addEventListener("change", () => (this.snaps.value = box.checked));
     label.append(box, words);
-    this.endings.push(
+    this.cleanup.add(
       effect(() => {
         words.textContent = t("page-editor-snap");
       }),

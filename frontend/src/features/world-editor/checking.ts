@@ -4,6 +4,7 @@ import { batch, computed, effect, signal } from "@preact/signals";
 import { type Phrase, say, t } from "../../i18n";
 import type { Connection } from "../../protocol/connection";
 import type { FromPage, UnreachableGoal } from "../../protocol/messages";
+import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
 import { Throttle } from "../../ui/throttle";
 import type { WorldValues } from "../../views/world/scenery/description";
@@ -26,7 +27,7 @@ export class Checking implements Island {
   );
   private readonly goals = signal<readonly UnreachableGoal[]>([]);
   private readonly asking = new Throttle(PERIOD);
-  private readonly endings: (() => void)[];
+  private readonly cleanup: Cleanup;
 
   constructor(
     private readonly draft: Draft,
@@ -34,18 +35,18 @@ export class Checking implements Island {
   ) {
     this.dom.className = "editor-problems";
     this.dom.role = "status";
-    this.endings = [
+    this.cleanup = new Cleanup(
       connection.on("WorldChecked", ({ problems, unreachable = [] }) => this.told(problems, unreachable)),
       effect(() => {
         const world = draft.world.value;
         if (world) this.asking.do(() => connection.send(question(world)));
       }),
       effect(() => this.show(this.problems.value, this.goals.value)),
-    ];
+    );
   }
 
   destroy(): void {
-    for (const end of this.endings) end();
+    this.cleanup.dispose();
     this.asking.cancel();
     this.dom.remove();
   }

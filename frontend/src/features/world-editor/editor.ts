@@ -4,6 +4,7 @@ import { computed, effect, signal } from "@preact/signals";
 import { t } from "../../i18n";
 import type { Context } from "../../model/context";
 import type { WorldToEdit } from "../../protocol/messages";
+import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
 import type { WorldValues } from "../../views/world/scenery/description";
 import { type Action, Actions } from "./actions";
@@ -46,7 +47,7 @@ export class Editor implements Island {
   private readonly templates: Templates;
   private readonly help = document.createElement("p");
   private readonly told = document.createElement("p");
-  private readonly endings: (() => void)[];
+  private readonly cleanup: Cleanup;
 
   constructor(
     private readonly context: Context,
@@ -67,17 +68,17 @@ export class Editor implements Island {
     });
     this.saving = new Saving(this.draft, connection, this.checking.problems, (name) => this.saved(name));
     this.build();
-    this.endings = [
+    this.cleanup = new Cleanup(
       connection.on("WorldToEdit", (message) => this.open(message)),
       connection.on("WorldMade", ({ world }) => this.made(world as unknown as WorldValues)),
       effect(() => this.keepUnsaved(this.draft.world.value)),
       effect(() => this.words()),
-    ];
+    );
     this.read(context.running.world.peek() || NEW);
   }
 
   destroy(): void {
-    for (const end of this.endings) end();
+    this.cleanup.dispose();
     for (const part of this.parts) part.destroy();
     this.dom.remove();
   }

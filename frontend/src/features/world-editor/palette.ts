@@ -2,6 +2,7 @@
 
 import { effect, type ReadonlySignal } from "@preact/signals";
 import { t } from "../../i18n";
+import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
 import { type Carried, carries } from "./carrying";
 import type { Draft } from "./drafts";
@@ -50,7 +51,7 @@ const PICTURES: Readonly<Record<Sort, string>> = {
 
 export class Palette implements Island {
   readonly dom = document.createElement("div");
-  private readonly endings: (() => void)[] = [];
+  private readonly cleanup = new Cleanup();
 
   /**
    * @param chosen is the sort that is about to be put on the plan.
@@ -65,7 +66,7 @@ export class Palette implements Island {
   ) {
     this.dom.className = "editor-palette";
     this.dom.role = "group";
-    this.endings.push(
+    this.cleanup.add(
       effect(() => {
         this.dom.ariaLabel = t("page-editor-palette");
       }),
@@ -78,7 +79,7 @@ export class Palette implements Island {
   }
 
   destroy(): void {
-    for (const end of this.endings) end();
+    this.cleanup.dispose();
     this.dom.remove();
   }
 
@@ -93,7 +94,7 @@ export class Palette implements Island {
     );
     carries(button, this.carried(sort));
     button.addEventListener("click", () => this.choose(sort));
-    this.endings.push(effect(() => this.label(button, words, sort)));
+    this.cleanup.add(effect(() => this.label(button, words, sort)));
     return button;
   }
 

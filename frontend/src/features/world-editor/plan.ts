@@ -2,6 +2,7 @@
 
 import { effect, type ReadonlySignal, untracked } from "@preact/signals";
 import { t } from "../../i18n";
+import { Cleanup } from "../../ui/cleanup";
 import type { WorldValues, XY } from "../../views/world/scenery/description";
 import type { Draft } from "./drafts";
 import { groundOf } from "./ground";
@@ -58,7 +59,7 @@ export class Plan {
   private readonly groups = new Map<string, SVGGElement>();
   private drag: Drag | null = null;
   private drags = 0;
-  private readonly endings: (() => void)[];
+  private readonly cleanup: Cleanup;
   private readonly sizes = new ResizeObserver(() => this.viewport.resized());
 
   /**
@@ -75,11 +76,11 @@ export class Plan {
     private readonly unreachable: ReadonlySignal<ReadonlyMap<string, string>>,
   ) {
     this.dom.append(this.floor, this.things, this.knobs, this.cross);
-    this.endings = [
+    this.cleanup = new Cleanup(
       effect(() => set(this.dom, { "aria-label": t("page-editor-plan") })),
       effect(() => this.draw(this.draft.world.value, this.draft.selected.value)),
       effect(() => this.drawCross()),
-    ];
+    );
     this.sizes.observe(this.dom);
     this.dom.addEventListener("pointerdown", (event) => this.down(event));
     this.dom.addEventListener("pointermove", (event) => this.move(event));
@@ -124,7 +125,7 @@ export class Plan {
   }
 
   destroy(): void {
-    for (const end of this.endings) end();
+    this.cleanup.dispose();
     this.sizes.disconnect();
     this.dom.remove();
   }

@@ -2,6 +2,7 @@
 
 import { effect, untracked } from "@preact/signals";
 import { t } from "../../i18n";
+import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
 import type { VaryValues, WorldValues } from "../../views/world/scenery/description";
 import type { Draft } from "./drafts";
@@ -15,18 +16,18 @@ export class Properties implements Island {
   readonly dom = document.createElement("div");
   private readonly select = document.createElement("select");
   private readonly fields = document.createElement("div");
-  private readonly endings: (() => void)[];
+  private readonly cleanup: Cleanup;
 
   constructor(private readonly draft: Draft) {
     this.dom.className = "editor-properties";
     this.fields.className = "editor-fields";
     this.dom.append(this.select, this.fields);
     this.select.addEventListener("change", () => this.chosen());
-    this.endings = [effect(() => this.show(draft.world.value, draft.selected.value))];
+    this.cleanup = new Cleanup(effect(() => this.show(draft.world.value, draft.selected.value)));
   }
 
   destroy(): void {
-    for (const end of this.endings) end();
+    this.cleanup.dispose();
     this.dom.remove();
   }
 

@@ -3,6 +3,7 @@
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 import { say, t } from "../../i18n";
 import type { Connection } from "../../protocol/connection";
+import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
 import type { Draft } from "./drafts";
 
@@ -20,7 +21,7 @@ export class Saving implements Island {
   private readonly outcome = signal<Outcome | null>(null);
   /** The user's world that is edited: what its field says, and the name of its file. */
   private own = { title: "", name: "" };
-  private readonly endings: (() => void)[];
+  private readonly cleanup: Cleanup;
 
   /**
    * @param problems found by the server: a world with problems is not saved.
@@ -34,7 +35,7 @@ export class Saving implements Island {
   ) {
     this.build();
     const wrong = computed(() => problems.value.length > 0);
-    this.endings = [effect(() => this.show(wrong.value))];
+    this.cleanup = new Cleanup(effect(() => this.show(wrong.value)));
   }
 
   /** Propose a title for the world; `own` is the file's name if the world belongs to the user. */
@@ -50,7 +51,7 @@ export class Saving implements Island {
   }
 
   destroy(): void {
-    for (const end of this.endings) end();
+    this.cleanup.dispose();
     this.dom.remove();
   }
 

@@ -11,6 +11,7 @@ import type { BlockSet, Workspace } from "../../protocol/messages";
 import type { Island } from "../../ui/island";
 import { room } from "../../ui/screen";
 import "./blocks.css";
+import { Cleanup } from "../../ui/cleanup";
 import type { Actions, OfferedRobot } from "./actions";
 import { Editor } from "./editor";
 import { registerMenus } from "./menus";
@@ -56,14 +57,14 @@ class Blocks implements BlocksIsland {
   private followed = 0;
   /** The program shown last; it is older than the blocks while edits are on their way to the server. */
   private shown: Workspace | null = null;
-  private readonly ends: (() => void)[];
+  private readonly cleanup: Cleanup;
 
   constructor(private readonly context: Context) {
     this.dom.className = "blocks";
     this.dom.setAttribute("role", "group");
     const watcher = new ResizeObserver(() => this.resize());
     watcher.observe(this.dom);
-    this.ends = [
+    this.cleanup = new Cleanup(
       () => watcher.disconnect(),
       effect(() => this.dom.setAttribute("aria-label", t("page-blocks-label"))),
       effect(() => void this.load(language.value)),
@@ -79,11 +80,11 @@ class Blocks implements BlocksIsland {
       effect(() => this.showBreakpoints()),
       effect(() => this.showRunning()),
       effect(() => this.showValues()),
-    ];
+    );
   }
 
   destroy(): void {
-    for (const end of this.ends) end();
+    this.cleanup.dispose();
     this.close();
     this.editor = null;
     this.asked += 1;

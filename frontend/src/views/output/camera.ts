@@ -7,6 +7,7 @@ import { computed, effect } from "@preact/signals";
 import { t } from "../../i18n";
 import type { Context } from "../../model/context";
 import type { CameraFrame, Past } from "../../protocol/messages";
+import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
 import { element } from "./elements";
 import { findingName } from "./findings";
@@ -28,7 +29,7 @@ class Camera implements Island {
   private readonly found = element("ul", { class: "found" });
   private readonly shown: Island;
   private readonly visibility = watchVisibility(this.dom);
-  private readonly disposers: (() => void)[];
+  private readonly cleanup: Cleanup;
   private frame: CameraFrame | null = null;
   /** The last picture of the present. */
   private live: Taken | null = null;
@@ -44,7 +45,7 @@ class Camera implements Island {
     const { connection } = context;
     const hasCamera = computed(() => hasCameraIn(context));
     const watching = computed(() => hasCamera.value && this.visibility.visible.value);
-    this.disposers = [
+    this.cleanup = new Cleanup(
       connection.on("CameraFrame", (frame) => (this.frame = frame)),
       connection.onFrame((jpeg) => void this.receive(jpeg)),
       connection.onRefused(["ReadPastPicture"], () => this.answered()),
@@ -55,11 +56,11 @@ class Camera implements Island {
       effect(() => this.watch(watching.value)),
       effect(() => this.follow(context.running.past.value, watching.value)),
       effect(() => this.label(hasCamera.value)),
-    ];
+    );
   }
 
   destroy(): void {
-    for (const dispose of this.disposers) dispose();
+    this.cleanup.dispose();
     this.watch(false);
     this.visibility.destroy();
     this.shown.destroy();

@@ -11,6 +11,7 @@ import { explained } from "../../model/run-error";
 import { endingAfter } from "../../model/run-result";
 import { runTitle } from "../../model/run-title";
 import type { Ended, RunShown } from "../../protocol/messages";
+import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
 import { button, element } from "./elements";
 import { Lines } from "./lines";
@@ -37,14 +38,14 @@ class Console implements ConsoleIsland {
   private readonly question: Question;
   /** Whether the end of the program has been shown, while those of other robots go on. */
   private isDone = false;
-  private readonly disposers: (() => void)[];
+  private readonly cleanup: Cleanup;
 
   constructor(private readonly context: Context) {
     this.question = createQuestion((text) => this.answer(text));
     const copy = button("tool", () => void this.copy());
     const clear = button("tool", () => this.lines.clear());
     this.dom.append(this.lines.dom, this.question.dom, element("div", { class: "tools" }, copy, clear));
-    this.disposers = [
+    this.cleanup = new Cleanup(
       ...this.listen(),
       effect(() => this.lines.showUntil(context.running.printed.value)),
       effect(() => {
@@ -53,7 +54,7 @@ class Console implements ConsoleIsland {
         this.lines.dom.setAttribute("aria-label", t("page-console-lines"));
         this.lines.translate();
       }),
-    ];
+    );
   }
 
   focus(): void {
@@ -66,7 +67,7 @@ class Console implements ConsoleIsland {
   }
 
   destroy(): void {
-    for (const dispose of this.disposers) dispose();
+    this.cleanup.dispose();
     this.lines.destroy();
     this.question.destroy();
   }

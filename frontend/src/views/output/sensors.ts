@@ -10,6 +10,7 @@ import { lengthOf, type Measure, measures, motionOf, readingsOf } from "../../mo
 import { Odometer } from "../../model/odometer";
 import { preferences } from "../../model/preferences";
 import type { Sensor, Telemetry } from "../../protocol/messages";
+import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
 import { button, download, element } from "./elements";
 import { Plot, SHOWN_SECONDS } from "./plot";
@@ -51,7 +52,7 @@ class Sensors implements SensorsIsland {
     this.outdated = true;
     this.schedule();
   };
-  private readonly disposers: (() => void)[];
+  private readonly cleanup: Cleanup;
   private present: readonly Sensor[] = [];
   private outdated = true;
   private frame = 0;
@@ -66,13 +67,13 @@ class Sensors implements SensorsIsland {
     const tools = element("div", { class: "tools" }, this.save);
     this.dom.append(this.nothing, this.readings.dom, this.picture, details, tools);
     this.dark.addEventListener("change", this.replot);
-    this.disposers = [
+    this.cleanup = new Cleanup(
       effect(() => this.record(context.running.measured.value)),
       effect(() => void [context.running.past.value, this.schedule()]),
       effect(() => this.nameAll()),
       effect(() => this.plotWanted()),
       effect(() => this.followPlot()),
-    ];
+    );
   }
 
   resize(): void {
@@ -80,7 +81,7 @@ class Sensors implements SensorsIsland {
   }
 
   destroy(): void {
-    for (const dispose of this.disposers) dispose();
+    this.cleanup.dispose();
     this.dark.removeEventListener("change", this.replot);
     this.visibility.destroy();
     cancelAnimationFrame(this.frame);

@@ -5,6 +5,7 @@ import { language } from "../../i18n";
 import type { Context } from "../../model/context";
 import { preferences } from "../../model/preferences";
 import type { Sound } from "../../protocol/messages";
+import { Cleanup } from "../../ui/cleanup";
 import { song, soundNamed } from "./melodies";
 import { Proximity } from "./proximity";
 import { Synthesizer } from "./synthesizer";
@@ -42,11 +43,11 @@ class Loudspeaker {
   private readonly synthesizer = new Synthesizer();
   private readonly player = new Player(this.synthesizer);
   private readonly proximity = new Proximity(this.synthesizer);
-  private readonly disposers: (() => void)[];
+  private readonly cleanup: Cleanup;
   private sentences = 0;
 
   constructor({ connection, running }: Context) {
-    this.disposers = [
+    this.cleanup = new Cleanup(
       connection.on("Sound", (sound) => preferences.value.sound && this.hear(sound)),
       connection.on("Opened", () => this.silence()),
       connection.on("TabOpened", () => this.silence()),
@@ -58,11 +59,11 @@ class Loudspeaker {
       effect(() => {
         if (!preferences.value.sound || running.state.value.state === "paused") this.silence();
       }),
-    ];
+    );
   }
 
   destroy(): void {
-    for (const dispose of this.disposers) dispose();
+    this.cleanup.dispose();
     this.silence();
     this.synthesizer.destroy();
   }

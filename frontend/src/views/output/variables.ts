@@ -7,6 +7,7 @@ import { effect } from "@preact/signals";
 import { t } from "../../i18n";
 import type { Context } from "../../model/context";
 import type { Variables, WhenNow } from "../../protocol/messages";
+import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
 import { element } from "./elements";
 import { createTable } from "./table";
@@ -59,15 +60,15 @@ export function createVariables(context: Context): Island {
     dom.setAttribute("aria-label", t("page-variables-title"));
   }
 
-  const disposers = [
+  const cleanup = new Cleanup(
     effect(() => show(running.variables.value)),
     effect(() => void dom.classList.toggle("has-run", !!running.timeline.value?.end)),
     effect(() => showStack(running.past.value?.stack ?? [])),
-  ];
+  );
   return {
     dom,
     destroy: () => {
-      for (const dispose of disposers) dispose();
+      cleanup.dispose();
     },
   };
 }

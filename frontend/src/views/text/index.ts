@@ -10,6 +10,7 @@ import type { Context } from "../../model/context";
 import type { ProgramState } from "../../model/program";
 import { valuesInWords } from "../../model/values-there";
 import type { Notation } from "../../protocol/messages";
+import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
 import { Actions } from "./actions";
 import { showBreakpoints } from "./breakpoints";
@@ -44,7 +45,7 @@ class TextView implements TextIsland {
   private readonly toolbar: Island;
   private readonly words = new Compartment();
   private readonly access = new Compartment();
-  private readonly disposers: (() => void)[];
+  private readonly cleanup: Cleanup;
   private shown: ProgramState | null = null;
   private hasProblems = false;
   private hasBreakpoints = false;
@@ -65,7 +66,7 @@ class TextView implements TextIsland {
     this.toolbar = createToolbar(this.actions, this.view);
     this.dom.className = "text-view";
     this.dom.append(this.toolbar.dom, this.view.dom);
-    this.disposers = [
+    this.cleanup = new Cleanup(
       effect(() => this.showProgram()),
       effect(() => this.showProblems()),
       effect(() => this.showBreakpoints()),
@@ -73,7 +74,7 @@ class TextView implements TextIsland {
       effect(() => this.showValues()),
       effect(() => this.view.dispatch({ effects: this.words.reconfigure(words(notation)) })),
       effect(() => this.showAccess()),
-    ];
+    );
   }
 
   focus(): void {
@@ -96,7 +97,7 @@ class TextView implements TextIsland {
   }
 
   destroy(): void {
-    for (const dispose of this.disposers) dispose();
+    this.cleanup.dispose();
     this.toolbar.destroy();
     this.requests.destroy();
     this.view.destroy();

@@ -4,6 +4,7 @@ import { computed, effect, signal } from "@preact/signals";
 
 import type { Context } from "../../model/context";
 import type { HandleRobot } from "../../protocol/messages";
+import { Cleanup } from "../../ui/cleanup";
 import type { Tool } from "../../ui/tool";
 
 type How = HandleRobot["how"];
@@ -15,7 +16,7 @@ const SHAKE_KEY = "5";
 export class Hand {
   readonly tools: readonly Tool[];
   private readonly tilt = signal<How>("level");
-  private readonly endings: (() => void)[];
+  private readonly cleanup: Cleanup;
 
   constructor(private readonly context: Context) {
     const { running } = context;
@@ -31,7 +32,7 @@ export class Hand {
         act: () => this.tiltTo(side),
       })),
     ];
-    this.endings = [
+    this.cleanup = new Cleanup(
       // In another world or a new run, the robot is level again.
       effect(() => {
         if (running.scene.value) this.tilt.value = "level";
@@ -39,11 +40,11 @@ export class Hand {
       effect(() => {
         if (running.state.value.state === "starting") this.tilt.value = "level";
       }),
-    ];
+    );
   }
 
   destroy(): void {
-    for (const end of this.endings) end();
+    this.cleanup.dispose();
   }
 
   /** The side that is chosen already is let go. */

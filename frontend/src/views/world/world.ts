@@ -8,6 +8,7 @@ import type { Measure } from "../../model/measures";
 import { preferences, type ThemeName, theme } from "../../model/preferences";
 import type { WorldIsland } from "../../model/views";
 import type { GoalNow, Robot, Scene, Sound, Telemetry } from "../../protocol/messages";
+import { Cleanup } from "../../ui/cleanup";
 import { Throttle } from "../../ui/throttle";
 import type { Tool } from "../../ui/tool";
 import { Announcer } from "./announcer";
@@ -80,7 +81,7 @@ export class World implements WorldIsland {
   private readonly still: ReadonlySignal<boolean>;
   /** Whether there is a run to ask about. */
   private readonly asks: ReadonlySignal<boolean>;
-  private readonly endings: (() => void)[] = [];
+  private readonly cleanup = new Cleanup();
   private readonly sizes = new ResizeObserver(() => this.resize());
 
   constructor(private readonly context: Context) {
@@ -136,7 +137,7 @@ export class World implements WorldIsland {
   }
 
   destroy(): void {
-    for (const end of this.endings) end();
+    this.cleanup.dispose();
     this.sizes.disconnect();
     this.labels.cancel();
     this.placing.destroy();
@@ -222,8 +223,8 @@ export class World implements WorldIsland {
       () => this.still.value,
       (still) => still || this.moves(),
     );
-    this.endings.push(connection.onRefused(["PlaceRobot"], () => this.placing.forget()));
-    this.endings.push(connection.on("Sound", (sound) => this.showSound(sound)));
+    this.cleanup.add(connection.onRefused(["PlaceRobot"], () => this.placing.forget()));
+    this.cleanup.add(connection.on("Sound", (sound) => this.showSound(sound)));
     this.watch(
       () => t("page-world-label"),
       (label) => (this.frame.ariaLabel = label),
@@ -253,7 +254,7 @@ export class World implements WorldIsland {
 
   /** Call a function whenever a value changes, without tracking what the function reads. */
   private watch<T>(read: () => T, listener: (value: T) => void): void {
-    this.endings.push(
+    this.cleanup.add(
       effect(() => {
         const value = read();
         untracked(() => listener(value));
