@@ -1,19 +1,17 @@
 /** Which browser this is: the server keeps apart what several of them have begun. */
 
-const KEY = "learnblock.browser";
+import { inBrowser } from "../ui/storage";
+
+const STORED = inBrowser("learnblock.browser");
 const VALID = /^[0-9a-f]{32}$/;
 
-/** A random id, which the browser keeps; where storage is disabled, a new one for each page. */
+/** A random id, which the browser keeps; where storage is disabled, until the page is closed. */
 export function browserId(): string {
-  try {
-    const kept = localStorage.getItem(KEY) ?? "";
-    if (VALID.test(kept)) return kept;
-    const made = randomId();
-    localStorage.setItem(KEY, made);
-    return made;
-  } catch {
-    return randomId();
-  }
+  const kept = STORED.read() ?? "";
+  if (VALID.test(kept)) return kept;
+  const made = randomId();
+  STORED.write(made);
+  return made;
 }
 
 /** 128 bits; `crypto.randomUUID` is missing on pages from another computer without HTTPS. */

@@ -4,6 +4,7 @@ import { computed, effect, signal } from "@preact/signals";
 
 import type { View } from "../protocol/messages";
 import { media } from "../ui/media";
+import { inBrowser } from "../ui/storage";
 
 export type ThemeName = "light" | "dark" | "contrast";
 
@@ -52,7 +53,7 @@ export interface Preferences {
   readonly layout: Layout;
 }
 
-const KEY = "learnblock.preferences";
+const STORED = inBrowser("learnblock.preferences");
 const LAYOUT: Layout = {
   split: false,
   views: ["blocks", "blocktext"],
@@ -78,13 +79,8 @@ const DEFAULTS: Preferences = {
 };
 
 function load(): Preferences {
-  try {
-    const kept = JSON.parse(localStorage.getItem(KEY) ?? "{}") as Partial<Preferences>;
-    return { ...DEFAULTS, ...kept, layout: { ...LAYOUT, ...kept.layout } };
-  } catch {
-    // Storage is disabled or contains another program's value: use the defaults.
-    return DEFAULTS;
-  }
+  const kept = (STORED.readValue() ?? {}) as Partial<Preferences>;
+  return { ...DEFAULTS, ...kept, layout: { ...LAYOUT, ...kept.layout } };
 }
 
 export const preferences = signal<Preferences>(load());
@@ -125,11 +121,4 @@ export const theme = computed<ThemeName>(() => {
   return dark.value ? "dark" : "light";
 });
 
-effect(() => {
-  const kept = JSON.stringify(preferences.value);
-  try {
-    localStorage.setItem(KEY, kept);
-  } catch {
-    // Storage is disabled: the preferences last until the page is closed.
-  }
-});
+effect(() => STORED.writeValue(preferences.value));

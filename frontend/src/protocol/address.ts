@@ -1,8 +1,10 @@
 /** The page's address: the open project and, on the first visit, the access token. */
 
+import { inBrowser } from "../ui/storage";
+
 const base = new URL(".", location.href);
 /** Several servers may share one origin, behind a proxy. */
-const KEY = `learnblock.token:${base.pathname}`;
+const TOKEN = inBrowser(`learnblock.token:${base.pathname}`);
 
 function parameters(): URLSearchParams {
   return new URLSearchParams(location.hash.slice(1));
@@ -13,8 +15,8 @@ export function takeToken(): string {
   const address = new URL(location.href);
   const hash = parameters();
   const given = address.searchParams.get("token") ?? hash.get("token");
-  if (given === null) return localStorage.getItem(KEY) ?? "";
-  localStorage.setItem(KEY, given);
+  if (given === null) return TOKEN.read() ?? "";
+  TOKEN.write(given);
   address.searchParams.delete("token");
   hash.delete("token");
   address.hash = hash.toString();
@@ -34,7 +36,7 @@ export function addressElsewhere(network: string | null): string | null {
     if (network === null) return null;
     address.hostname = network;
   }
-  const token = localStorage.getItem(KEY);
+  const token = TOKEN.read();
   // In a class and behind a proxy that logs users in there is none.
   if (token) address.searchParams.set("token", token);
   return address.href;

@@ -11,12 +11,24 @@ import type {
   SaveCustomBlock,
 } from "../../protocol/messages";
 import { Cleanup } from "../../ui/cleanup";
+import { UnsavedEdits } from "../../ui/storage";
 import { Throttle } from "../../ui/throttle";
 import { blocksIn, type Configured, withBlock } from "./configuration";
-import { drop, keep, unsaved, type Written } from "./unsaved";
 
 /** ms between two requests for a check. */
 const PERIOD = 300;
+
+/** The editable parts of a custom block. */
+export interface Written {
+  /** The name of its file. */
+  readonly name: string;
+  readonly source: string;
+  /** JSON; empty for the defaults. */
+  readonly configuration: string;
+}
+
+/** By the name that a block was saved under; a new block has the empty name. */
+const UNSAVED = new UnsavedEdits<Written>("learnblock.ownblocks");
 
 export class Draft {
   readonly written = signal<Written>({ name: "", source: "", configuration: "" });
@@ -85,7 +97,7 @@ export class Draft {
 
   /** Go back to the saved version. */
   discard(): void {
-    drop(this.saved.peek());
+    UNSAVED.drop(this.saved.peek());
     this.goesOn.value = false;
     this.named = this.saved.peek() !== "";
     this.written.value = this.original.peek();
@@ -112,7 +124,7 @@ export class Draft {
   }
 
   private begin(saved: string, original: Written): void {
-    const left = unsaved(saved);
+    const left = UNSAVED.read(saved);
     this.named = saved !== "" || !!left?.name;
     batch(() => {
       this.saved.value = saved;
@@ -162,8 +174,8 @@ export class Draft {
   }
 
   private wasSaved(name: string, saving: Written): void {
-    drop(this.saved.peek());
-    drop(name);
+    UNSAVED.drop(this.saved.peek());
+    UNSAVED.drop(name);
     const original = { ...saving, name };
     this.named = true;
     batch(() => {
@@ -182,8 +194,8 @@ export class Draft {
   private keepUnsaved(): void {
     const written = this.written.value;
     const saved = untracked(() => this.saved.value);
-    if (this.dirty.value) keep(saved, written);
-    else drop(saved);
+    if (this.dirty.value) UNSAVED.keep(saved, written);
+    else UNSAVED.drop(saved);
   }
 }
 

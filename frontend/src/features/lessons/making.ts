@@ -9,6 +9,7 @@ import type { Connection } from "../../protocol/connection";
 import type { EditedStep, LessonExamined, LessonTried, WrittenProgram } from "../../protocol/messages";
 import { bytesOf, saveFile } from "../../ui/files";
 import { provided } from "../../ui/provided";
+import { UnsavedEdits } from "../../ui/storage";
 import type { Toasts } from "../../ui/toasts";
 import {
   type Draft,
@@ -21,11 +22,13 @@ import {
   type StepContent,
 } from "./draft";
 import { inLanguage, type Lessons } from "./lessons";
-import { drop, keep, unsaved } from "./unsaved";
 
 /** ms without an edit before the server examines the lesson. */
 const PAUSE = 400;
 export const MOST_STEPS = 30;
+
+/** By the name that a lesson was saved under; a new lesson has the empty name. */
+const UNSAVED = new UnsavedEdits<Draft>("learnblock.lessons");
 
 /** What the editor shows: what the lesson is about, a step by its index, or what is for the teacher. */
 export type Section = "about" | "teacher" | number;
@@ -63,7 +66,7 @@ export class LessonMaking {
     connection.on("LessonToEdit", ({ edited, skills = [] }) => {
       this.skills.value = skills;
       const draft = draftOf(edited, language.peek());
-      const left = unsaved(draft.lesson);
+      const left = UNSAVED.read(draft.lesson);
       this.show(left ?? draft, { isSaved: draft.lesson !== "" && !left });
     });
     connection.on("LessonExamined", (examined) => this.learn(examined));
@@ -76,7 +79,7 @@ export class LessonMaking {
   /** Make a lesson of the open project, or go on with the unsaved one. */
   make(): void {
     this.others.program.flush();
-    const left = unsaved("");
+    const left = UNSAVED.read("");
     if (left) this.show(left, { isSaved: false });
     else this.connection.send({ kind: "MakeLesson" });
   }
@@ -96,7 +99,7 @@ export class LessonMaking {
     if (!draft.value) return;
     draft.value = change(draft.value);
     this.isSaved.value = false;
-    keep(draft.value);
+    UNSAVED.keep(draft.value.lesson, draft.value);
   }
 
   editContent(values: Partial<LessonContent>): void {
@@ -158,7 +161,7 @@ export class LessonMaking {
   /** Forget what is not saved: a saved lesson is shown as it is, and a new one is given up. */
   discard(): void {
     const { lesson = "" } = this.draft.value ?? {};
-    drop(lesson);
+    UNSAVED.drop(lesson);
     if (lesson) return this.change(lesson);
     this.others.dialogs.close();
     this.draft.value = null;
@@ -260,7 +263,7 @@ export class LessonMaking {
   private saved(lesson: string): void {
     const { draft, download } = this;
     if (!draft.value) return;
-    drop(draft.value.lesson);
+    UNSAVED.drop(draft.value.lesson);
     const steps = draft.value.steps.map((step, index) => ({ ...step, before: index + 1 }));
     draft.value = { ...draft.value, lesson, steps };
     this.isSaved.value = true;

@@ -6,6 +6,7 @@ import type { Context } from "../../model/context";
 import type { WorldToEdit } from "../../protocol/messages";
 import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
+import { UnsavedEdits } from "../../ui/storage";
 import type { WorldValues } from "../../views/world/scenery/description";
 import { type Action, Actions } from "./actions";
 import type { Carried } from "./carrying";
@@ -21,10 +22,11 @@ import { Saving } from "./saving";
 import type { Sort } from "./sorts";
 import { Templates } from "./templates";
 import { type Ref, snapped } from "./things";
-import { drop, keep, unsaved } from "./unsaved";
 
 /** The content of a new world. */
 const NEW = "empty";
+/** By the name of the world that was opened. */
+const UNSAVED = new UnsavedEdits<WorldValues>("learnblock.worlds");
 
 export class Editor implements Island {
   readonly dom = document.createElement("div");
@@ -134,7 +136,7 @@ export class Editor implements Island {
 
   private open({ name, world, save_as }: WorldToEdit): void {
     const values = world as unknown as WorldValues;
-    const left = unsaved(name);
+    const left = UNSAVED.read(name);
     this.opened.value = { name, world: values };
     this.draft.open(values);
     if (save_as === name) this.saving.propose(values.title || name, name);
@@ -146,8 +148,8 @@ export class Editor implements Island {
   /** Continue with the saved world. */
   private saved(name: string): void {
     const world = this.draft.world.peek();
+    UNSAVED.drop(this.opened.peek()?.name ?? name);
     if (world) this.opened.value = { name, world };
-    drop();
   }
 
   /** Continue an unsaved edit; undo goes back to the file's content. */
@@ -158,7 +160,7 @@ export class Editor implements Island {
 
   private keepUnsaved(world: WorldValues | null): void {
     const opened = this.opened.peek();
-    if (world && opened && world !== opened.world) keep(opened.name, world);
+    if (world && opened && world !== opened.world) UNSAVED.keep(opened.name, world);
   }
 
   /** A world from a template, in place of what was edited; undo brings that back. */

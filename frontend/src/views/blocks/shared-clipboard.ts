@@ -2,7 +2,9 @@
 
 import * as Blockly from "blockly/core";
 
-const KEY = "learnblock-copied";
+import { inBrowser } from "../../ui/storage";
+
+const STORED = inBrowser("learnblock-copied");
 const { clipboard } = Blockly;
 
 /** Shares the clipboard of a workspace. */
@@ -30,11 +32,7 @@ export class SharedClipboard {
     const text = copied && JSON.stringify(copied);
     if (!text || text === this.kept) return;
     this.kept = text;
-    try {
-      localStorage.setItem(KEY, text);
-    } catch {
-      // Without storage, each tab has its own clipboard.
-    }
+    STORED.write(text);
   };
 
   private readonly take = (): void => {
@@ -47,7 +45,7 @@ export class SharedClipboard {
   /** What another tab has copied since; null if it can't be read. */
   private read(): Blockly.ICopyData | null {
     try {
-      const text = localStorage.getItem(KEY);
+      const text = STORED.read();
       if (!text || text === this.kept) return null;
       this.kept = text;
       return JSON.parse(text) as Blockly.ICopyData;
