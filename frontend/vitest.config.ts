@@ -1,5 +1,10 @@
 import { defineConfig } from "vitest/config";
 
 // Apart from the page's build: a test needs neither its plugins nor its server. A busy computer takes
-// longer for a test, which is no failure.
-export default defineConfig({ test: { include: ["tests/**/*.test.ts"], environment: "node", testTimeout: 60_000 } });
+// longer for a test, which is no failure. Files with components (`.tsx`) have a document.
+export default defineConfig({
+  // The words are beside those of Python.
+  server: { fs: { allow: [".."] } },
+  oxc: { jsx: { runtime: "automatic", importSource: "preact" } },
+  test: { include: ["tests/**/*.test.{ts,tsx}"], environment: "node", testTimeout: 60_000 },
+});

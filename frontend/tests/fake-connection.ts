@@ -34,6 +34,11 @@ export class FakeConnection {
     });
   }
 
+  /** How many listeners have not been stopped: a part of the page that has ended leaves none. */
+  get listening(): number {
+    return this.listeners.size;
+  }
+
   /** Receive a message; what a test does not care about may be missing. */
   tell(message: Told): void {
     for (const [kind, listener] of this.listeners) if (kind === message.kind) listener(message as unknown as ToPage);

@@ -26,18 +26,6 @@ def test_a_named_tag_is_shown_and_suggested(pupil, own_server):
     expect(pupil.page.locator(".cm-tooltip-autocomplete")).to_contain_text('"ball"')
 
 
-def test_an_invalid_entry_is_reported_at_its_line_and_not_saved(pupil):
-    add(pupil, "12", "7")
-    expect(pupil.dialog()).to_contain_text("A name needs at least one letter.")
-    expect(pupil.dialog().get_by_role("button", name="Save")).to_be_disabled()
-    pupil.dialog().get_by_role("textbox", name="Name").fill("ball")
-    pupil.dialog().get_by_role("spinbutton").fill("587")
-    expect(pupil.dialog()).to_contain_text("from 0 to 586")
-    pupil.picture("wrong")
-    pupil.dialog().get_by_role("spinbutton").fill("586")
-    save(pupil)
-
-
 def test_names_are_downloaded_and_uploaded_again(pupil, tmp_path):
     add(pupil, "red door", "12")
     save(pupil)
@@ -52,42 +40,6 @@ def test_names_are_downloaded_and_uploaded_again(pupil, tmp_path):
         expect(pupil.dialog().get_by_role("textbox", name="Name")).to_have_count(0)
         upload(pupil, file)
         expect(pupil.dialog().get_by_role("textbox", name="Name")).to_have_value("red door")
-
-
-def test_an_invalid_file_of_names_is_reported_in_the_dialog(pupil, tmp_path):
-    file = tmp_path / "tags.toml"
-    file.write_text("ball = 1000\n")
-    upload(pupil, file)
-    expect(pupil.dialog().get_by_role("alert")).to_contain_text("from 0 to 586")
-
-
-@pytest.mark.certain
-def test_escape_saves_unsaved_names(pupil, own_server):
-    add(pupil, "goal", "3")
-    pupil.page.keyboard.press("Escape")
-    pupil.expect_note("Tag names saved.").get_by_role("button", name="Undo").click()
-    pupil.project("Tag names…")
-    expect(pupil.dialog()).to_contain_text("No tag has a name yet.")
-
-
-def test_new_names_appear_in_every_page(pupil):
-    first, second = pupil.page, pupil.open(pupil.page.url)
-    add(pupil, "ball", "7")
-    save(pupil)
-    pupil.page = second
-    pupil.project("Tag names…")
-    expect(pupil.dialog().get_by_role("textbox", name="Name")).to_have_value("ball")
-    pupil.page = first
-
-
-def test_in_spanish(sit_down, own_server):
-    pupil = sit_down(own_server, language="es", theme="dark")
-    pupil.project("Nombres de etiquetas…")
-    pupil.dialog().get_by_role("button", name="Añadir un nombre").click()
-    pupil.page.keyboard.type("pelota")
-    pupil.dialog().get_by_role("button", name="Guardar").click()
-    expect(pupil.dialog().get_by_text("Guardado", exact=True)).to_be_visible()
-    pupil.picture("spanish")
 
 
 def add(pupil, name, number):
