@@ -9,7 +9,7 @@ export class Controls {
   run(): void {
     const { running } = this.context;
     if (!running.active.value) this.start(false);
-    else if (this.waiting) this.resume();
+    else if (this.context.running.waits.value) this.resume();
   }
 
   stop(): void {
@@ -23,7 +23,7 @@ export class Controls {
 
   pauseOrResume(): void {
     if (!this.context.running.active.value) return;
-    if (this.waiting) this.resume();
+    if (this.context.running.waits.value) this.resume();
     else this.context.connection.send({ kind: "Pause" });
   }
 
@@ -48,10 +48,6 @@ export class Controls {
 
   resetWorld(): void {
     this.context.connection.send({ kind: "ResetWorld" });
-  }
-
-  private get waiting(): boolean {
-    return ["paused", "held"].includes(this.context.running.state.value.state);
   }
 
   private resume(): void {

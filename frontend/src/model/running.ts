@@ -101,6 +101,8 @@ export class Running {
 
   /** Whether a program is running or paused. */
   readonly active = computed(() => !["idle", "ended"].includes(this.state.value.state));
+  /** Whether it waits for the user of the debugger. */
+  readonly waits = computed(() => PAUSED.has(this.state.value.state));
   /** The block that is running, or at which the program is paused. */
   readonly block = computed(() =>
     this.past.value

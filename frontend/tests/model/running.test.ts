@@ -21,6 +21,18 @@ test.each([
   expect(run.active.value).toBe(active);
 });
 
+test.each([
+  ["running", false],
+  ["paused", true],
+  ["held", true],
+  ["input", false],
+  ["ended", false],
+])("a run that is %s waits for the user of the debugger: %s", (state, waits) => {
+  const [run, connection] = running();
+  connection.tell({ kind: "RunState", state });
+  expect(run.waits.value).toBe(waits);
+});
+
 test("no block runs once the run has ended", () => {
   const [run, connection] = running();
   connection.tell({ kind: "RunState", state: "paused", block: "b1" });

@@ -20,9 +20,8 @@ export function RunBar() {
 
 function RunButtons() {
   const { context, controls } = usePage();
-  const { state } = context.running.state.value;
   const active = context.running.active.value;
-  const waiting = state === "paused" || state === "held";
+  const waiting = context.running.waits.value;
   return (
     <div
       id="run"

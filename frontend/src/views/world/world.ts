@@ -87,7 +87,7 @@ export class World implements WorldIsland {
   constructor(private readonly context: Context) {
     const { running } = context;
     this.asks = computed(() => context.askingWhy.isPossible);
-    const rests = () => !running.active.value || ["paused", "held"].includes(running.state.value.state);
+    const rests = () => !running.active.value || running.waits.value;
     // A real robot cannot be moved from the page, and the past cannot be changed.
     this.still = computed(() => !running.scene.value?.real && !running.past.value && rests());
     this.placing = new Placing(this.canvas, this.pointing, {
