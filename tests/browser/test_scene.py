@@ -113,6 +113,23 @@ def test_a_chip_shows_where_its_value_comes_from_and_opens_its_plot(pupil):
     assert not any(page.evaluate(marks).values())
 
 
+def test_the_chips_are_the_values_that_the_program_asks_for_and_point_at_their_sensors(pupil):
+    page = pupil.page
+    robot = "name => learnblock.context.connection.send({ kind: 'ChooseRobot', name })"
+    page.evaluate(robot, "sim-ev3")
+    show_world(pupil, "empty")
+    chips = page.locator(".chips button")
+    expect(chips).to_have_text([re.compile(one) for one in ("^Front", "^Heading", "^Driven")])
+
+    pupil.write("blocktext", "main:\n    x = function.is_left_ground_line()\nend\n")
+    expect(chips).to_have_text([re.compile(one) for one in ("^Floor .* %$", "^Heading", "^Driven")])
+    chips.first.hover()
+    assert page.evaluate(DRAWN)["marks"]["origin"]
+    pupil.picture("floor-sensors")
+    chips.first.click()
+    expect(page.get_by_role("checkbox", name=re.compile("^Ground"))).to_be_checked()
+
+
 def celebrates(pupil):
     """Run a program that reaches a goal, and return whether the world has begun an effect."""
     show_world(pupil, "distance")

@@ -1,10 +1,40 @@
-/** The values that matter most to a driver, which the world shows, and their readings to plot. */
+/** The values that matter most to a program, which the world shows, and their readings to plot. */
 
 import type { Sensor, Telemetry } from "../protocol/messages";
 import type { Odometer } from "./odometer";
 
-/** The distance ahead, the heading, and the way driven. */
-export type Measure = "front" | "heading" | "driven";
+/** A device, and after a colon the place of its sensors if it has several: `DistanceSensors:front`. */
+export type Measure = string;
+
+/** The most measures that are shown. */
+const MOST = 5;
+const HEADING: Measure = "Heading";
+const DRIVEN: Measure = "Driven";
+/** Shown for a program that asks for nothing. */
+const USUAL: Measure = "DistanceSensors:front";
+/** The devices that measure something to show; a robot's base and gyroscope answer with its heading. */
+const SENSORS: ReadonlySet<string> = new Set([
+  "DistanceSensors",
+  "GroundSensors",
+  "Bumper",
+  "Accelerometer",
+  "LightSensor",
+  "Controller",
+  "Infrared",
+]);
+
+/** What to show of a program: what its questions need, then how the robot moves. */
+export function measuresOf(asked: readonly string[]): Measure[] {
+  const sensed = asked.flatMap(measureOf);
+  return [...new Set([...(sensed.length > 0 ? sensed : [USUAL]), HEADING, DRIVEN])].slice(0, MOST);
+}
+
+/** Sensors of the ground belong together; distances are shown by side. */
+function measureOf(asked: string): Measure[] {
+  const [device = ""] = asked.split(":");
+  if (!SENSORS.has(device)) return [];
+  return [device === "DistanceSensors" ? asked : device];
+}
 
 /** The farthest way that fills its bar, mm. */
 const FAR = 5000;
@@ -18,6 +48,13 @@ export function readingsOf(telemetry: Telemetry, odometer: Odometer): Sensor[] {
   return [...sensors, ...motionOf(robot.heading, way)];
 }
 
+/** The same at a moment of the past, to which the robot has taken a way. */
+export function pastReadingsOf(telemetry: Telemetry, way: readonly (readonly [number, number])[]): Sensor[] {
+  const [robot] = telemetry.robots;
+  const motion = robot ? motionOf(robot.heading, lengthOf(way)) : [];
+  return [...(telemetry.sensors ?? []), ...motion];
+}
+
 /** The heading and the way driven as readings. */
 export function motionOf(heading: number, way: number): Sensor[] {
   return [
@@ -27,9 +64,9 @@ export function motionOf(heading: number, way: number): Sensor[] {
 }
 
 /** Whether a sensor gives the values of a measure. */
-export function measures(measure: Measure, { device, place }: Sensor): boolean {
-  if (measure === "front") return device === "DistanceSensors" && place === "front";
-  return device === (measure === "heading" ? "Heading" : "Driven");
+export function measures(measure: Measure, sensor: Sensor): boolean {
+  const [device, place] = measure.split(":");
+  return sensor.device === device && (place === undefined || sensor.place === place);
 }
 
 /** The length of a way, mm. */

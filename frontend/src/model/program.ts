@@ -21,6 +21,8 @@ export interface ProgramState extends Shown {
   readonly problems: readonly Problem[];
   /** Views that still show the last valid program because another view has errors. */
   readonly stale: readonly View[];
+  /** What answers the program's questions on the chosen robot. */
+  readonly asked: readonly string[];
   readonly origin: View;
   readonly canUndo: boolean;
   readonly canRedo: boolean;
@@ -33,6 +35,7 @@ const EMPTY: ProgramState = {
   places: [],
   problems: [],
   stale: [],
+  asked: [],
   origin: "blocktext",
   canUndo: false,
   canRedo: false,
@@ -193,6 +196,7 @@ export class Program {
       places: document.places ?? [],
       problems: document.problems ?? [],
       stale: document.stale ?? [],
+      asked: document.asked ?? [],
       origin: document.origin,
       canUndo: document.can_undo ?? false,
       canRedo: document.can_redo ?? false,

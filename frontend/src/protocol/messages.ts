@@ -443,6 +443,7 @@ export interface Document {
   places?: Place[];
   problems?: Problem[];
   stale?: ("blocks" | "blocktext" | "python")[];
+  asked?: string[];
   can_undo?: boolean;
   can_redo?: boolean;
 }

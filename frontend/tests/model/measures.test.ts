@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { lengthOf, measures, motionOf, readingsOf } from "../../src/model/measures";
+import { lengthOf, measures, measuresOf, motionOf, readingsOf } from "../../src/model/measures";
 import { Odometer } from "../../src/model/odometer";
 import type { Sensor, Telemetry } from "../../src/protocol/messages";
 
@@ -31,9 +31,32 @@ describe("the readings of a robot", () => {
   });
 });
 
+describe("the measures of a program", () => {
+  it("are what its questions need, then how the robot moves", () => {
+    expect(measuresOf(["GroundSensors:line", "Camera", "DistanceSensors:left"])).toEqual([
+      "GroundSensors",
+      "DistanceSensors:left",
+      "Heading",
+      "Driven",
+    ]);
+  });
+
+  it("are the usual ones if it asks for nothing but the robot's own movement", () => {
+    expect(measuresOf(["Gyroscope:Z_AXIS", "Base", "Display"])).toEqual(["DistanceSensors:front", "Heading", "Driven"]);
+  });
+
+  it("are five at most", () => {
+    const sides = ["front", "left", "right", "back"].map((side) => `DistanceSensors:${side}`);
+
+    expect(measuresOf([...sides, "Bumper", "Accelerometer"])).toEqual([...sides, "Bumper"]);
+  });
+});
+
 it("a measure is given by its own sensors only", () => {
   const all = [AHEAD, BESIDE, ...motionOf(10, 20)];
-  const given = (["front", "heading", "driven"] as const).map((one) => all.filter((sensor) => measures(one, sensor)));
+  const given = ["DistanceSensors:front", "Heading", "Driven"].map((one) =>
+    all.filter((sensor) => measures(one, sensor)),
+  );
 
   expect(given).toEqual([[AHEAD], [all[2]], [all[3]]]);
 });

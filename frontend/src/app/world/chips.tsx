@@ -1,42 +1,53 @@
-/** The values that matter most to a driver: pointed at, the world shows them; pressed, they are plotted. */
+/** The values that matter most to the program: pointed at, the world shows them; pressed, they are plotted. */
 
-import { useComputed } from "@preact/signals";
+import { type ReadonlySignal, useComputed } from "@preact/signals";
 import { useEffect, useMemo, useRef } from "preact/hooks";
 
 import { t } from "../../i18n";
-import { lengthOf, type Measure, measures } from "../../model/measures";
+import { type Measure, measuresOf, pastReadingsOf, readingsOf } from "../../model/measures";
 import { Odometer } from "../../model/odometer";
 import { usePage } from "../../model/page";
 import type { Sensor } from "../../protocol/messages";
 import { Icon, type IconName } from "../../ui/icons";
+import { valueInWords } from "./chip-values";
+
+/** By the type of device. */
+const ICONS: Readonly<Record<string, IconName>> = {
+  DistanceSensors: "ruler",
+  Heading: "compass",
+  Driven: "trail",
+};
 
 export function Chips() {
-  const { running } = usePage().context;
-  const { telemetry } = running;
-  // As texts, so that values that look the same are not drawn 20 times a second.
-  const front = useComputed(() => frontInWords(telemetry.value?.sensors ?? []));
-  const heading = useComputed(() => headingInWords(telemetry.value?.robots[0]?.heading));
+  const { program, running } = usePage().context;
   const odometer = useMemo(() => new Odometer(), []);
-  const driven = useComputed(() => {
-    const past = running.past.value;
-    return drivenInWords(past ? lengthOf(running.wayUntil(past.time)) : odometer.read(telemetry.value));
+  const readings = useComputed(() => {
+    const { value: telemetry } = running.telemetry;
+    const { value: past } = running.past;
+    if (!telemetry) return [];
+    return past ? pastReadingsOf(telemetry, running.wayUntil(past.time)) : readingsOf(telemetry, odometer);
   });
+  // As a text, so that an edit that asks for nothing else draws nothing.
+  const shown = useComputed(() => measuresOf(program.state.value.asked).join());
   return (
     <ul class="chips" aria-label={t("page-world-values")}>
-      <Chip measure="front" icon="ruler" name={t("page-world-front")} value={front.value} />
-      <Chip measure="heading" icon="compass" name={t("page-world-heading")} value={heading.value} />
-      <Chip measure="driven" icon="trail" name={t("page-world-driven")} value={driven.value} />
+      {shown.value.split(",").map((measure) => (
+        <Chip key={measure} measure={measure} readings={readings} />
+      ))}
     </ul>
   );
 }
 
 /** Nothing without a value. */
-function Chip(props: { measure: Measure; icon: IconName; name: string; value: string | null }) {
-  return props.value && <ShownChip {...props} value={props.value} />;
+function Chip({ measure, readings }: { measure: Measure; readings: ReadonlySignal<readonly Sensor[]> }) {
+  // As a text, so that values that look the same are not drawn 20 times a second.
+  const value = useComputed(() => valueInWords(measure, readings.value));
+  return value.value && <ShownChip measure={measure} value={value.value} />;
 }
 
-function ShownChip({ measure, icon, name, value }: { measure: Measure; icon: IconName; name: string; value: string }) {
+function ShownChip({ measure, value }: { measure: Measure; value: string }) {
   const { views } = usePage();
+  const [device = "", place = ""] = measure.split(":");
   const item = useRef<HTMLLIElement>(null);
   const point = (what: Measure | null) => views.world.value?.point(what);
   useEffect(() => () => point(null), []);
@@ -53,8 +64,8 @@ function ShownChip({ measure, icon, name, value }: { measure: Measure; icon: Ico
         onBlur={() => point(null)}
         onClick={() => views.plot(measure)}
       >
-        <Icon name={icon} />
-        {name} <b>{value}</b>
+        <Icon name={ICONS[device] ?? "sense"} />
+        {t("page-world-measure", { device, place })} <b>{value}</b>
       </button>
     </li>
   );
@@ -69,23 +80,4 @@ function onlyInSight(item: HTMLElement | null): (() => void) | undefined {
   );
   watcher.observe(item);
   return () => watcher.disconnect();
-}
-
-/** The nearest reading of the sensors that look ahead; null without such sensors. */
-function frontInWords(sensors: readonly Sensor[]): string | null {
-  const [first, ...others] = sensors.filter((sensor) => measures("front", sensor));
-  if (!first) return null;
-  const nearest = others.reduce((least, one) => (Number(one.value) < Number(least.value) ? one : least), first);
-  const value = Number(nearest.value);
-  const isBeyond = nearest.highest !== undefined && value >= nearest.highest;
-  return t(isBeyond ? "page-world-over-mm" : "page-world-mm", { mm: Math.round(value) });
-}
-
-function drivenInWords(way: number | null): string | null {
-  return way === null ? null : t("page-world-mm", { mm: Math.round(way) });
-}
-
-function headingInWords(heading: number | undefined): string | null {
-  // Not -0.
-  return heading === undefined ? null : t("page-world-degrees", { degrees: Math.round(heading) + 0 });
 }

@@ -6,7 +6,7 @@ import "./sensors.css";
 import { effect, type Signal, signal } from "@preact/signals";
 import { language, t } from "../../i18n";
 import type { Context } from "../../model/context";
-import { lengthOf, type Measure, measures, motionOf, readingsOf } from "../../model/measures";
+import { type Measure, measures, pastReadingsOf, readingsOf } from "../../model/measures";
 import { Odometer } from "../../model/odometer";
 import { preferences } from "../../model/preferences";
 import type { Sensor, Telemetry } from "../../protocol/messages";
@@ -180,9 +180,7 @@ class Sensors implements SensorsIsland {
     const { running } = this.context;
     const past = running.past.peek();
     if (!past) return this.present;
-    const [robot] = past.telemetry?.robots ?? [];
-    const motion = robot ? motionOf(robot.heading, lengthOf(running.wayUntil(past.time))) : [];
-    return [...(past.telemetry?.sensors ?? []), ...motion];
+    return past.telemetry ? pastReadingsOf(past.telemetry, running.wayUntil(past.time)) : [];
   }
 
   /** The last minute, or that around the moment that the user looks back at. */

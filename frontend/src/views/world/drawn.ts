@@ -10,6 +10,7 @@ export interface Marks {
   readonly beams: boolean;
   readonly bearing: boolean;
   readonly trail: boolean;
+  readonly origin: boolean;
 }
 
 export interface Drawn {
@@ -20,7 +21,7 @@ export interface Drawn {
   /** Where the robot and the first goal with a place are in the picture: -1 to 1, to the right and up. */
   readonly robot: XY;
   readonly goal: XY | null;
-  /** Whether the beams, the arrow of the heading and the trail are shown. */
+  /** Whether the beams, the arrow of the heading, the trail and the place of a sensor are shown. */
   readonly marks: Marks;
   /** The number of effects that have begun so far, such as confetti. */
   readonly effects: number;

@@ -8,6 +8,7 @@ import { screensOf } from "./hiding";
 import { firstGoal, type GoalMark, goalMarks, Signs, startMark } from "./marks";
 import type { Moment } from "./motion";
 import { nameplate } from "./nameplate";
+import { origin } from "./origin";
 import { type RobotModel, robotModel } from "./robots";
 import type { RobotValues, WorldValues, XY } from "./scenery/description";
 import { floor, LINE_PAINT } from "./scenery/floor";
@@ -41,6 +42,8 @@ export class Stage {
   private readonly signs = new Signs();
   private readonly pictures: Pictures;
   private start: Object3D | null = null;
+  /** Where a value is measured that the user points at. */
+  private origin: Object3D | null = null;
   /** Where the twin of a real robot would have been. */
   private ghost: RobotModel | null = null;
 
@@ -119,6 +122,20 @@ export class Stage {
   show({ robots, pushed }: Moment): void {
     robots.forEach((robot, i) => this.robots[i]?.show(robot));
     pushed.forEach((pose, i) => this.pushed[i] && place(this.pushed[i], pose));
+  }
+
+  /** Mark where on our robot a type of device measures; null marks nothing. */
+  point(device: string | null): void {
+    if (this.origin) dispose(this.origin);
+    this.origin = null;
+    const [robot] = this.robots;
+    if (!device || !robot || !this.described) return;
+    this.origin = origin(device, this.described, robot.reach);
+    robot.object.add(this.origin);
+  }
+
+  get isPointing(): boolean {
+    return this.origin !== null;
   }
 
   /** Show where the twin of a real robot would have been; null hides it. */

@@ -43,6 +43,9 @@ const OVERLAY = 56;
 /** A robot that moves farther than this between two messages was placed, mm. */
 const LEAP = 20;
 
+/** Devices whose values have a mark of their own. */
+const SHOWN_OTHERWISE: ReadonlySet<string> = new Set(["DistanceSensors", "Heading", "Driven"]);
+
 export class World implements WorldIsland {
   readonly dom = document.createElement("div");
   readonly tools: readonly Tool[];
@@ -119,6 +122,7 @@ export class World implements WorldIsland {
       beams: this.stage.beams?.object.visible ?? false,
       bearing: this.bearing.object.visible,
       trail: this.trail.mesh.visible,
+      origin: this.stage.isPointing,
     };
     return drawn(this.stage.subject, this.cameras.camera, marks, this.effects.begun);
   }
@@ -131,8 +135,9 @@ export class World implements WorldIsland {
   /** Show in the picture where a value comes from. */
   point(measure: Measure | null): void {
     this.pointed = measure;
-    this.bearing.object.visible = measure === "heading";
+    this.bearing.object.visible = measure === "Heading";
     this.showBeams();
+    this.showOrigin();
     this.showTrail();
   }
 
@@ -322,7 +327,7 @@ export class World implements WorldIsland {
 
   /** The ways of compared runs take the trail's place. */
   private showTrail(): void {
-    const isPointed = this.pointed === "driven";
+    const isPointed = this.pointed === "Driven";
     this.trail.mesh.visible = (this.showsTrail.peek() || isPointed) && this.ways.empty;
     this.trail.highlight(isPointed);
     this.view.invalidate();
@@ -344,10 +349,19 @@ export class World implements WorldIsland {
     const beams = this.stage?.beams;
     if (!beams) return;
     const all = this.showsBeams.peek();
-    beams.object.visible = all || this.pointed === "front";
-    beams.single(all ? null : "front");
+    const [device, side = null] = this.pointed?.split(":") ?? [];
+    const isPointed = device === "DistanceSensors";
+    beams.object.visible = all || isPointed;
+    beams.single(all || !isPointed ? null : side);
     const telemetry = this.context.running.telemetry.peek();
     if (telemetry) beams.show(telemetry);
+  }
+
+  /** Mark the sensors that are pointed at, unless beams, the arrow or the trail show them. */
+  private showOrigin(): void {
+    const [device = null] = this.pointed?.split(":") ?? [];
+    const isShown = device !== null && SHOWN_OTHERWISE.has(device);
+    this.stage?.point(isShown ? null : device);
   }
 
   private togglePlacing(): void {
@@ -401,6 +415,7 @@ export class World implements WorldIsland {
     if (!isSame) this.cameras.reset();
     this.mode.value = this.cameras.mode;
     this.showBeams();
+    this.showOrigin();
   }
 
   private receive(telemetry: Telemetry): void {

@@ -106,6 +106,24 @@ def serving(needs: Iterable[str], equipment: frozenset[str]) -> tuple[str, ...]:
     return tuple(dict.fromkeys(way for way in ways if way))
 
 
+def asked(demanded: Iterable[Demand], equipment: frozenset[str] | None) -> tuple[str, ...]:
+    """The devices and abilities that answer a program's questions on a robot, each once.
+
+    Args:
+        demanded: of `demands`.
+        equipment: what the robot has; None if that is unknown.
+    """
+    needs = (need for one in demanded if one.skill.returns_value for need in one.needs)
+    answering = (_answering(need, equipment) for need in needs)
+    return tuple(dict.fromkeys(one for one in answering if one))
+
+
+def _answering(need: str, equipment: frozenset[str] | None) -> str | None:
+    if equipment is None:
+        return next(iter(SENSES.get(need, (need,))))
+    return served_by(need, equipment)
+
+
 def serving_phrase(ways: Iterable[str]) -> Phrase:
     """What serves the senses of a skill on the chosen robot, in words."""
     return Phrase("check-serving", devices=_serving(ways))

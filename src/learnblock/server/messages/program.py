@@ -195,6 +195,8 @@ class Document(ToPage, frozen=True):
         places: every statement in all three views.
         problems: the problems in all views.
         stale: the views that show the last good program while another one has errors.
+        asked: what answers the program's questions on the chosen robot, such as
+            ``DistanceSensors:front``; see `learnblock.senses`.
     """
 
     edit: int
@@ -206,6 +208,7 @@ class Document(ToPage, frozen=True):
     places: tuple[Place, ...] = ()
     problems: tuple[Problem, ...] = ()
     stale: tuple[View, ...] = ()
+    asked: tuple[str, ...] = ()
     can_undo: bool = False
     can_redo: bool = False
 

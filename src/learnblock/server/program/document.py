@@ -8,6 +8,7 @@ from learnblock.blocks import BlockConfiguration
 from learnblock.errors import Diagnostic, FileError, LearnBlockError, ProgramError
 from learnblock.language import WorkspaceProgram, from_workspace, parse, recover
 from learnblock.language import format as format_program
+from learnblock.language.check.robots import asked, demands
 from learnblock.language.edit.imports import imported, libraries_used, with_import
 from learnblock.language.edit.rename import Sort, rename
 from learnblock.language.tree.extents import Extent, moved
@@ -233,6 +234,12 @@ class Document:
             *(problem(one, "blocks", block) for block, one in idle if block not in marked),
         )
 
+    @cached_property
+    def asked(self) -> tuple[str, ...]:
+        """What answers the program's questions on the robot; see `robots.asked`."""
+        demanded = demands(self.good.tree, self.target.configurations)
+        return asked(demanded, self.target.equipment)
+
     @property
     def first_error(self) -> Problem | None:
         """The first error, which keeps the program from running; None if there is none."""
@@ -258,7 +265,7 @@ class Document:
 
     def settled(self) -> "Document":
         """Compute the slow properties now, so that reading them later is fast."""
-        _ = self.problems, self.places, self.workspace
+        _ = self.problems, self.places, self.workspace, self.asked
         return self
 
     # Positions.

@@ -78,6 +78,7 @@ class Shown:
             places=document.places,
             problems=_fewer(document.problems),
             stale=document.stale,
+            asked=document.asked,
             can_undo=can_undo,
             can_redo=can_redo,
         )

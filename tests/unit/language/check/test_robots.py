@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from learnblock import language, parse, robots
 from learnblock.blocks import BlockConfiguration, builtin
 from learnblock.language import check
-from learnblock.language.check.robots import demands, verdict
+from learnblock.language.check.robots import asked, demands, verdict
 from learnblock.senses import equipment
 
 TWINS = ("sim-ebo", "sim-thymio", "sim-ev3", "sim-cozmo")
@@ -59,6 +59,41 @@ def test_calls_that_demand_the_same_are_listed_once():
 def test_a_device_that_serves_several_missing_senses_is_named_once():
     found = judged("x = function.is_shaken() or function.is_tilted()", "sim-ebo")
     assert str(found.phrase) == "can't run it: has no accelerometer"
+
+
+LINE_AND_OBSTACLE = """
+when seen = function.is_tag(8):
+    function.drive_distance(100)
+end
+main:
+    if function.is_left_ground_line() or function.is_right_ground_line():
+        x = function.get_heading()
+    elif function.is_front_obstacle(200):
+        function.expressJoy()
+    end
+end
+"""
+
+
+def answers(text, robot):
+    have = robot and robots.find(robot).load().known_equipment()
+    return asked(demands(parse(text), builtin()), have)
+
+
+@pytest.mark.parametrize(
+    ("robot", "found"),
+    [
+        ("sim-ev3", ("GroundSensors:line", "DistanceSensors:front", "Gyroscope:Z_AXIS")),
+        ("sim-ebo", ("Camera", "DistanceSensors:front", "Base")),
+        (None, ("Camera", "GroundSensors:line", "DistanceSensors:front", "Gyroscope:Z_AXIS")),
+    ],
+)
+def test_the_questions_of_a_program_are_answered_by_what_the_robot_has(robot, found):
+    assert answers(LINE_AND_OBSTACLE, robot) == found
+
+
+def test_a_skill_that_answers_nothing_asks_for_nothing():
+    assert answers("function.drive_distance(100)\nfunction.set_orientation(0)", "sim-ev3") == ()
 
 
 @pytest.mark.parametrize(

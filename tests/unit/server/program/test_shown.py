@@ -37,3 +37,12 @@ def test_warnings_leave_no_error_out():
     *problems, last = shown(f"main:\n{loops * MOST_PROBLEMS}    x = nothing\nend\n")
     assert last.code == "more-problems"
     assert "error" in {one.severity for one in problems}
+
+
+def test_a_page_learns_what_answers_the_questions_of_the_program():
+    text = "main:\n    x = function.get_min_distance(left=True)\nend\n"
+    document = Document.from_text(
+        text, EBO, builtin(), equipment=frozenset({"DistanceSensors:left"})
+    )
+    shown = Shown().update(document, 1, can_undo=False, can_redo=False)
+    assert shown.asked == ("DistanceSensors:left",)

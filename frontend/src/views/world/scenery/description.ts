@@ -225,6 +225,7 @@ export interface RobotValues {
   body: BodyValues;
   wheels: { radius: number; track: number };
   distance: DistanceValues[];
+  ground: { side: string; x: number; y: number }[];
   camera: { key: string; x: number; z: number; pitch: number; joint: string | null }[];
   joint: { key: string; minimum: number; maximum: number }[];
   display: { kind: "screen" | "leds" } | null;

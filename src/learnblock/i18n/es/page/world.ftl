@@ -9,9 +9,24 @@ page-world-eye = Vista y robot
 page-world-this = Este mundo
 page-world-shown = Se muestra
 page-world-values = Valores del robot
-page-world-front = Delante
-page-world-heading = Rumbo
-page-world-driven = Recorrido
+# $device is the type of the device that measures, $place the side of a distance sensor.
+page-world-measure = { $device ->
+    [DistanceSensors] { $place ->
+        [front] Delante
+        [left] Izquierda
+        [right] Derecha
+       *[back] Detrás
+    }
+    [GroundSensors] Suelo
+    [Bumper] Parachoques
+    [Accelerometer] Aceleración
+    [LightSensor] Luz
+    [Controller] Botones
+    [Infrared] Infrarrojos
+    [Heading] Rumbo
+    [Driven] Recorrido
+   *[other] { $device }
+}
 page-world-plot = Ver la gráfica de estos valores
 page-world-bumped = Choque: { $thing }
 page-world-real-speed = { $factor }×: lo más rápido que puede este ordenador

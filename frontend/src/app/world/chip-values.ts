@@ -1,0 +1,46 @@
+/** The readings of a measure in few words. */
+
+import { t } from "../../i18n";
+import { type Measure, measures } from "../../model/measures";
+import type { Sensor } from "../../protocol/messages";
+import { readingText, sensorName } from "../../views/output/quantities";
+
+/** Null without a reading. */
+export function valueInWords(measure: Measure, readings: readonly Sensor[]): string | null {
+  const found = readings.filter((reading) => measures(measure, reading));
+  const [first] = found;
+  if (!first) return null;
+  const value = Number(first.value);
+  switch (first.device) {
+    case "DistanceSensors":
+      return distanceInWords(found);
+    case "Heading":
+      // Not -0.
+      return t("page-world-degrees", { degrees: Math.round(value) + 0 });
+    case "Driven":
+      return t("page-world-mm", { mm: Math.round(value) });
+    case "Controller":
+      return pressedInWords(found);
+    default:
+      return listInWords(found, first);
+  }
+}
+
+/** The nearest reading. */
+function distanceInWords(readings: readonly Sensor[]): string {
+  const nearest = readings.reduce((least, one) => (Number(one.value) < Number(least.value) ? one : least));
+  const value = Number(nearest.value);
+  const isBeyond = nearest.highest !== undefined && value >= nearest.highest;
+  return t(isBeyond ? "page-world-over-mm" : "page-world-mm", { mm: Math.round(value) });
+}
+
+function pressedInWords(buttons: readonly Sensor[]): string {
+  const pressed = buttons.filter(({ value }) => value === true);
+  return pressed.map(sensorName).join(", ") || "–";
+}
+
+/** All readings, with their unit once. */
+function listInWords(readings: readonly Sensor[], { unit = "" }: Sensor): string {
+  const values = readings.map((one) => readingText({ ...one, unit: "" }, one.value));
+  return `${values.join(" · ")} ${unit}`.trim();
+}
