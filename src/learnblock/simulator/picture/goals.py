@@ -1,32 +1,39 @@
 """Goals as seen from above: their regions and their names."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
 
+from learnblock.simulator.colours import RGB
 from learnblock.simulator.geometry import Pose, forward
 from learnblock.simulator.goal_description import Follow, Reach, Show, Stop, Tour, Visit
 from learnblock.simulator.picture.marks import Name
-from learnblock.simulator.picture.palette import GREEN
+from learnblock.simulator.picture.palette import GREEN, ORANGE, RED
 from learnblock.simulator.picture.svg import Circle, Paint, Point, Polygon, Polyline, Shape
 from learnblock.simulator.picture.view import View
 from learnblock.simulator.world_description import Tag, WorldDescription
 
+_COLOURS = MappingProxyType({"reached": GREEN, "failed": RED})
+Outcomes = Mapping[str, str]
+"""What became of goals, by name: "reached" or "failed"; the others are still open."""
 
-def regions(world: WorldDescription, view: View) -> Iterator[Shape]:
+
+def regions(world: WorldDescription, view: View, outcomes: Outcomes) -> Iterator[Shape]:
     """What goals fill, drawn under the lines."""
-    for place, radius in _discs(world):
-        yield Circle(view.at(*place), radius * view.scale, Paint(GREEN, opacity=0.16))
+    for name, place, radius in _discs(world):
+        paint = Paint(_colour(name, outcomes), opacity=0.16)
+        yield Circle(view.at(*place), radius * view.scale, paint)
     for follow in world.goal.follow:
-        yield from _followed(follow, world, view)
+        yield from _followed(follow, world, view, _colour(follow.name, outcomes))
     for visit in world.goal.visit:
-        yield from _visited(visit, world, view)
+        yield from _visited(visit, world, view, _colour(visit.name, outcomes))
     for tour in world.goal.tour:
-        yield from _toured(tour, view)
+        yield from _toured(tour, view, _colour(tour.name, outcomes))
 
 
-def outlines(world: WorldDescription, view: View) -> Iterator[Shape]:
+def outlines(world: WorldDescription, view: View, outcomes: Outcomes) -> Iterator[Shape]:
     """The edges of round regions, drawn over the lines, which may fill a region."""
-    for place, radius in _discs(world):
-        ring = Paint(stroke=GREEN, width=2.5, dash=(9.0, 6.0))
+    for name, place, radius in _discs(world):
+        ring = Paint(stroke=_colour(name, outcomes), width=2.5, dash=(9.0, 6.0))
         yield Circle(view.at(*place), radius * view.scale, ring)
 
 
@@ -62,32 +69,36 @@ def _entrance(world: WorldDescription) -> Point:
     return next(((start.x, start.y) for start in world.start), (0.0, 0.0))
 
 
-def _discs(world: WorldDescription) -> Iterator[tuple[Point, float]]:
-    """The middle and the radius of every round region."""
+def _colour(goal: str, outcomes: Outcomes) -> RGB:
+    return _COLOURS.get(outcomes.get(goal, ""), ORANGE)
+
+
+def _discs(world: WorldDescription) -> Iterator[tuple[str, Point, float]]:
+    """The goal's name, the middle and the radius of every round region."""
     regions: list[Reach | Stop | Show] = [*world.goal.reach, *world.goal.stop, *world.goal.show]
     for region in regions:
         if region.radius is not None:
-            yield (region.x, region.y), region.radius
+            yield region.name, (region.x, region.y), region.radius
     for tour in world.goal.tour:
         for place in tour.points:
-            yield place, tour.radius
+            yield tour.name, place, tour.radius
 
 
-def _followed(goal: Follow, world: WorldDescription, view: View) -> Iterator[Shape]:
-    """A green glow under the line."""
+def _followed(goal: Follow, world: WorldDescription, view: View, colour: RGB) -> Iterator[Shape]:
+    """A glow under the line."""
     for line in world.line:
         if line.name == goal.line:
             points = view.all([(float(x), float(y)) for x, y in line.polyline().points])
-            yield Polyline(points, GREEN, line.width * view.scale + 18, 0.22)
+            yield Polyline(points, colour, line.width * view.scale + 18, 0.22)
 
 
-def _visited(goal: Visit, world: WorldDescription, view: View) -> Iterator[Shape]:
+def _visited(goal: Visit, world: WorldDescription, view: View, colour: RGB) -> Iterator[Shape]:
     """The half disc in front of the tag within which it is near enough."""
     for tag in world.tag:
         if tag.id == goal.id:
             region = view.all(_half_disc(tag, goal.distance))
-            yield Polygon(region, Paint(GREEN, opacity=0.09))
-            yield Polygon(region, Paint(stroke=GREEN, width=1.6, opacity=0.6, dash=(7, 6)))
+            yield Polygon(region, Paint(colour, opacity=0.09))
+            yield Polygon(region, Paint(stroke=colour, width=1.6, opacity=0.6, dash=(7, 6)))
 
 
 def _half_disc(tag: Tag, radius: float) -> list[Point]:
@@ -96,6 +107,6 @@ def _half_disc(tag: Tag, radius: float) -> list[Point]:
     return [(tag.x + radius * x, tag.y + radius * y) for x, y in units]
 
 
-def _toured(goal: Tour, view: View) -> Iterator[Shape]:
-    """A thin green line from each place to the next."""
-    yield Polyline(view.all(list(goal.points)), GREEN, 4.0, 0.3)
+def _toured(goal: Tour, view: View, colour: RGB) -> Iterator[Shape]:
+    """A thin line from each place to the next."""
+    yield Polyline(view.all(list(goal.points)), colour, 4.0, 0.3)

@@ -1,4 +1,4 @@
-"""Small drawings: a robot from above, faces, a check mark, a flag, a sun, a north arrow."""
+"""Small drawings: a robot from above, faces, stars, a flag, a sun, a north arrow."""
 
 import math
 from collections.abc import Iterator
@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from learnblock.simulator.colours import RGB, rgb
-from learnblock.simulator.picture.palette import BLACK, GREEN, INK, RED, WHITE, is_dark
+from learnblock.simulator.picture.palette import BLACK, INK, RED, STAR, STAR_EDGE, WHITE, is_dark
 from learnblock.simulator.picture.svg import (
     Circle,
     Paint,
@@ -89,11 +89,16 @@ def _mouth(center: Point, radius: float, look: _Expression) -> list[Point]:
     ]
 
 
-def check(center: Point, radius: float) -> Iterator[Shape]:
-    """A goal that was reached."""
-    yield Circle(center, radius, Paint(GREEN, WHITE, 1.6))
-    marks = [(-0.42, 0.02), (-0.1, 0.36), (0.45, -0.32)]
-    yield Polyline(_scaled(marks, center, radius), WHITE, 0.22 * radius)
+def star(center: Point, radius: float, *, is_won: bool = True) -> Iterator[Shape]:
+    """A goal: a golden star once it is reached, an empty one until then."""
+    angles = [math.radians(36 * k - 90) for k in range(10)]
+    points = [
+        (reach * math.cos(angle), reach * math.sin(angle))
+        for reach, angle in zip([1.0, 0.48] * 5, angles, strict=True)
+    ]
+    corners = _scaled(points, center, radius)
+    yield Polygon(corners, Paint(WHITE, WHITE, 5.0))
+    yield Polygon(corners, Paint(STAR if is_won else WHITE, STAR_EDGE, 1.8))
 
 
 def cross(center: Point, radius: float) -> Iterator[Shape]:
@@ -114,16 +119,6 @@ def finish(center: Point, radius: float) -> Iterator[Shape]:
                 left, top = -0.42 + 0.3 * column, -0.58 + 0.26 * row
                 corners = rectangle(left, top, 0.3, 0.26)
                 yield Polygon(_scaled(corners, center, radius), Paint(INK))
-
-
-def flag(center: Point, radius: float) -> Iterator[Shape]:
-    """A goal to be reached."""
-    pole = [(-0.4, -0.8), (-0.4, 0.8)]
-    yield Polyline(_scaled(pole, center, radius), WHITE, 0.2 * radius + 4)
-    cloth = _scaled([(-0.4, -0.8), (0.8, -0.35), (-0.4, 0.1)], center, radius)
-    yield Polygon(cloth, Paint(GREEN, WHITE, 4.0))
-    yield Polyline(_scaled(pole, center, radius), GREEN, 0.2 * radius)
-    yield Polygon(cloth, Paint(GREEN))
 
 
 def dot(center: Point, colour: RGB, radius: float = 5.0) -> Shape:

@@ -8,7 +8,7 @@ from typing import Literal
 from learnblock.simulator.colours import RGB
 from learnblock.simulator.picture import icons
 from learnblock.simulator.picture.labels import Room, Spot
-from learnblock.simulator.picture.palette import GREEN, INK, PALE, RED, WHITE
+from learnblock.simulator.picture.palette import GREEN, INK, PALE, RED, STAR_EDGE, WHITE
 from learnblock.simulator.picture.svg import (
     Circle,
     Paint,
@@ -24,8 +24,8 @@ SIZE = 16.0
 """The size of a label's text in pixels."""
 ICON = 14.0
 """The radius of an icon in pixels."""
-FLAG = 12.0
-"""Half the height of a goal's flag in pixels."""
+STAR = 12.0
+"""The radius of an open goal's star in pixels."""
 LONGEST_LABEL = 44
 """The limit of a label in characters."""
 MOST_LABELS = 18
@@ -72,7 +72,7 @@ class Event:
         if self.kind == "emotion":
             return partial(icons.face, emotion=self.text)
         if self.kind == "goal":
-            return icons.cross if self.failed else icons.check
+            return icons.cross if self.failed else icons.star
         return icons.finish if self.kind == "end" else None
 
 
@@ -107,7 +107,7 @@ class Name:
         text: the name as in the world's file.
         place: the position in pixels.
         clear: how far the label must stay from the position, in pixels.
-        is_goal: whether it is a goal, which has a flag.
+        is_goal: whether it is a goal, which has a star.
     """
 
     text: str
@@ -119,11 +119,11 @@ class Name:
 def name_drawn(name: Name, room: Room) -> Iterator[Shape]:
     """The name next to its object, if there is room."""
     label = shortened(name.text, LONGEST_LABEL)
-    radius = FLAG if name.is_goal else 0.0
+    radius = STAR if name.is_goal else 0.0
     spot = room.place(name.place, radius, _width(label), name.clear, leader=False)
     if spot is not None and name.is_goal:
-        yield from icons.flag(spot.head, FLAG)
-        yield _caption(spot, FLAG - 2, label, GREEN)
+        yield from icons.star(spot.head, STAR, is_won=False)
+        yield _caption(spot, STAR, label, STAR_EDGE)
     elif spot is not None:
         yield _caption(spot, 0.0, label, PALE)
 

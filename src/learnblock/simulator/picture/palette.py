@@ -11,6 +11,10 @@ INK: RGB = (45, 48, 56)
 PALE: RGB = (110, 114, 124)
 GREEN: RGB = (30, 142, 84)
 RED: RGB = (200, 48, 48)
+# Goals as in the page's world: orange until they are reached, with golden stars.
+ORANGE: RGB = (240, 140, 0)
+STAR: RGB = (255, 201, 51)
+STAR_EDGE: RGB = (154, 98, 0)
 
 # Matplotlib's perceptually even map "plasma" (public domain, CC0) at 0/9, 1/9, ... 7/9: its
 # yellow end is left out, because it is invisible on a white floor.

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterable, Iterator
 from itertools import pairwise
+from types import MappingProxyType
 
 import cv2
 import numpy as np
@@ -40,18 +41,25 @@ from learnblock.simulator.world_description import (
 )
 
 EDGE: RGB = (90, 88, 84)
+NONE: goals.Outcomes = MappingProxyType({})
 BOARD = (34.0, 84.0)
 """The smallest and largest side of a tag's or a face's picture, pixels."""
 
 
-def drawn(world: WorldDescription, view: View) -> Iterator[Shape]:
-    """Everything in the world except the robots."""
+def drawn(world: WorldDescription, view: View, outcomes: goals.Outcomes = NONE) -> Iterator[Shape]:
+    """Everything in the world except the robots.
+
+    Args:
+        world: its description.
+        view: where its places are in the picture.
+        outcomes: what became of its goals.
+    """
     yield from _ground(world, view)
-    yield from goals.regions(world, view)
+    yield from goals.regions(world, view, outcomes)
     for line in world.line:
         points = _points(line.polyline().points)
         yield Polyline(view.all(points), shown(line.colour), line.width * view.scale)
-    yield from goals.outlines(world, view)
+    yield from goals.outlines(world, view, outcomes)
     yield from _things(world, view)
     for lamp in world.light:
         yield from icons.sun(view.at(lamp.x, lamp.y), 15.0)

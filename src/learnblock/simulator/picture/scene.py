@@ -125,7 +125,7 @@ def _layers(scene: Scene, view: View) -> Iterator[Shape]:
     tracks = [Track.of(drive.path, view, scene.times) for drive in scene.moves]
     yield Polygon(rectangle(0, 0, WIDTH, view.page_height), Paint(PAPER))
     yield from _heading(scene)
-    yield from plan.drawn(scene.world, view)
+    yield from plan.drawn(scene.world, view, _outcomes(scene))
     for start in scene.world.start:
         if _starter(start, scene) is None:
             yield from plan.start(start, view)
@@ -202,6 +202,13 @@ def _labels(scene: Scene, view: View, tracks: Sequence[Track]) -> Iterator[Shape
 def _events(scene: Scene, view: View) -> list[marks.Event]:
     marked = sorted((mark for drive in scene.drives for mark in drive.marks), key=itemgetter(0))
     return [marks.Event(t, kind, text, view.at(x, y)) for t, kind, text, x, y in marked]
+
+
+def _outcomes(scene: Scene) -> dict[str, str]:
+    """What became of the goals, by name."""
+    marked = (mark for drive in scene.drives for mark in drive.marks)
+    parts = (text.rpartition(": ") for _, kind, text, _, _ in marked if kind == "goal")
+    return {name: outcome for name, _, outcome in parts}
 
 
 def _reach(drive: Drive, view: View) -> float:

@@ -56,7 +56,7 @@ def test_goals_and_the_end_are_labelled_however_many_emotions_there_are():
     assert {"a lap: reached · 100.0 s", "completed · 101.0 s"} < set(shown)
 
 
-def test_a_goals_name_has_a_flag_and_other_names_have_none():
+def test_a_goals_name_has_a_star_and_other_names_have_none():
     goal = list(name_drawn(Name("a lap", (600, 600), is_goal=True), page()))
     box = list(name_drawn(Name("light box", (600, 600)), page()))
     assert ["a lap"] == labels(goal)

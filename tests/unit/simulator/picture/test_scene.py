@@ -6,8 +6,11 @@ import numpy as np
 import pytest
 
 from learnblock.simulator.drawing import Stroke
+from learnblock.simulator.goal_description import Goals, Reach
 from learnblock.simulator.picture import Drive, Scene, draw_png, draw_svg
+from learnblock.simulator.picture.palette import GREEN, ORANGE, RED
 from learnblock.simulator.robot_description import load_robot
+from learnblock.simulator.world_description import WorldDescription
 from learnblock.simulator.world_files import load_world, world_names
 
 BODY = load_robot("ebo").body
@@ -105,6 +108,30 @@ def test_marks_are_labelled_with_their_times():
 def test_a_goal_is_named_until_a_mark_shows_it():
     assert "a lap" not in texts(draw_svg(scene()))
     assert "a lap" in texts(draw_svg(scene(marks=())))
+
+
+@pytest.mark.parametrize(
+    ("marks", "ring"),
+    [
+        ((), ORANGE),
+        (((5.0, "goal", "home: 1: reached", 0.0, 0.0),), GREEN),
+        (((5.0, "goal", "home: 1: failed", 0.0, 0.0),), RED),
+        (((5.0, "goal", "home: reached", 0.0, 0.0),), ORANGE),
+    ],
+)
+def test_the_ring_of_a_goal_has_the_colour_of_its_outcome(marks, ring):
+    goal = Reach(name="home: 1", x=500, y=0, radius=100)
+    world = WorldDescription(goal=Goals(reach=[goal]))
+    drive = Drive(body=load_robot("thymio").body, marks=marks)
+    drawn = parsed(draw_svg(Scene(world=world, drives=(drive,)))).iter(f"{SVG}circle")
+    [edge] = [one.get("stroke") for one in drawn if one.get("stroke-dasharray")]
+    assert edge == "#{:02x}{:02x}{:02x}".format(*ring)
+
+
+def test_a_reached_goal_has_a_golden_star_and_an_open_one_an_empty_one():
+    gold = "#ffc933"
+    assert gold in draw_svg(scene())
+    assert gold not in draw_svg(scene(marks=()))
 
 
 def test_a_missed_goal_is_marked_in_red():
