@@ -21,7 +21,8 @@ def of_page(source: str, key: str) -> list[str]:
 def theme_of_page(theme: str, key: str) -> list[str]:
     """The colours of a key of a theme, or of the theme that it begins with."""
     source = (SCENERY / "palette.ts").read_text()
-    [own] = re.findall(rf"^  {theme}: (\{{.*?^  \}}|[A-Z]+),", source, re.MULTILINE | re.DOTALL)
+    [themes] = re.findall(r"^const THEMES\b.*?^\};", source, re.MULTILINE | re.DOTALL)
+    [own] = re.findall(rf"^  {theme}: (\{{.*?^  \}}|[A-Z]+),", themes, re.MULTILINE | re.DOTALL)
     [base] = re.findall(r"EVENING|PLAYGROUND", own) or ["PLAYGROUND"]
     [inherited] = re.findall(
         rf"^const {base}: Palette = (\{{.*?^\}});", source, re.MULTILINE | re.DOTALL

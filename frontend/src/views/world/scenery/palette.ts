@@ -116,6 +116,48 @@ const THEMES: Readonly<Record<Theme, Palette>> = {
   },
 };
 
+/** The themes in the evening, as far as they differ from any other place. */
+const EVENINGS: Readonly<Partial<Record<Theme, Partial<Palette>>>> = {
+  city: {
+    sky: ["#0a1220", "#1a2738", "#2f3b4d"],
+    ground: "#242f40",
+    hills: ["#2b384b", "#314054", "#263243"],
+    mat: ["#3d4859", "#364050"],
+    rim: "#8fa3c0",
+    border: "#4a586f",
+    walls: ["#8496b0", "#5b8def", "#2aa79b", "#d98a3d"],
+  },
+  warehouse: {
+    sky: ["#14110d", "#2a241c", "#3d352a"],
+    hasStars: false,
+    ground: "#2f2920",
+    hills: ["#3a3328", "#40382c", "#332c22"],
+    mat: ["#4d4840", "#45403a"],
+    thin: { colour: "#ffe9c8", opacity: 0.18 },
+    bold: { colour: "#ffe9c8", opacity: 0.38 },
+    rim: "#f0a202",
+    border: "#5f5747",
+    walls: ["#e8871e", "#c9982f", "#7f93ab", "#b3764c"],
+  },
+  garden: {
+    sky: ["#081a22", "#12323a", "#1f4a48"],
+    ground: "#1d3f2c",
+    hills: ["#234a35", "#285339", "#1f4230"],
+    mat: ["#365241", "#2f493a"],
+    rim: "#c98b50",
+    border: "#4f6152",
+    walls: ["#c98d52", "#7cc25c", "#a97c48", "#41aa9f"],
+  },
+  maze: {
+    sky: ["#120a2e", "#251a55", "#3a2c78"],
+    ground: "#2a2156",
+    hills: ["#332868", "#3a2e74", "#2e2460"],
+    mat: ["#463c7a", "#3e356e"],
+    rim: "#a58bff",
+    border: "#584b9c",
+  },
+};
+
 /** Strong edges on plain surfaces. */
 const CONTRAST: Palette = {
   ...PLAYGROUND,
@@ -133,17 +175,12 @@ const CONTRAST: Palette = {
 /** The colours of a world in a theme of the page. */
 export function paletteOf(theme: Theme | undefined, page: ThemeName): Palette {
   if (page === "contrast") return CONTRAST;
-  const palette = THEMES[theme ?? "playground"] ?? PLAYGROUND;
-  return page === "dark" ? atNight(palette) : palette;
+  const name = theme ?? "playground";
+  const palette = THEMES[name] ?? PLAYGROUND;
+  return page === "dark" && palette.light !== NIGHT ? { ...EVENING, ...EVENINGS[name] } : palette;
 }
 
 /** The colour of a world's wall: those without one of their own take turns with the palette's. */
 export function wallColour({ walls }: Palette, { colour }: WallValues, index: number): string {
   return isDefaultWall(colour) ? (walls[index % walls.length] as string) : friendly(colour);
-}
-
-/** The same place in the evening. */
-function atNight(palette: Palette): Palette {
-  if (palette.light === NIGHT) return palette;
-  return { ...EVENING, rim: palette === PLAYGROUND ? EVENING.rim : palette.rim };
 }
