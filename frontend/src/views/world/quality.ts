@@ -1,10 +1,12 @@
 /** Lowers the quality of the picture in steps while frames are slow, and tries a better one after a pause. */
 
-/** Frames between two decisions, and before the first one about a better quality. */
+/** Frames between two decisions, and before one about a better quality or a picture that jerks. */
 const WATCHED = 45;
 const TRIED = 15;
 /** ms from frame to frame that are too slow. */
 const SLOW = 33;
+/** An average above this needs no long watching: the picture visibly jerks. */
+const JERKY = 42;
 /** A longer gap is a pause, not a slow frame. */
 const PAUSE = 400;
 /** A pause after which a better quality is tried: the computer may have less to do. */
@@ -60,12 +62,16 @@ export class Qualities {
     if (!flows || took > PAUSE) return;
     this.frames += 1;
     this.spent += took;
-    if (this.frames < this.watched) return;
+    if (this.frames < (this.jerks ? TRIED : this.watched)) return;
     if (this.spent / this.frames > SLOW && this.step < QUALITIES.length - 1) {
       this.step += 1;
       this.choose();
     }
     this.decideAfter(WATCHED);
+  }
+
+  private get jerks(): boolean {
+    return this.spent > JERKY * this.frames;
   }
 
   private improve(): void {

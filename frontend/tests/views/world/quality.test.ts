@@ -11,6 +11,16 @@ it("slow frames lower the quality step by step", () => {
   expect(apply.mock.calls.map(([quality]) => quality)).toEqual(QUALITIES);
 });
 
+it("the slower the frames, the sooner the quality is lowered", () => {
+  const stepsIn = (seconds: number, every: number) => {
+    const apply = vi.fn();
+    drive(new Qualities(0, apply), every, seconds);
+    return apply.mock.calls.length - 1;
+  };
+  expect(stepsIn(3, 36)).toBe(1);
+  expect(stepsIn(3, 60)).toBe(3);
+});
+
 it("fast frames keep the best quality", () => {
   const apply = vi.fn();
   drive(new Qualities(0, apply), 25, 60);
