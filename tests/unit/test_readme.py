@@ -23,7 +23,8 @@ WORDS = ("i18n/en/**/*.ftl", "blocks/**/*.json", "simulator/worlds/*.toml")
 
 def blocks(language):
     """Return the README's fenced blocks in a language ("" for commands)."""
-    return re.findall(rf"^```{language}\n(.*?)^```", README, re.MULTILINE | re.DOTALL)
+    every = re.findall(r"^```(\w*)\n(.*?)^```$", README, re.MULTILINE | re.DOTALL)
+    return [text for its_language, text in every if its_language == language]
 
 
 @pytest.fixture
