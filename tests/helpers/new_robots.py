@@ -4,7 +4,7 @@ import re
 
 from places import ROOT
 
-DOCS = ROOT / "docs" / "new.md"
+DOCS = ROOT / "docs" / "add-a-robot.md"
 
 #: Every device, some of them several times.
 EVERYTHING = """

@@ -40,7 +40,8 @@ def new_group() -> None:
     "--from",
     "description",
     type=click.Path(path_type=Path, exists=True, dir_okay=False),
-    help="Read the robot's description from this TOML file (docs/new.md) instead of asking.",
+    help="Read the robot's description from this TOML file (docs/add-a-robot.md) "
+    "instead of asking.",
 )
 @click.option(
     "--folder",

@@ -250,7 +250,7 @@ help-new-robot =
     Crea el cliente de un robot, su gemelo para el simulador y una prueba de los dos.
 
     El gemelo funciona enseguida. En el cliente rellenas las funciones que hablan con el robot; cada una describe lo que tiene que hacer.
-help-new-robot-with-from = Lee la descripción del robot de este archivo TOML (docs/new.md) en vez de preguntar.
+help-new-robot-with-from = Lee la descripción del robot de este archivo TOML (docs/add-a-robot.md) en vez de preguntar.
 help-new-robot-with-folder = Escribe ahí un paquete aparte, para instalarlo con pip.
 help-new-robot-with-force = Sustituye archivos que ya existen.
 help-new-skill =

@@ -23,7 +23,7 @@ class MakeRobot(FromPage, frozen=True):
 
     Args:
         name: the id of the robot.
-        description: TOML, as described in docs/new.md.
+        description: TOML, as described in docs/add-a-robot.md.
     """
 
     name: ShortText
