@@ -14,7 +14,7 @@ from shown_pictures import a_tag
 from videos import record
 
 DOCS = ROOT / "docs"
-PAGES = ("cameras.md", "components.md")
+PAGES = ("cameras.md", "robots/components.md")
 
 
 def page(name):
@@ -32,7 +32,7 @@ def test_the_python_about_cameras_runs(tmp_path, capsys):
 
 
 def test_the_python_about_components_runs(capsys):
-    (code,) = re.findall(r"```python\n(.*?)```", page("components.md"), re.DOTALL)
+    (code,) = re.findall(r"```python\n(.*?)```", page("robots/components.md"), re.DOTALL)
     names = {}
     exec(code, names)  # noqa: S102 - our own page
     names["robot"].stop()
@@ -68,7 +68,7 @@ def test_every_setting_is_listed_with_its_default():
 
 
 def test_every_component_is_listed_with_its_port_and_words():
-    text = page("components.md")
+    text = page("robots/components.md")
     for name, kind in COMPONENTS.items():
         assert f"{kind.port} for `{name}`" in text
     for label in EMOTIONS:
