@@ -19,6 +19,7 @@ _MEANINGS: tuple[tuple[type[Exception], str, str], ...] = (
     (IndexError, r"pop from empty .*|.*empty sequence.*", "run-means-empty"),
     (IndexError, r".*index out of range", "run-means-index"),
     (KeyError, r"(?P<key>.+)", "run-means-key"),
+    (ValueError, r"The truth value of an array .*", "run-means-picture"),
     (ModuleNotFoundError, r"No module named '(?P<module>.+)'.*", "run-means-module"),
     (
         ImportError,

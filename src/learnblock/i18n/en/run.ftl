@@ -77,6 +77,7 @@ run-means-empty-without = { $function ->
 }
 run-means-two-items = The list has fewer than 2 items, which is too few for this. Check 'len({ $list }) > 1' first.
 run-means-index = There is no item at this position. Positions go from 0 to one less than the length; '[-1]' is the last item.
+run-means-picture = A picture is neither true nor false, so it can't be a condition or be compared by '==' or '!='. Ask what is in it, such as 'is_any_tag()'. In Python 'is not None' tells whether there is a picture.
 run-means-key = There is no entry { $key }. Check its spelling, or add it first.
 run-means-module = There is no module '{ $module }'. Check its name, or put its file next to the program.
 run-means-file = There is no file { $file }. Check its name and folder.

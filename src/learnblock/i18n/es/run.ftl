@@ -74,6 +74,7 @@ run-means-empty-without = { $function ->
 }
 run-means-two-items = La lista tiene menos de 2 elementos, y para esto son muy pocos. Comprueba antes 'len({ $list }) > 1'.
 run-means-index = No hay ningún elemento en esa posición. Las posiciones van de 0 a la longitud menos uno; '[-1]' es el último elemento.
+run-means-picture = Una imagen no es ni verdadera ni falsa: no puede ser una condición ni compararse con '==' o '!='. Pregunta qué hay en ella, como 'is_any_tag()'. En Python, 'is not None' dice si hay una imagen.
 run-means-key = No hay ninguna entrada { $key }. Revisa cómo se escribe, o añádela antes.
 run-means-module = No hay ningún módulo '{ $module }'. Revisa su nombre, o pon su archivo junto al programa.
 run-means-file = No hay ningún archivo { $file }. Revisa su nombre y su carpeta.
