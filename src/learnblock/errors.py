@@ -276,6 +276,10 @@ class RobotAttributeError(LearnBlockError, AttributeError):
     """The robot has no skill with this name."""
 
 
+class MissingDeviceError(LearnBlockError, LookupError):
+    """A program asked for a sense or a device that the robot does not have."""
+
+
 class InputEndedError(LearnBlockError, EOFError):
     """A program asked for a line of input, but there is none."""
 

@@ -44,12 +44,65 @@ def test_a_run_has_no_effect_where_the_check_said_so_and_nowhere_else(seed, tmp_
     source = running.source_of(tmp_path / "program.bt", text, is_python=False)
     entry = robots.find(robot)
     verdict = running.runs_on(source)[robot]
-    options = Options(world="empty", seconds=60)
+    options = Options(world="empty", seconds=60, anyway=True)
     report = ProgramRun(running.program(source, entry), entry, options, worker=ThreadWorker).run()
 
     assert report.error is None, (text, report.error)
     foretold = {lack.skill.name for lack in (*verdict.missed, *verdict.refused)}
     assert {one["skill"] for one in report.no_effect} == foretold, text
+
+
+FROM_COZMO = "from learnblock.robots.sim_cozmo import Robot\n\nrobot = Robot()\n"
+DRIVES_ON = "    robot.move_straight(50)\n"
+#: What only the run can tell, and what it says of a robot that lacks it.
+UNKNOWN = {
+    'side = "front"\nwhile robot.senses.distance(side) > 300:\n': (
+        "This robot has no distance sensor or bumper at the front, which this part of the program "
+        "needs."
+    ),
+    'ask = "is_front" + "_obstacle"\nwhile not getattr(robot, ask)():\n': (
+        "This robot has no distance sensor or bumper at the front: it can't do 'is_front_obstacle'."
+    ),
+    'key = "ARMS"\nrobot.setAngleMotor(key, 20)\nwhile True:\n': (
+        "This robot has no motor 'ARMS': 'setAngleMotor' does nothing. "
+        "Use one of these: CAMERA, ARM."
+    ),
+    'axis = "X_AXIS"\nrobot.reset_orientation(axis)\nwhile True:\n': (
+        "This robot has no gyroscope 'X_AXIS': 'reset_orientation' does nothing. "
+        "Use one of these: Z_AXIS."
+    ),
+}
+
+
+@pytest.mark.parametrize("text", UNKNOWN)
+def test_a_run_ends_where_it_asks_for_what_the_robot_lacks(text, tmp_path):
+    path = tmp_path / "program.py"
+    path.write_text(FROM_COZMO + text + DRIVES_ON)
+    found = running.check(running.read(path), robots.find("sim-cozmo"))
+    assert "missing-device" not in {one.code for one in found}
+
+    report = run_file(path, "sim-cozmo", worker=ThreadWorker, world="empty", seconds=5).report
+    assert report.error is not None
+    assert str(report.error["message"]) == UNKNOWN[text]
+    assert report.distance == 0
+
+
+@pytest.mark.parametrize("text", UNKNOWN)
+def test_a_run_goes_on_anyway_if_a_person_wants_it_to(text, tmp_path):
+    path = tmp_path / "program.py"
+    path.write_text(FROM_COZMO + text.replace(" > 300", " is None") + DRIVES_ON)
+    options = {"world": "empty", "seconds": 1, "anyway": True}
+    report = run_file(path, "sim-cozmo", worker=ThreadWorker, **options).report
+    assert report.ended == "time limit"
+    assert report.distance > 0
+
+
+def test_a_lamp_in_a_variable_that_the_robot_lacks_is_only_reported(tmp_path):
+    path = tmp_path / "program.py"
+    path.write_text(FROM_COZMO + 'slot = "Middle"\nrobot.led(1, slot)\n')
+    report = run_file(path, "sim-cozmo", worker=ThreadWorker, world="empty").report
+    assert report.error is None
+    assert [one["skill"] for one in report.no_effect] == ["led"]
 
 
 def question(rng: random.Random, names: frozenset[str]) -> str:

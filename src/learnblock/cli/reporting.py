@@ -117,6 +117,7 @@ def _prepare(
         pace = "real"
     network = allow_network or running.may_use_network(file)
     options = Options(world, seed, pace, time_limit(pace, seconds), variant, network=network)
+    options = replace(options, anyway=anyway)
     entry.load().check_wishes(options.wishes)
     return Prepared(program, entry, options, recorded)
 

@@ -100,7 +100,7 @@ def run_team(
             pace = "real"
         worlds = (part.found.world for part in parts if part.entry.load().lockstep)
         options = Options(world or next(filter(None, worlds), None), seed, pace, variant=variant)
-        options = replace(options, seconds=time_limit(pace, seconds))
+        options = replace(options, seconds=time_limit(pace, seconds), anyway=anyway)
         file = stack.enter_context(opened_trace(trace))
         keyboards = stack.enter_context(_keyboards(members, keys, quiet=as_json))
         screen = _Screen(keyboards, quiet=as_json)

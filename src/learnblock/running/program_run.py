@@ -41,6 +41,7 @@ class Options:
         variant: the number of the world's variant; 0 is the world as it is drawn.
         start: (x mm, y mm, heading in degrees) where a simulated robot starts.
         network: whether the program may use the network.
+        anyway: whether it goes on where it asks for a sense or a device that the robot lacks.
     """
 
     world: str | None = None
@@ -50,6 +51,7 @@ class Options:
     variant: int | None = None
     start: Pose | None = None
     network: bool = False
+    anyway: bool = False
 
     @property
     def wishes(self) -> dict[str, Any]:
@@ -108,6 +110,7 @@ class ProgramRun:
             debugger=debugger,
             worker=worker,
             network=self.options.network,
+            anyway=self.options.anyway,
             robots=tuple(entry.module for entry in robots.entries().values()),
             log=log,
         )

@@ -221,6 +221,7 @@ class TeamRun:
             watcher=watch(member),
             debugger=debug(member),
             network=member.network,
+            anyway=self.options.anyway,
             box=self._boxes[member.name],
             robots=tuple(entry.module for entry in robots.entries().values()),
             log=self._logs.get(member.name),

@@ -212,7 +212,14 @@ class _Program:
     def _connect(self, module: str, **arguments: Any) -> Client:
         if self._robot and not self._robot.stopped:
             raise LearnBlockError("run-second-robot")
-        robot = remote.connect(self._wire, self._setup.skills, module, arguments, self._noting)
+        robot = remote.connect(
+            self._wire,
+            self._setup.skills,
+            module,
+            arguments,
+            self._noting,
+            anyway=self._setup.anyway,
+        )
         if self._wire.lockstep:
             random.seed(robot.seed)
             self._cleanup.callback(use_robot_time(robot.clock))

@@ -34,6 +34,7 @@ class Conversation:
         robots: tuple[str, ...],
         *,
         network: bool,
+        anyway: bool,
         log: bool,
     ) -> None:
         """Send the program, with the modules that are robots and what it may use."""
@@ -47,6 +48,7 @@ class Conversation:
                 debug=self._control,
                 limits=limits,
                 network=network,
+                anyway=anyway,
                 tags=dict(program.tags),
                 log=log,
             )

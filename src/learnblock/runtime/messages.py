@@ -63,6 +63,7 @@ class Setup(Message, frozen=True):
         debug: where it should pause at first; None without a debugger.
         limits: the resources that it may use.
         network: whether it may use the network.
+        anyway: whether it goes on where it asks for something that the robot lacks.
         tags: the numbers of tags, by name, that it uses instead of the user's.
         log: whether it tells what it does, for the log of the run.
     """
@@ -75,6 +76,7 @@ class Setup(Message, frozen=True):
     debug: Control | None
     limits: Limits
     network: bool = False
+    anyway: bool = False
     tags: dict[str, int] = {}
     log: bool = False
 

@@ -13,7 +13,8 @@ from learnblock.client.clock import Clock, WallClock
 from learnblock.client.keyboard import Keyboard
 from learnblock.client.mailbox import Mailbox
 from learnblock.devices import DEVICE_TYPES, Device, Function
-from learnblock.errors import ProgramStopped, RobotConnectionError
+from learnblock.errors import MissingDeviceError, ProgramStopped, RobotConnectionError
+from learnblock.i18n import Phrase
 from learnblock.runtime.lines import without_line_events
 from learnblock.runtime.lockstep import LockStepClock
 from learnblock.runtime.log.events import QUESTIONS
@@ -30,6 +31,7 @@ from learnblock.runtime.messages import (
 )
 from learnblock.runtime.values import plain
 from learnblock.runtime.wire import LONGEST_WAIT, Wire
+from learnblock.senses import is_decoration
 
 #: Seconds of waiting on a real robot after which the program handles the host's messages.
 LISTENING_PERIOD = 0.1
@@ -45,6 +47,7 @@ class RemoteRobot(Client):
         offer: the devices of the host's robot.
         skills: the names of the skills the program uses.
         noting: notes what the program does with the robot; None without a log.
+        anyway: whether the program goes on where it asks for something that the robot lacks.
     """
 
     sensing_period = None
@@ -57,8 +60,11 @@ class RemoteRobot(Client):
         offer: Connected,
         skills: Collection[str],
         noting: Noting | None = None,
+        *,
+        anyway: bool = False,
     ) -> None:
         self._wire = wire
+        self._anyway = anyway
         self._offer = offer
         self._noting = noting
         self.seed = offer.seed
@@ -80,6 +86,23 @@ class RemoteRobot(Client):
         with suppress(ProgramStopped):
             self._wire.send(Disconnect())
 
+    def note_missing(self, device: str) -> None:
+        super().note_missing(device)
+        if not (self._anyway or _is_harmless(device)):
+            raise self._missing(device)
+
+    def _missing(self, device: str) -> MissingDeviceError:
+        kind, _, key = device.partition(":")
+        named = Phrase("check-device", kind=kind, key=key)
+        known = tuple(own for own, one in self.devices() if type(one).__name__ == kind)
+        if self._skill is None:
+            return MissingDeviceError("robot-lacks", device=named)
+        if known:
+            return MissingDeviceError(
+                "check-no-device-of-name", device=named, key=key, skill=self._skill, known=known
+            )
+        return MissingDeviceError("robot-lacks-for-skill", skill=self._skill, device=named)
+
     def _method(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
         method = super()._method(name, function)
         if self._noting:
@@ -97,11 +120,13 @@ def connect(
     module: str,
     arguments: dict[str, Any],
     noting: Noting | None = None,
+    *,
+    anyway: bool = False,
 ) -> RemoteRobot:
     """Make the host create the robot of `module`, and return its counterpart here."""
     offer: Connected = wire.ask(Connect(module, arguments))
     wire.lockstep = offer.steps is not None
-    return RemoteRobot(wire, offer, skills, noting)
+    return RemoteRobot(wire, offer, skills, noting, anyway=anyway)
 
 
 class _Notes:
@@ -122,6 +147,11 @@ class _Notes:
         self._wire.note(Missing(skill, device))
         if self._noting:
             self._noting.missing(skill, device)
+
+
+def _is_harmless(device: str) -> bool:
+    """Whether a program can go on without a device; a camera may only need a moment to see."""
+    return is_decoration(device) or device.startswith("Detector:")
 
 
 def _noted_skill(noting: Noting, name: str, method: Callable[..., Any]) -> Callable[..., Any]:

@@ -46,6 +46,7 @@ class Run:
         worker: creates the worker that runs the program.
         robots: the modules besides ours from which the program may import a ``Robot``.
         network: whether the program may use the network.
+        anyway: whether it goes on where it asks for something that the robot lacks.
         box: for messages to and from other robots; without one, the robot is alone.
         log: keeps what the program does; None for no log.
     """
@@ -62,6 +63,7 @@ class Run:
         worker: Callable[[], Worker] = ProcessWorker,
         robots: tuple[str, ...] = (),
         network: bool = False,
+        anyway: bool = False,
         box: Box | None = None,
         log: RunLog | None = None,
     ) -> None:
@@ -86,6 +88,7 @@ class Run:
             worker,
             debugger,
             network=network,
+            anyway=anyway,
             log=log is not None,
         )
         self._log = log
@@ -423,11 +426,12 @@ def _begin(
     debugger: Debugger | None,
     *,
     network: bool,
+    anyway: bool,
     log: bool,
 ) -> Conversation:
     # The worker first: while it starts, we look for the skills.
     conversation = Conversation(worker(), debugger)
-    conversation.begin(program, limits, robots, network=network, log=log)
+    conversation.begin(program, limits, robots, network=network, anyway=anyway, log=log)
     return conversation
 
 

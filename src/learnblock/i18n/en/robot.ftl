@@ -7,6 +7,9 @@ robot-message-name = The name of a message is a text of 1 to { $limit } characte
 robot-message-value = A message can't carry this value ({ $type }). Send a number, a text, true or false, or a list or dictionary of these.
 robot-message-too-large = The value of the message '{ $message }' has { $size } bytes, but a message can carry at most { $limit }. Send less at once.
 robot-stopped = The robot has been stopped, so it can't be used any more. Run the program again.
+# The program asked for a sense or a device, which the check could not know. $device: from check-device
+robot-lacks = This robot has no { $device }, which this part of the program needs.
+robot-lacks-for-skill = This robot has no { $device }: it can't do '{ $skill }'.
 robot-skill-name-taken = A skill can't be called '{ $name }', because every robot already has that name. Choose another name.
 robot-unknown-skill = This robot has no skill '{ $name }'.
 robot-unknown-skill-like = { robot-unknown-skill } Did you mean '{ $suggestion }'?

@@ -6,6 +6,9 @@ robot-message-name = El nombre de un mensaje es un texto de 1 a { $limit } carac
 robot-message-value = Un mensaje no puede llevar este valor ({ $type }). Envía un número, un texto, verdadero o falso, o una lista o un diccionario de estos.
 robot-message-too-large = El valor del mensaje '{ $message }' tiene { $size } bytes, pero un mensaje puede llevar { $limit } como máximo. Envía menos de una vez.
 robot-stopped = El robot se ha parado y ya no se puede usar. Ejecuta el programa otra vez.
+# El programa pide un sentido o un dispositivo que la comprobación no podía conocer.
+robot-lacks = Este robot no tiene { $device }, que esta parte del programa necesita.
+robot-lacks-for-skill = Este robot no tiene { $device }: no puede hacer '{ $skill }'.
 robot-skill-name-taken = Una habilidad no se puede llamar '{ $name }', porque todos los robots ya tienen ese nombre. Elige otro nombre.
 robot-unknown-skill = Este robot no tiene ninguna habilidad '{ $name }'.
 robot-unknown-skill-like = { robot-unknown-skill } ¿Querías decir '{ $suggestion }'?
