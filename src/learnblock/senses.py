@@ -43,6 +43,9 @@ METHODS: Mapping[str, str] = {
     "text_display": "text-display",
 }
 
+#: The senses that programs may also ask for by the device that serves them best.
+ASKED_BY_DEVICE: Mapping[str, str] = {"Gyroscope:Z_AXIS": "heading"}
+
 #: Devices that can serve for another one with the same key: a coloured LED can be white, too.
 STAND_INS: Mapping[str, str] = {"Led": "RGBLed"}
 

@@ -53,7 +53,7 @@ def _documentation() -> Iterator[tuple[str, str]]:
 
 def _entry(block: BlockConfiguration, documentation: str) -> str:
     parameters = ", ".join(map(_parameter, block.parameters))
-    needs = ", ".join(f"`{need}`" for need in block.needs) or "no device"
+    needs = ", ".join(f"`{need}`" for need in block.needed()) or "no device"
     kind = "A value" if block.returns_value else "A statement"
     return (
         f"### `{block.name}({parameters})`\n\n"

@@ -360,7 +360,7 @@ def skill_block(configuration: BlockConfiguration) -> dict[str, Any]:
         "type": SKILL + configuration.name,
         "block": f"function.{configuration.name}",
         **({"inputs": inputs} if inputs else {}),
-        **({"needs": _open_needs(configuration)} if configuration.needs else {}),
+        **({"needs": list(configuration.needed())} if configuration.needs else {}),
         # A new block shows its defaults in the code: `sleep(5)`, and not `sleep()`.
         **({"data": json.dumps({"given": given})} if given else {}),
     }
@@ -370,11 +370,6 @@ def _first_shadow(configuration: BlockConfiguration, parameter: Parameter) -> Sh
     shadow = parameter_shadow(parameter)
     value = FIRST_VALUES.get((configuration.name, parameter.name))
     return shadow if shadow is None or value is None else shadow._replace(value=value)
-
-
-def _open_needs(configuration: BlockConfiguration) -> list[str]:
-    """What a skill needs, whatever its parameters choose."""
-    return [need.partition(":{")[0] for need in configuration.needs]
 
 
 def _is_shown(parameter: Parameter) -> bool:

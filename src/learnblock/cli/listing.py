@@ -117,7 +117,7 @@ def _describe(skill: "BlockConfiguration") -> None:
     from learnblock.cli.robot_table import print_serving  # noqa: PLC0415
     from learnblock.language.check.robots import device_phrase  # noqa: PLC0415
 
-    say("cli-skill-needs", devices=tuple(map(device_phrase, skill.needs)))
+    say("cli-skill-needs", devices=tuple(map(device_phrase, skill.needed())))
     print_serving(skill)
 
 

@@ -38,7 +38,7 @@ def print_robots(files: Iterable[Path], *, as_json: bool) -> ExitCode:
 def print_serving(skill: BlockConfiguration) -> None:
     """Print what serves the needs of a skill on each robot."""
     served = serving(skill)
-    kinds = {need.partition(":")[0] for need in skill.needs}
+    kinds = {need.partition(":")[0] for need in skill.needed()}
     known = [ways for ways in served.values() if ways is not None]
     if kinds & UNSERVED and not any(map(_is_served, known)):
         click.echo(f"  {text(Phrase('cli-served-by-no-robot'))}")
@@ -58,12 +58,10 @@ def serving(skill: BlockConfiguration) -> dict[str, dict[str, str | None] | None
         except LearnBlockError:
             # `learnblock robots` says what is wrong with it.
             continue
-        # A device that a parameter names may be any of its type.
-        needs = (need.partition(":{")[0] for need in skill.needs)
         if equipment is None:
             found[entry.name] = None
         else:
-            found[entry.name] = {need: served_by(need, equipment) for need in needs}
+            found[entry.name] = {need: served_by(need, equipment) for need in skill.needed()}
     return found
 
 

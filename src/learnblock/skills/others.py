@@ -17,7 +17,7 @@ def sleep(robot: "Client", seconds: float = 1) -> None:
     robot.clock.sleep(number("seconds", seconds))
 
 
-def elapsedTime(robot: "Client", seconds: float = 0) -> bool:
+def elapsedTime(robot: "Client", seconds: float) -> bool:
     """Has the program been running for longer than this?
 
     Args:

@@ -66,8 +66,8 @@ def test_a_skill_without_its_device_has_no_effect_and_reports_it(subtests):
                 assert not block.needs or answer is None or answer is False
                 assert answer is None or block.returns_value
                 # Any device of that type satisfies a need without a key of its own.
-                assert sorted(map(with_key, block.needs)) == sorted(
-                    with_key(one if one in block.needs else one.partition(":")[0])
+                assert sorted(map(with_key, block.needed())) == sorted(
+                    with_key(one if one in block.needed() else one.partition(":")[0])
                     for one in listener.lacking
                 )
                 assert [] == robot.commands

@@ -15,7 +15,8 @@ def test_the_elapsed_time_counts_from_the_start(robot):
 
     assert robot.elapsedTime(4.9)
     assert not robot.elapsedTime(5)
-    assert robot.elapsedTime()
+    with pytest.raises(TypeError):
+        robot.elapsedTime()
 
 
 def test_a_time_that_is_not_a_number_is_refused_by_name(robot):

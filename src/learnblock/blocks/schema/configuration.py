@@ -10,7 +10,7 @@ from learnblock.devices import FIRST_KEY
 from learnblock.errors import LearnBlockError
 from learnblock.fields import Range
 from learnblock.i18n import Phrase
-from learnblock.senses import served_by
+from learnblock.senses import ASKED_BY_DEVICE, served_by
 
 ParameterType = Literal[
     "float", "int", "string", "boolean", "list", "apriltext", "choice", "colour", "angle"
@@ -153,7 +153,8 @@ class BlockConfiguration:
         name = key.strip("{}")
         default = next((one.default for one in self.parameters if one.name == name), None)
         value = given.get(name, default)
-        return kind if value in (None, FIRST_KEY) else f"{kind}:{value}"
+        device = kind if value in (None, FIRST_KEY) else f"{kind}:{value}"
+        return ASKED_BY_DEVICE.get(device, device)
 
 
 class Configurations(Mapping[str, BlockConfiguration]):

@@ -88,6 +88,6 @@ def _equipment(entry: robots.RobotEntry) -> frozenset[str] | None:
 
 @cache
 def _needs() -> tuple[str, ...]:
-    """Every need of the built-in blocks; a parameter may choose among devices of one type."""
-    found = (need.partition(":{")[0] for block in builtin().values() for need in block.needs)
+    """Every need of the built-in blocks."""
+    found = (need for block in builtin().values() for need in block.needed())
     return tuple(sorted(set(found)))

@@ -127,7 +127,7 @@ class Describer:
         meaning = Meaning(name + signature(skill), self.words.tooltip(skill))
         if equipment is None:
             return meaning
-        ways = serving(skill.needs, equipment)
+        ways = serving(skill.needed(), equipment)
         serves = serving_phrase(ways) if ways else None
         return replace(meaning, needs=skill.lacks(equipment), serves=serves)
 

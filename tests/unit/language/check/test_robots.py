@@ -51,6 +51,12 @@ def test_a_part_that_moves_things_is_no_decoration():
     assert judged('function.setAngleMotor("ARM", 10)', "sim-cozmo").runs
 
 
+def test_another_gyroscope_than_the_upright_one_is_no_heading():
+    assert judged('function.reset_orientation("Z_AXIS")', "sim-ebo").runs
+    found = judged('function.reset_orientation("X_AXIS")', "sim-ev3")
+    assert named(found.refused) == {"reset_orientation": ("Gyroscope:X_AXIS",)}
+
+
 def test_calls_that_demand_the_same_are_listed_once():
     text = "function.turn(1)\nfunction.turn(2)\nx = [function.get_light()]"
     assert [one.skill.name for one in demands(parse(text), builtin())] == ["turn", "get_light"]
