@@ -36,9 +36,6 @@ function measureOf(asked: string): Measure[] {
   return [device === "DistanceSensors" ? asked : device];
 }
 
-/** The farthest way that fills its bar, mm. */
-const FAR = 5000;
-
 /** The readings of a robot: of its sensors, then its heading and the way that it has driven. */
 export function readingsOf(telemetry: Telemetry, odometer: Odometer): Sensor[] {
   const way = odometer.read(telemetry);
@@ -58,8 +55,8 @@ export function pastReadingsOf(telemetry: Telemetry, way: readonly (readonly [nu
 /** The heading and the way driven as readings. */
 export function motionOf(heading: number, way: number): Sensor[] {
   return [
-    { device: "Heading", key: "ROBOT", value: heading, unit: "°", lowest: -180, highest: 180 },
-    { device: "Driven", key: "ROBOT", value: Math.round(way), unit: "mm", lowest: 0, highest: FAR },
+    { device: "Heading", key: "ROBOT", value: heading },
+    { device: "Driven", key: "ROBOT", value: Math.round(way) },
   ];
 }
 

@@ -1265,6 +1265,12 @@ export interface PuzzleJudged {
   good?: number;
 }
 
+export interface Quantity {
+  unit: string;
+  lowest: number;
+  highest: number;
+}
+
 export interface Questions {
   kind: "Questions";
   questions: Asked[];
@@ -1516,7 +1522,7 @@ export interface RobotCorrected {
 
 export interface RobotLink {
   kind: "RobotLink";
-  state: "connected" | "disconnected" | "lost" | "simulated" | "weak";
+  state: "simulated" | "disconnected" | "connected" | "weak" | "lost";
   battery?: number | null;
   quality?: number | null;
 }
@@ -1675,9 +1681,6 @@ export interface Sensor {
   value: number | boolean | null;
   place?: string;
   number?: number;
-  unit?: string;
-  lowest?: number;
-  highest?: number;
 }
 
 export interface SetBreakpoints {
@@ -2074,6 +2077,16 @@ export type FromPage =
   | ChooseBlockSet
   | ReadBlockSet
   | ExportBlockSet
+  | FindRobots
+  | ConnectRobot
+  | DisconnectRobot
+  | TryRobot
+  | ReadContainment
+  | ReadNetwork
+  | ListCustomBlocks
+  | CheckCustomBlock
+  | TryCustomBlock
+  | ExportCustomBlock
   | ChooseRobot
   | ChooseWorld
   | Run
@@ -2087,16 +2100,6 @@ export type FromPage =
   | PlaceRobot
   | Drive
   | WatchCamera
-  | FindRobots
-  | ConnectRobot
-  | DisconnectRobot
-  | TryRobot
-  | ReadContainment
-  | ReadNetwork
-  | ListCustomBlocks
-  | CheckCustomBlock
-  | TryCustomBlock
-  | ExportCustomBlock
   | ReadTimeline
   | ReadPrediction
   | LookBack
@@ -2152,8 +2155,6 @@ export type FromPage =
   | SaveBlockSet
   | DeleteBlockSet
   | InstallOffered
-  | HoldKeys
-  | HandleRobot
   | CorrectRobot
   | NameRobot
   | UseRobot
@@ -2163,6 +2164,8 @@ export type FromPage =
   | DeleteCustomBlock
   | RestoreCustomBlock
   | ImportCustomBlock
+  | HoldKeys
+  | HandleRobot
   | NameRun
   | DeleteRun
   | StartLesson
@@ -2214,6 +2217,16 @@ export type ToPage =
   | BlockSetRead
   | CodeOffered
   | Noted
+  | RobotsNearby
+  | RobotConnected
+  | RobotValues
+  | RobotCorrected
+  | Containment
+  | Network
+  | CustomBlocks
+  | CustomBlockChecked
+  | CustomBlockSaved
+  | PaletteChanged
   | RunState
   | InputWanted
   | KeysWanted
@@ -2228,16 +2241,6 @@ export type ToPage =
   | RobotLink
   | Sound
   | CameraFrame
-  | RobotsNearby
-  | RobotConnected
-  | RobotValues
-  | RobotCorrected
-  | Containment
-  | Network
-  | CustomBlocks
-  | CustomBlockChecked
-  | CustomBlockSaved
-  | PaletteChanged
   | Questions
   | WhyAnswer
   | Timeline
@@ -2300,3 +2303,46 @@ export type ToPage =
   | TabOpened
   | Tags
   | TagsRead;
+
+export const QUANTITIES: Record<string, Quantity> = {
+  "DistanceSensors": {
+    "unit": "mm",
+    "lowest": 0,
+    "highest": 2000.0
+  },
+  "GroundSensors": {
+    "unit": "%",
+    "lowest": 0,
+    "highest": 100
+  },
+  "Gyroscope": {
+    "unit": "°",
+    "lowest": -360,
+    "highest": 360
+  },
+  "Accelerometer": {
+    "unit": "m/s²",
+    "lowest": -20,
+    "highest": 20
+  },
+  "Bumper": {
+    "unit": "",
+    "lowest": 0,
+    "highest": 1
+  },
+  "LightSensor": {
+    "unit": "",
+    "lowest": 0,
+    "highest": 1023
+  },
+  "Controller": {
+    "unit": "",
+    "lowest": 0,
+    "highest": 1
+  },
+  "Infrared": {
+    "unit": "",
+    "lowest": 0,
+    "highest": 255
+  }
+};

@@ -18,7 +18,7 @@ const NEARBY: RobotsNearby = {
 };
 
 function sensor(values: Partial<Sensor>): Sensor {
-  return { device: "DistanceSensors", key: "ROBOT", value: 100, unit: "mm", highest: 2000, ...values };
+  return { device: "DistanceSensors", key: "ROBOT", value: 100, ...values };
 }
 
 test("robots that answer come first, then those used before, then all others", () => {
@@ -77,7 +77,7 @@ test("what says most is shown first, with a bar by its range", async () => {
   await startLanguage(signal("en"));
   const shown = gauges({
     kind: "RobotValues",
-    sensors: [sensor({ device: "Accelerometer", place: "up" }), sensor({ value: 500 })],
+    sensors: [sensor({ device: "Accelerometer", place: "up", value: 10 }), sensor({ value: 500 })],
     joints: { CAMERA: 45 },
     speed: [50, 0],
     heading: -90,
@@ -88,7 +88,7 @@ test("what says most is shown first, with a bar by its range", async () => {
     ["Driving", "50 mm/s", 0.25],
     ["Turning", "0 °\u2009/\u2009s", 0],
     ["Head", "45 °", 0.5],
-    ["Accelerometer up", "100.00 mm", 0.05],
+    ["Accelerometer up", "10.00 m/s²", 0.75],
   ]);
 });
 

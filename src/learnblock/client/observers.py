@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any, Literal, Protocol
 
 from learnblock.devices import Pose
 
@@ -61,7 +61,7 @@ class Goal:
 
     name: str
     kind: str
-    state: str
+    state: Literal["open", "reached", "failed"]
     time: float | None
 
 

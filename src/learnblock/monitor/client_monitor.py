@@ -14,7 +14,16 @@ from learnblock.client import Client
 from learnblock.devices import Base, Camera, Device, JointMotor, Pose, Sensor
 from learnblock.errors import LearnBlockError
 from learnblock.monitor import plain_stage
-from learnblock.monitor.monitor import Link, LinkState, RobotNow, Scene, Sound, State, Stroke
+from learnblock.monitor.monitor import (
+    Link,
+    LinkState,
+    Robot,
+    Scene,
+    Sound,
+    State,
+    Stroke,
+    located,
+)
 from learnblock.monitor.sensors import SENSOR_TYPES, sensors_of
 from learnblock.monitor.sensors import Sensor as SensorNow
 
@@ -46,7 +55,7 @@ class ClientMonitor:
         #: The latest command by type of device, key and function.
         self._commands: dict[tuple[str, str, str], tuple[Any, ...]] = {}
         self._sensors: dict[tuple[str, str], tuple[SensorNow, ...]] = {}
-        self._state = State(0.0, (RobotNow("robot", None, {}, {}, "none"),))
+        self._state = State(0.0, (Robot("robot", *located(None)),))
         self._filmed: tuple[object, Picture] | None = None
         if client:
             self._note_commands(client)
@@ -175,7 +184,7 @@ class ClientMonitor:
         values = [_newest(client, device, key) for key, device in devices]
         return any(errors) and all(value is None for value in values)
 
-    def _robot_now(self, client: Client) -> RobotNow:
+    def _robot_now(self, client: Client) -> Robot:
         joints: dict[str, float] = {}
         pose: Pose | None = None
         for key, device in client.devices():
@@ -188,9 +197,9 @@ class ClientMonitor:
         speeds = [args for _, args in self._commanded("move", "Base")]
         emotions = [str(args[0]) for _, args in self._commanded("show_emotion", "Display")]
         texts = [str(args[0]) for _, args in self._commanded("show_text", "Screen")]
-        return RobotNow(
-            name="robot",
-            pose=pose,
+        return Robot(
+            "robot",
+            *located(pose),
             joints=commanded | joints,
             leds=dict(self._leds()),
             emotion=emotions[-1] if emotions else "none",

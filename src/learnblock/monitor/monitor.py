@@ -1,9 +1,13 @@
-"""The monitor of a robot: its interface to the page, the same for every robot."""
+"""The monitor of a robot: its interface to the page, the same for every robot.
+
+Its values are structs, which the messages to the page contain or extend.
+"""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from enum import StrEnum
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, Literal, Protocol
+
+from msgspec import Struct, field
 
 from learnblock.devices import Pose
 from learnblock.monitor.sensors import Sensor
@@ -29,8 +33,7 @@ class LinkState(StrEnum):
     LOST = "lost"
 
 
-@dataclass(frozen=True, slots=True)
-class Link:
+class Link(Struct, frozen=True):
     """The link to a robot; None if the robot does not report a value.
 
     Args:
@@ -44,15 +47,14 @@ class Link:
     quality: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Scene:
+class Scene(Struct, frozen=True):
     """The unchanging parts of a world, for drawing it.
 
     Args:
         name: the world's name; empty for the plain floor under a real robot.
-        world: the contents of the world's file.
+        world: the contents of the world's file (`WorldFile`).
         lines: for each painted line, the corner points of its centre line, in mm.
-        robots: name and description of each robot, ours first.
+        robots: name and description of each robot (`RobotDescription`), ours first.
         cameras: the keys of our robot's cameras.
         start: (x mm, y mm, heading in degrees) where the next run starts; None for a real robot.
         variant: the number of the world's variant; 0 is the world as it is drawn.
@@ -69,14 +71,16 @@ class Scene:
     real: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class RobotNow:
+class Robot(Struct, frozen=True, omit_defaults=True):
     """The current state of a robot.
 
     Args:
         name: its name in its world.
-        pose: (x mm, y mm, heading in degrees); None if unknown.
-        joints: angles in degrees by key.
+        x: mm east.
+        y: mm north.
+        heading: degrees clockwise, 0 faces east.
+        located: whether x, y and heading are known; otherwise it is drawn there. See `located`.
+        joints: degrees, by key.
         leds: red, green and blue, 0 to 255, by key.
         emotion: the emotion it shows; ``none`` if it shows none.
         speed: (forward in mm/s, clockwise in degrees/s) as last commanded; None if unknown.
@@ -84,38 +88,64 @@ class RobotNow:
     """
 
     name: str
-    pose: Pose | None
-    joints: dict[str, float]
-    leds: dict[str, tuple[int, int, int]]
-    emotion: str
+    x: float
+    y: float
+    heading: float
+    located: bool = True
+    joints: dict[str, float] = field(default_factory=dict)
+    leds: dict[str, tuple[int, int, int]] = field(default_factory=dict)
+    emotion: str = "none"
     speed: tuple[float, float] | None = None
     text: str = ""
 
+    @property
+    def pose(self) -> Pose | None:
+        """(x mm, y mm, heading in degrees); None if unknown."""
+        return (self.x, self.y, self.heading) if self.located else None
 
-@dataclass(frozen=True, slots=True)
-class GoalNow:
-    """A goal of the world: ``open``, ``reached`` or ``failed``, and when that was decided, s."""
+
+def located(pose: Pose | None) -> tuple[float, float, float, bool]:
+    """The place of a `Robot`; one whose pose is unknown is drawn in the middle."""
+    return (*(pose or (0.0, 0.0, 0.0)), pose is not None)
+
+
+class GoalNow(Struct, frozen=True):
+    """A goal of the world, and when it was reached or failed, s."""
 
     name: str
     sort: str
-    state: str
+    state: Literal["open", "reached", "failed"]
     time: float | None
 
 
-@dataclass(frozen=True, slots=True)
-class State:
+class Seen(Struct, frozen=True, omit_defaults=True):
+    """A finding of perception in a camera's picture.
+
+    Args:
+        sort: the kind of finding.
+        label: the tag's number, what the face expresses, or the line's colour and side.
+        corners: (column, row) in pixels.
+    """
+
+    sort: Literal["tag", "face", "line"]
+    label: str
+    corners: tuple[tuple[float, float], ...]
+
+
+class State(Struct, frozen=True):
     """The current state of a world.
 
     Args:
         time: seconds of the robot's time.
         robots: ours first.
-        pushed: (x, y, heading) of movable objects, boxes first, then cylinders.
+        pushed: (x, y, heading) of movable objects, in the order of the world's description: boxes
+            with a mass first, then cylinders.
         sensors: the readings of our robot.
         goals: the world's goals.
     """
 
     time: float
-    robots: tuple[RobotNow, ...]
+    robots: tuple[Robot, ...]
     pushed: tuple[Pose, ...] = ()
     sensors: tuple[Sensor, ...] = ()
     goals: tuple[GoalNow, ...] = ()

@@ -2,8 +2,9 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
+from learnblock.monitor.monitor import Seen
 from learnblock.perception import FaceEmotion, Lines, LineView, Sight, Tag
 from learnblock.perception.settings import TABLE
 
@@ -17,21 +18,6 @@ _COLUMNS = {"left": (0, 120), "center": (120, 200), "right": (200, 320)}
 _ROWS = (15, 225)
 
 Corners = tuple[tuple[float, float], ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Seen:
-    """A finding of perception in a picture.
-
-    Args:
-        sort: the kind of finding.
-        label: the tag's number, what the face expresses, or the line's colour and side.
-        corners: (column, row) in pixels.
-    """
-
-    sort: Literal["tag", "face", "line"]
-    label: str
-    corners: Corners
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,8 +1,10 @@
-"""Single sensor readings, each with its identity, unit and range."""
+"""Single sensor readings, and the units and ranges of the types of devices."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from types import MappingProxyType
 from typing import Any
+
+from msgspec import Struct, structs
 
 from learnblock.devices import DEFAULT_KEY, NOTHING_SEEN
 
@@ -12,40 +14,38 @@ Value = float | bool | None
 _AXES = ("forward", "left", "up")
 
 
-@dataclass(frozen=True, slots=True)
-class Sensor:
-    """A single reading.
+class Sensor(Struct, frozen=True, omit_defaults=True):
+    """A single reading; `QUANTITIES` has the unit and range of its device.
 
     ``device``, ``key``, ``place`` and ``number`` together identify it.
 
     Args:
         device: the type of the device, such as ``DistanceSensors``.
         key: the device's key.
+        value: None if nothing is measured.
         place: a side, an axis or a button; empty if the device has only one reading.
         number: its number among those with the same `place`, from 1; 0 if there is only one.
-        value: None if nothing is measured.
-        unit: the unit of the value, such as ``mm``; empty if it has none.
-        lowest: the smallest usual value.
-        highest: the largest usual value.
     """
 
     device: str
     key: str
-    place: str
-    number: int
     value: Value
-    unit: str
-    lowest: float
-    highest: float
+    place: str = ""
+    number: int = 0
 
     def without_value(self) -> "Sensor":
         """The same sensor while nothing is measured."""
-        return replace(self, value=None)
+        return structs.replace(self, value=None)
 
 
-@dataclass(frozen=True, slots=True)
-class _Quantity:
-    """The unit and range of a type of device."""
+class Quantity(Struct, frozen=True):
+    """What a type of device measures.
+
+    Args:
+        unit: the unit of its values, such as ``mm``; empty if they have none.
+        lowest: the smallest usual value.
+        highest: the largest usual value.
+    """
 
     unit: str
     lowest: float
@@ -60,13 +60,11 @@ def sensors_of(device: str, reading: Any, key: str = DEFAULT_KEY) -> Iterator[Se
         reading: the result of its ``read``.
         key: its key.
     """
-    if device not in _QUANTITIES or reading is None:
+    if device not in _KINDS or reading is None:
         return
-    quantity, take_apart = _QUANTITIES[device]
+    _, take_apart = _KINDS[device]
     for place, number, value in take_apart(reading):
-        yield Sensor(
-            device, key, place, number, value, quantity.unit, quantity.lowest, quantity.highest
-        )
+        yield Sensor(device, key, value, place, number)
 
 
 _Single = tuple[str, int, Value]
@@ -91,15 +89,16 @@ def _axes(reading: Sequence[float]) -> Iterator[_Single]:
     return ((axis, 0, value) for axis, value in zip(_AXES, reading, strict=True))
 
 
-_QUANTITIES: Mapping[str, tuple[_Quantity, Callable[[Any], Iterator[_Single]]]] = {
-    "DistanceSensors": (_Quantity("mm", 0, NOTHING_SEEN), _lists),
-    "GroundSensors": (_Quantity("%", 0, 100), _sides),
-    "Gyroscope": (_Quantity("°", -360, 360), _one),
-    "Accelerometer": (_Quantity("m/s²", -20, 20), _axes),
-    "Bumper": (_Quantity("", 0, 1), _one),
-    "LightSensor": (_Quantity("", 0, 1023), _one),
-    "Controller": (_Quantity("", 0, 1), _sides),
-    "Infrared": (_Quantity("", 0, 255), _one),
+_KINDS: Mapping[str, tuple[Quantity, Callable[[Any], Iterator[_Single]]]] = {
+    "DistanceSensors": (Quantity("mm", 0, NOTHING_SEEN), _lists),
+    "GroundSensors": (Quantity("%", 0, 100), _sides),
+    "Gyroscope": (Quantity("°", -360, 360), _one),
+    "Accelerometer": (Quantity("m/s²", -20, 20), _axes),
+    "Bumper": (Quantity("", 0, 1), _one),
+    "LightSensor": (Quantity("", 0, 1023), _one),
+    "Controller": (Quantity("", 0, 1), _sides),
+    "Infrared": (Quantity("", 0, 255), _one),
 }
-#: The types of sensors that are shown as numbers, in the order in which they are shown.
-SENSOR_TYPES = tuple(_QUANTITIES)
+#: What the sensors that are shown as numbers measure, in the order in which they are shown.
+QUANTITIES = MappingProxyType({kind: quantity for kind, (quantity, _) in _KINDS.items()})
+SENSOR_TYPES = tuple(QUANTITIES)

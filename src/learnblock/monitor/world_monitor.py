@@ -12,7 +12,16 @@ import msgspec
 from learnblock.devices import Pose
 from learnblock.errors import LearnBlockError
 from learnblock.monitor.manual_drive import ManualDrive
-from learnblock.monitor.monitor import GoalNow, Link, LinkState, RobotNow, Scene, State, Stroke
+from learnblock.monitor.monitor import (
+    GoalNow,
+    Link,
+    LinkState,
+    Robot,
+    Scene,
+    State,
+    Stroke,
+    located,
+)
 from learnblock.monitor.pictures import Picture, develop
 from learnblock.monitor.sensors import Sensor, sensors_of
 from learnblock.monitor.worlds import world_lines, world_values
@@ -216,10 +225,18 @@ def make_world_monitor(
     return WorldMonitor(simulation, start)
 
 
-def _robot_now(body: RobotBody) -> RobotNow:
+def _robot_now(body: RobotBody) -> Robot:
     joints = {joint.key: body.joint(joint.key) for joint in body.description.joint}
     speed = body.chassis.speed
-    return RobotNow(body.name, body.pose, joints, dict(body.leds), body.emotion, speed, body.text)
+    return Robot(
+        body.name,
+        *located(body.pose),
+        joints=joints,
+        leds=dict(body.leds),
+        emotion=body.emotion,
+        speed=speed,
+        text=body.text,
+    )
 
 
 def _sensors(body: RobotBody) -> Iterator[Sensor]:

@@ -8,8 +8,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 import msgspec
-from msgspec import inspect
+from msgspec import inspect, json
 
+from learnblock.monitor.sensors import QUANTITIES, Quantity
 from learnblock.server import messages
 
 _HEADER = """\
@@ -33,7 +34,8 @@ def typescript() -> str:
     """The whole module."""
     unions = {"FromPage": messages.FROM_PAGE, "ToPage": messages.TO_PAGE}
     aliases = {name: getattr(messages, name) for name in ("Notation", "View")}
-    return module(_HEADER, unions, aliases)
+    quantities = _constant("QUANTITIES", dict[str, Quantity], dict(QUANTITIES))
+    return module(_HEADER, unions, aliases, [Quantity]) + quantities
 
 
 def module(
@@ -60,6 +62,12 @@ def module(
         for name, kind in kinds.items()
     ]
     return "\n".join(parts)
+
+
+def _constant(name: str, kind: Any, value: Any) -> str:
+    """What page and server have in common and never changes."""
+    written = json.format(json.encode(value)).decode()
+    return f"\nexport const {name}: {_written(inspect.type_info(kind))} = {written};\n"
 
 
 def _members(kind: inspect.Type) -> Iterator[str]:
@@ -126,8 +134,8 @@ def _compound(kind: inspect.Type) -> str:
     match kind:
         case inspect.StructType(cls=cls) | inspect.DataclassType(cls=cls):
             return str(cls.__name__)
-        case inspect.LiteralType(values=values):
-            return " | ".join(f'"{value}"' for value in values)
+        case inspect.LiteralType() | inspect.EnumType():
+            return " | ".join(f'"{value}"' for value in _choices(kind))
         case inspect.UnionType(types=types):
             return " | ".join(dict.fromkeys(map(_written, types)))
         case inspect.ListType(item_type=item) | inspect.VarTupleType(item_type=item):
@@ -137,6 +145,12 @@ def _compound(kind: inspect.Type) -> str:
         case inspect.DictType(value_type=value):
             return f"Record<string, {_written(value)}>"
     raise TypeError(f"there is no TypeScript for {kind}")
+
+
+def _choices(kind: inspect.LiteralType | inspect.EnumType) -> Iterable[Any]:
+    if isinstance(kind, inspect.EnumType):
+        return [one.value for one in kind.cls]
+    return kind.values
 
 
 def _bracketed(kind: inspect.Type) -> str:

@@ -13,6 +13,7 @@ from learnblock.devices import Base, Speaker
 from learnblock.errors import DeviceValueError, LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.monitor import make_monitor, manual_drive
+from learnblock.monitor.sensors import QUANTITIES, Quantity
 from learnblock.monitor.world_monitor import WorldMonitor
 from learnblock.perception import detect
 from learnblock.robots.sim_cozmo import Robot as Cozmo
@@ -97,15 +98,12 @@ def test_each_sensor_has_its_identity(watch):
 
 
 def test_each_sensor_has_its_unit_and_range(watch):
-    quantities = {
-        one.device: (one.key, one.unit, one.lowest, one.highest)
-        for one in watch("sim-ev3").state().sensors
-    }
-    assert quantities == {
-        "DistanceSensors": ("ROBOT", "mm", 0, 2000),
-        "GroundSensors": ("ROBOT", "%", 0, 100),
-        "Gyroscope": ("Z_AXIS", "°", -360, 360),
-        "Bumper": ("ROBOT", "", 0, 1),
+    sensors = watch("sim-ev3").state().sensors
+    assert {one.device: (one.key, QUANTITIES[one.device]) for one in sensors} == {
+        "DistanceSensors": ("ROBOT", Quantity("mm", 0, 2000)),
+        "GroundSensors": ("ROBOT", Quantity("%", 0, 100)),
+        "Gyroscope": ("Z_AXIS", Quantity("°", -360, 360)),
+        "Bumper": ("ROBOT", Quantity("", 0, 1)),
     }
 
 

@@ -3,7 +3,7 @@
 import { t } from "../../i18n";
 import { type Measure, measures } from "../../model/measures";
 import type { Sensor } from "../../protocol/messages";
-import { readingText, sensorName } from "../../views/output/quantities";
+import { quantityOf, sensorName, valueText } from "../../views/output/quantities";
 
 /** Null without a reading. */
 export function valueInWords(measure: Measure, readings: readonly Sensor[]): string | null {
@@ -30,7 +30,7 @@ export function valueInWords(measure: Measure, readings: readonly Sensor[]): str
 function distanceInWords(readings: readonly Sensor[]): string {
   const nearest = readings.reduce((least, one) => (Number(one.value) < Number(least.value) ? one : least));
   const value = Number(nearest.value);
-  const isBeyond = nearest.highest !== undefined && value >= nearest.highest;
+  const isBeyond = value >= quantityOf(nearest).highest;
   return t(isBeyond ? "page-world-over-mm" : "page-world-mm", { mm: Math.round(value) });
 }
 
@@ -40,7 +40,7 @@ function pressedInWords(buttons: readonly Sensor[]): string {
 }
 
 /** All readings, with their unit once. */
-function listInWords(readings: readonly Sensor[], { unit = "" }: Sensor): string {
-  const values = readings.map((one) => readingText({ ...one, unit: "" }, one.value));
-  return `${values.join(" · ")} ${unit}`.trim();
+function listInWords(readings: readonly Sensor[], first: Sensor): string {
+  const values = readings.map((one) => valueText(one, one.value));
+  return `${values.join(" · ")} ${quantityOf(first).unit}`.trim();
 }

@@ -6,7 +6,7 @@ import uPlot from "uplot";
 
 import { t } from "../../i18n";
 import type { Sensor } from "../../protocol/messages";
-import { sensorName } from "./quantities";
+import { quantityOf, sensorName } from "./quantities";
 import type { Reading } from "./recording";
 
 /** The plotted time span, seconds. */
@@ -47,8 +47,8 @@ function series(sensor: Sensor, index: number, dark: boolean): uPlot.Series {
 }
 
 /** Sensors of one unit share a scale. */
-function scaleOf({ unit, device }: Sensor): string {
-  return unit || device;
+function scaleOf(sensor: Sensor): string {
+  return quantityOf(sensor).unit || sensor.device;
 }
 
 /** The first two scales have an axis, one on each side; there is no room for more. */

@@ -1,7 +1,7 @@
 /** A sensor's identity, its name and the format of its readings. */
 
 import { t } from "../../i18n";
-import type { Sensor } from "../../protocol/messages";
+import { QUANTITIES, type Quantity, type Sensor } from "../../protocol/messages";
 
 /** Decimals of a reading by the type of its device; the usual number is 1. */
 const DIGITS: Readonly<Record<string, number>> = {
@@ -11,6 +11,20 @@ const DIGITS: Readonly<Record<string, number>> = {
   LightSensor: 0,
   Infrared: 0,
 };
+
+/** The farthest way that fills its bar, mm. */
+const FAR = 5000;
+/** Of what the page itself measures. */
+const OWN_QUANTITIES: Readonly<Record<string, Quantity>> = {
+  Heading: { unit: "°", lowest: -180, highest: 180 },
+  Driven: { unit: "mm", lowest: 0, highest: FAR },
+};
+const PLAIN: Quantity = { unit: "", lowest: 0, highest: 1 };
+
+/** The unit and range of a sensor. */
+export function quantityOf({ device }: Sensor): Quantity {
+  return QUANTITIES[device] ?? OWN_QUANTITIES[device] ?? PLAIN;
+}
 
 /** The identity of a sensor among those of a robot. */
 export function sensorId({ device, key, place = "", number = 0 }: Sensor): string {
@@ -22,11 +36,17 @@ export function sensorName({ device, place = "", number = 0 }: Sensor): string {
   return t("page-sensors-name", { device, place: place || "none", number });
 }
 
-/** A value in the unit of a sensor. */
-export function readingText({ device, unit = "" }: Sensor, value: Sensor["value"]): string {
+/** A value with the unit of its sensor. */
+export function readingText(sensor: Sensor, value: Sensor["value"]): string {
+  const text = valueText(sensor, value);
+  return typeof value === "number" ? `${text} ${quantityOf(sensor).unit}`.trim() : text;
+}
+
+/** A value without a unit. */
+export function valueText({ device }: Sensor, value: Sensor["value"]): string {
   if (value === null) return "–";
   if (typeof value === "boolean") return t(value ? "page-sensors-yes" : "page-sensors-no");
-  return `${fixed(value, DIGITS[device] ?? 1)} ${unit}`.trim();
+  return fixed(value, DIGITS[device] ?? 1);
 }
 
 /** A number with these decimals; not "-0.0". */
@@ -36,7 +56,8 @@ function fixed(value: number, digits: number): string {
 }
 
 /** The fraction of its bar that a reading fills, 0 to 1. */
-export function filling({ value, lowest = 0, highest = 1 }: Sensor): number {
-  const part = (Number(value ?? lowest) - lowest) / (highest - lowest);
+export function filling(sensor: Sensor): number {
+  const { lowest, highest } = quantityOf(sensor);
+  const part = (Number(sensor.value ?? lowest) - lowest) / (highest - lowest);
   return Math.min(1, Math.max(0, part));
 }

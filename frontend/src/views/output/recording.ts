@@ -1,7 +1,7 @@
 /** The sensors' readings, kept for plotting and for a file. */
 
 import type { Sensor } from "../../protocol/messages";
-import { sensorId } from "./quantities";
+import { quantityOf, sensorId } from "./quantities";
 
 export type Reading = number | null;
 
@@ -14,7 +14,9 @@ interface Column {
 const MOST_SAMPLES = 36_000;
 
 /** The title of a column: type and key of the device, position and number, unit. */
-function title({ device, key, place, number, unit }: Sensor): string {
+function title(sensor: Sensor): string {
+  const { device, key, place, number } = sensor;
+  const { unit } = quantityOf(sensor);
   return [device, key, place, number, unit && `(${unit})`].filter(Boolean).join(" ");
 }
 

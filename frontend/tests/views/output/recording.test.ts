@@ -5,7 +5,7 @@ import { sensorId } from "../../../src/views/output/quantities";
 import { Recording } from "../../../src/views/output/recording";
 
 function light(value: number): Sensor {
-  return { device: "Light", key: "light", value, unit: "lx" };
+  return { device: "GroundSensors", key: "light", value };
 }
 
 function bumper(value: boolean): Sensor {
@@ -52,7 +52,7 @@ test("a file has a line for each moment and a column for each sensor", () => {
   const recording = new Recording();
   recording.add(0, [light(5)]);
   recording.add(0.5, [light(6), bumper(false)]);
-  expect(recording.csv()).toBe("time (s),Light light (lx),Bumper bumper\r\n0,5,\r\n0.5,6,0\r\n");
+  expect(recording.csv()).toBe("time (s),GroundSensors light (%),Bumper bumper\r\n0,5,\r\n0.5,6,0\r\n");
 });
 
 test("half an hour is the most that is kept", () => {

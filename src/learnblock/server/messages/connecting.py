@@ -5,9 +5,9 @@ from typing import Annotated, Literal
 from msgspec import Meta, Struct, field
 
 from learnblock.i18n import Phrase
+from learnblock.monitor.sensors import Sensor
 from learnblock.robots.settings import LONGEST_NAME
 from learnblock.server.messages.base import FromPage, FromReader, Name, ToPage
-from learnblock.server.messages.running import Sensor
 
 # From the page.
 

@@ -2,10 +2,11 @@
 
 from typing import Annotated, Any, Literal
 
-from msgspec import Meta, Struct, field
+from msgspec import Meta, Struct
 
 from learnblock.client.keyboard import KEYS, Key
 from learnblock.i18n import Phrase
+from learnblock.monitor.monitor import GoalNow, Link, Seen, State
 from learnblock.server.messages.base import (
     Coordinate,
     FromPage,
@@ -206,15 +207,6 @@ class PrintedByRobots(ToPage, frozen=True):
     parts: tuple[PrintedPart, ...]
 
 
-class GoalNow(Struct, frozen=True):
-    """A goal of the world."""
-
-    name: str
-    sort: str
-    state: Literal["open", "reached", "failed"]
-    time: float | None
-
-
 class Ended(ToPage, frozen=True):
     """How a run ended: the report of ``learnblock run``.
 
@@ -275,34 +267,6 @@ class RunningLine(ToPage, frozen=True):
     block: str | None = None
 
 
-class Robot(Struct, frozen=True, omit_defaults=True):
-    """The current state of a robot.
-
-    Args:
-        name: its name in its world.
-        x: mm east.
-        y: mm north.
-        heading: degrees clockwise, 0 faces east.
-        located: whether x, y and heading are known; otherwise it is drawn there.
-        joints: degrees, by key.
-        leds: red, green, blue, by key.
-        emotion: the emotion it shows; ``none`` if it shows none.
-        speed: mm/s forward and degrees/s clockwise, if known.
-        text: the text on its screen, or beside it; empty if there is none.
-    """
-
-    name: str
-    x: float
-    y: float
-    heading: float
-    located: bool = True
-    joints: dict[str, float] = field(default_factory=dict)
-    leds: dict[str, tuple[int, int, int]] = field(default_factory=dict)
-    emotion: str = "none"
-    speed: tuple[float, float] | None = None
-    text: str = ""
-
-
 class StrokePart(Struct, frozen=True):
     """What a stroke of a pen has gained.
 
@@ -331,62 +295,12 @@ class Drawing(ToPage, frozen=True):
     parts: tuple[StrokePart, ...] = ()
 
 
-class Sensor(Struct, frozen=True, omit_defaults=True):
-    """A sensor's reading; ``device``, ``key``, ``place`` and ``number`` identify the sensor.
-
-    Args:
-        device: its type, such as ``DistanceSensors``.
-        key: the device's key.
-        value: None if nothing is measured.
-        place: a side, an axis or a button; empty if the device has only one reading.
-        number: its number among those with the same `place`, from 1; 0 if there is only one.
-        unit: the unit of the value; empty if it has none.
-        lowest: the smallest usual value.
-        highest: the largest usual value.
-    """
-
-    device: str
-    key: str
-    value: float | bool | None
-    place: str = ""
-    number: int = 0
-    unit: str = ""
-    lowest: float = 0.0
-    highest: float = 1.0
+class Telemetry(ToPage, State, frozen=True):
+    """The current state of the world, about twenty times per second while something changes."""
 
 
-class Telemetry(ToPage, frozen=True):
-    """The current state of the world, about twenty times per second while something changes.
-
-    Args:
-        time: seconds of the robot's time.
-        robots: the robots, ours first.
-        pushed: x, y, heading of movable objects, in the order of the world's description: boxes
-            with a mass first, then cylinders.
-        sensors: the readings of our robot.
-        goals: the world's goals.
-    """
-
-    time: float
-    robots: tuple[Robot, ...]
-    pushed: tuple[tuple[float, float, float], ...] = ()
-    sensors: tuple[Sensor, ...] = ()
-    goals: tuple[GoalNow, ...] = ()
-
-
-class RobotLink(ToPage, frozen=True):
-    """The link to the robot; sent when it changes.
-
-    Args:
-        state: ``simulated`` robots need no link; ``disconnected`` while no program uses a real one;
-            ``lost`` if it broke during the last run.
-        battery: the battery's voltage, V, if the robot reports it.
-        quality: the share of the robot's messages that arrive, 0 to 1, if known.
-    """
-
-    state: Literal["simulated", "disconnected", "connected", "weak", "lost"]
-    battery: float | None = None
-    quality: float | None = None
+class RobotLink(ToPage, Link, frozen=True):
+    """The link to the robot; sent when it changes."""
 
 
 class Sound(ToPage, frozen=True):
@@ -401,20 +315,6 @@ class Sound(ToPage, frozen=True):
     device: str
     action: str
     values: tuple[Any, ...]
-
-
-class Seen(Struct, frozen=True, omit_defaults=True):
-    """A finding of perception in a camera frame.
-
-    Args:
-        sort: tag, face or line.
-        label: a label such as the tag's number.
-        corners: x, y in pixels of the frame.
-    """
-
-    sort: Literal["tag", "face", "line"]
-    label: str
-    corners: tuple[tuple[float, float], ...]
 
 
 class CameraFrame(ToPage, frozen=True):

@@ -5,6 +5,7 @@ from typing import Annotated, Any, Literal
 from msgspec import Meta, Struct
 
 from learnblock.i18n import Phrase
+from learnblock.monitor import monitor
 from learnblock.server.messages.base import LONGEST_CONTENT, FromPage, FromReader, Name, ToPage
 
 # From the page.
@@ -126,28 +127,8 @@ class WorldDeleted(ToPage, frozen=True):
     title: str
 
 
-class Scene(ToPage, frozen=True):
-    """The unchanging parts of a world, for drawing it; `Telemetry` has the changing parts.
-
-    Args:
-        name: the world's name; empty for the plain floor under a real robot.
-        world: the contents of its file (`WorldFile`).
-        lines: for each painted line, the corner points of its centre line, in mm.
-        robots: name and description of each robot (`RobotDescription`), ours first.
-        cameras: the keys of our robot's cameras.
-        start: x, y, heading where the next run starts.
-        variant: the number of the world's variant; 0 is the world as it is drawn.
-        real: whether our robot is a real robot.
-    """
-
-    name: str
-    world: dict[str, Any]
-    lines: tuple[tuple[tuple[float, float], ...], ...]
-    robots: tuple[tuple[str, dict[str, Any]], ...]
-    cameras: tuple[str, ...] = ()
-    start: tuple[float, float, float] | None = None
-    variant: int = 0
-    real: bool = False
+class Scene(ToPage, monitor.Scene, frozen=True):
+    """The unchanging parts of a world, for drawing it; `Telemetry` has the changing parts."""
 
 
 class WorldToEdit(ToPage, frozen=True):

@@ -136,7 +136,7 @@ def _values(monitor: "Monitor", client: "Client") -> messages.RobotValues:
     robot = state.robots[0]
     silence = client.readings.age() if status.silence is None else status.silence
     return messages.RobotValues(
-        sensors=msgspec.convert(state.sensors, tuple[messages.Sensor, ...], from_attributes=True),
+        sensors=state.sensors,
         joints={key: round(angle, 1) for key, angle in robot.joints.items()},
         speed=robot.speed,
         heading=round(robot.pose[2], 1) if robot.pose else None,

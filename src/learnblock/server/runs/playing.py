@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, Protocol
 
 from learnblock.devices import Pose
+from learnblock.monitor.monitor import GoalNow
 from learnblock.robots import RobotEntry
 from learnblock.running import Options, ProgramRun, Report
 from learnblock.runtime.debugger import Debugger
@@ -169,8 +170,7 @@ class Playing:
             time=report.time,
             distance=report.distance,
             goals=tuple(
-                messages.GoalNow(goal.name, goal.kind, goal.state, goal.time)  # type: ignore[arg-type]
-                for goal in report.goals
+                GoalNow(goal.name, goal.kind, goal.state, goal.time) for goal in report.goals
             ),
             emotions=report.emotions,
             no_effect=tuple((str(one["skill"]), str(one["device"])) for one in report.no_effect),

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from learnblock.errors import LearnBlockError
-from learnblock.monitor.monitor import RobotNow, State
+from learnblock.monitor.monitor import Robot, State, located
 from learnblock.monitor.sensors import Sensor, sensors_of
 from learnblock.server import messages
 from learnblock.server.messages.looking import MOST_POINTS
@@ -40,7 +40,7 @@ class Reported:
                 sensed[line["sensed"]] = line["value"]
             elif line["do"] == "show_emotion":
                 emotion = str(line["args"][0])
-        robot = RobotNow("robot", self._way.at(time), {}, {}, emotion)
+        robot = Robot("robot", *located(self._way.at(time)), emotion=emotion)
         return State(time, (robot,), sensors=_sensors(sensed))
 
 

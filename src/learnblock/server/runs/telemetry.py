@@ -2,19 +2,19 @@
 
 from typing import TYPE_CHECKING
 
-import msgspec
+from msgspec.structs import asdict
 
 from learnblock.server import messages
 
 if TYPE_CHECKING:
-    from learnblock.monitor import Monitor, RobotNow
+    from learnblock.monitor import Monitor
     from learnblock.monitor.monitor import State
     from learnblock.monitor.pictures import Picture
 
 
 def scene(monitor: "Monitor") -> messages.Scene:
     """The unchanging parts of its world."""
-    return msgspec.convert(monitor.scene(), messages.Scene, from_attributes=True)
+    return messages.Scene(**asdict(monitor.scene()))
 
 
 def telemetry(monitor: "Monitor") -> messages.Telemetry:
@@ -24,19 +24,13 @@ def telemetry(monitor: "Monitor") -> messages.Telemetry:
 
 def of_state(state: "State") -> messages.Telemetry:
     """A state, be it the current one or one of the past."""
-    return messages.Telemetry(
-        time=state.time,
-        robots=tuple(map(_robot, state.robots)),
-        pushed=state.pushed,
-        sensors=msgspec.convert(state.sensors, tuple[messages.Sensor, ...], from_attributes=True),
-        goals=msgspec.convert(state.goals, tuple[messages.GoalNow, ...], from_attributes=True),
-    )
+    return messages.Telemetry(**asdict(state))
 
 
 def link(monitor: "Monitor") -> messages.RobotLink:
     """Its link, rounded so that noise is not reported."""
     now = monitor.link()
-    return messages.RobotLink(now.state.value, _rounded(now.battery), _rounded(now.quality))
+    return messages.RobotLink(now.state, _rounded(now.battery), _rounded(now.quality))
 
 
 def sounds(monitor: "Monitor") -> tuple[messages.Sound, ...]:
@@ -46,25 +40,7 @@ def sounds(monitor: "Monitor") -> tuple[messages.Sound, ...]:
 
 def camera_frame(picture: "Picture", *, past: bool = False) -> messages.CameraFrame:
     """The message that precedes the picture itself."""
-    seen = msgspec.convert(picture.seen, tuple[messages.Seen, ...], from_attributes=True)
-    return messages.CameraFrame(picture.width, picture.height, picture.time, seen, past)
-
-
-def _robot(now: "RobotNow") -> messages.Robot:
-    # A robot whose position is unknown is drawn in the middle.
-    x, y, heading = now.pose or (0.0, 0.0, 0.0)
-    return messages.Robot(
-        name=now.name,
-        x=x,
-        y=y,
-        heading=heading,
-        located=now.pose is not None,
-        joints=now.joints,
-        leds=now.leds,
-        emotion=now.emotion,
-        speed=now.speed,
-        text=now.text,
-    )
+    return messages.CameraFrame(picture.width, picture.height, picture.time, picture.seen, past)
 
 
 def _rounded(value: float | None) -> float | None:
