@@ -1,6 +1,7 @@
 /** The conversation with the server; written by `python -m learnblock.server.typescript`. */
 
 import type { Phrase } from "../i18n";
+import type { RobotDescription, WorldFile } from "./world";
 
 export type Notation = "blocktext" | "python";
 
@@ -187,7 +188,7 @@ export interface CheckStep {
 
 export interface CheckWorld {
   kind: "CheckWorld";
-  world: Record<string, unknown>;
+  world: WorldFile;
   request?: number;
 }
 
@@ -1647,7 +1648,7 @@ export interface SaveTags {
 export interface SaveWorld {
   kind: "SaveWorld";
   name: string;
-  world: Record<string, unknown>;
+  world: WorldFile;
   replace?: boolean;
   request?: number;
 }
@@ -1660,9 +1661,9 @@ export interface Saved {
 export interface Scene {
   kind: "Scene";
   name: string;
-  world: Record<string, unknown>;
+  world: WorldFile;
   lines: [number, number][][];
-  robots: [string, Record<string, unknown>][];
+  robots: [string, RobotDescription][];
   cameras?: string[];
   start?: [number, number, number] | null;
   variant?: number;
@@ -2045,13 +2046,13 @@ export interface WorldExported {
 
 export interface WorldMade {
   kind: "WorldMade";
-  world: Record<string, unknown>;
+  world: WorldFile;
 }
 
 export interface WorldToEdit {
   kind: "WorldToEdit";
   name: string;
-  world: Record<string, unknown>;
+  world: WorldFile;
   lines: [number, number][][];
   save_as: string;
 }

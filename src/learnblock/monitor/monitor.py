@@ -5,9 +5,9 @@ Its values are structs, which the messages to the page contain or extend.
 
 from collections.abc import Sequence
 from enum import StrEnum
-from typing import TYPE_CHECKING, Any, Literal, Protocol
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Protocol
 
-from msgspec import Struct, field
+from msgspec import Meta, Struct, field
 
 from learnblock.devices import Pose
 from learnblock.monitor.sensors import Sensor
@@ -15,6 +15,10 @@ from learnblock.monitor.sensors import Sensor
 if TYPE_CHECKING:
     from learnblock.monitor.pictures import Picture
 
+#: The contents of a world's file and of a robot's, as plain values: the page has their types, and
+#: `read_world` reports each mistake in a world that the page has edited.
+WorldValues = Annotated[dict[str, Any], Meta(extra={"values_of": "WorldFile"})]
+RobotLook = Annotated[dict[str, Any], Meta(extra={"values_of": "RobotDescription"})]
 #: For each painted line, the corner points of its centre line, in mm.
 Lines = tuple[tuple[tuple[float, float], ...], ...]
 
@@ -62,9 +66,9 @@ class Scene(Struct, frozen=True):
     """
 
     name: str
-    world: dict[str, Any]
+    world: WorldValues
     lines: Lines
-    robots: tuple[tuple[str, dict[str, Any]], ...]
+    robots: tuple[tuple[str, RobotLook], ...]
     cameras: tuple[str, ...] = ()
     start: Pose | None = None
     variant: int = 0

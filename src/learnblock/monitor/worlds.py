@@ -11,11 +11,18 @@ from learnblock.i18n import Phrase
 from learnblock.monitor.monitor import Lines
 from learnblock.monitor.pictures import png
 from learnblock.robots.simulated import check_file_name, find_world, own_worlds
-from learnblock.simulator import Template, WorldFile, read_world, write_world
+from learnblock.simulator import RobotDescription, Template, WorldFile, read_world, write_world
+from learnblock.simulator.colours import Colour
+from learnblock.simulator.world_description import PropKind, Theme
 from learnblock.storage.files import save
 
 __all__ = [
+    "Colour",
+    "PropKind",
+    "RobotDescription",
     "Template",
+    "Theme",
+    "WorldFile",
     "check_world",
     "face_picture",
     "floor_picture",

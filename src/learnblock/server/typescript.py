@@ -1,6 +1,7 @@
-"""The page's types, written from `learnblock.server.messages`.
+"""The page's types, written from `learnblock.server.messages`, and those of worlds and robots.
 
 python -m learnblock.server.typescript > frontend/src/protocol/messages.ts
+python -m learnblock.server.typescript world > frontend/src/protocol/world.ts
 """
 
 import sys
@@ -10,6 +11,7 @@ from typing import Any
 import msgspec
 from msgspec import inspect, json
 
+from learnblock.monitor import worlds
 from learnblock.monitor.sensors import QUANTITIES, Quantity
 from learnblock.server import messages
 
@@ -17,6 +19,10 @@ _HEADER = """\
 /** The conversation with the server; written by `python -m learnblock.server.typescript`. */
 
 import type { Phrase } from "../i18n";
+import type { RobotDescription, WorldFile } from "./world";
+"""
+_WORLD_HEADER = """\
+/** Worlds and robots as in their files; by `python -m learnblock.server.typescript world`. */
 """
 _SCALARS: dict[type[inspect.Type], str] = {
     inspect.StrType: "string",
@@ -36,6 +42,12 @@ def typescript() -> str:
     aliases = {name: getattr(messages, name) for name in ("Notation", "View")}
     quantities = _constant("QUANTITIES", dict[str, Quantity], dict(QUANTITIES))
     return module(_HEADER, unions, aliases, [Quantity]) + quantities
+
+
+def world_typescript() -> str:
+    """The module of what `Scene` and the world editor's messages carry as plain values."""
+    aliases = {name: getattr(worlds, name) for name in ("Colour", "PropKind", "Theme")}
+    return module(_WORLD_HEADER, {}, aliases, [worlds.WorldFile, worlds.RobotDescription])
 
 
 def module(
@@ -81,7 +93,10 @@ def _structs(kinds: Any) -> list[inspect.StructType]:
     while ahead:
         kind = ahead.pop()
         if isinstance(kind, inspect.StructType):
-            if kind.cls.__name__ in found:
+            known = found.get(kind.cls.__name__)
+            if known and known.cls is not kind.cls:
+                raise TypeError(f"{known.cls} and {kind.cls} have the same name")
+            if known:
                 continue
             found[kind.cls.__name__] = kind
         ahead += _parts(kind)
@@ -94,7 +109,11 @@ def _parts(kind: inspect.Type) -> list[inspect.Type]:
             return [one.type for one in fields]
         case inspect.UnionType(types=types):
             return list(types)
-        case inspect.ListType(item_type=item) | inspect.VarTupleType(item_type=item):
+        case (
+            inspect.ListType(item_type=item)
+            | inspect.VarTupleType(item_type=item)
+            | inspect.Metadata(type=item)
+        ):
             return [item]
         case inspect.TupleType(item_types=items):
             return list(items)
@@ -126,6 +145,8 @@ def _mark(struct: inspect.StructType, one: inspect.Field) -> str:
 
 
 def _written(kind: inspect.Type) -> str:
+    if isinstance(kind, inspect.Metadata):
+        return kind.extra["values_of"] if kind.extra else _written(kind.type)
     scalar = _SCALARS.get(type(kind))
     return _compound(kind) if scalar is None else scalar
 
@@ -159,4 +180,4 @@ def _bracketed(kind: inspect.Type) -> str:
 
 
 if __name__ == "__main__":
-    sys.stdout.write(typescript())
+    sys.stdout.write(world_typescript() if sys.argv[1:] == ["world"] else typescript())

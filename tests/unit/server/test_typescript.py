@@ -1,14 +1,28 @@
 """The page's types match the messages of the server."""
 
-from learnblock.server.typescript import typescript
+import msgspec
+import pytest
+
+from learnblock.server.typescript import module, typescript, world_typescript
 from places import ROOT
 
-WRITTEN = ROOT / "frontend" / "src" / "protocol" / "messages.ts"
+PROTOCOL = ROOT / "frontend" / "src" / "protocol"
 
 
 def test_the_types_of_the_page_are_up_to_date():
     # To update: python -m learnblock.server.typescript > frontend/src/protocol/messages.ts
-    assert typescript() == WRITTEN.read_text(encoding="utf-8")
+    assert typescript() == (PROTOCOL / "messages.ts").read_text(encoding="utf-8")
+
+
+def test_the_types_of_worlds_and_robots_are_up_to_date():
+    # To update: python -m learnblock.server.typescript world > frontend/src/protocol/world.ts
+    assert world_typescript() == (PROTOCOL / "world.ts").read_text(encoding="utf-8")
+
+
+def test_two_types_of_one_name_are_refused():
+    one, other = (msgspec.defstruct("Box", [(field, int)]) for field in ("length", "width"))
+    with pytest.raises(TypeError, match="the same name"):
+        module("", {}, {}, [one, other])
 
 
 def test_a_field_with_a_default_may_be_absent():

@@ -91,5 +91,5 @@ export class Checking implements Island {
 }
 
 function question(world: WorldValues): FromPage {
-  return { kind: "CheckWorld", world: world as unknown as Record<string, unknown> };
+  return { kind: "CheckWorld", world };
 }

@@ -72,7 +72,7 @@ export class Editor implements Island {
     this.build();
     this.cleanup = new Cleanup(
       connection.on("WorldToEdit", (message) => this.open(message)),
-      connection.on("WorldMade", ({ world }) => this.made(world as unknown as WorldValues)),
+      connection.on("WorldMade", ({ world }) => this.made(world)),
       effect(() => this.keepUnsaved(this.draft.world.value)),
       effect(() => this.words()),
     );
@@ -135,11 +135,10 @@ export class Editor implements Island {
   }
 
   private open({ name, world, save_as }: WorldToEdit): void {
-    const values = world as unknown as WorldValues;
     const left = UNSAVED.read(name);
-    this.opened.value = { name, world: values };
-    this.draft.open(values);
-    if (save_as === name) this.saving.propose(values.title || name, name);
+    this.opened.value = { name, world };
+    this.draft.open(world);
+    if (save_as === name) this.saving.propose(world.title || name, name);
     else this.saving.propose(this.freeTitle(name));
     if (left) this.goOn(left);
     this.plan.fit();

@@ -70,7 +70,7 @@ export class Beams {
   }
 
   private shows({ sides }: DistanceValues): boolean {
-    return this.side === null || sides.includes(this.side);
+    return this.side === null || sides.some((side) => side === this.side);
   }
 
   private write(i: number, { x, y, direction, beam, maximum }: DistanceValues, reading: number | null): void {

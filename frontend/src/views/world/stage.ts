@@ -57,12 +57,12 @@ export class Stage {
     changed: () => void,
     color: (name: string) => string | null = () => null,
   ) {
-    this.world = scene.world as unknown as WorldValues;
+    this.world = scene.world;
     this.pictures = new Pictures(changed);
     const { fixed, pushed } = things(this.world, palette, this.pictures);
     this.pushed = pushed;
     this.goals = goalMarks(this.world, scene.lines, this.signs);
-    const descriptions = scene.robots.map(([, values]) => values as unknown as RobotValues);
+    const descriptions = scene.robots.map(([, description]) => description);
     this.robots = descriptions.map(robotModel);
     this.described = descriptions[0] ?? null;
     scene.robots.forEach(([name], i) => {

@@ -27,7 +27,7 @@ import { Motion } from "./motion";
 import { Placing } from "./placing";
 import { Pointing } from "./pointing";
 import { isBlinking } from "./robots/blinking";
-import type { RobotValues, WorldValues, XY } from "./scenery/description";
+import type { RobotValues, XY } from "./scenery/description";
 import type { Pose } from "./scenery/geometry";
 import { paletteOf } from "./scenery/palette";
 import { Stage } from "./stage";
@@ -401,7 +401,7 @@ export class World implements WorldIsland {
     this.trail.clear();
     this.effects.clear();
     const { robotColor } = this.context;
-    const palette = paletteOf((scene.world as unknown as WorldValues).theme, page);
+    const palette = paletteOf(scene.world.theme, page);
     this.stage = new Stage(scene, palette, () => this.view.invalidate(), robotColor);
     this.drawing.on(this.stage.floorColour);
     this.view.scene.add(this.stage.object);

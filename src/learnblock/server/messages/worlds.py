@@ -1,11 +1,12 @@
 """Messages about worlds: their appearance, and editing them."""
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 from msgspec import Meta, Struct
 
 from learnblock.i18n import Phrase
 from learnblock.monitor import monitor
+from learnblock.monitor.monitor import WorldValues
 from learnblock.server.messages.base import LONGEST_CONTENT, FromPage, FromReader, Name, ToPage
 
 # From the page.
@@ -20,7 +21,7 @@ class ReadWorld(FromReader, frozen=True):
 class CheckWorld(FromReader, frozen=True):
     """Check a world and preview its lines; the reply is `WorldChecked`."""
 
-    world: dict[str, Any]
+    world: WorldValues
 
 
 class MakeWorld(FromReader, frozen=True):
@@ -47,7 +48,7 @@ class SaveWorld(FromPage, frozen=True):
     """
 
     name: Name
-    world: dict[str, Any]
+    world: WorldValues
     replace: bool = False
 
 
@@ -139,7 +140,7 @@ class WorldToEdit(ToPage, frozen=True):
     """
 
     name: str
-    world: dict[str, Any]
+    world: WorldValues
     lines: tuple[tuple[tuple[float, float], ...], ...]
     save_as: str
 
@@ -175,4 +176,4 @@ class WorldChecked(ToPage, frozen=True):
 class WorldMade(ToPage, frozen=True):
     """A world from a template, as in its file (`WorldFile`)."""
 
-    world: dict[str, Any]
+    world: WorldValues
