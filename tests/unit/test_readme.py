@@ -81,6 +81,24 @@ def test_every_linked_page_exists(page):
     assert [name for name in named if not (page.parent / name).exists()] == []
 
 
+def anchors(page):
+    """Return the anchors of a page's headings, as GitHub and GitLab name them."""
+    text = re.sub(r"^```.*?^```", "", page.read_text(encoding="utf-8"), flags=re.M | re.S)
+    titles = re.findall(r"^#+ (.*)$", text, re.M)
+    return {re.sub(r"[^\w -]", "", title.lower()).replace(" ", "-") for title in titles}
+
+
+def test_every_link_to_a_heading_finds_it():
+    pages = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *DOCS.rglob("*.md")]
+    links = [
+        (page.parent / name if name else page, anchor)
+        for page in pages
+        for name, anchor in re.findall(r"\]\(([^)#:]*)#([^)]+)\)", page.read_text("utf-8"))
+    ]
+    assert len(links) > 50
+    assert [(to.name, anchor) for to, anchor in links if anchor not in anchors(to)] == []
+
+
 def test_the_list_of_all_pages_and_that_of_all_commands_are_complete():
     pages = (DOCS / "README.md").read_text(encoding="utf-8")
     assert [page.name for page in DOCS.glob("[a-z]*.md") if f"({page.name})" not in pages] == []
