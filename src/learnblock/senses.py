@@ -28,7 +28,7 @@ SENSES: Mapping[str, tuple[str, ...]] = {
     "text-display": ("Matrix", "Screen"),
 }
 
-#: The sense that each method of `robot.senses` asks for; ``{}`` stands for its argument.
+#: The sense that each method of `robot.senses` reads; ``{}`` stands for the method's argument.
 METHODS: Mapping[str, str] = {
     "heading": "heading",
     "reset_heading": "heading",
@@ -108,7 +108,7 @@ def served_by(need: str, equipment: frozenset[str]) -> str | None:
 
 
 def sense_of(method: str, argument: str | None = None) -> str | None:
-    """The sense that a method of `robot.senses` asks for; None if only the run will tell.
+    """The sense that a method of `robot.senses` reads; None if only the run will tell.
 
     >>> sense_of("distance", "front"), sense_of("heading")
     ('obstacle-front', 'heading')

@@ -67,7 +67,7 @@ export class UnsavedEdits<Edit> {
   /** The edit of this name; null if there is none. */
   read(name: string): Edit | null {
     const all = this.all();
-    // Every object has a "constructor" that nobody has edited.
+    // Every object inherits a property "constructor", which is not an edit.
     return Object.hasOwn(all, name) ? (all[name] as Edit) : null;
   }
 

@@ -116,8 +116,8 @@ def _prepare(
         # At full speed a run is over before a person has pressed a key.
         pace = "real"
     network = allow_network or running.may_use_network(file)
-    options = Options(world, seed, pace, time_limit(pace, seconds), variant, network=network)
-    options = replace(options, anyway=anyway)
+    limit = time_limit(pace, seconds)
+    options = Options(world, seed, pace, limit, variant, network=network, anyway=anyway)
     entry.load().check_wishes(options.wishes)
     return Prepared(program, entry, options, recorded)
 

@@ -86,7 +86,7 @@ def drive_arc(robot: "Client", radius: float, angle: float, advSpeed: float = 80
 def wait_until_still(robot: "Client") -> None:
     """Wait until the robot has stopped, for example after `stop_bot` or at an obstacle.
 
-    This is measured by the wheels. While the robot is told to keep driving, it may never return.
+    The robot measures this with its wheels. If nothing makes it stop, the program waits forever.
     """
     base = robot.device(Base)
     if base is None:

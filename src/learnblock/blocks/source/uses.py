@@ -1,7 +1,7 @@
 """What the functions of a Python file need of a robot, read from their source.
 
-A function that asks a skill for a distance needs what the skill needs. So nobody has to write down
-the needs of an own skill, and a robot that lacks one of them is refused before the program starts.
+A function that calls a skill needs whatever that skill needs. So users need not declare what their
+own skills need, and a robot that lacks any of it is refused before the program starts.
 """
 
 import ast
