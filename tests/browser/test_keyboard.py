@@ -221,7 +221,7 @@ def fewer_than_four(keys):
 
 
 def turn_a_corner(keys):
-    keys.find("forward", "^drive forward")
+    keys.find("forward", "^drive forward at")
     keys.find("wait", "^wait")
     keys.fill("5")
     keys.walk("ArrowLeft", "^wait")

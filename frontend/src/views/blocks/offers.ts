@@ -56,11 +56,18 @@ export function offered(offer: Offer, words: Words): Item[] {
   return [...headed(first, true), ...others, button(words.fewer())];
 }
 
-/** Found blocks; those that the robot can't do come last. */
-export function found(items: readonly Item[], lacks: ReadonlySet<string>, words: Words): Item[] {
+/** Found blocks: those that the palette shows first come first, and those that the robot can't do last. */
+export function found(
+  items: readonly Item[],
+  first: readonly Section[],
+  lacks: ReadonlySet<string>,
+  words: Words,
+): Item[] {
+  const order = first.flatMap(({ blocks }) => blocks);
+  const rank = (item: Item) => (order.includes(nameOf(item)) ? order.indexOf(nameOf(item)) : order.length);
   const able = items.filter((item) => !missing(item, lacks));
   return [
-    ...able,
+    ...able.sort((one, other) => rank(one) - rank(other)),
     ...lackingItems(
       items.filter((item) => missing(item, lacks)),
       lacks,

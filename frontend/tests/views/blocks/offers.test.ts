@@ -60,5 +60,14 @@ test("a whole tab can be among the first", () => {
 
 test("found blocks that the robot can't do come last", () => {
   const items = [block("look", "Motor"), block("drive")];
-  expect(found(items, new Set(["Motor"]), WORDS).map(wordOf)).toEqual(["drive", "no Motor", "pale look"]);
+  expect(found(items, [], new Set(["Motor"]), WORDS).map(wordOf)).toEqual(["drive", "no Motor", "pale look"]);
+});
+
+test("found blocks that the palette shows first come first, in its order", () => {
+  const items = [block("rare"), block("until"), block("wait"), block("other")];
+  const first = [
+    { heading: "", blocks: ["wait"] },
+    { heading: "", blocks: ["until"] },
+  ];
+  expect(found(items, first, new Set(), WORDS).map(wordOf)).toEqual(["wait", "until", "rare", "other"]);
 });

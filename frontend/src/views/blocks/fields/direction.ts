@@ -37,6 +37,12 @@ export class FieldDirection extends Blockly.FieldDropdown {
     return super.getSize();
   }
 
+  /** The search reads blocks that are not drawn. */
+  protected override getText_(): string | null {
+    this.follow();
+    return super.getText_();
+  }
+
   private follow(): void {
     const number = this.number()?.getValue();
     this.fieldGroup_?.classList.toggle(FIXED, number === undefined);
