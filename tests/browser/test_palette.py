@@ -65,7 +65,7 @@ def test_on_a_phone_a_tap_puts_blocks_at_the_end_of_the_program(phone):
     add(phone, "Move", "lb_skill_drive_distance")
     add(phone, "Move", "lb_skill_turn")
     tap(phone, ".areas button", "Block-Text")
-    phone.sees("blocktext", "function.drive_distance(200", "function.turn(90)")
+    phone.sees("blocktext", "function.drive_distance(200", "function.turn(90, 120)")
     steps = [line.strip().split("(")[0] for line in phone.reads("blocktext")]
     assert steps[1:3] == ["function.drive_distance", "function.turn"]
 
