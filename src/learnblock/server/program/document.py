@@ -17,7 +17,16 @@ from learnblock.language.workspace.blocks import Workspace
 from learnblock.language.workspace.idle_blocks import idle_blocks
 from learnblock.runtime.program import Program
 from learnblock.server.messages import Notation, Place, Problem, View
-from learnblock.server.program.notations import Notations, Target, read_python, with_robot
+from learnblock.server.program.notations import (
+    Blocks,
+    Notations,
+    Target,
+    Written,
+    derive,
+    for_robot,
+    read_python,
+    with_robot,
+)
 from learnblock.server.program.problems import owners, problem, problems
 from learnblock.server.program.renames import rename_between
 
@@ -95,7 +104,7 @@ class Document:
         """Edit one of the texts."""
         text = text.removeprefix("\ufeff")
         try:
-            good = self._read_blocktext(text) if notation == "blocktext" else self._read(text)
+            good = self._read(notation, text)
         except ProgramError as error:
             mistakes = self._mistakes(notation, text, error.diagnostics)
             return replace(
@@ -112,12 +121,11 @@ class Document:
         said = _said_of_blocks(read)
         if any(one.severity == "error" for one in said):
             return self._unreadable(workspace, said)
+        blocks = Blocks(workspace, read.block_ids)
+        good = derive(read.program, self.target, self.good, blocks=blocks)
         if read.program != self.good.tree:
-            good = Notations.of_blocks(read.program, read.block_ids, workspace, self.target)
             good = self._importing(self._renamed_throughout(good))
-            return replace(self, origin="blocks", good=good, unread=None, remarks=said)
-        good = self.good.with_blocks(read.program, read.block_ids, workspace)
-        if self.unread and self.unread.view != "blocks":
+        elif self.unread and self.unread.view != "blocks":
             # Moving a block must not discard a text that has mistakes.
             return replace(self, good=good)
         return replace(self, origin="blocks", good=good, unread=None, remarks=said)
@@ -128,7 +136,7 @@ class Document:
         unread = self.unread
         if unread and unread.view == "python":
             unread = replace(unread, text=with_robot(unread.text, module))
-        return replace(self, target=target, good=self.good.for_robot(module), unread=unread)
+        return replace(self, target=target, good=for_robot(self.good, module), unread=unread)
 
     def renamed(self, sort: Sort, name: str, new: str) -> "Document":
         """Rename a variable, a function or a ``when`` everywhere.
@@ -204,7 +212,7 @@ class Document:
         """The blocks that are shown."""
         if self.unread and self.unread.workspace is not None:
             return self.unread.workspace
-        return self.good.workspace
+        return self.good.blocks.workspace
 
     @property
     def python_by_hand(self) -> str | None:
@@ -275,7 +283,10 @@ class Document:
         """Every statement in all three views."""
         found: dict[str, Place] = {}
         rows = zip(
-            self.good.blocks(), self._extents("blocktext"), self._extents("python"), strict=True
+            self.good.statement_blocks(),
+            self._extents("blocktext"),
+            self._extents("python"),
+            strict=True,
         )
         for block, blocktext, python in rows:
             if block is not None:
@@ -287,7 +298,7 @@ class Document:
         """The innermost block in a line of the Python view; lines count from 1."""
         owner = self._python_owners
         index = owner[python_line] if 0 < python_line < len(owner) else None
-        return None if index is None else self.good.blocks()[index]
+        return None if index is None else self.good.statement_blocks()[index]
 
     def python_line(self, block: str) -> int | None:
         """The first line of a block in the Python view; lines count from 1."""
@@ -309,26 +320,23 @@ class Document:
 
     # Reading.
 
-    def _read_blocktext(self, text: str) -> Notations:
-        tree = parse(text)
-        if tree == self.good.tree:
-            return self.good.with_blocktext(tree, text)
-        return Notations.of_blocktext(tree, text, self.target, self.good.workspace)
+    def _read(self, notation: Notation, text: str) -> Notations:
+        if notation == "blocktext":
+            return self._from_blocktext(parse(text), text, self.good)
+        tree = read_python(text)
+        return derive(tree, self.target, self.good, python=Written.by_author(text, tree))
 
-    def _read(self, python: str) -> Notations:
-        tree = read_python(python)
-        if tree == self.good.tree:
-            return self.good.with_python(tree, python)
-        return Notations.of_python(tree, python, self.target, self.good.workspace)
+    def _from_blocktext(self, tree: Tree, text: str, before: Notations) -> Notations:
+        return derive(tree, self.target, before, blocktext=Written.by_author(text, tree))
 
     def _rewritten(self, tree: Tree) -> "Document":
         text = format_program(tree)
-        notations = Notations.of_blocktext(parse(text), text, self.target, self.good.workspace)
-        return replace(self, origin="blocktext", good=notations, unread=None, remarks=())
+        good = self._from_blocktext(parse(text), text, self.good)
+        return replace(self, origin="blocktext", good=good, unread=None, remarks=())
 
     def _renamed_throughout(self, good: Notations) -> Notations:
         """If a name was changed in the blocks, change it in raw Python and comments too."""
-        change = rename_between(self.good.workspace, good.workspace)
+        change = rename_between(self.good.blocks.workspace, good.blocks.workspace)
         if self.unread or change is None or not change.is_left_in(good.blocktext.text):
             return good
         try:
@@ -338,7 +346,7 @@ class Document:
             return good
         if change.is_left_in(text):
             return good
-        return Notations.of_blocktext(parse(text), text, self.target, good.workspace)
+        return self._from_blocktext(parse(text), text, good)
 
     def _importing(self, good: Notations) -> Notations:
         """If a skill of a library was added, import that library."""
@@ -349,7 +357,7 @@ class Document:
             return good
         tree = reduce(with_import, missing, good.tree)
         text = format_program(tree)
-        return Notations.of_blocktext(parse(text), text, self.target, good.workspace)
+        return self._from_blocktext(parse(text), text, good)
 
     def _unreadable(self, workspace: Workspace, mistakes: tuple[Problem, ...]) -> "Document":
         unread = Unread("blocks", mistakes, workspace=workspace)
@@ -360,7 +368,7 @@ class Document:
     ) -> tuple[Problem, ...]:
         written = self.good.blocktext if notation == "blocktext" else self.good.python
         owner = owners(moved(written.extents, written.text, text))
-        blocks = self.good.blocks()
+        blocks = self.good.statement_blocks()
 
         def block(line: int) -> str | None:
             index = owner[line] if line < len(owner) else None
@@ -380,6 +388,7 @@ def _said_of_blocks(read: WorkspaceProgram) -> tuple[Problem, ...]:
 
 def _laid_out(target: Target, tree: Tree, blocktext: str, workspace: Workspace | None) -> Document:
     """Lay out a program with its saved blocks, if these have the same meaning."""
+    written = Written.by_author(blocktext, tree)
     if workspace is not None:
         try:
             read = from_workspace(workspace, target.configurations)
@@ -389,11 +398,11 @@ def _laid_out(target: Target, tree: Tree, blocktext: str, workspace: Workspace |
         else:
             said = _said_of_blocks(read)
             if read.program == tree and not any(one.severity == "error" for one in said):
-                blocks = (read.program, read.block_ids, workspace)
-                notations = Notations.of_blocks(*blocks, target).with_blocktext(tree, blocktext)
-                return Document(target, "blocktext", notations, remarks=said)
-    notations = Notations.of_blocktext(tree, blocktext, target, workspace)
-    return Document(target, "blocktext", notations)
+                blocks = Blocks(workspace, read.block_ids)
+                good = derive(read.program, target, blocks=blocks, blocktext=written)
+                return Document(target, "blocktext", good, remarks=said)
+    good = derive(tree, target, blocktext=written, layout=workspace)
+    return Document(target, "blocktext", good)
 
 
 def _with_python(document: Document, python: str | None) -> Document:
@@ -425,8 +434,9 @@ def _last_good(
     tree, mistakes = recover(text)
     # Recovered parts may not make a complete program.
     text, tree = ("", Tree()) if mistakes else (text, tree)
-    notations = Notations.of_blocktext(tree, text, target, workspace)
-    document = Document(target, "blocktext", notations)
+    written = Written.by_author(text, tree)
+    good = derive(tree, target, blocktext=written, layout=workspace)
+    document = Document(target, "blocktext", good)
     if workspace is not None:
         document = _unless_unread(document, document.with_blocks(workspace))
     if python is not None:

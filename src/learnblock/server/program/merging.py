@@ -8,7 +8,7 @@ from learnblock.language.edit.merge import merge
 from learnblock.language.workspace.blocks import Workspace
 from learnblock.server.messages import View
 from learnblock.server.program.document import Document
-from learnblock.server.program.notations import Notations
+from learnblock.server.program.notations import Written, derive
 
 #: What a view shows: a text, or blocks.
 Content = str | Workspace
@@ -110,8 +110,8 @@ def _rewritten(document: Document, edit: Edit, text: str) -> Document:
     tree, mistakes = recover(text)
     if mistakes:
         return document.with_text("blocktext", text)
-    good = Notations.of_blocktext(tree, text, document.target, edit.content)
-    return replace(document, good=good)
+    written = Written.by_author(text, tree)
+    return replace(document, good=derive(tree, document.target, document.good, blocktext=written))
 
 
 def _with_unread_text(now: Document, after: Merged) -> Merged:

@@ -55,77 +55,89 @@ class Written:
 
 
 @dataclass(frozen=True)
+class Blocks:
+    """A program as blocks.
+
+    Args:
+        workspace: the blocks.
+        ids: the block of each node of the program's tree, by its identity.
+    """
+
+    workspace: Workspace
+    ids: Mapping[int, str]
+
+
+@dataclass(frozen=True)
 class Notations:
     """One program in three notations.
 
     Args:
         tree: the program itself.
-        block_ids: the block of each node of `tree`, by its identity.
-        workspace: the blocks.
+        blocks: the program as blocks.
         blocktext: the program in Block-Text.
         python: the program in Python.
-        by_hand: whether the Python differs from the generated one; it is run and saved unchanged.
     """
 
     tree: Program
-    block_ids: Mapping[int, str]
-    workspace: Workspace
+    blocks: Blocks
     blocktext: Written
     python: Written
-    by_hand: bool = False
 
-    @classmethod
-    def of_blocktext(
-        cls, tree: Program, text: str, target: Target, before: Workspace | None
-    ) -> "Notations":
-        """The notations of a program written in Block-Text."""
-        block_ids, workspace = _blocks(tree, target, before)
-        blocktext = Written.by_author(text, tree)
-        return cls(tree, block_ids, workspace, blocktext, _python(tree, target))
+    @property
+    def by_hand(self) -> bool:
+        """Whether the Python differs from the generated one; it is run and saved unchanged."""
+        return self.python.tree is not None and self.python.tree.python is not None
 
-    @classmethod
-    def of_python(
-        cls, tree: Program, text: str, target: Target, before: Workspace | None
-    ) -> "Notations":
-        """The notations of a program written in Python; `tree` is from `read_python`."""
-        block_ids, workspace = _blocks(tree, target, before)
-        python = Written.by_author(text, tree)
-        blocktext = _blocktext(tree)
-        return cls(tree, block_ids, workspace, blocktext, python, tree.python is not None)
-
-    @classmethod
-    def of_blocks(
-        cls, tree: Program, block_ids: Mapping[int, str], workspace: Workspace, target: Target
-    ) -> "Notations":
-        """The notations of a program built from blocks."""
-        return cls(tree, block_ids, workspace, _blocktext(tree), _python(tree, target))
-
-    # Edits that do not change the program leave the other notations as their author wrote them.
-
-    def with_blocktext(self, tree: Program, text: str) -> "Notations":
-        """The same program, written differently in Block-Text."""
-        return replace(self, blocktext=Written.by_author(text, tree))
-
-    def with_python(self, tree: Program, text: str) -> "Notations":
-        """The same program, written differently in Python."""
-        by_hand = tree.python is not None
-        return replace(self, python=Written.by_author(text, tree), by_hand=by_hand)
-
-    def with_blocks(
-        self, tree: Program, block_ids: Mapping[int, str], workspace: Workspace
-    ) -> "Notations":
-        """The same program, laid out differently as blocks."""
-        return replace(self, tree=tree, block_ids=block_ids, workspace=workspace)
-
-    def for_robot(self, module: str) -> "Notations":
-        """The same program for another robot."""
-        if is_raw(self.tree):
-            return self
-        return replace(self, python=replace(self.python, text=with_robot(self.python.text, module)))
-
-    def blocks(self) -> list[str | None]:
+    def statement_blocks(self) -> list[str | None]:
         """The block of `every` statement."""
-        return [self.block_ids.get(id(node)) for node in every(self.tree)]
+        return [self.blocks.ids.get(id(node)) for node in every(self.tree)]
+
+
+def derive(
+    tree: Program,
+    target: Target,
+    before: Notations | None = None,
+    *,
+    blocks: Blocks | None = None,
+    blocktext: Written | None = None,
+    python: Written | None = None,
+    layout: Workspace | None = None,
+) -> Notations:
+    """The notations of a program that was read from some of its views; the others follow.
+
+    Args:
+        tree: the program; if `blocks` are given, theirs.
+        target: the robot and skills that it is for.
+        before: the notations before; if they are of the same program, they stay as their author
+            wrote them.
+        blocks: the program as blocks, if it was read from them.
+        blocktext: the program in Block-Text, if it was read from that.
+        python: the program in Python, if it was read from that.
+        layout: the blocks next to which new ones are laid out; those of `before` by default.
+    """
+    if before is not None and before.tree == tree:
+        return Notations(
+            before.tree if blocks is None else tree,
+            blocks or before.blocks,
+            blocktext or before.blocktext,
+            python or before.python,
+        )
+    if before is not None and layout is None:
+        layout = before.blocks.workspace
+    return Notations(
+        tree,
+        blocks or _blocks(tree, target, layout),
+        blocktext or _blocktext(tree),
+        python or _python(tree, target),
+    )
+
+
+def for_robot(notations: Notations, module: str) -> Notations:
+    """The same program for another robot."""
+    if is_raw(notations.tree):
+        return notations
+    python = replace(notations.python, text=with_robot(notations.python.text, module))
+    return replace(notations, python=python)
 
 
 def read_python(text: str) -> Program:
@@ -148,11 +160,9 @@ def is_raw(tree: Program) -> bool:
     return len(tree.items) == 1 and tree.main is None and isinstance(tree.items[0], Raw)
 
 
-def _blocks(
-    tree: Program, target: Target, before: Workspace | None
-) -> tuple[Mapping[int, str], Workspace]:
-    made = to_workspace(tree, target.configurations, before)
-    return made.block_ids, made.workspace
+def _blocks(tree: Program, target: Target, layout: Workspace | None) -> Blocks:
+    made = to_workspace(tree, target.configurations, layout)
+    return Blocks(made.workspace, made.block_ids)
 
 
 def _blocktext(tree: Program) -> Written:

@@ -152,7 +152,7 @@ class _Located:
         if index is None:
             return None
         where = (diagnostic.line, diagnostic.column, diagnostic.end_column)
-        own = self.notations.block_ids.get(id(self.originals[index]))
+        own = self.notations.blocks.ids.get(id(self.originals[index]))
         return self.inner(index).get(where, own)
 
     def inner(self, index: int) -> Mapping[tuple[int, int, int], str]:
@@ -162,7 +162,7 @@ class _Located:
         return self._inner[index]
 
     def _inner_blocks(self, index: int) -> Iterator[tuple[tuple[int, int, int], str]]:
-        ids = self.notations.block_ids
+        ids = self.notations.blocks.ids
         pairs = zip(
             _expressions(self.statements[index]), _expressions(self.originals[index]), strict=False
         )
