@@ -4,7 +4,6 @@ from collections.abc import Callable
 
 from learnblock.server import messages
 from learnblock.server.program.document import Document
-from learnblock.server.program.edits import Edits
 from learnblock.server.program.merging import Edit, Merged, merged
 from learnblock.server.program.revisions import Revisions
 from learnblock.server.program.shown import Shown
@@ -21,14 +20,13 @@ class SharedProgram:
 
     def __init__(self, document: Document) -> None:
         self.revisions = Revisions(document)
-        self._edits = Edits(document)
         #: Who wrote the text that can't be parsed, if there is one.
         self._unread_by: Shown | None = None
 
     @property
     def document(self) -> Document:
         """The current program."""
-        return self._edits.document
+        return self.revisions.document
 
     def merge(self, edit: Edit, by: Shown | None = None) -> Merged:
         """Merge an edit.
@@ -54,27 +52,23 @@ class SharedProgram:
         Raises:
             LearnBlockError: the edit is impossible; nothing has changed.
         """
-        self._edits.push(edit(self.document).settled())
-        self.revisions.add(self.document)
+        self.revisions.push(edit(self.document).settled())
 
     def replace(self, edit: Callable[[Document], Document]) -> None:
         """Change the program without a step of undo, for example when the robot changes."""
-        self._edits.replace(edit(self.document).settled())
-        self.revisions.add(self.document)
+        self.revisions.replace(edit(self.document).settled())
 
     def undo(self) -> None:
         """Undo the last edit, if there is one."""
-        self._edits.undo()
-        self.revisions.add(self.document.settled())
+        self.revisions.undo()
+        self.document.settled()
 
     def redo(self) -> None:
         """Redo the last undone edit, if there is one."""
-        self._edits.redo()
-        self.revisions.add(self.document.settled())
+        self.revisions.redo()
+        self.document.settled()
 
     def update(self, page: Shown) -> messages.Document:
         """Return the message that brings a page up to date."""
-        number = self.revisions.last.number
-        return page.update(
-            self.document, number, can_undo=self._edits.can_undo, can_redo=self._edits.can_redo
-        )
+        now = self.revisions
+        return page.update(now.document, now.number, can_undo=now.can_undo, can_redo=now.can_redo)

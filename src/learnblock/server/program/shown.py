@@ -57,8 +57,7 @@ class Shown:
             self._own.clear()
         if view in self._own:
             return self._own[view]
-        found = revisions.find(revision)
-        return found.text(view) if found else None
+        return revisions.text(revision, view)
 
     def left(self, view: View, text: str) -> None:
         """Record the text that the page's edit has left in a view; see `Document.text_of`."""

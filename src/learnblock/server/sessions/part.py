@@ -19,7 +19,6 @@ from learnblock.server.runs.keyboard import Keyboard
 from learnblock.server.runs.player import Player
 from learnblock.server.runs.viewers import Viewer, Viewers
 from learnblock.server.sessions.prepared import PreparedPart
-from learnblock.server.sessions.saves import Saved, Saves
 
 Result = TypeVar("Result")
 
@@ -78,7 +77,6 @@ class Part:
         self.program = SharedProgram(prepared.document)
         #: The pages that show this part.
         self.viewers = Viewers()
-        self.saves: Saves
         self._home = home
         self._console = Console()
         #: The robots that run the program, at least one.
@@ -197,7 +195,7 @@ class Part:
 
         def merge() -> Merged:
             revisions = self.program.revisions
-            base = page.shown.base(view, revision or revisions.last.number, revisions)
+            base = page.shown.base(view, revision or revisions.number, revisions)
             merged = self.program.merge(Edit(view, content, base), page.shown)
             page.shown.edited(number, view, content)
             return merged
@@ -256,10 +254,6 @@ class Part:
 
     # The file.
 
-    def saved(self, project: Project) -> Saved:
-        """The part as it is now, in a project that is being saved."""
-        return Saved(project, self.program.revisions.last)
-
     async def take_in(self, outside: ProjectPart, read: Document) -> bool:
         """Merge the program as another program has saved it; what was changed here wins.
 
@@ -272,13 +266,15 @@ class Part:
         """
         document = self._for_robot(read)
         view: View = "blocktext" if outside.python is None else "python"
-        base = self.saves.edited(view, document.text_of(view)).revision
-        edit = Edit(view, document.text_of(view), base.text(view), wins=False)
+        text = document.text_of(view)
 
         def merge() -> bool:
-            if self.program.revisions.last == base:
+            revisions = self.program.revisions
+            base = revisions.edited(view, text)
+            if revisions.number == base:
                 self.program.change(lambda _: document)
                 return False
+            edit = Edit(view, text, revisions.text(base, view), wins=False)
             return self.program.merge(edit).lost is not None
 
         return await self._think(merge)

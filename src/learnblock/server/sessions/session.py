@@ -38,7 +38,6 @@ from learnblock.server.sessions.prepared import (
     prepare,
 )
 from learnblock.server.sessions.runs import Runs
-from learnblock.server.sessions.saves import Saves
 
 
 @dataclass(frozen=True)
@@ -85,8 +84,6 @@ class Session:
         self.parts = [Part(part, self) for part in prepared.parts]
         self._name_robots()
         self._saved = self.project
-        for part in self.parts:
-            part.saves = Saves(part.saved(self._saved))
         self._closed: ClosedPart | None = None
         self._tabs = self._tabs_now()
         self.archive = Archive(folder, self)
@@ -380,9 +377,7 @@ class Session:
         self.part_changed()
 
     def _new_part(self, prepared: PreparedPart) -> Part:
-        part = Part(prepared, self)
-        part.saves = Saves(part.saved(self._saved))
-        return part
+        return Part(prepared, self)
 
     def _named(self, name: str) -> Part | None:
         return next((part for part in self.parts if part.name == name), None)
@@ -462,12 +457,12 @@ class Session:
         """Return the project, and what confirms the last edit of each page once it is saved."""
         edits = [(page, page.shown, page.shown.edit) for page in self.viewers]
         project = self.project
-        saves = [(part, part.saved(project)) for part in self.parts]
+        saves = [(part.program.revisions, part.program.revisions.number) for part in self.parts]
 
         def saved() -> None:
             self._saved = project
-            for part, save in saves:
-                part.saves.add(save)
+            for revisions, number in saves:
+                revisions.saved(number)
             for page, shown, edit in edits:
                 # A page that now shows another robot counts its edits from the start again.
                 if page.shown is shown:
