@@ -4,15 +4,16 @@ import { effect, signal } from "@preact/signals";
 import { type Phrase, say, t, translated, worldName } from "../i18n";
 import { addressedProject, forgetProject, nameNoProject, nameProject, renameProject } from "../protocol/address";
 import type { Connection } from "../protocol/connection";
-import type {
-  CodeOffered,
-  Conflict,
-  Export,
-  History,
-  OriginalImported,
-  ProjectEntry,
-  Welcome,
-  WorldChoice,
+import {
+  type CodeOffered,
+  type Conflict,
+  type Export,
+  type History,
+  LIMITS,
+  type OriginalImported,
+  type ProjectEntry,
+  type Welcome,
+  type WorldChoice,
 } from "../protocol/messages";
 import { inBase64, saveFile } from "../ui/files";
 import type { Toasts } from "../ui/toasts";
@@ -21,8 +22,6 @@ import type { Program } from "./program";
 import type { RobotTabs } from "./robot-tabs";
 import { robotTitle } from "./robots";
 import { ORIGINAL, sizeProblem, stemOf, withEnding } from "./upload";
-
-const LONGEST_NAME = 100;
 
 export class Project {
   /** Empty until a project is open, and on the start page. */
@@ -157,7 +156,7 @@ export class Project {
       this.connection.send({ kind: "Import", filename: file.name, text: await file.text() });
       return;
     }
-    const filename = file.name.slice(-LONGEST_NAME);
+    const filename = file.name.slice(-LIMITS.ImportOriginal.filename);
     const texts = await Promise.all(libraries.map(async (one) => [stemOf(one), await inBase64(one)]));
     const content = await inBase64(file);
     this.connection.send({ kind: "ImportOriginal", filename, content, libraries: Object.fromEntries(texts) });

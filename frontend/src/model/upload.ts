@@ -1,6 +1,7 @@
 /** What the files are that a user has chosen: a program, or libraries. */
 
 import { t } from "../i18n";
+import { LIMITS } from "../protocol/messages";
 
 export type Upload =
   /** With the text files of the original LearnBlock's libraries beside it. */
@@ -20,9 +21,13 @@ const ORIGINAL_PROJECT = ".blockProject";
 export const ORIGINAL = [ORIGINAL_PROJECT, LIBRARY_TEXT];
 const PROGRAMS = [".learnblock", ".bt", ORIGINAL_PROJECT];
 export const UPLOADS = [...PROGRAMS, LIBRARY, ...ORIGINAL_LIBRARY];
-/** The server's limits in bytes; a project has everything that it needs in it. */
-const LIMITS: Readonly<Record<string, number>> = { learnblock: 3_500_000, lb: 250_000, conf: 250_000 };
-const LIMIT = 1_000_000;
+/** The largest files in bytes; a project has everything that it needs in it. */
+const LARGEST: Readonly<Record<string, number>> = {
+  learnblock: LIMITS.Import.text,
+  lb: LIMITS.ConvertLibrary.content,
+  conf: LIMITS.ConvertLibrary.configuration,
+};
+const LARGEST_OTHER = LIMITS.ImportOriginal.content;
 
 /** Programs come first, because their libraries may be beside them. */
 export function uploadOf(files: readonly File[]): Upload {
@@ -52,7 +57,7 @@ export function sizeProblem(files: readonly File[]): string | null {
 }
 
 function limitOf({ name }: File): number {
-  return LIMITS[name.slice(name.lastIndexOf(".") + 1).toLowerCase()] ?? LIMIT;
+  return LARGEST[name.slice(name.lastIndexOf(".") + 1).toLowerCase()] ?? LARGEST_OTHER;
 }
 
 /** The Python files that do not belong to a library. */

@@ -2347,3 +2347,277 @@ export const QUANTITIES: Record<string, Quantity> = {
     "highest": 255
   }
 };
+
+export const LIMITS = {
+  "AddTab": {
+    "robot": 100
+  },
+  "AllowNetwork": {
+    "key": 100
+  },
+  "Answer": {
+    "text": 10000
+  },
+  "AnswerPuzzle": {
+    "order": 200
+  },
+  "AnswerQuiz": {
+    "choices": 8
+  },
+  "BlockNames": {
+    "categories": 1000,
+    "blocks": 1000
+  },
+  "BlockSet": {
+    "name": 60,
+    "title": 50,
+    "description": 50
+  },
+  "ChangeSettings": {
+    "robot": 100,
+    "values": 100
+  },
+  "CheckCustomBlock": {
+    "name": 100,
+    "source": 250000,
+    "configuration": 250000,
+    "replaces": 100,
+    "language": 100
+  },
+  "ChooseRobot": {
+    "name": 100
+  },
+  "ChooseWorld": {
+    "name": 100
+  },
+  "CloseTab": {
+    "name": 100
+  },
+  "Complete": {
+    "language": 100
+  },
+  "ConnectRobot": {
+    "id": 400
+  },
+  "ConvertLibrary": {
+    "filename": 100,
+    "content": 250000,
+    "python": 1000000,
+    "configuration": 250000
+  },
+  "CopyProject": {
+    "project": 100,
+    "name": 100
+  },
+  "Delete": {
+    "name": 100
+  },
+  "DeleteBlockSet": {
+    "name": 100
+  },
+  "DeleteCustomBlock": {
+    "name": 100
+  },
+  "DeleteWorld": {
+    "name": 100
+  },
+  "Describe": {
+    "language": 100
+  },
+  "DownloadLibrary": {
+    "name": 100
+  },
+  "DuplicateCustomBlock": {
+    "name": 100,
+    "new": 100
+  },
+  "EditText": {
+    "text": 250000
+  },
+  "EditedLesson": {
+    "steps": 30,
+    "programs": 60,
+    "notes": 20
+  },
+  "Export": {
+    "project": 100
+  },
+  "ExportCustomBlock": {
+    "name": 100
+  },
+  "ExportWorld": {
+    "name": 100
+  },
+  "HoldKeys": {
+    "keys": 42
+  },
+  "Import": {
+    "filename": 100,
+    "text": 3500000
+  },
+  "ImportCustomBlock": {
+    "content": 1000000
+  },
+  "ImportLesson": {
+    "filename": 100,
+    "content": 2500000
+  },
+  "ImportLessonFolder": {
+    "name": 100,
+    "files": 300
+  },
+  "ImportLibraries": {
+    "files": 20
+  },
+  "ImportOriginal": {
+    "filename": 100,
+    "content": 1000000,
+    "libraries": 10
+  },
+  "ImportWorld": {
+    "filename": 100,
+    "content": 2625000
+  },
+  "KeepPicture": {
+    "project": 100,
+    "content": 20000
+  },
+  "LibraryFile": {
+    "filename": 100,
+    "content": 1000000,
+    "renames": 200
+  },
+  "LookBack": {
+    "subject": 100
+  },
+  "MakeLibrary": {
+    "name": 100,
+    "version": 100,
+    "title": 20,
+    "functions": 200,
+    "own": 200
+  },
+  "MakeRobot": {
+    "name": 100,
+    "description": 65536
+  },
+  "NameRobot": {
+    "robot": 100,
+    "name": 40
+  },
+  "NameRun": {
+    "name": 60
+  },
+  "New": {
+    "name": 100,
+    "robot": 100
+  },
+  "Open": {
+    "name": 100,
+    "tab": 100
+  },
+  "OpenExample": {
+    "name": 100,
+    "example": 100,
+    "robot": 100
+  },
+  "OpenTab": {
+    "name": 100,
+    "robot": 100
+  },
+  "ReadBlockSet": {
+    "filename": 100,
+    "text": 250000
+  },
+  "ReadLibraries": {
+    "files": 20
+  },
+  "ReadQuestions": {
+    "block": 100
+  },
+  "ReadSettings": {
+    "robot": 100
+  },
+  "ReadTags": {
+    "filename": 100,
+    "text": 250000
+  },
+  "ReadWorld": {
+    "name": 100
+  },
+  "RecoverText": {
+    "text": 250000,
+    "base": 250000
+  },
+  "RemoveLibrary": {
+    "name": 100
+  },
+  "Rename": {
+    "name": 100,
+    "new": 100
+  },
+  "RenameProject": {
+    "name": 100,
+    "project": 100
+  },
+  "RenameTab": {
+    "name": 100,
+    "new": 100
+  },
+  "RenameWorld": {
+    "name": 100,
+    "title": 100
+  },
+  "Restore": {
+    "version": 100
+  },
+  "RestoreCustomBlock": {
+    "name": 100
+  },
+  "RestoreWorld": {
+    "name": 100
+  },
+  "SaveAs": {
+    "name": 100
+  },
+  "SaveCustomBlock": {
+    "name": 100,
+    "source": 250000,
+    "configuration": 250000,
+    "replaces": 100
+  },
+  "SaveTags": {
+    "names": 2000
+  },
+  "SaveWorld": {
+    "name": 100
+  },
+  "SetBreakpoints": {
+    "blocks": 1000
+  },
+  "SetRobotCount": {
+    "name": 100
+  },
+  "ShowVariant": {
+    "robot": 100
+  },
+  "StartLesson": {
+    "name": 100,
+    "robot": 100
+  },
+  "TryCustomBlock": {
+    "name": 100,
+    "source": 250000,
+    "function": 100,
+    "arguments": 100
+  },
+  "UseLibrary": {
+    "name": 100
+  },
+  "WhyQuestion": {
+    "subject": 100
+  },
+  "WrittenProgram": {
+    "text": 60000
+  }
+} as const;

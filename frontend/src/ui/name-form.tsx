@@ -4,9 +4,6 @@ import { useId, useLayoutEffect, useRef } from "preact/hooks";
 import { t } from "../i18n";
 import { Actions } from "./dialog";
 
-/** The server's limit. */
-const LONGEST_NAME = 100;
-
 interface NameFormProps {
   /** The name to begin with. */
   readonly name: string;
@@ -16,14 +13,14 @@ interface NameFormProps {
   /** Says why a name is not possible; empty if it is. The dialog then stays open, with the reason. */
   readonly fault?: (name: string) => string;
   /** The limit of its characters. */
-  readonly longest?: number;
+  readonly longest: number;
   /** Closes the dialog around the form. */
   readonly close: () => void;
   readonly run: (name: string) => void;
 }
 
 /** Asks for a name in a dialog, closes it, and passes the name on. */
-export function NameForm({ name: first, help, action, fault, longest = LONGEST_NAME, close, run }: NameFormProps) {
+export function NameForm({ name: first, help, action, fault, longest, close, run }: NameFormProps) {
   const name = useSignal(first);
   const input = useRef<HTMLInputElement>(null);
   const about = useId();

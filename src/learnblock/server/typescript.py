@@ -41,7 +41,7 @@ def typescript() -> str:
     unions = {"FromPage": messages.FROM_PAGE, "ToPage": messages.TO_PAGE}
     aliases = {name: getattr(messages, name) for name in ("Notation", "View")}
     quantities = _constant("QUANTITIES", dict[str, Quantity], dict(QUANTITIES))
-    return module(_HEADER, unions, aliases, [Quantity]) + quantities
+    return module(_HEADER, unions, aliases, [Quantity]) + quantities + limits(messages.FROM_PAGE)
 
 
 def world_typescript() -> str:
@@ -74,6 +74,35 @@ def module(
         for name, kind in kinds.items()
     ]
     return "\n".join(parts)
+
+
+def limits(union: Any) -> str:
+    """The greatest lengths that the server accepts, by message and field.
+
+    A text has a number of characters, a file a number of bytes, and any other field a number of
+    entries.
+
+    Args:
+        union: the messages from the page.
+    """
+    longest = {
+        struct.cls.__name__: {
+            one.encode_name: most
+            for one in struct.fields
+            if (most := _max_length(one.type)) is not None
+        }
+        for struct in _structs([inspect.type_info(union)])
+    }
+    written = json.format(json.encode({name: one for name, one in longest.items() if one}))
+    return f"\nexport const LIMITS = {written.decode()} as const;\n"
+
+
+def _max_length(kind: inspect.Type) -> int | None:
+    if isinstance(kind, inspect.UnionType):
+        found = map(_max_length, kind.types)
+        return next((one for one in found if one is not None), None)
+    most: int | None = getattr(kind, "max_length", None)
+    return most
 
 
 def _constant(name: str, kind: Any, value: Any) -> str:

@@ -1,9 +1,11 @@
 """The page's types match the messages of the server."""
 
+from typing import Annotated
+
 import msgspec
 import pytest
 
-from learnblock.server.typescript import module, typescript, world_typescript
+from learnblock.server.typescript import limits, module, typescript, world_typescript
 from places import ROOT
 
 PROTOCOL = ROOT / "frontend" / "src" / "protocol"
@@ -35,3 +37,17 @@ def test_a_message_is_recognised_by_its_kind():
 
 def test_a_message_sent_as_an_array_is_a_tuple():
     assert "export type Place = [block: string, blocktext: number," in typescript()
+
+
+def test_the_page_knows_the_longest_text_file_and_list_that_a_message_may_have():
+    most = [msgspec.Meta(max_length=number) for number in (7, 8, 9)]
+    fields = [
+        ("text", Annotated[str, most[0]]),
+        ("file", Annotated[bytes, most[1]] | None),
+        ("list", Annotated[tuple[int, ...], most[2]]),
+        ("number", int),
+    ]
+    written = limits(msgspec.defstruct("Letter", fields))
+    expected = {"Letter": {"text": 7, "file": 8, "list": 9}}
+    found = written.removeprefix("\nexport const LIMITS = ").removesuffix(" as const;\n")
+    assert msgspec.json.decode(found) == expected

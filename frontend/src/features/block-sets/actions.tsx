@@ -3,7 +3,7 @@
 import { useSignal } from "@preact/signals";
 import { language, t } from "../../i18n";
 import { usePage } from "../../model/page";
-import type { BlockSet } from "../../protocol/messages";
+import { type BlockSet, LIMITS } from "../../protocol/messages";
 import { Actions } from "../../ui/dialog";
 import { chooseFile } from "../../ui/files";
 import type { Toasts } from "../../ui/toasts";
@@ -11,8 +11,6 @@ import { type BlockSets, titleOf, useBlockSets } from "./block-sets";
 import type { LabelledTab } from "./labels";
 import { type Draft, setOf } from "./ticks";
 
-/** The server's limit. */
-const LONGEST_NAME = 60;
 const NAME = "[\\p{L}\\p{N}_]([\\p{L}\\p{N}_ \\-]*[\\p{L}\\p{N}_])?";
 
 interface Props {
@@ -95,7 +93,7 @@ function SaveForm({ draft, tabs, look, done }: Props & { done: () => void }) {
           required
           autofocus
           pattern={NAME}
-          maxLength={LONGEST_NAME}
+          maxLength={LIMITS.BlockSet.name}
           value={name.value}
           onInput={({ currentTarget }) => (name.value = currentTarget.value)}
         />

@@ -4,14 +4,11 @@ import { computed, signal } from "@preact/signals";
 import { language, type Phrase, t } from "../../i18n";
 import { DialogRequests } from "../../model/dialog-requests";
 import type { Connection } from "../../protocol/connection";
-import type { BlockSet } from "../../protocol/messages";
+import { type BlockSet, LIMITS } from "../../protocol/messages";
 import { provided } from "../../ui/provided";
 import type { Draft } from "./ticks";
 
 const EVERYTHING: BlockSet = { name: "everything" };
-
-/** The server's limit. */
-const LONGEST = 256 * 1024;
 
 export class BlockSets {
   readonly shown = signal<BlockSet>(EVERYTHING);
@@ -70,7 +67,7 @@ export class BlockSets {
 
   /** Read a set from a file, without saving it. */
   async readFile(file: File): Promise<void> {
-    const text = await this.requests.textOf(file, LONGEST, t("page-sets-large", { name: file.name }));
+    const text = await this.requests.textOf(file, LIMITS.ReadBlockSet.text, t("page-sets-large", { name: file.name }));
     if (text !== null) void this.requests.ask({ kind: "ReadBlockSet", filename: file.name.slice(-100), text });
   }
 }

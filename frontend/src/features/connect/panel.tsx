@@ -6,7 +6,7 @@ import { say, t } from "../../i18n";
 import { useConnect } from "../../model/connect";
 import { usePage } from "../../model/page";
 import { prefer } from "../../model/preferences";
-import type { RobotValues, TryRobot } from "../../protocol/messages";
+import { LIMITS, type RobotValues, type TryRobot } from "../../protocol/messages";
 import { Icon, type IconName } from "../../ui/icons";
 import { RobotPicture } from "../../ui/robots/picture";
 import type { Aside } from "./aside";
@@ -128,7 +128,7 @@ function About() {
           class="connect-name"
           value={name}
           placeholder={title}
-          maxLength={40}
+          maxLength={LIMITS.NameRobot.name}
           spellcheck={false}
           title={t("page-connect-name", { robot: title })}
           onChange={save}

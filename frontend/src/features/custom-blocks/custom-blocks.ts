@@ -4,7 +4,7 @@ import { signal } from "@preact/signals";
 
 import type { Phrase } from "../../i18n";
 import type { Connection } from "../../protocol/connection";
-import type { CustomBlock, FromPage } from "../../protocol/messages";
+import { type CustomBlock, type FromPage, LIMITS } from "../../protocol/messages";
 import { provided } from "../../ui/provided";
 
 /** The outcome of an action, shown in its dialog. */
@@ -17,9 +17,6 @@ export interface Outcome {
   /** The actions that the user can take. */
   readonly action?: { readonly word: string; run(): void };
 }
-
-/** The server's limit. */
-const LONGEST = 1_000_000;
 
 export class CustomBlocks {
   /** Null until the server has sent it. */
@@ -55,7 +52,7 @@ export class CustomBlocks {
 
   /** Import a block from a file; the user must confirm before it replaces one with the same name. */
   async import(file: File): Promise<void> {
-    if (file.size > LONGEST) {
+    if (file.size > LIMITS.ImportCustomBlock.content) {
       this.outcome.value = failed("page-custom-large", { name: file.name });
       return;
     }

@@ -3,14 +3,14 @@
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { t } from "../../i18n";
+import { LIMITS } from "../../protocol/messages";
 import type { Palette } from "../../views/blocks/palette";
 import { Committed } from "./committed";
 import type { Editing } from "./editing";
 import { WordsTable } from "./words-table";
 
 const TYPES = ["motor", "perceptual", "proprioceptive", "express", "control", "operator", "others"] as const;
-/** The server's limit. */
-const LONGEST_NAME = 100;
+const LONGEST_NAME = LIMITS.SaveCustomBlock.name;
 
 export function Form({ editing }: { editing: Editing }) {
   const { draft, block } = editing;

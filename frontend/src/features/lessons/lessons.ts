@@ -8,17 +8,18 @@ import { browserId } from "../../model/browser-id";
 import { preferences } from "../../model/preferences";
 import type { Program } from "../../model/program";
 import type { Connection } from "../../protocol/connection";
-import type {
-  LessonAttempt,
-  LessonChecked,
-  LessonChoice,
-  LessonGoals,
-  LessonHints,
-  LessonNotes,
-  LessonShown,
-  LessonWords,
-  PuzzleJudged,
-  QuizJudged,
+import {
+  type LessonAttempt,
+  type LessonChecked,
+  type LessonChoice,
+  type LessonGoals,
+  type LessonHints,
+  type LessonNotes,
+  type LessonShown,
+  type LessonWords,
+  LIMITS,
+  type PuzzleJudged,
+  type QuizJudged,
 } from "../../protocol/messages";
 import { inBase64 } from "../../ui/files";
 import { provided } from "../../ui/provided";
@@ -27,8 +28,7 @@ import { type LessonFolder, lessonFolderOf } from "./folder";
 
 /** A lesson as a file, and as a folder that was zipped by hand. */
 export const [LESSON_FILE, LESSON_ZIP] = [".lblesson", ".zip"];
-/** The server's limit in bytes. */
-const LARGEST = 2_500_000;
+const { filename: LONGEST_NAME, content: LARGEST } = LIMITS.ImportLesson;
 
 type Text = string | Readonly<Record<string, string>>;
 
@@ -155,7 +155,7 @@ export class Lessons {
   async import(file: File): Promise<void> {
     if (file.size > LARGEST) return this.others.toasts.error(t("page-lesson-too-large", { name: file.name }));
     const content = await inBase64(file);
-    this.connection.send({ kind: "ImportLesson", filename: file.name.slice(-100), content });
+    this.connection.send({ kind: "ImportLesson", filename: file.name.slice(-LONGEST_NAME), content });
   }
 
   /** Add a folder with a lesson to the user's lessons, and begin it. */
@@ -164,7 +164,11 @@ export class Lessons {
     if (size > LARGEST) return this.others.toasts.error(t("page-lesson-too-large", { name }));
     const read = [...files].map(async ([path, file]) => [path, await inBase64(file)] as const);
     const content = Object.fromEntries(await Promise.all(read));
-    this.connection.send({ kind: "ImportLessonFolder", name: name.slice(0, 100), files: content });
+    this.connection.send({
+      kind: "ImportLessonFolder",
+      name: name.slice(0, LIMITS.ImportLessonFolder.name),
+      files: content,
+    });
   }
 
   /** Add what the user has chosen as a folder, if it is a lesson. */

@@ -4,13 +4,14 @@ import { signal } from "@preact/signals";
 import { type Phrase, t } from "../../i18n";
 import { LIBRARY, ORIGINAL_LIBRARY, sizeProblem, stemOf, withEnding } from "../../model/upload";
 import type { Connection } from "../../protocol/connection";
-import type {
-  Exportable,
-  FromPage,
-  InstalledLibrary,
-  LibraryConverted,
-  LibraryRead,
-  MakeLibrary,
+import {
+  type Exportable,
+  type FromPage,
+  type InstalledLibrary,
+  LIMITS,
+  type LibraryConverted,
+  type LibraryRead,
+  type MakeLibrary,
 } from "../../protocol/messages";
 import { bytesOf, inBase64, saveFile } from "../../ui/files";
 import { provided } from "../../ui/provided";
@@ -24,7 +25,7 @@ export interface Outcome {
   readonly text: Phrase | string;
 }
 
-const MOST = 20;
+const MOST = LIMITS.ImportLibraries.files;
 
 export class Libraries {
   /** Null until the server has sent it. */

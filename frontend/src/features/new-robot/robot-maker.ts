@@ -3,11 +3,8 @@
 import { signal } from "@preact/signals";
 import { t } from "../../i18n";
 import type { Connection } from "../../protocol/connection";
-import type { FromPage, RobotMade, RobotProblem } from "../../protocol/messages";
+import { type FromPage, LIMITS, type RobotMade, type RobotProblem } from "../../protocol/messages";
 import { provided } from "../../ui/provided";
-
-/** The server's limit. */
-const LONGEST = 65_536;
 
 export class RobotMaker {
   readonly name = signal("");
@@ -42,7 +39,9 @@ export class RobotMaker {
   /** Use a file's text as the description, and its name if the robot has none yet. */
   async readFile(file: File): Promise<void> {
     this.problems.value =
-      file.size > LONGEST ? [{ message: { code: t("page-newrobot-large", { name: file.name }) } }] : [];
+      file.size > LIMITS.MakeRobot.description
+        ? [{ message: { code: t("page-newrobot-large", { name: file.name }) } }]
+        : [];
     if (this.problems.value.length) return;
     this.description.value = await file.text();
     this.name.value ||= file.name.replace(/\.toml$/, "");

@@ -6,6 +6,7 @@ import { t } from "../../i18n";
 import type { ProjectDialogName } from "../../model/dialogs";
 import { usePage } from "../../model/page";
 import { projectNameFault, renameFault } from "../../model/project-name";
+import { LIMITS } from "../../protocol/messages";
 import { Actions, Dialog } from "../../ui/dialog";
 import { NameForm } from "../../ui/name-form";
 
@@ -15,6 +16,7 @@ export function NewDialog() {
     <Dialog title={t("page-project-new-title")} close={() => dialogs.close()}>
       <NameForm
         name={t("page-project-new-name")}
+        longest={LIMITS.New.name}
         help={t("page-project-new-help")}
         action={t("page-project-new-now")}
         fault={projectNameFault}
@@ -31,6 +33,7 @@ export function SaveAsDialog() {
     <Dialog title={t("page-project-save-as-title")} close={() => dialogs.close()}>
       <NameForm
         name={t("page-project-copy-of", { name: project.name.value })}
+        longest={LIMITS.SaveAs.name}
         help={t("page-project-save-as-help")}
         action={t("page-project-save-copy")}
         fault={projectNameFault}
@@ -70,6 +73,7 @@ function Rename({ name, run }: RenameProps) {
     <Dialog title={t("page-project-rename-title")} close={() => dialogs.close()}>
       <NameForm
         name={name}
+        longest={LIMITS.RenameProject.name}
         help={t("page-project-rename-help")}
         action={t("page-project-rename-now")}
         fault={(wish) => renameFault(wish, name, project.entries.value)}
@@ -86,6 +90,7 @@ function CopyDialog({ name }: { name: string }) {
     <Dialog title={t("page-project-copy-title", { name })} close={() => dialogs.close()}>
       <NameForm
         name={t("page-project-copy-of", { name })}
+        longest={LIMITS.CopyProject.name}
         help={t("page-project-new-help")}
         action={t("page-project-copy-now")}
         fault={projectNameFault}

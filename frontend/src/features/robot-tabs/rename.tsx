@@ -3,6 +3,7 @@
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
 import { robotNameFault } from "../../model/project-name";
+import { LIMITS } from "../../protocol/messages";
 import { Dialog } from "../../ui/dialog";
 import { NameForm } from "../../ui/name-form";
 
@@ -14,6 +15,7 @@ export function RenameRobotDialog() {
     <Dialog title={t("page-tabs-rename-title")} close={close}>
       <NameForm
         name={name}
+        longest={LIMITS.RenameTab.new}
         help={t("page-tabs-rename-help")}
         action={t("page-tabs-rename-action")}
         fault={(to) => robotNameFault(to, name, tabs.tabs.value)}

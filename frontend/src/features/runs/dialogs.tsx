@@ -3,6 +3,7 @@
 import { t } from "../../i18n";
 import type { RunDialogName } from "../../model/dialogs";
 import { usePage } from "../../model/page";
+import { LIMITS } from "../../protocol/messages";
 import { Actions, Dialog } from "../../ui/dialog";
 import { NameForm } from "../../ui/name-form";
 
@@ -10,16 +11,13 @@ export function RunDialog({ of }: { of: RunDialogName }) {
   return "nameRun" in of ? <NameDialog run={of.nameRun} /> : <DeleteDialog run={of.deleteRun} />;
 }
 
-/** The server's limit. */
-const LONGEST_NAME = 60;
-
 function NameDialog({ run }: { run: string }) {
   const { dialogs, keptRuns } = usePage();
   return (
     <Dialog title={t("page-runs-name")} close={() => dialogs.close()}>
       <NameForm
         name={nameOf(keptRuns.runs.value, run)}
-        longest={LONGEST_NAME}
+        longest={LIMITS.NameRun.name}
         help={t("page-runs-name-help")}
         action={t("page-runs-name-now")}
         close={() => dialogs.close()}

@@ -4,13 +4,12 @@ import { effect } from "@preact/signals";
 
 import type { Page } from "../../model/page";
 import type { WorldIsland } from "../../model/views";
+import { LIMITS } from "../../protocol/messages";
 import { inBase64 } from "../../ui/files";
 import { drawWorld, fillSky, newBrush } from "../share/frame";
 
 const WIDTH = 480;
 const HEIGHT = 270;
-/** The server's limit in bytes. */
-const LARGEST = 20_000;
 const QUALITIES = [0.8, 0.65, 0.5, 0.35];
 /** The ms after which the world of a project that has just been opened is drawn. */
 const DRAWN = 3000;
@@ -60,7 +59,7 @@ function isBlank(brush: CanvasRenderingContext2D): boolean {
 async function encode(picture: HTMLCanvasElement): Promise<Blob | null> {
   for (const quality of QUALITIES) {
     const jpeg = await new Promise<Blob | null>((done) => picture.toBlob(done, "image/jpeg", quality));
-    if (jpeg && jpeg.size <= LARGEST) return jpeg;
+    if (jpeg && jpeg.size <= LIMITS.KeepPicture.content) return jpeg;
   }
   return null;
 }

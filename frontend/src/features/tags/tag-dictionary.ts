@@ -4,13 +4,10 @@ import { signal } from "@preact/signals";
 import { type Phrase, t } from "../../i18n";
 import { DialogRequests } from "../../model/dialog-requests";
 import type { Connection } from "../../protocol/connection";
-import type { ExportTags } from "../../protocol/messages";
+import { type ExportTags, LIMITS } from "../../protocol/messages";
 import { provided } from "../../ui/provided";
 
 export type Names = Readonly<Record<string, number>>;
-
-/** The server's limit. */
-const LONGEST = 256 * 1024;
 
 export class TagDictionary {
   readonly names = signal<Names>({});
@@ -35,7 +32,7 @@ export class TagDictionary {
 
   /** Read the names in a TOML or CSV file, without saving them. */
   async readFile(file: File): Promise<void> {
-    const text = await this.requests.textOf(file, LONGEST, t("page-tags-large", { name: file.name }));
+    const text = await this.requests.textOf(file, LIMITS.ReadTags.text, t("page-tags-large", { name: file.name }));
     if (text !== null) void this.requests.ask({ kind: "ReadTags", filename: file.name.slice(-100), text });
   }
 

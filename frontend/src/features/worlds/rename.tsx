@@ -1,5 +1,6 @@
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
+import { LIMITS } from "../../protocol/messages";
 import { Dialog } from "../../ui/dialog";
 import { NameForm } from "../../ui/name-form";
 import { useWorlds } from "./worlds";
@@ -12,6 +13,7 @@ export function RenameWorldDialog() {
     <Dialog title={t("page-worlds-rename-title")} close={() => dialogs.close()}>
       <NameForm
         name={project.worldTitle(name)}
+        longest={LIMITS.RenameWorld.title}
         help={t("page-worlds-rename-help", { name })}
         action={t("page-worlds-rename-now")}
         close={() => dialogs.close()}

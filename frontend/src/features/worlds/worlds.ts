@@ -2,15 +2,14 @@
 
 import { t } from "../../i18n";
 import type { Connection } from "../../protocol/connection";
+import { LIMITS } from "../../protocol/messages";
 import { bytesOf, inBase64, saveFile } from "../../ui/files";
 import { provided } from "../../ui/provided";
 import type { Toasts } from "../../ui/toasts";
 
 /** The files of worlds: the second has a floor picture too. */
 export const WORLD_FILES = [".toml", ".zip"];
-/** The server's limit, of which base64 takes a third more. */
-const LONGEST = 2_600_000;
-const LONGEST_NAME = 100;
+const { filename: LONGEST_NAME, content: LARGEST } = LIMITS.ImportWorld;
 
 export class Worlds {
   constructor(
@@ -24,7 +23,7 @@ export class Worlds {
   }
 
   async import(file: File): Promise<void> {
-    if (file.size > LONGEST) return this.toasts.error(t("page-worlds-large-file", { name: file.name }));
+    if (file.size > LARGEST) return this.toasts.error(t("page-worlds-large-file", { name: file.name }));
     const filename = file.name.slice(-LONGEST_NAME);
     this.connection.send({ kind: "ImportWorld", filename, content: await inBase64(file) });
   }

@@ -1,6 +1,7 @@
 /** The input line for a program's question. */
 
 import { t } from "../../i18n";
+import { LIMITS } from "../../protocol/messages";
 import { element } from "./elements";
 
 export interface Question {
@@ -14,7 +15,7 @@ export interface Question {
 }
 
 /** Longer answers are refused by the server. */
-const LONGEST = "10000";
+const LONGEST = `${LIMITS.Answer.text}`;
 
 /** `answer` receives the line when Enter is pressed. */
 export function createQuestion(answer: (text: string) => void): Question {

@@ -9,6 +9,9 @@ from learnblock.monitor import monitor
 from learnblock.monitor.monitor import WorldValues
 from learnblock.server.messages.base import LONGEST_CONTENT, FromPage, FromReader, Name, ToPage
 
+#: The limit of a file in bytes; as a message it is a third longer.
+LARGEST_WORLD = LONGEST_CONTENT * 3 // 4
+
 # From the page.
 
 
@@ -61,7 +64,7 @@ class ImportWorld(FromPage, frozen=True):
     """
 
     filename: Name
-    content: Annotated[bytes, Meta(max_length=LONGEST_CONTENT)]
+    content: Annotated[bytes, Meta(max_length=LARGEST_WORLD)]
 
 
 class ExportWorld(FromReader, frozen=True):

@@ -5,11 +5,13 @@ import json
 import threading
 
 import pytest
+from msgspec import inspect
 
 from learnblock.blocks import block_sets
 from learnblock.extensions import custom_blocks, libraries
 from learnblock.perception import tag_names
-from learnblock.server.messages import LONGEST_TEXT
+from learnblock.server.messages import FROM_PAGE, LONGEST_TEXT
+from learnblock.server.pages.page import LARGEST_MESSAGE
 from pages import english
 
 
@@ -27,6 +29,14 @@ def test_a_file_with_a_program_that_is_too_long_is_not_imported(page, ending):
         text = json.dumps({"learnblock": 1, "blocktext": [text]})
     page.say("Import", filename=f"a.{ending}", text=text)
     assert "Split it" in english(page.hear("Failed")["message"])
+
+
+def test_a_file_of_the_greatest_size_fits_in_a_message():
+    fields = [one.type for message in inspect.type_info(FROM_PAGE).types for one in message.fields]
+    files = [kind.max_length for kind in fields if isinstance(kind, inspect.BytesType)]
+    assert len(files) > 3
+    in_base64 = max(files) * 4 // 3
+    assert in_base64 < LARGEST_MESSAGE
 
 
 def test_a_file_with_thousands_of_functions_is_no_custom_block():
