@@ -14,9 +14,8 @@ from learnblock.errors import LearnBlockError
 from learnblock.i18n import Multilingual, Phrase
 from learnblock.server import messages
 from learnblock.server.messages.problems import phrase_of
+from learnblock.server.pages.boxes import Inbox, Outbox, OutboxFullError
 from learnblock.server.pages.handlers import Handler
-from learnblock.server.pages.inbox import Inbox
-from learnblock.server.pages.outbox import Outbox, OutboxFullError
 from learnblock.server.pages.quota import Quota
 from learnblock.server.program.shown import Shown
 from learnblock.server.sessions.lesson_trial import LessonTrial

@@ -5,8 +5,7 @@ import asyncio
 import pytest
 
 from learnblock.server import messages
-from learnblock.server.pages.inbox import Inbox
-from learnblock.server.pages.outbox import FULL, Outbox, OutboxFullError
+from learnblock.server.pages.boxes import FULL, Inbox, Outbox, OutboxFullError
 
 
 def edit(number, notation="blocktext"):
