@@ -1,7 +1,7 @@
 """The choices of a page: robots, worlds, examples, settings and tag names."""
 
 from learnblock.server.catalog.examples import example, example_choices, example_programs, suits
-from learnblock.server.catalog.greeting import welcome
+from learnblock.server.catalog.greeting import tag_dictionary, welcome
 from learnblock.server.catalog.lessons import (
     LESSON_ENDING,
     add_lesson,
@@ -17,7 +17,6 @@ from learnblock.server.catalog.lessons import (
 )
 from learnblock.server.catalog.robots import robot_choices
 from learnblock.server.catalog.runs_on import runs_on
-from learnblock.server.catalog.tags import tag_dictionary
 from learnblock.server.catalog.worlds import check_world_name, usual_world, world_choices
 
 __all__ = [

@@ -1,12 +1,15 @@
-"""The first message to a page."""
+"""The first messages to a page: what it can choose from, and the names of tags."""
 
 from importlib.metadata import version
 
+from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
+from learnblock.perception import tag_names
 from learnblock.server.catalog.examples import example_choices
 from learnblock.server.catalog.robots import robot_choices
 from learnblock.server.catalog.worlds import world_choices
-from learnblock.server.messages import Welcome
+from learnblock.server.messages import Tags, Welcome
+from learnblock.server.messages.problems import phrase_of
 
 
 def welcome(
@@ -37,3 +40,11 @@ def welcome(
         teaches=teaches,
         address=address,
     )
+
+
+def tag_dictionary() -> Tags:
+    """The tag names, or the reason why the user's file can't be read."""
+    try:
+        return Tags(dict(tag_names.tag_names()))
+    except (LearnBlockError, OSError) as error:
+        return Tags({}, phrase_of(error))
