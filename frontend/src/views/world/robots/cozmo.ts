@@ -54,7 +54,7 @@ function hull(robot: RobotValues): Group {
       .translate(9, 6.5, 15);
     matt.add(tread, DARK, 0, middle, 0);
     for (let i = -3; i <= 3; i++) matt.add(roundedBox(4, 13, 2.4, 1), "#1b2030", 9 + i * 8, middle, 30);
-    matt.add(drum(8, 7, 2, 20).rotateX(Math.PI / 2), RED, LIFT.x, side * 20, LIFT.z);
+    matt.add(drum(8, 7, 2).rotateX(Math.PI / 2), RED, LIFT.x, side * 20, LIFT.z);
   }
   return new Group().add(coat.mesh(COAT), matt.mesh());
 }
@@ -79,7 +79,7 @@ function head(face: Face): Group {
   coat.add(roundedBox(5, 43, 30, 5), SCREEN, 28, 0, 7);
   coat.add(roundedBox(24, 34, 5, 2.4), RED, 4, 0, 25.5);
   for (const side of [1, -1]) {
-    coat.add(drum(9, 5, 2, 20).rotateX(Math.PI / 2), STEEL, 2, side * 26, 5);
+    coat.add(drum(9, 5, 2).rotateX(Math.PI / 2), STEEL, 2, side * 26, 5);
   }
   face.mesh.position.set(30.8, 0, 7);
   group.add(coat.mesh(COAT), face.mesh);

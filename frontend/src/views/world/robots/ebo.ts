@@ -34,12 +34,12 @@ export function ebo(robot: RobotValues): Look {
 
 function shell(robot: RobotValues, radius: number): Group {
   const colour = friendly(robot.body.colour);
-  const coat = new Parts().add(drum(radius, 40, 15, 44), colour, 0, 0, 32);
-  coat.add(drum(radius + 1.2, 11, 4, 44), CREAM, 0, 0, 31);
-  coat.add(drum(radius - 10, 16, 7, 40), colour, 0, 0, 55);
+  const coat = new Parts().add(drum(radius, 40, 15), colour, 0, 0, 32);
+  coat.add(drum(radius + 1.2, 11, 4), CREAM, 0, 0, 31);
+  coat.add(drum(radius - 10, 16, 7), colour, 0, 0, 55);
   // A short tail, which marks the back.
-  coat.add(drum(11, 20, 4, 20), dark(colour), 16 - radius, 0, 68);
-  const matt = new Parts().add(drum(30, 18, 5, 28), DARK, HEAD.x - 4, 0, 66);
+  coat.add(drum(11, 20, 4), dark(colour), 16 - radius, 0, 68);
+  const matt = new Parts().add(drum(30, 18, 5), DARK, HEAD.x - 4, 0, 66);
   addWindows(matt, robot, 31, 15, 9);
   return new Group().add(coat.mesh(COAT), matt.mesh());
 }

@@ -67,8 +67,8 @@ function addFrame(parts: Parts, track: number): void {
 function addEyes(parts: Parts): void {
   parts.add(roundedBox(28, 70, 32, 10), LIGHT, 84, 0, 66);
   for (const y of [17, -17]) {
-    parts.add(drum(15, 12, 3, 28).rotateY(Math.PI / 2), LIGHT, 97, y, 66);
-    parts.add(cylinder(11, 13, 28).rotateY(Math.PI / 2), "#0b1020", 97.4, y, 66);
-    parts.add(cylinder(5, 13.6, 16).rotateY(Math.PI / 2), "#ff5d5d", 97.8, y, 66);
+    parts.add(drum(15, 12, 3).rotateY(Math.PI / 2), LIGHT, 97, y, 66);
+    parts.add(cylinder(11, 13).rotateY(Math.PI / 2), "#0b1020", 97.4, y, 66);
+    parts.add(cylinder(5, 13.6).rotateY(Math.PI / 2), "#ff5d5d", 97.8, y, 66);
   }
 }

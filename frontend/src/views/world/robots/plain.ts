@@ -46,7 +46,7 @@ function hull(robot: RobotValues): Mesh {
   const parts = new Parts();
   const shape =
     body.shape === "disc"
-      ? drum(body.radius ?? 50, tall, 14, 44)
+      ? drum(body.radius ?? 50, tall, 14)
       : roundedBox(body.length ?? 100, body.width ?? 100, tall, 12);
   const [x, z] = [body.shape === "disc" ? 0 : body.offset, GROUND_CLEARANCE + tall / 2];
   parts.add(shape, friendly(body.colour), x, 0, z);

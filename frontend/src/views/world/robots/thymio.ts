@@ -73,7 +73,7 @@ function hull(robot: RobotValues): Group {
 
 /** The five buttons on top: a round one between four arrows. */
 function addButtons(parts: Parts, height: number): void {
-  parts.add(drum(7, 4, 2, 24), MIDDLE, 30, 0, height + 1);
+  parts.add(drum(7, 4, 2), MIDDLE, 30, 0, height + 1);
   for (const [x, y] of [
     [17, 0],
     [-17, 0],

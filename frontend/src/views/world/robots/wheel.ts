@@ -24,13 +24,13 @@ export class Wheel {
     this.left = y > 0;
     this.object.position.set(x, y, radius);
     const hub = radius * 0.58;
-    const parts = new Parts().add(drum(radius, width, radius * 0.22, 28).rotateX(Math.PI / 2), colours.tyre);
-    parts.add(drum(hub, width + 3, 2, 24).rotateX(Math.PI / 2), colours.hub);
+    const parts = new Parts().add(drum(radius, width, radius * 0.22).rotateX(Math.PI / 2), colours.tyre);
+    parts.add(drum(hub, width + 3, 2).rotateX(Math.PI / 2), colours.hub);
     for (let i = 0; i < SPOKES; i++) {
       const spoke = roundedBox(hub * 1.55, width + 5, hub * 0.2, 1.5).rotateY((i * Math.PI) / SPOKES);
       parts.add(spoke, colours.tyre);
     }
-    parts.add(drum(hub * 0.3, width + 7, 1.5, 16).rotateX(Math.PI / 2), colours.hub);
+    parts.add(drum(hub * 0.3, width + 7, 1.5).rotateX(Math.PI / 2), colours.hub);
     this.object.add(parts.mesh());
   }
 

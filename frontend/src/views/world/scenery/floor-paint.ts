@@ -105,6 +105,6 @@ function material(paint: string, shade: string, own: Record<string, { value: unk
 }
 
 /** A colour as it is on the screen. */
-function raw(colour: string): Color {
+export function raw(colour: string): Color {
   return new Color().setStyle(colour, LinearSRGBColorSpace);
 }

@@ -26,7 +26,7 @@ const trafficCone: Prop = (parts, x, y, z, size) => {
 const block =
   (colour: string): Prop =>
   (parts, x, y, z, size) =>
-    parts.add(roundedBox(130 * size, 130 * size, 130 * size, 14), colour, x, y, z + 65 * size);
+    parts.add(roundedBox(130 * size, 130 * size, 130 * size, 9), colour, x, y, z + 65 * size);
 
 const pile: Prop = (parts, x, y, z, size) => {
   block("#ef4444")(parts, x - 80 * size, y, z, size);
@@ -37,7 +37,7 @@ const pile: Prop = (parts, x, y, z, size) => {
 const toyBall =
   (colour: string): Prop =>
   (parts, x, y, z, size) =>
-    parts.add(ball(70 * size, 24), colour, x, y, z + 70 * size);
+    parts.add(ball(70 * size), colour, x, y, z + 70 * size);
 
 const house =
   (colour: string, storeys: number): Prop =>
@@ -48,16 +48,16 @@ const house =
     for (let floor = 0; floor < storeys; floor++) {
       for (const side of [-1, 0, 1]) {
         const up = z + storey * (floor + 0.65);
-        const window = roundedBox(38 * size, width + 6, 46 * size, 3);
+        const window = roundedBox(38 * size, width + 6, 46 * size, 2);
         parts.add(window, "#ffe9a8", x + side * 62 * size, y, up);
-        parts.add(roundedBox(width + 6, 38 * size, 46 * size, 3), "#ffe9a8", x, y + side * 62 * size, up);
+        parts.add(roundedBox(width + 6, 38 * size, 46 * size, 2), "#ffe9a8", x, y + side * 62 * size, up);
       }
     }
   };
 
 const streetLamp: Prop = (parts, x, y, z, size) => {
   parts.add(drum(30 * size, 20 * size, 6), "#4a5468", x, y, z + 10 * size);
-  parts.add(cylinder(7 * size, 330 * size, 12), "#4a5468", x, y, z + 165 * size);
+  parts.add(cylinder(7 * size, 330 * size), "#4a5468", x, y, z + 165 * size);
   parts.add(ball(36 * size), "#fff0b3", x, y, z + 350 * size);
 };
 
@@ -65,7 +65,7 @@ const crate: Prop = (parts, x, y, z, size) => {
   const side = 150 * size;
   parts.add(roundedBox(side, side, side, 6), "#d9a566", x, y, z + side / 2);
   for (const edge of [-1, 1]) {
-    const slat = roundedBox(side + 8, side + 8, 18 * size, 4);
+    const slat = roundedBox(side + 8, side + 8, 18 * size, 2);
     parts.add(slat, "#b0793e", x, y, z + side * (0.5 + 0.38 * edge));
   }
 };
@@ -78,14 +78,14 @@ const crates: Prop = (parts, x, y, z, size) => {
 
 const barrel: Prop = (parts, x, y, z, size) => {
   parts.add(drum(62 * size, 160 * size, 12), "#2f7bff", x, y, z + 80 * size);
-  for (const up of [45, 115]) parts.add(drum(65 * size, 14 * size, 5), "#1d4fb8", x, y, z + up * size);
+  for (const up of [45, 115]) parts.add(drum(65 * size, 14 * size, 2), "#1d4fb8", x, y, z + up * size);
 };
 
 const planet =
   (colour: string, ring: string | null): Prop =>
   (parts, x, y, z, size) => {
-    parts.add(ball(110 * size, 28), colour, x, y, z + 260 * size);
-    if (ring) parts.add(new TorusGeometry(170 * size, 13 * size, 8, 40).rotateX(0.5), ring, x, y, z + 260 * size);
+    parts.add(ball(110 * size), colour, x, y, z + 260 * size);
+    if (ring) parts.add(new TorusGeometry(170 * size, 13 * size, 6, 24).rotateX(0.5), ring, x, y, z + 260 * size);
   };
 
 const rocket: Prop = (parts, x, y, z, size) => {
@@ -93,7 +93,7 @@ const rocket: Prop = (parts, x, y, z, size) => {
   parts.add(cone(47 * size, 4 * size, 90 * size), "#ef4444", x, y, z + 312 * size);
   parts.add(drum(26 * size, 100 * size, 6).rotateX(Math.PI / 2), "#38a3ff", x, y, z + 210 * size);
   for (const turn of [0, 1, 2, 3]) {
-    const fin = roundedBox(70 * size, 12 * size, 90 * size, 5)
+    const fin = roundedBox(70 * size, 12 * size, 90 * size, 2)
       .translate(52 * size, 0, 0)
       .rotateZ((turn * Math.PI) / 2);
     parts.add(fin, "#ef4444", x, y, z + 60 * size);
@@ -106,7 +106,7 @@ const flowers: Prop = (parts, x, y, z, size) => {
   colours.forEach((colour, i) => {
     const angle = (i * 2 * Math.PI) / colours.length;
     const [east, north] = [56 * size * Math.cos(angle), 56 * size * Math.sin(angle)];
-    parts.add(ball(18 * size, 12), colour, x + east, y + north, z + 92 * size);
+    parts.add(ball(18 * size), colour, x + east, y + north, z + 92 * size);
   });
 };
 

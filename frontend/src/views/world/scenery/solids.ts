@@ -94,15 +94,17 @@ export class Faces {
 /** A box with soft edges: long ahead, wide to the left, tall upwards. */
 export function roundedBox(length: number, width: number, height: number, edge = 6): BufferGeometry {
   const radius = Math.min(edge, length / 2, width / 2, height / 2);
+  const steps = stepsOf(radius);
+  if (steps === 0) return new BoxGeometry(length, width, height);
   const inner = [length / 2 - radius, width / 2 - radius, height / 2 - radius] as const;
-  const sides = 2 * EDGE_STEPS + 1;
+  const sides = 2 * steps + 1;
   const box = new BoxGeometry(2, 2, 2, sides, sides, sides);
   const [places, normals] = [box.getAttribute("position"), box.getAttribute("normal")];
   const normal = new Vector3();
   for (let i = 0; i < places.count; i++) {
     normal.fromBufferAttribute(places, i);
     const [x, y, z] = [Math.sign(normal.x), Math.sign(normal.y), Math.sign(normal.z)];
-    normal.set(bent(normal.x), bent(normal.y), bent(normal.z)).normalize();
+    normal.set(bent(normal.x, steps), bent(normal.y, steps), bent(normal.z, steps)).normalize();
     normals.setXYZ(i, normal.x, normal.y, normal.z);
     places.setXYZ(
       i,
@@ -114,52 +116,61 @@ export function roundedBox(length: number, width: number, height: number, edge =
   return box;
 }
 
-/** Faces between the flat side of a box and the middle of its edge. */
-const EDGE_STEPS = 2;
+/** Faces between the flat side of a box and the middle of its edge: software draws each triangle slowly. */
+function stepsOf(edge: number): number {
+  if (edge < SHARP) return 0;
+  return edge < ROUND ? 1 : 2;
+}
+
+/** An edge with a smaller radius is drawn sharp, and one with a larger radius is rounder, mm. */
+const SHARP = 2.5;
+const ROUND = 10;
+/** The edge of a drum with a smaller radius is one slanting face, mm. */
+const SMALL = 4;
 
 /** From a place on the side of a cube, -1 to 1, to the direction of the edge there: the middle is flat. */
-function bent(place: number): number {
-  const flat = 1 / (2 * EDGE_STEPS + 1);
+function bent(place: number, steps: number): number {
+  const flat = 1 / (2 * steps + 1);
   return Math.sign(place) * Math.tan((Math.max(0, Math.abs(place) - flat) / (1 - flat)) * (Math.PI / 4));
 }
 
 /** A standing cylinder with soft edges, centred. */
-export function drum(radius: number, height: number, edge = 6, sides = 40): BufferGeometry {
+export function drum(radius: number, height: number, edge = 6): BufferGeometry {
   const soft = Math.min(edge, radius / 2, height / 2);
   const half = height / 2;
+  const steps = soft < SMALL ? 1 : 2;
   const quarter = (middle: number, from: number): XY[] =>
-    [0, 1, 2, 3].map((i) => {
-      const angle = from + (i / 3) * (Math.PI / 2);
+    Array.from({ length: steps + 1 }, (_, i) => {
+      const angle = from + (i / steps) * (Math.PI / 2);
       return [radius - soft + soft * Math.cos(angle), middle + soft * Math.sin(angle)];
     });
-  return turned([[0, -half], ...quarter(soft - half, -Math.PI / 2), ...quarter(half - soft, 0), [0, half]], sides);
+  return turned([[0, -half], ...quarter(soft - half, -Math.PI / 2), ...quarter(half - soft, 0), [0, half]]);
 }
 
-export function ball(radius: number, detail = 20): BufferGeometry {
-  return new SphereGeometry(radius, detail, Math.round(detail * 0.7)).rotateX(Math.PI / 2);
+/** The sides of something round that nobody sees: half a millimetre is missing in the middle of each. */
+function sidesOf(radius: number): number {
+  return Math.max(8, 2 * Math.ceil(1.6 * Math.sqrt(radius)));
+}
+
+export function ball(radius: number): BufferGeometry {
+  const sides = Math.max(8, 2 * Math.round(0.8 * Math.sqrt(radius)));
+  return new SphereGeometry(radius, sides, Math.round(sides * 0.7)).rotateX(Math.PI / 2);
 }
 
 /** A standing cone, cut off at the top, centred. */
-export function cone(bottom: number, top: number, height: number, sides = 24): BufferGeometry {
+export function cone(bottom: number, top: number, height: number, sides = sidesOf(bottom)): BufferGeometry {
   return new CylinderGeometry(top, bottom, height, sides).rotateX(Math.PI / 2);
 }
 
 /** A standing cylinder. */
-export function cylinder(radius: number, height: number, sides = 32): BufferGeometry {
+export function cylinder(radius: number, height: number, sides = sidesOf(radius)): BufferGeometry {
   return new CylinderGeometry(radius, radius, height, sides).rotateX(Math.PI / 2);
 }
 
-/** A cylinder lying across, like a wheel. */
-export function wheelDisc(radius: number, width: number, sides = 28): BufferGeometry {
-  return new CylinderGeometry(radius, radius, width, sides);
-}
-
 /** The solid of revolution of (radius, height) points around the vertical axis. */
-export function turned(profile: readonly XY[], sides = 40): BufferGeometry {
-  return new LatheGeometry(
-    profile.map(([r, z]) => new Vector2(r, z)),
-    sides,
-  ).rotateX(Math.PI / 2);
+export function turned(profile: readonly XY[]): BufferGeometry {
+  const points = profile.map(([r, z]) => new Vector2(r, z));
+  return new LatheGeometry(points, sidesOf(Math.max(...profile.map(([r]) => r)))).rotateX(Math.PI / 2);
 }
 
 /** A plate with an outline of (ahead, left) points, its lower side at height 0, with soft edges. */
@@ -169,7 +180,7 @@ export function plate(outline: Shape, height: number, edge = 4): BufferGeometry 
     bevelSize: edge,
     bevelThickness: edge,
     bevelOffset: -edge,
-    bevelSegments: 3,
-    curveSegments: 20,
+    bevelSegments: 1 + stepsOf(edge),
+    curveSegments: 12,
   }).translate(0, 0, edge);
 }

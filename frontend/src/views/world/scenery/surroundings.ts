@@ -18,6 +18,7 @@ import {
 } from "three";
 
 import type { XY } from "./description";
+import { groundPaint } from "./ground-paint";
 import { BEHIND } from "./mat";
 import type { Palette } from "./palette";
 import { Parts } from "./solids";
@@ -54,14 +55,14 @@ export function surroundings(size: XY, depth: number, palette: Palette): Surroun
   const object = new Group().add(
     sky(palette),
     ...(palette.hasStars ? [stars()] : []),
-    ground(depth, palette),
+    ground(depth, palette, fog),
     hills(reach, depth, palette),
   );
   return { object, fog };
 }
 
 function sky({ sky: [zenith, middle, horizon] }: Palette): Mesh {
-  const geometry = new SphereGeometry(DOME, 16, 16).rotateX(Math.PI / 2);
+  const geometry = new SphereGeometry(DOME, 12, 10, 0, 2 * Math.PI, 0, 0.55 * Math.PI).rotateX(Math.PI / 2);
   const heights = geometry.getAttribute("position");
   const colours: number[] = [];
   const [top, half, bottom] = [new Color(zenith), new Color(middle), new Color(horizon)];
@@ -96,8 +97,8 @@ function stars(): Points {
   return new Points(geometry, material);
 }
 
-function ground(depth: number, { ground: colour }: Palette): Mesh {
-  const mesh = new Mesh(new CircleGeometry(DOME, 32), new MeshBasicMaterial({ color: colour, toneMapped: false }));
+function ground(depth: number, { ground: colour, sky }: Palette, fog: Fog): Mesh {
+  const mesh = new Mesh(new CircleGeometry(DOME, 32), groundPaint(colour, sky[2], fog));
   mesh.position.z = -depth;
   mesh.renderOrder = BEHIND.ground;
   return mesh;
@@ -107,7 +108,7 @@ function hills(reach: number, depth: number, { hills: colours }: Palette): Mesh 
   const parts = new Parts();
   HILLS.forEach(([direction, distance, width, height], i) => {
     const angle = (direction * Math.PI) / 180;
-    const shape = new SphereGeometry(1, 20, 12)
+    const shape = new SphereGeometry(1, 16, 5, 0, 2 * Math.PI, 0, 0.5 * Math.PI)
       .rotateX(Math.PI / 2)
       .scale(width, width, height)
       .scale(reach, reach, reach);

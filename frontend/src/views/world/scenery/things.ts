@@ -168,7 +168,7 @@ function addLamp(parts: Parts, { x, y, z }: LampValues): void {
     [38, 0],
     [0, 30],
   ];
-  parts.add(turned(shade.toReversed(), 28), "#4f6bed", x, y, z);
+  parts.add(turned(shade.toReversed()), "#4f6bed", x, y, z);
   parts.add(ball(20), "#fff1b0", x, y, z + 4);
 }
 
