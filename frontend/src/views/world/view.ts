@@ -21,10 +21,10 @@ import { COAT, PAINT } from "./scenery/solids";
 /** More pixels are slow and make no visible difference. */
 const SHARPEST = 2;
 const REFLECTIONS = 0.4;
-/** The first quality, with and without a graphics card. */
-const FIRST = { fast: 0, slow: 2 } as const;
+/** The first and best quality, with and without a graphics card: a moving picture must leave a processor to the program. */
+const FIRST = { fast: 0, slow: 5 } as const;
 /** Without a graphics card, a picture in which nothing moves is drawn with this many times the pixels, after ms. */
-const STILL = { sharpness: 1.5, after: 350 } as const;
+const STILL = { sharpness: 1.5, shadows: 1024, after: 350 } as const;
 /** ms from frame to frame without a graphics card, on average: more would take the processor from the program. */
 const CALM = 30;
 
@@ -112,7 +112,7 @@ export class View {
     cancelAnimationFrame(this.frame);
     this.frame = 0;
     const again = this.before(now);
-    this.sharpen(this.ratio);
+    this.sharpen(this.ratio, this.quality.shadows);
     this.castShadows(again);
     this.renderer.render(this.scene, this.camera);
     this.framesDrawn += 1;
@@ -133,20 +133,19 @@ export class View {
   /** The picture will stay for a while: draw it once more without jagged edges. */
   private renderStill(): void {
     if (this.frame) return;
-    this.sharpen(STILL.sharpness * this.screen);
+    this.sharpen(STILL.sharpness * this.screen, STILL.shadows);
     this.renderer.render(this.scene, this.camera);
   }
 
-  private sharpen(ratio: number): void {
+  private sharpen(ratio: number, shadows: number): void {
     if (ratio !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(ratio);
+    if (this.light.sharpen(shadows)) this.renderer.shadowMap.needsUpdate = true;
   }
 
   private apply(quality: Quality): void {
-    const { reflections, shadows, sharpness } = quality;
+    const { reflections, sharpness } = quality;
     this.quality = quality;
     this.shade();
-    this.light.sharpen(shadows);
-    this.moveShadows();
     this.screen = Math.min(devicePixelRatio, this.fast ? SHARPEST : 1);
     this.ratio = sharpness * this.screen;
     this.scene.environment = reflections ? this.furnish() : null;

@@ -5,8 +5,8 @@ import { DirectionalLight, Group, HemisphereLight } from "three";
 import type { XY } from "./description";
 import type { Palette } from "./palette";
 
-/** The pixels of the map of shadows, best first. */
-export const SHADOW_SIZES = [1024, 512] as const;
+/** The pixels of the map of shadows at first. */
+const SHADOWS = 1024;
 /** From where the sun shines: from the south-west, high. */
 const DIRECTION = [-0.5, -0.45, 1] as const;
 const DARKNESS = 0.72;
@@ -21,7 +21,7 @@ export class Light {
     // Up is z here.
     this.sky.position.set(0, 0, 1);
     this.sun.castShadow = true;
-    shadow.mapSize.setScalar(SHADOW_SIZES[0]);
+    shadow.mapSize.setScalar(SHADOWS);
     shadow.intensity = DARKNESS;
     shadow.bias = -0.0004;
     shadow.normalBias = 4;
@@ -51,11 +51,13 @@ export class Light {
     camera.updateProjectionMatrix();
   }
 
-  /** Cast shadows with a map of this many pixels. */
-  sharpen(size: number): void {
+  /** Cast shadows with a map of this many pixels; return whether they must be cast again. */
+  sharpen(size: number): boolean {
     const { shadow } = this.sun;
+    if (shadow.mapSize.x === size) return false;
     shadow.mapSize.setScalar(size);
     shadow.map?.dispose();
     shadow.map = null;
+    return true;
   }
 }
