@@ -272,8 +272,10 @@ def test_an_invalid_value_of_a_world_is_reported_at_its_field(pupil):
 def test_a_thing_is_dragged_from_the_palette_to_where_the_pointer_is(pupil):
     pupil.press("Edit world")
     editor = pupil.dialog()
-    plan = editor.locator("svg.plan").bounding_box()
     button = editor.get_by_role("button", name="Decoration", exact=True)
+    # Nothing can be put before the world has come, and the mouse doesn't wait for it.
+    expect(button).to_be_enabled()
+    plan = editor.locator("svg.plan").bounding_box()
     box = button.bounding_box()
     mouse = pupil.page.mouse
     mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
