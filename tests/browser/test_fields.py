@@ -107,6 +107,34 @@ def test_a_block_about_a_feeling_shows_its_face(pupil):
     expect(pupil.blocks("lb_skill_sleep").locator(pictures)).to_have_count(1)
 
 
+@pytest.mark.parametrize(
+    ("written", "chosen", "becomes"),
+    [
+        ("function.turn_left(-23)", "right", "function.turn_right(23)"),
+        ("function.turn_left()", "right", "function.turn_right()"),
+        ("function.turn_left(40)", "left", "function.turn_left(-40)"),
+        ("function.move_right(20, 15)", "left", "function.move_left(20, -15)"),
+        ("function.move_left(x + 1, -15)", "right", "function.move_right(x + 1, 15)"),
+    ],
+)
+def test_the_other_direction_is_the_other_function(pupil, written, chosen, becomes):
+    program = "main:\n    x = 1\n    # round\n    {}\n    function.sleep(2)\nend\n"
+    pupil.write("blocktext", program.format(written))
+    block = pupil.blocks(f"lb_skill_{written.partition('(')[0].removeprefix('function.')}")
+    block.locator("> .blocklyDropdownField").click()
+    pupil.page.locator(".blocklyMenuItem", has_text=chosen).click()
+    pupil.sees("blocktext", "# round", becomes, "function.sleep(2)")
+    pupil.page.keyboard.press("Control+z")
+    pupil.sees("blocktext", "# round", written, "function.sleep(2)")
+
+
+def test_a_direction_that_the_text_turns_round_keeps_its_function(pupil):
+    pupil.write("blocktext", "main:\n    function.turn_left(23)\nend\n")
+    turn = pupil.blocks("lb_skill_turn_left")
+    expect(turn.locator("> .blocklyDropdownField")).to_have_text(re.compile("right"))
+    pupil.sees("blocktext", "function.turn_left(23)")
+
+
 def test_a_menu_has_the_sign_of_a_number(pupil):
     pupil.write("blocktext", "main:\n    function.turn(-90)\nend\n")
     turn = pupil.blocks("lb_skill_turn")

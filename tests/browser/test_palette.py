@@ -197,12 +197,12 @@ def test_the_zoom_and_the_bin_are_above_each_other_at_the_edge(sit_down, server)
 def test_a_long_block_is_whole_while_the_pointer_is_at_the_palette(sit_down, server):
     pupil = sit_down(server, stage="starter", language="es", empty=True)
     palette = pupil.page.locator(".blocklyFlyout:visible")
-    block = palette.locator(".lb_skill_turn_right")
+    block = palette.locator(".lb_skill_turn_left")
     block.hover(position={"x": 20, "y": 12})
     box = block.bounding_box()
     end = box["x"] + box["width"] - 12
     assert end > palette.bounding_box()["x"] + palette.bounding_box()["width"]
-    at = "([x, y]) => !!document.elementFromPoint(x, y).closest('.lb_skill_turn_right')"
+    at = "([x, y]) => !!document.elementFromPoint(x, y).closest('.lb_skill_turn_left')"
     assert pupil.page.evaluate(at, [end, box["y"] + box["height"] / 2])
 
 

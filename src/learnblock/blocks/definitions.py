@@ -21,6 +21,7 @@ from learnblock.blocks.labels import (
     translated,
     units,
 )
+from learnblock.blocks.pairs import Pair, pairs
 from learnblock.blocks.schema.configuration import NUMBERS, SIGNS, BlockConfiguration, Parameter
 from learnblock.blocks.toolbox import SKILL, is_skill_block, parameter_shadow
 
@@ -46,7 +47,9 @@ def definitions(
     configurations: Iterable[BlockConfiguration], language: str
 ) -> list[dict[str, Any]]:
     """All our blocks; the words of skills are in `language`, such as ``es``."""
-    skills = [skill_definition(one, language) for one in configurations if is_skill_block(one)]
+    shown = list(filter(is_skill_block, configurations))
+    paired = pairs(shown)
+    skills = [skill_definition(one, language, paired.get(one.name)) for one in shown]
     return [*_hats(), *_statements(), *_values(), *skills]
 
 
@@ -181,15 +184,22 @@ def _dictionaries() -> list[Definition]:
     ]
 
 
-def skill_definition(configuration: BlockConfiguration, language: str) -> Definition:
-    """The block of a skill, with its words in `language`, such as ``es``."""
+def skill_definition(
+    configuration: BlockConfiguration, language: str, pair: Pair | None = None
+) -> Definition:
+    """The block of a skill, with its words in `language`, such as ``es``.
+
+    The words of its direction have the types of both blocks of a `pair`.
+    """
     output = "Boolean" if configuration.returns == "boolean" else None
     shape = {"output": output} if configuration.returns_value else _STATEMENT
     return {
         "type": SKILL + configuration.name,
         "style": style_of(configuration.category),
         "message0": _message(configuration, language),
-        "args0": _arguments(configuration, language),
+        "args0": [
+            _with_types(one, pair) if pair else one for one in _arguments(configuration, language)
+        ],
         "inputsInline": True,
         "tooltip": _plain(translated(configuration.tooltip, language, "")),
         **shape,
@@ -253,6 +263,13 @@ def _direction(parameter: Parameter, language: str) -> Definition:
         [translated(parameter.directions.get(sign, {}), language, sign), sign] for sign in SIGNS
     ]
     return {"type": "lb_direction", "name": parameter.name + _DIRECTION, "options": options}
+
+
+def _with_types(argument: Definition, pair: Pair) -> Definition:
+    """A direction with the type of the block that each of its words belongs to."""
+    if argument["name"] != pair.parameter + _DIRECTION:
+        return argument
+    return {**argument, "types": {sign: SKILL + name for sign, name in pair.names.items()}}
 
 
 def _parameter(parameter: Parameter, language: str, unit: str) -> Definition:

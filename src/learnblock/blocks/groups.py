@@ -60,7 +60,7 @@ GROUPS = (
         ("Base", "Motor"),
         (
             _section("function.drive_distance function.turn function.move_straight"),
-            _section("function.turn_left function.turn_right function.stop_bot"),
+            _section("function.turn_left function.move_left function.stop_bot"),
             _section("function.look_front function.look_up function.look_floor", "LB_HEAD"),
             _section("function.get_heading function.is_turning", "LB_ASK_MOVING"),
         ),

@@ -7,6 +7,7 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from learnblock.blocks.groups import GROUPS, Group, group_of
+from learnblock.blocks.pairs import Pair, pairs
 from learnblock.blocks.schema.configuration import BlockConfiguration, Parameter
 
 #: The prefix of the type of a skill's block; the skill's name follows.
@@ -337,6 +338,7 @@ def _skill_tabs(
 ) -> list[dict[str, Any]]:
     found = sorted(filter(is_skill_block, configurations), key=lambda one: one.category)
     by_category = {name: list(blocks) for name, blocks in groupby(found, lambda one: one.category)}
+    paired = pairs(found)
     order = dict.fromkeys(one.category for one in configurations if is_skill_block(one))
     return [
         {
@@ -344,14 +346,17 @@ def _skill_tabs(
             "name": words.get(category_word(category), category),
             "category": category,
             "group": group_of(category),
-            "contents": [skill_block(one) for one in by_category[category]],
+            "contents": [skill_block(one, paired.get(one.name)) for one in by_category[category]],
         }
         for category in order
     ]
 
 
-def skill_block(configuration: BlockConfiguration) -> dict[str, Any]:
-    """A skill's block in the palette, with the shadows of its parameters."""
+def skill_block(configuration: BlockConfiguration, pair: Pair | None = None) -> dict[str, Any]:
+    """A skill's block in the palette, with the shadows of its parameters.
+
+    The second block of a `pair` names the first, which also does what it does.
+    """
     shadows = {one.name: _first_shadow(configuration, one) for one in configuration.parameters}
     inputs = {name: {"shadow": one.block()} for name, one in shadows.items() if one is not None}
     given = len(list(takewhile(_is_shown, configuration.parameters)))
@@ -359,6 +364,7 @@ def skill_block(configuration: BlockConfiguration) -> dict[str, Any]:
         "kind": "block",
         "type": SKILL + configuration.name,
         "block": f"function.{configuration.name}",
+        **({"like": f"function.{pair.first}"} if pair and pair.first != configuration.name else {}),
         **({"inputs": inputs} if inputs else {}),
         **({"needs": list(configuration.needed())} if configuration.needs else {}),
         # A new block shows its defaults in the code: `sleep(5)`, and not `sleep()`.

@@ -2,7 +2,10 @@
 
 import { type Entry, nameOf } from "../../model/shown-blocks";
 
-export type Item = Entry & { readonly needs?: readonly string[]; readonly lacking?: boolean };
+export type Item = Entry & { readonly needs?: readonly string[]; readonly lacking?: boolean } & {
+  /** The name of a block that also does what this one does. */
+  readonly like?: string;
+};
 
 /** Blocks under one heading, by their names in sets or that of a whole tab. */
 export interface Section {
@@ -38,7 +41,8 @@ export interface Words {
 export const MORE = "LB_MORE";
 
 /** The entries of a group's flyout. */
-export function offered(offer: Offer, words: Words): Item[] {
+export function offered(whole: Offer, words: Words): Item[] {
+  const offer = { ...whole, tabs: whole.tabs.map(withoutAlike) };
   const tabs = offer.tabs.map((tab) => ({ ...tab, items: tab.items.filter((item) => !missing(item, offer.lacks)) }));
   const first = offer.first ? offer.first.map((section) => filled(section, tabs)) : [];
   const begun = first.flatMap(({ items }) => items);
@@ -74,6 +78,12 @@ export function found(
       words,
     ),
   ];
+}
+
+/** A tab without the blocks that another of its blocks can become. */
+function withoutAlike(tab: FilledTab): FilledTab {
+  const names = new Set(tab.items.map(nameOf));
+  return { ...tab, items: tab.items.filter(({ like }) => like === undefined || !names.has(like)) };
 }
 
 interface Headed {

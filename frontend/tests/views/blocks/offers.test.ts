@@ -71,3 +71,10 @@ test("found blocks that the palette shows first come first, in its order", () =>
   ];
   expect(found(items, first, new Set(), WORDS).map(wordOf)).toEqual(["wait", "until", "rare", "other"]);
 });
+
+test("a block that another block of the palette can become is left out", () => {
+  const [left, right] = [block("left"), { ...block("right"), like: "left" }];
+  const tab = (items: readonly Item[]) => [{ name: "Driving", category: "Base", items }];
+  expect(shown({ tabs: tab([left, right]), first: null })).toEqual(["left"]);
+  expect(shown({ tabs: tab([right]), first: null })).toEqual(["right"]);
+});

@@ -2,6 +2,8 @@
 
 import * as Blockly from "blockly/core";
 
+import { become } from "./become";
+
 const POSITIVE = "positive";
 const NEGATIVE = "negative";
 /** The name of a parameter's direction is that of the parameter with this end, as on the server. */
@@ -11,17 +13,26 @@ const FIXED = "lbFixed";
 
 interface Options extends Blockly.FieldConfig {
   readonly options: Blockly.MenuOption[];
+  /** The types of two blocks that are one in two directions, by the sign of the number. */
+  readonly types?: Readonly<Record<string, string>>;
 }
 
 /**
  * A menu of two words for the sign of a plain number in the parameter's place.
  *
  * It is not saved: the number has the sign. Beside a zero it is remembered for the next number.
+ * A choice also changes the block's type where each direction has a block of its own, so that the
+ * texts turn right with `turn_right`.
  */
 export class FieldDirection extends Blockly.FieldDropdown {
   static override fromJson(json: Blockly.FieldConfig): FieldDirection {
-    return new FieldDirection((json as Options).options);
+    const { options, types } = json as Options;
+    const field = new FieldDirection(options);
+    field.types = types ?? {};
+    return field;
   }
+
+  private types: Readonly<Record<string, string>> = {};
 
   override isSerializable(): boolean {
     return false;
@@ -61,7 +72,12 @@ export class FieldDirection extends Blockly.FieldDropdown {
     if (!number || item.getValue() === this.getValue()) return;
     this.doValueUpdate_(item.getValue() ?? POSITIVE);
     this.forceRerender();
+    Blockly.Events.setGroup(true);
     number.setValue(-Number(number.getValue()) || 0);
+    const type = this.types[this.getValue() ?? ""];
+    const block = this.getSourceBlock();
+    if (type && block?.type !== type) become(block as Blockly.BlockSvg, type);
+    Blockly.Events.setGroup(false);
   }
 
   /** The field of the number; null if the parameter is calculated. */
