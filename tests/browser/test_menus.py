@@ -57,3 +57,15 @@ def test_a_menu_follows_its_button_when_the_window_changes_its_size(sit_down, se
             pupil.menu("View and robot").element_handle(),
         ],
     )
+
+
+def test_only_a_statement_offers_a_comment_which_the_texts_can_show(sit_down, server):
+    pupil = sit_down(server, empty=True)
+    pupil.write("blocktext", "main:\n    print(function.get_light() + 1)\nend\n")
+    comment = list_of(pupil).get_by_role("menuitem", name="Add Comment")
+    pupil.blocks("lb_skill_get_light").click(button="right", position={"x": 8, "y": 12})
+    expect(list_of(pupil)).to_be_visible()
+    expect(comment).to_have_count(0)
+    pupil.page.keyboard.press("Escape")
+    pupil.blocks("text_print").click(button="right", position={"x": 5, "y": 15})
+    expect(comment).to_have_count(1)

@@ -39,8 +39,24 @@ export function registerMenus(): void {
   for (const name of [START_MOVE, START_MOVE_STACK]) narrow(name, () => !Blockly.Gesture.inProgress());
   for (const item of [undoItem, redoItem, helpItem, whyItem, breakpointItem, showItem, editOwnItem, conditionItem])
     replaceItem(item);
+  commentStatementsOnly();
   for (const by of [-1, 1] as const) replaceItem(runItem(by));
   leaveOutSelection();
+}
+
+/** The texts have no place for the comment of a value: only what has one can lose it. */
+function commentStatementsOnly(): void {
+  const item = Blockly.ContextMenuRegistry.registry.getItem("blockComment") as Item & {
+    preconditionFn: (scope: Scope, opening: Event) => string;
+  };
+  const { preconditionFn } = item;
+  replaceItem({
+    ...item,
+    preconditionFn: (scope: Scope, opening: Event) => {
+      const isValue = !!scope.block?.outputConnection && !scope.block.hasIcon(Blockly.icons.CommentIcon.TYPE);
+      return isValue ? "hidden" : preconditionFn(scope, opening);
+    },
+  } as Item);
 }
 
 /** Blockly says of every entry of a menu whether it is selected, which only choices in a list can be. */
