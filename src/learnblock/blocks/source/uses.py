@@ -2,6 +2,8 @@
 
 A function that calls a skill needs whatever that skill needs. So users need not declare what their
 own skills need, and a robot that lacks any of it is refused before the program starts.
+
+What a function does only after ``robot.has(...)`` is not counted, because it can do without.
 """
 
 import ast
@@ -142,7 +144,7 @@ def _all(name: str, uses: Mapping[str, Uses]) -> Uses:
 
 
 def _uses(definition: ast.stmt) -> Uses:
-    nodes = list(ast.walk(definition))
+    nodes = list(_unguarded(definition))
     calls = [node for node in nodes if isinstance(node, ast.Call)]
     names = {node.id for node in nodes if isinstance(node, ast.Name)}
     attributes = [node for node in nodes if isinstance(node, ast.Attribute)]
@@ -152,6 +154,67 @@ def _uses(definition: ast.stmt) -> Uses:
         tuple(filter(None, map(_skill_use, calls))),
         frozenset(names.union(map(dotted, attributes))),
     )
+
+
+def _unguarded(root: ast.AST) -> Iterator[ast.AST]:
+    """The nodes that the code reaches even if `robot.has(...)` is never true."""
+    waiting = [root]
+    while waiting:
+        node = waiting.pop()
+        yield node
+        waiting += _unguarded_parts(node)
+
+
+def _unguarded_parts(node: ast.AST) -> Iterator[ast.AST]:
+    for field, value in ast.iter_fields(node):
+        if field != _guarded_field(node):
+            parts = value if isinstance(value, list) else [value]
+            is_and = isinstance(node, ast.BoolOp) and isinstance(node.op, ast.And)
+            guards = _asks if is_and else _returns_without
+            yield from _until(guards, (part for part in parts if isinstance(part, ast.AST)))
+
+
+def _guarded_field(node: ast.AST) -> str | None:
+    match node:
+        case ast.If(test=test) | ast.IfExp(test=test):
+            return "body" if _asks(test) else "orelse" if _asks_for_none(test) else None
+    return None
+
+
+def _until(guards: Callable[[ast.AST], bool], parts: Iterable[ast.AST]) -> Iterator[ast.AST]:
+    """The parts up to the first one that guards the others; it is the last."""
+    for part in parts:
+        yield part
+        if guards(part):
+            return
+
+
+def _returns_without(part: ast.AST) -> bool:
+    """Whether a statement ends a function or a round of a loop if the robot lacks a device."""
+    match part:
+        case ast.If(test=test, body=[*_, ast.Return() | ast.Raise() | ast.Continue()]):
+            return _asks_for_none(test)
+    return False
+
+
+def _asks(test: ast.AST) -> bool:
+    """Whether a condition is true only if the robot has a device: ``robot.has(Camera)``."""
+    match test:
+        case ast.Call(func=ast.Attribute(value=ast.Name(), attr="has")):
+            return True
+        case ast.BoolOp(op=ast.And(), values=values):
+            return any(map(_asks, values))
+    return False
+
+
+def _asks_for_none(test: ast.AST) -> bool:
+    """Whether a condition is true whenever the robot lacks a device."""
+    match test:
+        case ast.UnaryOp(op=ast.Not(), operand=operand):
+            return _asks(operand)
+        case ast.BoolOp(op=ast.Or(), values=values):
+            return any(map(_asks_for_none, values))
+    return False
 
 
 def _read(call: ast.Call) -> str | None:

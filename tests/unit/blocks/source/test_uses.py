@@ -43,6 +43,37 @@ def test_a_function_needs_what_functions_of_its_file_need_even_if_they_call_each
     assert needs(source) == needs(source, "_look") == ("Camera",)
 
 
+@pytest.mark.parametrize(
+    "body",
+    [
+        "if robot.has(Camera):\n        robot.is_tag(1)",
+        "if not robot.has(Camera):\n        pass\n    else:\n        robot.is_tag(1)",
+        "if quick or not robot.has(Camera):\n        return\n    robot.is_tag(1)",
+        "for one in (1, 2):\n        if not robot.has(Camera):\n            continue\n"
+        "        robot.is_tag(one)",
+        "return robot.has(Camera) and robot.is_tag(1)",
+        "return robot.is_tag(1) if robot.has(Camera) and quick else False",
+    ],
+)
+def test_what_is_done_only_with_a_device_is_not_needed(body):
+    assert needs(f"def skill(robot, quick=True):\n    {body}\n") == ()
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "if not robot.has(Camera):\n        robot.is_tag(1)",
+        "if robot.has(Camera):\n        return False\n    return robot.is_tag(1)",
+        "if quick and not robot.has(Camera):\n        return\n    robot.is_tag(1)",
+        "return robot.has(Camera) or robot.is_tag(1)",
+        "return max(robot.has(Camera), robot.is_tag(1))",
+        "if quick or robot.has(Camera):\n        robot.is_tag(1)",
+    ],
+)
+def test_what_may_be_done_without_the_device_is_needed(body):
+    assert needs(f"def skill(robot, quick=True):\n    {body}\n") == ("Camera",)
+
+
 def own_file(monkeypatch, tmp_path, source):
     monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path))
     (tmp_path / "skills").mkdir()
