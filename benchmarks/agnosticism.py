@@ -2,10 +2,11 @@
 
 With `--wires` the robots are the six real ones, each emulated at the other end of its wire, in
 real time: some 25 minutes. Words select examples: `agnosticism.py --wires first/park square`. With
-`--page` it only writes the table of the docs.
+`--page` it also writes the table of the docs.
 """
 
 import os
+import re
 import sys
 import tempfile
 import threading
@@ -13,6 +14,7 @@ from collections import Counter
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
+from dataclasses import dataclass
 from itertools import product
 from math import hypot
 from pathlib import Path
@@ -20,9 +22,10 @@ from time import monotonic, sleep
 from typing import Any
 
 from learnblock import robots, running
+from learnblock.blocks import builtin
 from learnblock.emulators import TWINS as WIRES
 from learnblock.emulators import emulate
-from learnblock.language.check.robots import Verdict
+from learnblock.language.check.robots import Verdict, demands, verdict
 from learnblock.running import Options, ProgramRun
 from learnblock.runtime.process import ProcessWorker
 from learnblock.simulator.goals import RobotState, goals
@@ -32,15 +35,19 @@ sys.path.insert(0, str(TESTS))
 
 from emulated import settle  # noqa: E402 - found through the line above
 from every_robot import (  # noqa: E402 - as above
+    MISSED,
+    NOT_JUDGED,
     PATIENCE,
+    REACHED,
+    REAL,
+    cell,
     missed_goals,
     programs_table,
     run_for_goals,
     write_part,
 )
-from every_robot import outcome as cell  # noqa: E402 - as above
 from playground import Playground  # noqa: E402
-from runs import EXAMPLES, TASKS, TWINS, person  # noqa: E402
+from runs import EXAMPLES, HANDS, TASKS, TWINS, person  # noqa: E402
 
 #: How many robots drive in real time at once.
 AT_ONCE = 6
@@ -50,36 +57,56 @@ LOOK = 0.1
 STANDING = 5.0
 #: Kinds of goals that can't be judged by a robot's way.
 UNSEEN = {"avoid", "show"}
+#: What the name of such a goal ends with.
+UNKNOWN = "?"
 
 
-def outcome(name: str, robot: str) -> str:
-    """Return `reached` or `missed GOAL`, and without what, or why the robot can't run it."""
-    verdict = running.runs_on(running.read(EXAMPLES / name))[robot]
+@dataclass(frozen=True)
+class Outcome:
+    """What became of an example on a robot.
+
+    Args:
+        cell: in the words of the docs.
+        details: the goals that it missed, or the error with which it ended.
+    """
+
+    cell: str
+    details: str = ""
+
+
+def outcome(name: str, robot: str) -> Outcome:
+    """Run an example on a robot, unless the check refuses it."""
+    source = running.read(EXAMPLES / name)
+    known = running.runs_on(source)[robot]
+    if isinstance(known, Verdict) and not known.runs:
+        return Outcome(cell(known))
+    report, missed, equipment = (on_twin if robot in TWINS else over_wire)(name, robot)
     # What CoppeliaSim's robot has is known only once it is connected.
-    is_known = isinstance(verdict, Verdict)
-    if is_known and not verdict.runs:
-        return str(verdict.phrase)
-    report, missed = (on_twin if robot in TWINS else over_wire)(name, robot)
-    if report.error:
-        return f"error: {report.error['message']}"
-    announced = {lack.skill.name for lack in verdict.missed} if is_known else set()
-    silent = ", ".join(sorted({str(one["skill"]) for one in report.no_effect} - announced))
-    if silent and is_known:
-        return f"NOT ANNOUNCED: {silent}"
-    without = silent and f"no effect: {silent}"
-    if is_known and verdict.missed:
-        without = str(verdict.phrase)
-    what = f"missed {', '.join(missed)}" if missed else "reached"
-    return what + (f" ({without})" if without else "")
+    late = verdict(demands(source.tree, builtin()), equipment)
+    found = known if isinstance(known, Verdict) else late
+    if report.error and found.runs:
+        return Outcome("error", str(report.error["message"]))
+    announced = {lack.skill.name for lack in found.missed}
+    silent = {str(one["skill"]) for one in report.no_effect} - announced
+    if silent and not report.error:
+        return Outcome("NOT ANNOUNCED", ", ".join(sorted(silent)))
+    return Outcome(cell(found, _goal(name, robot, missed)), ", ".join(missed))
 
 
-def on_twin(name: str, robot: str) -> tuple[Any, list[str]]:
-    """Run an example; return its report and the names of the goals that it missed."""
+def _goal(name: str, robot: str, missed: list[str]) -> str:
+    nobody_acts = name in HANDS and robot not in TWINS
+    if missed and (nobody_acts or all(goal.endswith(UNKNOWN) for goal in missed)):
+        return NOT_JUDGED
+    return MISSED if missed else REACHED
+
+
+def on_twin(name: str, robot: str) -> tuple[Any, list[str], frozenset[str]]:
+    """Run an example; return its report, the names of the goals that it missed, what it had."""
     report = run_for_goals(name, robot)
-    return report, missed_goals(report)
+    return report, missed_goals(report), frozenset()
 
 
-def over_wire(name: str, robot: str) -> tuple[Any, list[str]]:
+def over_wire(name: str, robot: str) -> tuple[Any, list[str], frozenset[str]]:
     """The same over a robot's wire; the run ends as soon as all goals are reached."""
     world, seconds = TASKS[name]
     entry = robots.find(robot)
@@ -102,7 +129,7 @@ def over_wire(name: str, robot: str) -> tuple[Any, list[str]]:
         until = monotonic() + STANDING
         while missed() and monotonic() < until:
             sleep(LOOK)
-        return report, missed()
+        return report, missed(), run.client.equipment if run.client else frozenset()
 
 
 @contextmanager
@@ -128,7 +155,7 @@ def observed(robot: str, world: str, home: str) -> Iterator[Any]:
 class Judge:
     """Judges the way of a robot that another simulator moves.
 
-    It sees neither bumps nor feelings: a goal about them is missed with a question mark.
+    It sees neither bumps nor feelings: whether a goal about them is reached is unknown.
     """
 
     def __init__(self, playground: Any) -> None:
@@ -145,33 +172,29 @@ class Judge:
             for goal in self._goals:
                 goal.look(time, [state])
         states = [goal.state for goal in self._goals]
-        open_goals = [state.name for state in states if state.reached_at is None]
-        return [f"{state.name}?" for state in states if state.kind in UNSEEN] or open_goals
-
-
-def write_page() -> None:
-    """Write the table of the docs."""
-    found = {name: {robot: cell(name, robot) for robot in TWINS} for name in TASKS}
-    write_part("programs", programs_table(found))
+        unknown = [f"{state.name}{UNKNOWN}" for state in states if state.kind in UNSEEN]
+        return unknown + [
+            state.name for state in states if state.kind not in UNSEEN and state.reached_at is None
+        ]
 
 
 def main() -> None:
     arguments = sys.argv[1:]
-    if "--page" in arguments:
-        write_page()
-        return
     over_wires = "--wires" in arguments
-    words = [word for word in arguments if word != "--wires"]
+    words = [word for word in arguments if word not in {"--wires", "--page"}]
     names = [name for name in TASKS if not words or any(word in name for word in words)]
-    chosen = [*WIRES, "thymio"] if over_wires else TWINS
-    counts: Counter[str] = Counter()
+    chosen = REAL if over_wires else TWINS
+    cells: dict[str, dict[str, str]] = {name: {} for name in names}
     with ProcessPoolExecutor(AT_ONCE if over_wires else 1) as pool:
         pairs = list(product(names, chosen))
-        found = pool.map(outcome, *zip(*pairs, strict=True))
-        for (name, robot), what in zip(pairs, found, strict=True):
-            counts[what.partition(" ")[0]] += 1
-            print(f"{name:<26}{robot:<13}{what}", flush=True)
+        outcomes = pool.map(outcome, *zip(*pairs, strict=True))
+        for (name, robot), found in zip(pairs, outcomes, strict=True):
+            cells[name][robot] = found.cell
+            print(f"{name:<26}{robot:<13}{found.cell}  {found.details}".rstrip(), flush=True)
+    counts = Counter(re.split("[,:]", one)[0] for row in cells.values() for one in row.values())
     print(", ".join(f"{count} {kind}" for kind, count in counts.most_common()))
+    if "--page" in arguments and not words:
+        write_part("wires" if over_wires else "programs", programs_table(cells))
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""The page "One program, every robot": its tables, and what they say of a program on a twin."""
+"""The page "One program, every robot": its tables, and what they say of a program on a robot."""
 
 import re
 from pathlib import Path
@@ -8,16 +8,20 @@ from learnblock.language.check.robots import Verdict
 from learnblock.running import Options, ProgramRun, Report
 from learnblock.runtime.inline import InlineWorker
 from places import ROOT
-from runs import EXAMPLES, TASKS, TWINS, Holder, person
+from runs import EXAMPLES, TASKS, Holder, person
 
 PAGE = ROOT / "docs" / "one-program-every-robot.md"
 #: How much longer a robot may take than the one that the example is meant for.
 PATIENCE = 2
 REACHED, MISSED = "reached", "missed"
+#: The goal is about something that nobody can see, or that nobody does, at the end of a wire.
+NOT_JUDGED = "ran"
+#: The robots at the end of a wire, in the order of the table.
+REAL = ("cozmo", "thymio", "ebo", "ev3", "rcis", "coppeliasim")
 
 
 def verdict(name: str, robot: str) -> Verdict:
-    """What the check says of an example on a twin."""
+    """What the check says of an example on a robot."""
     found = running.runs_on(running.read(EXAMPLES / name))[robot]
     assert isinstance(found, Verdict)
     return found
@@ -41,14 +45,12 @@ def missed_goals(report: Report) -> list[str]:
     return [goal.name for goal in report.goals if goal.state != "reached"]
 
 
-def outcome(name: str, robot: str) -> str:
-    """The cell of an example and a twin: `reached`, `missed` or `refused`, and what is missing."""
-    found = verdict(name, robot)
-    lacking = str(found.phrase).partition(" has no ")[2]
+def cell(found: Verdict, goal: str = REACHED) -> str:
+    """The cell of an example and a robot: what became of its goal, or `refused`, and what lacks."""
+    lacking = _short(str(found.phrase).partition(" has no ")[2])
     if not found.runs:
-        return f"refused: no {_short(lacking)}"
-    done = MISSED if missed_goals(run_for_goals(name, robot)) else REACHED
-    return f"{done}, without {_short(lacking)}" if found.missed else done
+        return f"refused: no {lacking}"
+    return f"{goal}, without {lacking}" if found.missed else goal
 
 
 def _short(lacking: str) -> str:
@@ -57,19 +59,22 @@ def _short(lacking: str) -> str:
 
 
 def programs_table(outcomes: dict[str, dict[str, str]]) -> str:
-    """The table of outcomes, by example and twin."""
-    head = ["| program | " + " | ".join(TWINS) + " |", "|---|" + "---|" * len(TWINS)]
+    """A table of outcomes, by example and robot."""
+    chosen = list(next(iter(outcomes.values())))
+    head = ["| program | " + " | ".join(chosen) + " |", "|---|" + "---|" * len(chosen)]
     rows = [
-        f"| [{name}](../examples/{name}) | " + " | ".join(cells[robot] for robot in TWINS) + " |"
+        f"| [{name}](../examples/{name}) | " + " | ".join(cells.values()) + " |"
         for name, cells in outcomes.items()
     ]
     return "\n".join([*head, *rows])
 
 
-def written_outcomes() -> dict[str, dict[str, str]]:
-    """The outcomes in the page, by example and twin."""
-    rows = re.findall(r"^\| \[(\S+)\]\(\S+\) \| (.*) \|$", part("programs"), re.MULTILINE)
-    return {name: dict(zip(TWINS, cells.split(" | "), strict=True)) for name, cells in rows}
+def written_outcomes(name: str = "programs") -> dict[str, dict[str, str]]:
+    """The outcomes in a table of the page, by example and robot."""
+    table = part(name)
+    chosen = re.findall(r"[\w-]+", table.partition("\n")[0])[1:]
+    rows = re.findall(r"^\| \[(\S+)\]\(\S+\) \| (.*) \|$", table, re.MULTILINE)
+    return {program: dict(zip(chosen, cells.split(" | "), strict=True)) for program, cells in rows}
 
 
 def part(name: str) -> str:
