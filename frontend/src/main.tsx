@@ -4,10 +4,10 @@ import { effect } from "@preact/signals";
 import { render } from "preact";
 
 import { App } from "./app/app";
-import { compose, Providers } from "./app/compose";
+import { compose } from "./app/compose";
 import { listen } from "./app/shortcuts";
 import { language, startLanguage } from "./i18n";
-import type { Page } from "./model/page";
+import { type Page, PageProvider } from "./model/page";
 import { preferredLanguage, theme } from "./model/preferences";
 
 async function sound({ context }: Page): Promise<void> {
@@ -22,8 +22,7 @@ async function pictures(page: Page): Promise<void> {
 
 async function begin(root: HTMLElement): Promise<void> {
   const words = startLanguage(preferredLanguage);
-  const composition = compose();
-  const { page } = composition;
+  const page = compose();
   effect(() => {
     document.documentElement.lang = language.value;
     document.documentElement.dataset.theme = theme.value;
@@ -33,9 +32,9 @@ async function begin(root: HTMLElement): Promise<void> {
   page.context.connection.open();
   await words;
   render(
-    <Providers of={composition}>
+    <PageProvider value={page}>
       <App />
-    </Providers>,
+    </PageProvider>,
     root,
   );
   void sound(page);

@@ -3,7 +3,6 @@
 import type { ComponentChildren } from "preact";
 
 import { ClassNotes } from "../features/in-class/notes";
-import { useLessons } from "../features/lessons/lessons";
 import { LessonPane } from "../features/lessons/panel";
 import { StartPage } from "../features/start/start-page";
 import { TourOffer } from "../features/tour/offer";
@@ -80,7 +79,7 @@ type Region = "program" | "columns" | "lesson" | "world" | "rows" | "panel";
 
 function Main() {
   const hasPanel = usePage().views.shows("panel");
-  const hasLesson = useLessons().shown.value !== null;
+  const hasLesson = usePage().lessons.shown.value !== null;
   const regions: Readonly<Record<Region, ComponentChildren>> = {
     program: <ProgramViews key="program" />,
     columns: <ColumnSplitter key="columns" />,

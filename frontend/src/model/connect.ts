@@ -11,7 +11,6 @@ import type {
   RobotValues,
   TryRobot,
 } from "../protocol/messages";
-import { provided } from "../ui/provided";
 import { DialogRequests } from "./dialog-requests";
 
 const NONE: RobotConnected = { kind: "RobotConnected", state: "none" };
@@ -99,8 +98,6 @@ export class Connect {
     void this.requests.ask({ kind: "UseRobot" });
   }
 }
-
-export const [ConnectProvider, useConnect] = provided<Connect>("Connect");
 
 /** The robots that answer, those used before, and all other kinds. */
 export function lists(nearby: RobotsNearby | null, state: RobotConnected) {

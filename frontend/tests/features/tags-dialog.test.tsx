@@ -5,7 +5,7 @@ import { act, cleanup, fireEvent, render, screen, within } from "@testing-librar
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 
 import { TagsDialog } from "../../src/features/tags/dialog";
-import { TagDictionary, TagDictionaryProvider } from "../../src/features/tags/tag-dictionary";
+import { TagDictionary } from "../../src/features/tags/tag-dictionary";
 import { startLanguage } from "../../src/i18n";
 import { type Page, PageProvider } from "../../src/model/page";
 import { Toasts } from "../../src/ui/toasts";
@@ -24,12 +24,8 @@ function open(names: Record<string, number> = {}) {
   connection.tell({ kind: "Tags", names });
   const isOpen = signal(true);
   const close = () => (isOpen.value = false);
-  const page = { toasts, dialogs: { close } } as unknown as Page;
-  const App = () => (
-    <PageProvider value={page}>
-      <TagDictionaryProvider value={tags}>{isOpen.value && <TagsDialog />}</TagDictionaryProvider>
-    </PageProvider>
-  );
+  const page = { toasts, tags, dialogs: { close } } as unknown as Page;
+  const App = () => <PageProvider value={page}>{isOpen.value && <TagsDialog />}</PageProvider>;
   render(<App />);
   return { connection, toasts, tags, isOpen };
 }

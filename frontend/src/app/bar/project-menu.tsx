@@ -1,7 +1,6 @@
 /** The project menu, which shows the name of the open project. */
 
-import { useLessons } from "../../features/lessons/lessons";
-import { type LessonMaking, useLessonMaking } from "../../features/lessons/making";
+import type { LessonMaking } from "../../features/lessons/making";
 import { t } from "../../i18n";
 import { type Page, usePage } from "../../model/page";
 import { UPLOADS } from "../../model/upload";
@@ -13,8 +12,8 @@ import { useOpening } from "../files/opening";
 export function ProjectMenu() {
   const page = usePage();
   const open = useOpening();
-  const making = useLessonMaking();
-  const { teaches } = useLessons();
+  const making = page.lessonMaking;
+  const { teaches } = page.lessons;
   const { name } = page.project;
   const { saved, readOnly } = page.context.program;
   return (

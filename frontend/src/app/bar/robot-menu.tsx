@@ -2,7 +2,7 @@
 
 import { titleOf } from "../../features/connect/names";
 import { t } from "../../i18n";
-import { type Connect, useConnect } from "../../model/connect";
+import type { Connect } from "../../model/connect";
 import { type Page, usePage } from "../../model/page";
 import { hasReal, robotGroups, robotTitle } from "../../model/robots";
 import type { RobotChoice } from "../../protocol/messages";
@@ -13,7 +13,7 @@ import { RobotPicture } from "../../ui/robots/picture";
 export function RobotMenu() {
   const page = usePage();
   const { context, controls, dialogs, project } = page;
-  const connect = useConnect();
+  const { connect } = page;
   const robots = project.welcome.value?.robots ?? [];
   const chosen = robots.find((one) => one.name === context.running.robot.value);
   const off = context.running.active.value;

@@ -1,37 +1,21 @@
 /** Opening the files that a user has chosen or dropped. */
 
-import { type CustomBlocks, useCustomBlocks } from "../../features/custom-blocks/custom-blocks";
 import { EXPORTED } from "../../features/custom-blocks/dialogs";
 import { lessonFolderOf } from "../../features/lessons/folder";
-import { LESSON_FILE, type Lessons, useLessons } from "../../features/lessons/lessons";
-import { type Libraries, useLibraries } from "../../features/libraries/libraries";
-import { useWorlds, WORLD_FILES, type Worlds } from "../../features/worlds/worlds";
+import { LESSON_FILE } from "../../features/lessons/lessons";
+import { WORLD_FILES } from "../../features/worlds/worlds";
 import { t } from "../../i18n";
 import { type Page, usePage } from "../../model/page";
 import { uploadOf, withEnding } from "../../model/upload";
 
-interface Takers extends Page {
-  readonly lessons: Lessons;
-  readonly libraries: Libraries;
-  readonly customBlocks: CustomBlocks;
-  readonly worlds: Worlds;
-}
-
 /** Opens a project, a lesson, a world, a custom block, or libraries. */
 export function useOpening(): (files: readonly File[]) => void {
   const page = usePage();
-  const takers = {
-    ...page,
-    lessons: useLessons(),
-    libraries: useLibraries(),
-    customBlocks: useCustomBlocks(),
-    worlds: useWorlds(),
-  };
-  return (files) => void open(takers, files);
+  return (files) => void open(page, files);
 }
 
-async function open(takers: Takers, files: readonly File[]): Promise<void> {
-  const { dialogs, lessons, libraries, project, toasts } = takers;
+async function open(page: Page, files: readonly File[]): Promise<void> {
+  const { dialogs, lessons, libraries, project, toasts } = page;
   const folder = lessonFolderOf(files);
   if (folder) return lessons.importFolder(folder);
   const found = uploadOf(files);
@@ -44,11 +28,11 @@ async function open(takers: Takers, files: readonly File[]): Promise<void> {
     case "several":
       return toasts.error(t("page-project-several-programs", { count: found.count }));
     case "unknown":
-      return files[0] && openOther(takers, files[0]);
+      return files[0] && openOther(page, files[0]);
   }
 }
 
-async function openOther({ customBlocks, dialogs, lessons, toasts, worlds }: Takers, file: File): Promise<void> {
+async function openOther({ customBlocks, dialogs, lessons, toasts, worlds }: Page, file: File): Promise<void> {
   if (withEnding([file], [LESSON_FILE]).length) return lessons.import(file);
   if (withEnding([file], WORLD_FILES).length) return worlds.import(file);
   if (!file.name.endsWith(EXPORTED)) return toasts.error(t("page-project-wrong-file", { name: file.name }));

@@ -2,7 +2,7 @@
 
 import { Fragment } from "preact";
 
-import { titleOf, useBlockSets } from "../../features/block-sets/block-sets";
+import { titleOf } from "../../features/block-sets/block-sets";
 import { AddRobots, PROGRAM_PANEL, RobotTabRow } from "../../features/robot-tabs/row";
 import { t } from "../../i18n";
 import { type Page, usePage } from "../../model/page";
@@ -91,8 +91,7 @@ function UndoButtons() {
 
 /** Shows the chosen block set, unless all blocks are shown. */
 function ShownBlocks() {
-  const { dialogs } = usePage();
-  const blockSets = useBlockSets();
+  const { dialogs, blockSets } = usePage();
   if (!blockSets.hidesSome.value) return null;
   return (
     <button type="button" class="button shown-blocks" onClick={() => dialogs.show("blockSets")}>

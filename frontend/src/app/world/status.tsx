@@ -1,6 +1,5 @@
 /** What the run is doing, at the lower edge of the world. */
 
-import { useShare } from "../../features/share/share";
 import { say, t } from "../../i18n";
 import { usePage } from "../../model/page";
 import { Icon } from "../../ui/icons";
@@ -23,7 +22,7 @@ export function Status() {
       {variant > 0 && <span class="chip state">{t("page-worlds-variant", { number: variant })}</span>}
       <Bump />
       <Link />
-      {useShare().isFilming.value && (
+      {usePage().share.isFilming.value && (
         <span class="chip state filming">
           <Icon name="video" />
           {t("page-share-filming")}

@@ -1,7 +1,6 @@
 /** The chosen world: the menu that chooses another, edits it or carries it elsewhere. */
 
-import { type Share, useShare } from "../../features/share/share";
-import { useWorlds, WORLD_FILES } from "../../features/worlds/worlds";
+import { WORLD_FILES } from "../../features/worlds/worlds";
 import { t } from "../../i18n";
 import { type Page, usePage } from "../../model/page";
 import type { WorldChoice } from "../../protocol/messages";
@@ -12,13 +11,11 @@ import { Menu, type MenuGroup, type MenuItem } from "../../ui/menu";
 export function WorldMenu() {
   const page = usePage();
   const { context, project } = page;
-  const worlds = useWorlds();
-  const share = useShare();
   if (context.running.scene.value?.real) return null;
   const name = context.running.world.value;
   const all = project.worlds.value;
   const groups: readonly MenuGroup[] = [
-    { title: t("page-world-this"), items: [...changes(page), ...sharing(page, share), ...files(page, worlds)] },
+    { title: t("page-world-this"), items: [...changes(page), ...sharing(page), ...files(page)] },
     { title: t("page-bar-own-worlds"), items: all.filter(({ own }) => own).map((one) => choice(page, one)) },
     { title: t("page-bar-worlds"), items: all.filter(({ own }) => !own).map((one) => choice(page, one)) },
   ];
@@ -33,7 +30,7 @@ export function WorldMenu() {
   );
 }
 
-function sharing({ context }: Page, share: Share): readonly MenuItem[] {
+function sharing({ context, share }: Page): readonly MenuItem[] {
   const off = context.running.active.value || share.isFilming.value;
   return [
     { text: t("page-share-picture"), icon: "image", run: () => void share.takePicture() },
@@ -70,7 +67,7 @@ function changes({ context: { running }, controls, dialogs }: Page): readonly Me
 }
 
 /** What carries worlds to other places, renames and deletes them. */
-function files({ context, dialogs, project }: Page, worlds: ReturnType<typeof useWorlds>): readonly MenuItem[] {
+function files({ context, dialogs, project, worlds }: Page): readonly MenuItem[] {
   const off = context.running.active.value;
   const name = context.running.world.value;
   const items: MenuItem[] = [

@@ -7,7 +7,7 @@ import { type BlockSet, LIMITS } from "../../protocol/messages";
 import { Actions } from "../../ui/dialog";
 import { chooseFile } from "../../ui/files";
 import type { Toasts } from "../../ui/toasts";
-import { type BlockSets, titleOf, useBlockSets } from "./block-sets";
+import { type BlockSets, titleOf } from "./block-sets";
 import type { LabelledTab } from "./labels";
 import { type Draft, setOf } from "./ticks";
 
@@ -20,8 +20,7 @@ interface Props {
 }
 
 export function BlockSetActions({ draft, tabs, look }: Props) {
-  const { dialogs, toasts } = usePage();
-  const blockSets = useBlockSets();
+  const { dialogs, toasts, blockSets } = usePage();
   const naming = useSignal(false);
   const isOurs = blockSets.ours.value.some((one) => one.name === draft.base.name);
   const isOwn = blockSets.own.value.some((one) => one.name === draft.base.name);
@@ -74,7 +73,7 @@ export function BlockSetActions({ draft, tabs, look }: Props) {
 }
 
 function SaveForm({ draft, tabs, look, done }: Props & { done: () => void }) {
-  const blockSets = useBlockSets();
+  const { blockSets } = usePage();
   const isOurs = blockSets.ours.value.some((one) => one.name === draft.base.name);
   const name = useSignal(isOurs ? t("page-sets-my-blocks") : (draft.base.name ?? ""));
   const taken = blockSets.own.value.some((one) => one.name === name.value.trim());

@@ -5,7 +5,6 @@ import { language, type Phrase, t } from "../../i18n";
 import { DialogRequests } from "../../model/dialog-requests";
 import type { Connection } from "../../protocol/connection";
 import { type BlockSet, LIMITS } from "../../protocol/messages";
-import { provided } from "../../ui/provided";
 import type { Draft } from "./ticks";
 
 const EVERYTHING: BlockSet = { name: "everything" };
@@ -72,7 +71,11 @@ export class BlockSets {
   }
 }
 
-export const [BlockSetsProvider, useBlockSets] = provided<BlockSets>("BlockSets");
+declare module "../../model/page" {
+  interface Page {
+    readonly blockSets: BlockSets;
+  }
+}
 
 /** A set's display name. */
 export function titleOf(set: BlockSet): string {

@@ -7,15 +7,14 @@ import { usePage } from "../../model/page";
 import type { BlockSet } from "../../protocol/messages";
 import { Dialog } from "../../ui/dialog";
 import { BlockSetActions } from "./actions";
-import { descriptionOf, titleOf, useBlockSets } from "./block-sets";
+import { descriptionOf, titleOf } from "./block-sets";
 import { BlockTree } from "./block-tree";
 import type { LabelledTab } from "./labels";
 import { ticksOf } from "./ticks";
 import "./dialog.css";
 
 export function BlockSetsDialog() {
-  const { dialogs } = usePage();
-  const blockSets = useBlockSets();
+  const { dialogs, blockSets } = usePage();
   const tabs = useSignal<readonly LabelledTab[] | null>(null);
   const { draft } = blockSets;
   const failed = useSignal(false);
@@ -63,7 +62,7 @@ async function load(code: string): Promise<readonly LabelledTab[]> {
 }
 
 function Refusals() {
-  const { requests, problems } = useBlockSets();
+  const { requests, problems } = usePage().blockSets;
   const sentences = [requests.refusal.value, ...problems.value].filter(Boolean);
   return (
     <div role="alert" class="refusals">
@@ -76,7 +75,7 @@ function Refusals() {
 
 /** The deleted set, with undo. */
 function Deleted({ look }: { look: (set: BlockSet) => void }) {
-  const blockSets = useBlockSets();
+  const { blockSets } = usePage();
   const { deleted } = blockSets;
   const undo = (set: BlockSet) => {
     blockSets.save(set, false);
@@ -102,7 +101,7 @@ interface SetsProps {
 }
 
 function Sets({ chosen, choose }: SetsProps) {
-  const { ours, own, carried } = useBlockSets();
+  const { ours, own, carried } = usePage().blockSets;
   const alone = useComputed(() => {
     const saved = new Set(own.value.map((one) => JSON.stringify(one)));
     return carried.value.filter((one) => !saved.has(JSON.stringify(one)));

@@ -2,9 +2,8 @@
 
 import { type Signal, useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-
 import { say, t, translated } from "../../i18n";
-import { useConnect } from "../../model/connect";
+import { usePage } from "../../model/page";
 import type { TryRobot } from "../../protocol/messages";
 import { Icon } from "../../ui/icons";
 import { StopButton } from "./panel";
@@ -14,7 +13,7 @@ const DISTANCE = 500;
 const ANGLE = 360;
 
 export function Calibrate({ back }: { back: () => void }) {
-  const connect = useConnect();
+  const { connect } = usePage();
   const distance = useSignal(String(DISTANCE));
   const angle = useSignal(String(ANGLE));
   const { doing = "", problem } = connect.state.value;
@@ -89,7 +88,7 @@ interface MeasureProps {
 }
 
 function Measure({ action, value, unit, isBusy }: MeasureProps) {
-  const connect = useConnect();
+  const { connect } = usePage();
   return (
     <div class="connect-measured">
       <button type="button" class="button bordered" disabled={isBusy} onClick={() => connect.act(action)}>

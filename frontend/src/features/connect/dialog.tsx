@@ -4,7 +4,6 @@ import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 
 import { t } from "../../i18n";
-import { useConnect } from "../../model/connect";
 import { usePage } from "../../model/page";
 import { Dialog } from "../../ui/dialog";
 import { Icon, type IconName } from "../../ui/icons";
@@ -15,8 +14,7 @@ import "./dialog.css";
 type Side = "simulated" | "real";
 
 export function ConnectDialog() {
-  const { dialogs } = usePage();
-  const connect = useConnect();
+  const { dialogs, connect } = usePage();
   const side = useSignal<Side>("real");
   useEffect(() => {
     connect.begin();

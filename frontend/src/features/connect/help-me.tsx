@@ -3,7 +3,6 @@
 import { useSignal } from "@preact/signals";
 
 import { t } from "../../i18n";
-import { useConnect } from "../../model/connect";
 import { usePage } from "../../model/page";
 import { Icon } from "../../ui/icons";
 import { RobotPicture } from "../../ui/robots/picture";
@@ -17,8 +16,7 @@ interface Props {
 }
 
 export function HelpMe({ robot, show }: Props) {
-  const connect = useConnect();
-  const { project } = usePage();
+  const { connect, project } = usePage();
   const at = useSignal(0);
   const title = kindTitle(project.welcome.value?.robots ?? [], robot);
   const found = connect.lists.value.found.find((one) => one.robot === robot);

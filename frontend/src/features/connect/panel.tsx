@@ -3,7 +3,6 @@
 import { useId, useRef } from "preact/hooks";
 
 import { say, t } from "../../i18n";
-import { useConnect } from "../../model/connect";
 import { usePage } from "../../model/page";
 import { prefer } from "../../model/preferences";
 import { LIMITS, type RobotValues, type TryRobot } from "../../protocol/messages";
@@ -32,8 +31,7 @@ export function Idle() {
 
 /** While it is being connected, and when that has failed or ended. */
 export function Trouble({ show }: { show: (next: Aside) => void }) {
-  const connect = useConnect();
-  const { project } = usePage();
+  const { connect, project } = usePage();
   const { state, id = "", robot = "", problem } = connect.state.value;
   const title = kindTitle(project.welcome.value?.robots ?? [], robot);
   return (
@@ -58,8 +56,7 @@ export function Trouble({ show }: { show: (next: Aside) => void }) {
 }
 
 export function Connected({ show }: { show: (next: Aside) => void }) {
-  const connect = useConnect();
-  const { dialogs, project } = usePage();
+  const { connect, dialogs, project } = usePage();
   const { actions = [], corrects = false, robot } = connect.state.value;
   const use = () => {
     connect.use();
@@ -107,8 +104,7 @@ export function Connected({ show }: { show: (next: Aside) => void }) {
 
 /** Picture, name, link and battery. */
 function About() {
-  const connect = useConnect();
-  const { project } = usePage();
+  const { connect, project } = usePage();
   const field = useId();
   const { robot = "" } = connect.state.value;
   const title = kindTitle(project.welcome.value?.robots ?? [], robot);
@@ -141,7 +137,7 @@ function About() {
 }
 
 function Link() {
-  const { values } = useConnect();
+  const { values } = usePage().connect;
   const now = values.value;
   if (!now) return <p class="dim">{t("page-connect-reading")}</p>;
   const { weak = false, quality, charge, battery } = now;
@@ -176,7 +172,7 @@ function lastHeard({ weak, round_trip, silence }: RobotValues): string {
 }
 
 function Tests() {
-  const connect = useConnect();
+  const { connect } = usePage();
   const { actions = [], doing = "" } = connect.state.value;
   /** The test that was pressed last; its button gets the focus back from Stop. */
   const last = useRef("");
@@ -208,7 +204,7 @@ function Tests() {
 
 /** It takes the focus of the button whose place it takes. */
 export function StopButton() {
-  const connect = useConnect();
+  const { connect } = usePage();
   return (
     <button ref={takeFocus} type="button" class="button halt" onClick={() => connect.act("stop")}>
       <Icon name="stop" />
@@ -225,7 +221,7 @@ function takeFocus(button: HTMLButtonElement | null): void {
 
 /** What went wrong with the last test. */
 function Problem() {
-  const { problem } = useConnect().state.value;
+  const { problem } = usePage().connect.state.value;
   return (
     <p role="alert" class="connect-problem">
       {problem && say(problem)}
@@ -234,7 +230,7 @@ function Problem() {
 }
 
 function Gauges() {
-  const { values } = useConnect();
+  const { values } = usePage().connect;
   const shown = values.value ? gauges(values.value) : [];
   return (
     <ul class="connect-gauges" aria-label={t("page-connect-values")}>

@@ -4,7 +4,7 @@ import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 
 import { say, t } from "../../i18n";
-import { type Listed, useConnect } from "../../model/connect";
+import type { Listed } from "../../model/connect";
 import { usePage } from "../../model/page";
 import { OTHER_SIMULATORS } from "../../model/robots";
 import { Icon, type IconName } from "../../ui/icons";
@@ -17,7 +17,7 @@ import { kindTitle, titleOf } from "./names";
 import { Connected, Idle, Trouble } from "./panel";
 
 export function RealRobots() {
-  const connect = useConnect();
+  const { connect } = usePage();
   const aside = useSignal<Aside>(ROBOT);
   const show = (next: Aside) => (aside.value = next);
   const state = connect.state.value.state;
@@ -36,7 +36,7 @@ export function RealRobots() {
 }
 
 function Panel({ aside, show }: { aside: Aside; show: (next: Aside) => void }) {
-  const connect = useConnect();
+  const { connect } = usePage();
   const back = () => show(ROBOT);
   if (aside.what === "help") return <HelpMe key={aside.robot} robot={aside.robot} show={show} />;
   if (aside.what === "address") return <Address robot={aside.robot} back={back} />;
@@ -48,7 +48,7 @@ function Panel({ aside, show }: { aside: Aside; show: (next: Aside) => void }) {
 }
 
 function Robots({ show }: { show: (next: Aside) => void }) {
-  const connect = useConnect();
+  const { connect } = usePage();
   const { found, before, others } = connect.lists.value;
   const real = others.filter((one) => !OTHER_SIMULATORS.has(one.robot));
   const first = connect.state.value.robot || before[0]?.robot || real[0]?.robot || "cozmo";
@@ -82,7 +82,7 @@ function Robots({ show }: { show: (next: Aside) => void }) {
 }
 
 function Refusal() {
-  const { refusal } = useConnect().requests;
+  const { refusal } = usePage().connect.requests;
   return <>{refusal.value && say(refusal.value)}</>;
 }
 
@@ -94,7 +94,7 @@ const WAYS: Readonly<Record<string, IconName>> = {
 };
 
 function Found({ robot }: { robot: Listed }) {
-  const connect = useConnect();
+  const { connect } = usePage();
   const { state, id } = connect.state.value;
   const isMine = id === robot.id && (state === "connected" || state === "connecting");
   const isConnected = isMine && state === "connected";
@@ -149,7 +149,7 @@ function Way({ robot: { robot, name, found } }: { robot: Listed }) {
 }
 
 function Battery() {
-  const { values } = useConnect();
+  const { values } = usePage().connect;
   const charge = values.value?.charge;
   return (
     <>
@@ -211,7 +211,7 @@ function AwayRobot({ robot, show }: { robot: Listed; show: (next: Aside) => void
 function Address({ robot, back }: { robot: string; back: () => void }) {
   const { project } = usePage();
   const chosen = useSignal(robot);
-  const connect = useConnect();
+  const { connect } = usePage();
   const robots = project.welcome.value?.robots ?? [];
   return (
     <div class="connect-address">

@@ -1,7 +1,6 @@
 /** The robots that need no connection: the twins, the user's own, and those in other simulators. */
 
 import { t } from "../../i18n";
-import { useConnect } from "../../model/connect";
 import { usePage } from "../../model/page";
 import { prefer, preferences } from "../../model/preferences";
 import { OTHER_SIMULATORS, plainTitle } from "../../model/robots";
@@ -44,7 +43,7 @@ function TwinCard({ robot }: { robot: RobotChoice }) {
   const { context, dialogs, project } = usePage();
   const { connection, running } = context;
   const chosen = project.atStart.value ? preferences.value.robot : running.robot.value;
-  const real = useConnect().state.value.robot || chosen;
+  const real = usePage().connect.state.value.robot || chosen;
   const isChosen = chosen === robot.name;
   const isTwin = robot.name === `sim-${real}`;
   const off = running.active.value && !project.atStart.value;

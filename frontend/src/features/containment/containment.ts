@@ -6,7 +6,6 @@ import { t } from "../../i18n";
 import { DialogRequests } from "../../model/dialog-requests";
 import type { Connection } from "../../protocol/connection";
 import type { Finding, Network } from "../../protocol/messages";
-import { provided } from "../../ui/provided";
 import type { Toasts } from "../../ui/toasts";
 
 export class Containment {
@@ -64,4 +63,8 @@ export function isContained(findings: readonly Finding[]): boolean {
   return findings.every((one) => one.contained);
 }
 
-export const [ContainmentProvider, useContainment] = provided<Containment>("Containment");
+declare module "../../model/page" {
+  interface Page {
+    readonly containment: Containment;
+  }
+}

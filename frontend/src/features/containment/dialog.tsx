@@ -7,12 +7,11 @@ import { usePage } from "../../model/page";
 import type { Finding } from "../../protocol/messages";
 import { Dialog } from "../../ui/dialog";
 import { Icon } from "../../ui/icons";
-import { isContained, useContainment } from "./containment";
+import { isContained } from "./containment";
 import "./dialog.css";
 
 export function ContainmentDialog() {
-  const { dialogs } = usePage();
-  const containment = useContainment();
+  const { dialogs, containment } = usePage();
   useEffect(() => containment.read(), []);
   const refusal = containment.requests.refusal.value;
   return (
@@ -27,7 +26,7 @@ export function ContainmentDialog() {
 }
 
 function Findings() {
-  const findings = useContainment().findings.value;
+  const findings = usePage().containment.findings.value;
   if (!findings) return <p role="status">{t("page-containment-trying")}</p>;
   return (
     <>
@@ -71,8 +70,7 @@ function FindingRow({ one: { name, contained, reason } }: { one: Finding }) {
 }
 
 function NetworkSetting() {
-  const { project } = usePage();
-  const containment = useContainment();
+  const { project, containment } = usePage();
   const network = containment.network.value;
   if (!network) return null;
   const { allowed, key = "", reason } = network;

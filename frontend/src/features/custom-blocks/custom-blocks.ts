@@ -5,7 +5,6 @@ import { signal } from "@preact/signals";
 import type { Phrase } from "../../i18n";
 import type { Connection } from "../../protocol/connection";
 import { type CustomBlock, type FromPage, LIMITS } from "../../protocol/messages";
-import { provided } from "../../ui/provided";
 
 /** The outcome of an action, shown in its dialog. */
 export interface Outcome {
@@ -86,7 +85,11 @@ export class CustomBlocks {
   }
 }
 
-export const [CustomBlocksProvider, useCustomBlocks] = provided<CustomBlocks>("CustomBlocks");
+declare module "../../model/page" {
+  interface Page {
+    readonly customBlocks: CustomBlocks;
+  }
+}
 
 function done(word: string, values: Readonly<Record<string, string>>): Outcome {
   return { sort: "done", word, values };

@@ -12,7 +12,6 @@ import { Dialog } from "../../ui/dialog";
 import { chooseFile } from "../../ui/files";
 import { Icon } from "../../ui/icons";
 import { IslandPlace } from "../../ui/island-place";
-import { useCustomBlocks } from "./custom-blocks";
 import "./dialogs.css";
 
 /** The file extension of an exported block. */
@@ -20,7 +19,7 @@ export const EXPORTED = ".block.json";
 
 export function CustomBlocksDialog() {
   const { context, dialogs } = usePage();
-  const shelf = useCustomBlocks();
+  const shelf = usePage().customBlocks;
   const search = useSignal("");
   useFocusAfterwards();
   useEffect(() => {
@@ -70,7 +69,7 @@ function matches({ name, category, blocks }: CustomBlock, words: string): boolea
 
 function Entry({ block: { name, category, blocks, problems } }: { block: CustomBlock }) {
   const { context } = usePage();
-  const shelf = useCustomBlocks();
+  const shelf = usePage().customBlocks;
   const wrong = problems.find((one) => one.severity === "error");
   return (
     <li>
@@ -91,7 +90,7 @@ function Entry({ block: { name, category, blocks, problems } }: { block: CustomB
 }
 
 function ImportButton() {
-  const shelf = useCustomBlocks();
+  const shelf = usePage().customBlocks;
   return (
     <button
       type="button"
@@ -106,7 +105,7 @@ function ImportButton() {
 
 /** The outcome of the last action, and the actions that the user can take. */
 function OutcomeLine() {
-  const shelf = useCustomBlocks();
+  const shelf = usePage().customBlocks;
   const button = useRef<HTMLButtonElement>(null);
   const outcome = shelf.outcome.value;
   // The focused button disappeared with its row.
@@ -132,7 +131,7 @@ function OutcomeLine() {
 
 export function CustomBlockDialog({ name }: { name: CustomBlockDialogName }) {
   const page = usePage();
-  const all = useCustomBlocks();
+  const all = page.customBlocks;
   useFocusAfterwards();
   const saved = useSignal(name.customBlock);
   const close = () => page.dialogs.close();

@@ -4,7 +4,6 @@ import { signal } from "@preact/signals";
 
 import type { InClass } from "../../protocol/classroom";
 import type { Connection } from "../../protocol/connection";
-import { provided } from "../../ui/provided";
 
 export class ClassNews {
   /** The newest news; null outside a class. */
@@ -39,4 +38,8 @@ export class ClassNews {
   }
 }
 
-export const [ClassNewsProvider, useClassNews] = provided<ClassNews>("ClassNews");
+declare module "../../model/page" {
+  interface Page {
+    readonly classNews: ClassNews;
+  }
+}

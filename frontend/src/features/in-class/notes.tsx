@@ -2,18 +2,17 @@
 
 import type { ComponentChildren } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
-
 import { t } from "../../i18n";
+import { usePage } from "../../model/page";
 import type { InClass } from "../../protocol/classroom";
 import { IconButton } from "../../ui/button";
 import { hold } from "../../ui/dialog";
 import { Icon } from "../../ui/icons";
-import { useClassNews } from "./in-class";
 import "./notes.css";
 
 /** In the bar: whose page it is, and the raised hand. */
 export function PupilChip() {
-  const news = useClassNews();
+  const news = usePage().classNews;
   const now = news.now.value;
   if (!now) return null;
   return (
@@ -36,7 +35,7 @@ export function PupilChip() {
 
 /** The notes of the class over the page. */
 export function ClassNotes() {
-  const now = useClassNews().now.value;
+  const now = usePage().classNews.now.value;
   if (!now) return null;
   return (
     <>
@@ -49,7 +48,7 @@ export function ClassNotes() {
 }
 
 function ForPupil({ now }: { now: InClass }) {
-  const news = useClassNews();
+  const news = usePage().classNews;
   return (
     <>
       {now.hint && now.hint !== news.read.value && (
@@ -84,7 +83,7 @@ function ForPupil({ now }: { now: InClass }) {
 }
 
 function ForTeacher({ now }: { now: InClass }) {
-  const news = useClassNews();
+  const news = usePage().classNews;
   const [text, button, wanted] = {
     no: ["page-class-looking", "page-class-ask", true],
     asked: ["page-class-waiting", "page-class-ask-not", false],

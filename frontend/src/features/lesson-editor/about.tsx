@@ -6,14 +6,13 @@ import { t } from "../../i18n";
 import { usePage } from "../../model/page";
 import { plainTitle } from "../../model/robots";
 import type { LessonContent } from "../lessons/draft";
-import { useLessonMaking } from "../lessons/making";
 import { Add, ChoiceInput, NumberInput, Part, Problems, TextInput, Tick } from "./inputs";
 
 const LEVELS = [1, 2, 3, 4] as const;
 const MOST_AIMS = 8;
 
 export function About({ content }: { content: LessonContent }) {
-  const making = useLessonMaking();
+  const making = usePage().lessonMaking;
   return (
     <>
       <TextInput
@@ -46,7 +45,7 @@ export function About({ content }: { content: LessonContent }) {
 }
 
 function Aims({ content: { aims } }: { content: LessonContent }) {
-  const making = useLessonMaking();
+  const making = usePage().lessonMaking;
   const take = (changed: LessonContent["aims"]) => making.editContent({ aims: changed });
   return (
     <section class="maker-group">
@@ -74,7 +73,7 @@ function Aims({ content: { aims } }: { content: LessonContent }) {
 
 /** The simulated robots; the first one is that with which most pupils work. */
 function Robots({ content: { robots } }: { content: LessonContent }) {
-  const making = useLessonMaking();
+  const making = usePage().lessonMaking;
   const { project } = usePage();
   const heading = useId();
   const all = project.welcome.value?.robots ?? [];

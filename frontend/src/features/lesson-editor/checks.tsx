@@ -1,10 +1,10 @@
 /** The checks of a step: each in words, with a small form for its values. */
 
 import { useId } from "preact/hooks";
-
 import { say, t, worldName } from "../../i18n";
+import { usePage } from "../../model/page";
 import type { StepContent, Values } from "../lessons/draft";
-import { type Path, useLessonMaking } from "../lessons/making";
+import type { Path } from "../lessons/making";
 import { type Field as CheckField, fieldsOf, kindsOf, kindWords, newOf } from "./fields";
 import { Add, ChoiceInput, Field, NumberInput, Part, Problems, TextInput, Tick } from "./inputs";
 
@@ -12,7 +12,7 @@ const MOST = 12;
 const NEW: Values = { kind: "ends" };
 
 export function Checks({ step, index }: { step: StepContent; index: number }) {
-  const making = useLessonMaking();
+  const making = usePage().lessonMaking;
   const { check: checks = [] } = step;
   const take = (check: readonly Values[]) => making.editStep(index, { check });
   return (
@@ -43,7 +43,7 @@ interface CheckProps {
 }
 
 function Check({ check, step, index, take, remove }: CheckProps) {
-  const { examined } = useLessonMaking();
+  const { examined } = usePage().lessonMaking;
   const words = examined.value.steps?.[step]?.checks?.[index];
   const path = ["step", step, "check", index];
   const { kind, say: said, optional, name, robot } = check;
@@ -88,7 +88,7 @@ function Check({ check, step, index, take, remove }: CheckProps) {
 
 /** The mistakes of a check that belong to none of its values. */
 function OwnProblems({ path }: { path: Path }) {
-  const making = useLessonMaking();
+  const making = usePage().lessonMaking;
   const own = making.problemsAt(path).filter((one) => one.path.length === path.length);
   return own.length > 0 ? <Problems path={path} /> : null;
 }
@@ -172,7 +172,7 @@ function WordInput({ word, path, step, value, take }: WordProps) {
 
 /** What may be meant: the goals and lines of the world, or the skills. */
 function useKnown(step: number, key: string | number | undefined): readonly string[] {
-  const { examined, skills } = useLessonMaking();
+  const { examined, skills } = usePage().lessonMaking;
   const known = examined.value.steps?.[step];
   if (key === "line") return known?.lines ?? [];
   if (key === "name") return known?.goals ?? [];
@@ -190,7 +190,7 @@ function Lines({
   readonly value: readonly string[];
   readonly take: (value: readonly string[]) => void;
 }) {
-  const { examined } = useLessonMaking();
+  const { examined } = usePage().lessonMaking;
   const goals = path.at(-1) === "goals" ? (examined.value.steps?.[step]?.goals ?? []) : [];
   if (goals.length > 0) {
     const all = [...new Set([...goals, ...value])];

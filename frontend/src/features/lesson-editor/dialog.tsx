@@ -3,13 +3,12 @@
 import { useSignal } from "@preact/signals";
 import type { FunctionComponent } from "preact";
 import { useEffect } from "preact/hooks";
-
 import { t } from "../../i18n";
+import { usePage } from "../../model/page";
 import { Dialog } from "../../ui/dialog";
-import { useLessonMaking } from "../lessons/making";
 
 export function LessonEditorDialog() {
-  const making = useLessonMaking();
+  const making = usePage().lessonMaking;
   const loaded = useSignal<{ readonly Part: FunctionComponent } | null>(null);
   useEffect(() => {
     void import("./editor").then(({ LessonEditor }) => (loaded.value = { Part: LessonEditor }));

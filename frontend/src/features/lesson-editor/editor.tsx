@@ -1,13 +1,12 @@
 /** The editor of a lesson: its parts on the left, the chosen one beside them. */
 
 import { useEffect, useRef } from "preact/hooks";
-
 import { languages, say, t, translated } from "../../i18n";
+import { usePage } from "../../model/page";
 import { IconButton } from "../../ui/button";
-import { useBlockSets } from "../block-sets/block-sets";
 import type { Draft } from "../lessons/draft";
 import { inLanguage } from "../lessons/lessons";
-import { MOST_STEPS, type Path, type Section, useLessonMaking } from "../lessons/making";
+import { MOST_STEPS, type Path, type Section } from "../lessons/making";
 import { About } from "./about";
 import { Add, Languages } from "./inputs";
 import { Step } from "./step";
@@ -15,8 +14,8 @@ import { Teacher } from "./teacher";
 import "./editor.css";
 
 export function LessonEditor() {
-  const making = useLessonMaking();
-  const sets = useBlockSets();
+  const making = usePage().lessonMaking;
+  const sets = usePage().blockSets;
   const form = useRef<HTMLDivElement>(null);
   useEffect(() => sets.list(), []);
   const draft = making.draft.value;
@@ -56,7 +55,7 @@ function titleOf({ content }: Draft, section: Section): string {
 }
 
 function Parts({ draft }: { draft: Draft }) {
-  const making = useLessonMaking();
+  const making = usePage().lessonMaking;
   const { step: steps } = draft.content;
   const sections: readonly Section[] = ["about", ...steps.map((_, index) => index), "teacher"];
   return (
@@ -78,7 +77,7 @@ function Parts({ draft }: { draft: Draft }) {
 }
 
 function StepTools({ draft, index }: { draft: Draft; index: number }) {
-  const making = useLessonMaking();
+  const making = usePage().lessonMaking;
   const last = draft.content.step.length - 1;
   return (
     <span class="maker-tools">
@@ -101,7 +100,7 @@ function StepTools({ draft, index }: { draft: Draft; index: number }) {
 
 /** The mistakes that keep the lesson from being saved, each with the way to its place. */
 function Summary() {
-  const making = useLessonMaking();
+  const making = usePage().lessonMaking;
   const place = useRef<HTMLDivElement>(null);
   const problems = making.problemsAt([]);
   const hasSome = problems.length > 0;
@@ -140,7 +139,7 @@ function placeOf(path: Path): string {
 }
 
 function Foot({ draft }: { draft: Draft }) {
-  const making = useLessonMaking();
+  const making = usePage().lessonMaking;
   return (
     <div class="maker-foot">
       <span class="dim">{t(making.isSaved.value ? "page-maker-is-saved" : "page-maker-not-saved")}</span>

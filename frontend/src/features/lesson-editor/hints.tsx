@@ -1,8 +1,8 @@
 /** The teacher's hints of a step, each with up to three levels. */
 
 import { t } from "../../i18n";
+import { usePage } from "../../model/page";
 import type { HintContent, StepContent } from "../lessons/draft";
-import { useLessonMaking } from "../lessons/making";
 import { kindWords } from "./fields";
 import { Add, ChoiceInput, Part, TextInput } from "./inputs";
 
@@ -10,7 +10,7 @@ const LEVELS = [0, 1, 2] as const;
 const MOST = 30;
 
 export function Hints({ step, index }: { step: StepContent; index: number }) {
-  const making = useLessonMaking();
+  const making = usePage().lessonMaking;
   const { hint: hints = [], check: checks = [] } = step;
   const take = (hint: readonly HintContent[]) => making.editStep(index, { hint });
   const names = new Set(checks.map((one) => String(one.name ?? one.kind)));

@@ -2,13 +2,13 @@
 
 import type { ComponentChildren } from "preact";
 import { useId } from "preact/hooks";
-
 import { say, t } from "../../i18n";
+import { usePage } from "../../model/page";
 import { IconButton } from "../../ui/button";
 import { languageName } from "../../ui/language-name";
 import type { Texts } from "../lessons/draft";
 import { inLanguage } from "../lessons/lessons";
-import { type Path, useLessonMaking } from "../lessons/making";
+import type { Path } from "../lessons/making";
 
 interface Props {
   /** The code of the label. */
@@ -29,7 +29,7 @@ interface Described {
 /** A label, an input, and what is wrong with its value. */
 export function Field({ word, path, help, children }: FieldProps) {
   const [id, note] = [useId(), useId()];
-  const problems = useLessonMaking().problemsAt(path);
+  const problems = usePage().lessonMaking.problemsAt(path);
   return (
     <div class="field maker-field">
       <label for={id}>{t(word)}</label>
@@ -44,7 +44,7 @@ export function Field({ word, path, help, children }: FieldProps) {
 
 /** The mistakes at a place. */
 export function Problems({ path }: { path: Path }) {
-  const problems = useLessonMaking().problemsAt(path);
+  const problems = usePage().lessonMaking.problemsAt(path);
   return (
     <>
       {problems.map(({ message }) => (
@@ -65,7 +65,7 @@ interface TextProps extends Props {
 
 /** A text in the language in which the teacher writes; that of another language shows what is missing. */
 export function TextInput({ word, path, text = {}, take, long = false, longest = 200 }: TextProps) {
-  const { writing } = useLessonMaking();
+  const { writing } = usePage().lessonMaking;
   const code = writing.value;
   const other = text[code] ? "" : inLanguage(text);
   const props = {
@@ -174,7 +174,7 @@ export function Add({ word, onClick, off = false }: { word: string; onClick: () 
 
 /** The choice of the language in which the teacher writes. */
 export function Languages({ codes }: { codes: readonly string[] }) {
-  const { writing } = useLessonMaking();
+  const { writing } = usePage().lessonMaking;
   return (
     <div class="maker-languages" role="group" aria-label={t("page-maker-languages")}>
       {codes.map((code) => (

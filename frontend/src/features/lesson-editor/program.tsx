@@ -1,9 +1,9 @@
 /** A program of a step: what pupils begin with, or the teacher's solution. */
 
 import { t } from "../../i18n";
+import { usePage } from "../../model/page";
 import type { WrittenProgram } from "../../protocol/messages";
 import { EMPTY_PROGRAM } from "../lessons/draft";
-import { useLessonMaking } from "../lessons/making";
 import { ChoiceInput, Field } from "./inputs";
 
 interface Props {
@@ -15,7 +15,7 @@ interface Props {
 type Source = "none" | "blocktext" | "python";
 
 export function ProgramInput({ index, which }: Props) {
-  const making = useLessonMaking();
+  const making = usePage().lessonMaking;
   const program = making.draft.value?.steps[index]?.[which] ?? null;
   const take = (changed: WrittenProgram | null) => making.editPrograms(index, { [which]: changed });
   const open = making.openProgram();

@@ -1,8 +1,9 @@
 /** The puzzle of a step: a program whose lines pupils put in order, and lines that don't belong to it. */
 
 import { t } from "../../i18n";
+import { usePage } from "../../model/page";
 import { EMPTY_PROGRAM, type PuzzleContent, type StepContent } from "../lessons/draft";
-import { type Path, useLessonMaking } from "../lessons/making";
+import type { Path } from "../lessons/making";
 import { Add, Field, Part, Tick } from "./inputs";
 
 const MOST = 10;
@@ -13,7 +14,7 @@ interface Props {
 }
 
 export function Puzzle({ step, index }: Props) {
-  const making = useLessonMaking();
+  const making = usePage().lessonMaking;
   const { puzzle } = step;
   const path = ["step", index, "puzzle"];
   const turn = (on: boolean) => {
@@ -69,7 +70,7 @@ interface OrdersProps {
 
 /** Other orders of the same lines that are as right. */
 function OtherOrders({ puzzle, path, take }: OrdersProps) {
-  const making = useLessonMaking();
+  const making = usePage().lessonMaking;
   const { also = [] } = puzzle;
   const takeAll = (orders: readonly string[]) => take({ ...puzzle, also: orders });
   return (

@@ -1,15 +1,15 @@
 /** The question of a step, with answers to choose from. */
 
 import { t } from "../../i18n";
+import { usePage } from "../../model/page";
 import type { ChoiceContent, StepContent } from "../lessons/draft";
-import { useLessonMaking } from "../lessons/making";
 import { Add, Part, Problems, TextInput, Tick } from "./inputs";
 
 const MOST = 8;
 const NEW = { question: {}, choices: [{ text: {}, right: true }, { text: {} }] };
 
 export function Quiz({ step, index }: { step: StepContent; index: number }) {
-  const making = useLessonMaking();
+  const making = usePage().lessonMaking;
   const { quiz } = step;
   const path = ["step", index, "quiz"];
   const take = (changed: StepContent["quiz"]) => making.editStep(index, { quiz: changed });

@@ -5,10 +5,9 @@ import { useEffect } from "preact/hooks";
 
 import { language, t } from "../../i18n";
 import { usePage } from "../../model/page";
-import { titleOf, useBlockSets } from "../block-sets/block-sets";
+import { titleOf } from "../block-sets/block-sets";
 import type { Phase, StepContent } from "../lessons/draft";
 import { inLanguage } from "../lessons/lessons";
-import { useLessonMaking } from "../lessons/making";
 import type { MarkdownPart } from "../lessons/markdown";
 import { Checks } from "./checks";
 import { Hints } from "./hints";
@@ -25,7 +24,7 @@ interface Props {
 }
 
 export function Step({ step, index }: Props) {
-  const making = useLessonMaking();
+  const making = usePage().lessonMaking;
   const path = ["step", index];
   return (
     <>
@@ -81,7 +80,7 @@ export function Step({ step, index }: Props) {
 
 /** The text in Markdown, and beside it what pupils see. */
 function Instructions({ step, index }: Props) {
-  const making = useLessonMaking();
+  const making = usePage().lessonMaking;
   const markdown = useSignal<{ readonly Part: MarkdownPart } | null>(null);
   useEffect(() => {
     void import("../lessons/markdown").then(({ Markdown }) => (markdown.value = { Part: Markdown }));
@@ -115,7 +114,7 @@ function Instructions({ step, index }: Props) {
 }
 
 function World({ step, index }: Props) {
-  const making = useLessonMaking();
+  const making = usePage().lessonMaking;
   const { project } = usePage();
   const names = project.worlds.value.map((one) => one.name);
   const all = step.world && !names.includes(step.world) ? [...names, step.world] : names;
@@ -133,8 +132,8 @@ function World({ step, index }: Props) {
 
 /** One of our block sets; or blocks that were chosen for a project, one by one. */
 function Blocks({ step, index }: Props) {
-  const making = useLessonMaking();
-  const sets = useBlockSets();
+  const making = usePage().lessonMaking;
+  const sets = usePage().blockSets;
   const before = [["", t(index > 0 ? "page-maker-as-before" : "page-maker-all-blocks")]] as const;
   const ours = sets.ours.value.map((one) => [one.name ?? "", titleOf(one)] as const);
   const lists = [sets.shown.value, ...sets.carried.value, ...sets.own.value].flatMap((one) => {

@@ -1,18 +1,17 @@
 /** What only the teacher has: notes, the trial of the solutions, and the whole lesson as a file. */
 
 import { say, t } from "../../i18n";
+import { usePage } from "../../model/page";
 import type { TriedProgram } from "../../protocol/messages";
 import { Icon } from "../../ui/icons";
 import type { Draft } from "../lessons/draft";
-import { useLessons } from "../lessons/lessons";
-import { useLessonMaking } from "../lessons/making";
 import { TextInput } from "./inputs";
 
 const LONGEST_NOTES = 20_000;
 
 export function Teacher({ draft }: { draft: Draft }) {
-  const making = useLessonMaking();
-  const { teaches } = useLessons();
+  const making = usePage().lessonMaking;
+  const { teaches } = usePage().lessons;
   return (
     <>
       <p class="dim">{t("page-maker-teacher-help")}</p>
@@ -46,7 +45,7 @@ export function Teacher({ draft }: { draft: Draft }) {
 }
 
 function Trial() {
-  const making = useLessonMaking();
+  const making = usePage().lessonMaking;
   const tried = making.tried.value;
   const { done = 0, count = 0, running = false, programs = [], problem } = tried ?? {};
   return (

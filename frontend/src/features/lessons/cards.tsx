@@ -12,8 +12,7 @@ import { IconButton } from "../../ui/button";
 import { chooseFile, chooseFolder } from "../../ui/files";
 import { Icon } from "../../ui/icons";
 import { Menu, type MenuItem } from "../../ui/menu";
-import { inLanguage, LESSON_FILE, LESSON_ZIP, useLessons } from "./lessons";
-import { useLessonMaking } from "./making";
+import { inLanguage, LESSON_FILE, LESSON_ZIP } from "./lessons";
 import "./cards.css";
 
 const LEVELS = [1, 2, 3, 4] as const;
@@ -21,8 +20,7 @@ const LEVELS = [1, 2, 3, 4] as const;
 const BEGINNINGS = { starter: 1, explorer: 2, coder: 3 } as const;
 
 export function LessonCards() {
-  const lessons = useLessons();
-  const { project, context } = usePage();
+  const { lessons, project, context } = usePage();
   const all = lessons.choices.value ?? [];
   const last = all.find((one) => one.project && one.project === project.entries.value?.[0]?.name);
   const chosen = useSignal<number | null>(null);
@@ -79,7 +77,7 @@ export function LessonCards() {
 }
 
 function Card({ lesson, isReadOnly }: { lesson: LessonChoice; isReadOnly: boolean }) {
-  const lessons = useLessons();
+  const { lessons } = usePage();
   const { name, picture = "", step = 0, steps, own = false, project = "" } = lesson;
   const title = inLanguage(lesson.title);
   return (
@@ -121,8 +119,8 @@ function Card({ lesson, isReadOnly }: { lesson: LessonChoice; isReadOnly: boolea
 
 /** What can be done with a lesson: most of it only by the teacher. */
 function LessonMenu({ lesson, isReadOnly }: { lesson: LessonChoice; isReadOnly: boolean }) {
-  const lessons = useLessons();
-  const making = useLessonMaking();
+  const { lessons } = usePage();
+  const making = usePage().lessonMaking;
   const { dialogs } = usePage();
   const { name, own = false } = lesson;
   const title = inLanguage(lesson.title);

@@ -4,15 +4,13 @@ import { t } from "../../i18n";
 import type { LessonDialogName } from "../../model/dialogs";
 import { usePage } from "../../model/page";
 import { Actions, Dialog } from "../../ui/dialog";
-import { useLessons } from "./lessons";
 
 interface Props {
   readonly of: Extract<LessonDialogName, { deleteLesson: string }>;
 }
 
 export function DeleteLessonDialog({ of: { deleteLesson, title } }: Props) {
-  const { dialogs } = usePage();
-  const lessons = useLessons();
+  const { dialogs, lessons } = usePage();
   const remove = () => {
     dialogs.close();
     lessons.delete(deleteLesson);

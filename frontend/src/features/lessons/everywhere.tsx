@@ -6,10 +6,9 @@ import { say, t } from "../../i18n";
 import { usePage } from "../../model/page";
 import type { LessonAttempt } from "../../protocol/messages";
 import { Icon } from "../../ui/icons";
-import { useLessons } from "./lessons";
 
 export function Everywhere() {
-  const { checked } = useLessons();
+  const { checked } = usePage().lessons;
   const told = checked.value;
   const place = useRef<HTMLDivElement>(null);
   const isRunning = told?.running ?? false;
@@ -39,8 +38,7 @@ export function Everywhere() {
 }
 
 function Attempt({ attempt }: { attempt: LessonAttempt }) {
-  const lessons = useLessons();
-  const { project, context } = usePage();
+  const { lessons, project, context } = usePage();
   const { robot, variant = 0, passed = null, reasons = [] } = attempt;
   const state = passed === null ? "open" : passed ? "met" : "failed";
   const where = t("page-lesson-attempt", { robot: project.robotTitle(robot), variant });

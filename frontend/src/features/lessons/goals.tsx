@@ -4,7 +4,7 @@ import { say, t } from "../../i18n";
 import { usePage } from "../../model/page";
 import type { LessonGoal } from "../../protocol/messages";
 import { Icon, type IconName } from "../../ui/icons";
-import { sayWords, useLessons } from "./lessons";
+import { sayWords } from "./lessons";
 
 const ICONS: Readonly<Record<NonNullable<LessonGoal["state"]>, IconName>> = {
   open: "star",
@@ -13,7 +13,7 @@ const ICONS: Readonly<Record<NonNullable<LessonGoal["state"]>, IconName>> = {
 };
 
 export function Goals() {
-  const { goals } = useLessons();
+  const { goals } = usePage().lessons;
   if (goals.value.length === 0) return null;
   return (
     <div class="lesson-goals">

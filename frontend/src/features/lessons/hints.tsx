@@ -1,13 +1,13 @@
 /** The hints that the pupil has asked for; another one is offered, not forced. */
 
 import { useEffect, useRef } from "preact/hooks";
-
 import { t } from "../../i18n";
+import { usePage } from "../../model/page";
 import { Icon } from "../../ui/icons";
-import { sayWords, useLessons } from "./lessons";
+import { sayWords } from "./lessons";
 
 export function Hints() {
-  const lessons = useLessons();
+  const { lessons } = usePage();
   const told = lessons.hints.value;
   const hints = told?.hints ?? [];
   const place = useRef<HTMLDivElement>(null);

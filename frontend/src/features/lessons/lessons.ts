@@ -22,7 +22,6 @@ import {
   type QuizJudged,
 } from "../../protocol/messages";
 import { inBase64 } from "../../ui/files";
-import { provided } from "../../ui/provided";
 import type { Toasts } from "../../ui/toasts";
 import { type LessonFolder, lessonFolderOf } from "./folder";
 
@@ -239,4 +238,8 @@ export class Lessons {
   }
 }
 
-export const [LessonsProvider, useLessons] = provided<Lessons>("Lessons");
+declare module "../../model/page" {
+  interface Page {
+    readonly lessons: Lessons;
+  }
+}

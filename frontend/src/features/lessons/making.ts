@@ -8,7 +8,6 @@ import type { Program } from "../../model/program";
 import type { Connection } from "../../protocol/connection";
 import type { EditedStep, LessonExamined, LessonTried, WrittenProgram } from "../../protocol/messages";
 import { bytesOf, saveFile } from "../../ui/files";
-import { provided } from "../../ui/provided";
 import { UnsavedEdits } from "../../ui/storage";
 import type { Toasts } from "../../ui/toasts";
 import {
@@ -275,4 +274,8 @@ export class LessonMaking {
   }
 }
 
-export const [LessonMakingProvider, useLessonMaking] = provided<LessonMaking>("LessonMaking");
+declare module "../../model/page" {
+  interface Page {
+    readonly lessonMaking: LessonMaking;
+  }
+}

@@ -8,7 +8,7 @@ import type { LessonDialogName } from "../../model/dialogs";
 import { usePage } from "../../model/page";
 import type { LessonNotes, SolvedStep, WrongProgram } from "../../protocol/messages";
 import { Dialog } from "../../ui/dialog";
-import { inLanguage, sayWords, useLessons } from "./lessons";
+import { inLanguage, sayWords } from "./lessons";
 import type { MarkdownPart } from "./markdown";
 import "./notes.css";
 
@@ -17,8 +17,7 @@ interface Props {
 }
 
 export function LessonNotesDialog({ of: { lessonNotes, title } }: Props) {
-  const { dialogs } = usePage();
-  const lessons = useLessons();
+  const { dialogs, lessons } = usePage();
   const markdown = useSignal<{ readonly Part: MarkdownPart } | null>(null);
   useEffect(() => {
     lessons.readNotes(lessonNotes);

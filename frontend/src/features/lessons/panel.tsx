@@ -13,14 +13,14 @@ import { room } from "../../ui/screen";
 import { Everywhere } from "./everywhere";
 import { Goals } from "./goals";
 import { Hints } from "./hints";
-import { inLanguage, useLessons } from "./lessons";
+import { inLanguage } from "./lessons";
 import type { MarkdownPart } from "./markdown";
 import { Puzzle } from "./puzzle";
 import { Quiz } from "./quiz";
 import "./lessons.css";
 
 export function LessonPane() {
-  const shown = useLessons().shown.value;
+  const shown = usePage().lessons.shown.value;
   if (!shown) return null;
   return room.value === "narrow" ? <Line shown={shown} /> : <Pane shown={shown} />;
 }
@@ -122,7 +122,7 @@ function Place({ shown }: { shown: LessonShown }) {
 
 /** The steps as a row of bars: those whose stars are all earned, the current one, the others. */
 function Segments({ shown: { step: now = 1 } }: { shown: LessonShown }) {
-  const { steps } = useLessons();
+  const { steps } = usePage().lessons;
   return (
     <span class="lesson-segments" aria-hidden="true">
       {steps.value.map(({ stars = 0, earned = 0 }, index) => {
@@ -135,7 +135,7 @@ function Segments({ shown: { step: now = 1 } }: { shown: LessonShown }) {
 
 /** The stars of the current step. */
 function Stars() {
-  const { shown, steps } = useLessons();
+  const { shown, steps } = usePage().lessons;
   const { stars = 0, earned = 0 } = steps.value[(shown.value?.step ?? 1) - 1] ?? {};
   if (stars === 0) return <span class="lesson-stars" />;
   return (
@@ -186,7 +186,7 @@ function Foot({ shown }: { shown: LessonShown }) {
 
 /** It stands out after a run that has failed. */
 function HintButton({ shown }: { shown: LessonShown }) {
-  const lessons = useLessons();
+  const { lessons } = usePage();
   if (!shown.goals?.length) return null;
   return (
     <button
@@ -201,8 +201,7 @@ function HintButton({ shown }: { shown: LessonShown }) {
 }
 
 function CheckButton({ shown: { attempts = 0 } }: { shown: LessonShown }) {
-  const lessons = useLessons();
-  const { context } = usePage();
+  const { lessons, context } = usePage();
   const hasErrors = context.program.state.value.problems.some((one) => one.severity === "error");
   if (attempts < 2) return null;
   if (lessons.checked.value?.running) {
@@ -228,8 +227,7 @@ function CheckButton({ shown: { attempts = 0 } }: { shown: LessonShown }) {
 }
 
 function RestartButton({ shown }: { shown: LessonShown }) {
-  const lessons = useLessons();
-  const { context } = usePage();
+  const { lessons, context } = usePage();
   if (!shown.restarts) return null;
   return (
     <IconButton
@@ -242,7 +240,7 @@ function RestartButton({ shown }: { shown: LessonShown }) {
 }
 
 function StepButtons({ shown: { step = 1, steps = [] } }: { shown: LessonShown }) {
-  const lessons = useLessons();
+  const { lessons } = usePage();
   const isActive = usePage().context.running.active.value;
   const hasStar = (lessons.steps.value[step - 1]?.earned ?? 0) > 0;
   return (
@@ -282,7 +280,7 @@ function Finish() {
 
 /** A few stars that rise for a moment; none for those who want no motion. */
 function Party() {
-  const { party } = useLessons();
+  const { party } = usePage().lessons;
   if (party.value === 0) return null;
   return (
     <span key={party.value} class="lesson-party" aria-hidden="true">

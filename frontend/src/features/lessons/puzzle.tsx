@@ -2,13 +2,12 @@
 
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-
 import { t } from "../../i18n";
+import { usePage } from "../../model/page";
 import type { LessonPuzzle, Workspace } from "../../protocol/messages";
 import { Icon, type IconName } from "../../ui/icons";
 import { draggable } from "./dragging";
 import { DrawnBlocks } from "./drawn-blocks";
-import { useLessons } from "./lessons";
 import { depths } from "./nesting";
 import { Judged } from "./quiz";
 
@@ -20,7 +19,7 @@ interface Props {
 type Put = (order: readonly number[], focus: string) => void;
 
 export function Puzzle({ puzzle: { pieces, solved = false }, drawings }: Props) {
-  const lessons = useLessons();
+  const { lessons } = usePage();
   const order = useSignal<readonly number[]>([]);
   const root = useRef<HTMLDivElement>(null);
   const focus = useRef("");

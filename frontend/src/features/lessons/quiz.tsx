@@ -1,14 +1,14 @@
 /** A question with answers to choose from; the server knows which are right. */
 
 import { useSignal } from "@preact/signals";
-
 import { t } from "../../i18n";
+import { usePage } from "../../model/page";
 import type { LessonQuiz } from "../../protocol/messages";
 import { Icon } from "../../ui/icons";
-import { inLanguage, useLessons } from "./lessons";
+import { inLanguage } from "./lessons";
 
 export function Quiz({ quiz: { question, choices, several = false, solved = false } }: { quiz: LessonQuiz }) {
-  const lessons = useLessons();
+  const { lessons } = usePage();
   const chosen = useSignal<readonly number[]>([]);
   const judged = lessons.quiz.value;
   const choose = (index: number, on: boolean) => {

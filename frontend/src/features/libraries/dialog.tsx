@@ -12,13 +12,12 @@ import { chooseFiles } from "../../ui/files";
 import { Icon } from "../../ui/icons";
 import { LibraryForm } from "./form";
 import { IncomingLibraries } from "./incoming-list";
-import { ENDINGS, useLibraries } from "./libraries";
+import { ENDINGS } from "./libraries";
 import { described, titleOf } from "./summary";
 import "./libraries.css";
 
 export function LibrariesDialog() {
-  const { dialogs } = usePage();
-  const libraries = useLibraries();
+  const { dialogs, libraries } = usePage();
   const making = useSignal(false);
   useEffect(() => libraries.list(), []);
   const close = () => {
@@ -40,7 +39,7 @@ export function LibrariesDialog() {
 }
 
 function OutcomeLine() {
-  const outcome = useLibraries().outcome.value;
+  const outcome = usePage().libraries.outcome.value;
   return (
     <p class={`library-outcome ${outcome?.sort ?? ""}`} role={outcome?.sort === "failed" ? "alert" : "status"}>
       {outcome && say(outcome.text)}
@@ -49,7 +48,7 @@ function OutcomeLine() {
 }
 
 function Installed({ make }: { make: () => void }) {
-  const libraries = useLibraries();
+  const { libraries } = usePage();
   const found = libraries.installed.value;
   return (
     <>
@@ -77,7 +76,7 @@ function Installed({ make }: { make: () => void }) {
 }
 
 function Row({ library }: { library: InstalledLibrary }) {
-  const libraries = useLibraries();
+  const { libraries } = usePage();
   const asked = useSignal(false);
   const { name, problem } = library;
   if (asked.value) return <Removal name={name} keep={() => (asked.value = false)} />;
@@ -116,7 +115,7 @@ function Row({ library }: { library: InstalledLibrary }) {
 }
 
 function Removal({ name, keep }: { name: string; keep: () => void }) {
-  const libraries = useLibraries();
+  const { libraries } = usePage();
   const button = useRef<HTMLButtonElement>(null);
   // The focused button has disappeared.
   useEffect(() => button.current?.focus(), []);

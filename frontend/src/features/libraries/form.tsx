@@ -7,13 +7,11 @@ import { language, say, t } from "../../i18n";
 import { usePage } from "../../model/page";
 import type { ExportableFunction } from "../../protocol/messages";
 import { Actions } from "../../ui/dialog";
-import { useLibraries } from "./libraries";
 
 type Ticks = Signal<ReadonlySet<string>>;
 
 export function LibraryForm({ done }: { done: () => void }) {
-  const { context } = usePage();
-  const libraries = useLibraries();
+  const { context, libraries } = usePage();
   const name = useSignal("");
   const version = useSignal("1.0.0");
   const title = useSignal("");

@@ -2,19 +2,19 @@
 
 import { useSignal } from "@preact/signals";
 import { useId } from "preact/hooks";
-
 import { say, t } from "../../i18n";
+import { usePage } from "../../model/page";
 import { IconButton } from "../../ui/button";
 import { Actions } from "../../ui/dialog";
 import { chooseFiles } from "../../ui/files";
 import { Icon } from "../../ui/icons";
 import { PhraseList } from "../../ui/phrase-list";
 import { clashOf, type Incoming, isReady, type Renaming, replaces } from "./incoming";
-import { ENDINGS, useLibraries } from "./libraries";
+import { ENDINGS } from "./libraries";
 import { described, titleOf } from "./summary";
 
 export function IncomingLibraries() {
-  const libraries = useLibraries();
+  const { libraries } = usePage();
   const replace = useSignal(false);
   const files = libraries.incoming.value;
   const older = files.filter(replaces);
@@ -58,7 +58,7 @@ export function IncomingLibraries() {
 }
 
 function File({ file }: { file: Incoming }) {
-  const libraries = useLibraries();
+  const { libraries } = usePage();
   const { filename, read, renamings, changed = [], missing = [] } = file;
   return (
     <li>
@@ -89,7 +89,7 @@ function File({ file }: { file: Incoming }) {
 }
 
 function NewName({ file, renaming }: { file: Incoming; renaming: Renaming }) {
-  const libraries = useLibraries();
+  const { libraries } = usePage();
   const reason = useId();
   const { skill, place, name } = renaming;
   const clash = clashOf(file, renaming);

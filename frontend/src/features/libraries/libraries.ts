@@ -14,7 +14,6 @@ import {
   type MakeLibrary,
 } from "../../protocol/messages";
 import { bytesOf, inBase64, saveFile } from "../../ui/files";
-import { provided } from "../../ui/provided";
 import { fileOf, type Incoming, looked, renamed } from "./incoming";
 import { conversion, looseIn, originalsIn } from "./originals";
 
@@ -150,7 +149,11 @@ export class Libraries {
   }
 }
 
-export const [LibrariesProvider, useLibraries] = provided<Libraries>("Libraries");
+declare module "../../model/page" {
+  interface Page {
+    readonly libraries: Libraries;
+  }
+}
 
 /** The endings of the files that can be imported. */
 export const ENDINGS = [LIBRARY, ...ORIGINAL_LIBRARY];

@@ -7,12 +7,10 @@ import { say, t } from "../../i18n";
 import { usePage } from "../../model/page";
 import { Actions, Dialog } from "../../ui/dialog";
 import { chooseFile } from "../../ui/files";
-import { useRobotMaker } from "./robot-maker";
 import "./dialog.css";
 
 export function NewRobotDialog() {
-  const { dialogs } = usePage();
-  const robotMaker = useRobotMaker();
+  const { dialogs, robotMaker } = usePage();
   useEffect(() => robotMaker.begin(), []);
   return (
     <Dialog title={t("page-newrobot-title")} close={() => dialogs.close()} size="large">
@@ -22,8 +20,7 @@ export function NewRobotDialog() {
 }
 
 function Description() {
-  const { dialogs } = usePage();
-  const robotMaker = useRobotMaker();
+  const { dialogs, robotMaker } = usePage();
   const text = useRef<HTMLTextAreaElement>(null);
   const make = (event: SubmitEvent) => {
     event.preventDefault();
@@ -72,7 +69,7 @@ function Description() {
 }
 
 function Problems({ text }: { text: RefObject<HTMLTextAreaElement | null> }) {
-  const robotMaker = useRobotMaker();
+  const { robotMaker } = usePage();
   return (
     <div role="alert" class="refused">
       <ul class="new-robot-problems">
@@ -105,8 +102,7 @@ function selectLine(text: HTMLTextAreaElement, line: number): void {
 }
 
 function Made() {
-  const { controls, dialogs } = usePage();
-  const robotMaker = useRobotMaker();
+  const { controls, dialogs, robotMaker } = usePage();
   const { name = "", files = [] } = robotMaker.made.value ?? {};
   const use = () => {
     controls.chooseRobot(`sim-${name}`);

@@ -4,7 +4,6 @@ import { signal } from "@preact/signals";
 import { t } from "../../i18n";
 import type { Connection } from "../../protocol/connection";
 import { type FromPage, LIMITS, type RobotMade, type RobotProblem } from "../../protocol/messages";
-import { provided } from "../../ui/provided";
 
 export class RobotMaker {
   readonly name = signal("");
@@ -55,4 +54,8 @@ export class RobotMaker {
   }
 }
 
-export const [RobotMakerProvider, useRobotMaker] = provided<RobotMaker>("RobotMaker");
+declare module "../../model/page" {
+  interface Page {
+    readonly robotMaker: RobotMaker;
+  }
+}

@@ -10,7 +10,7 @@ import { plainTitle, realOf } from "../../model/robots";
 import type { SettingsTable } from "../../protocol/messages";
 import { Actions, Dialog } from "../../ui/dialog";
 import { SettingField } from "./field";
-import { changes, PERCEPTION, useRobotSettings, type Values, valuesOf } from "./robot-settings";
+import { changes, PERCEPTION, type Values, valuesOf } from "./robot-settings";
 import { TestConnection } from "./test-connection";
 import "./dialogs.css";
 
@@ -62,7 +62,7 @@ interface SettingsFormProps {
 }
 
 export function SettingsForm({ robot, cancel, children }: SettingsFormProps) {
-  const machine = useRobotSettings();
+  const machine = usePage().robotSettings;
   // Before the form of an older answer is shown.
   useLayoutEffect(() => machine.read(robot), []);
   const table = useComputed(() => (machine.table.value?.robot === robot ? machine.table.value : null));
@@ -78,7 +78,7 @@ export function SettingsForm({ robot, cancel, children }: SettingsFormProps) {
 }
 
 function Form({ table, robot, cancel, children }: SettingsFormProps & { readonly table: SettingsTable }) {
-  const machine = useRobotSettings();
+  const machine = usePage().robotSettings;
   const { settings = [], wrong = {} } = table;
   const values = useSignal<Values>(valuesOf(settings));
   const agreed = useSignal(false);

@@ -5,7 +5,6 @@ import { signal } from "@preact/signals";
 import { DialogRequests } from "../../model/dialog-requests";
 import type { Connection } from "../../protocol/connection";
 import type { Setting, SettingsTable } from "../../protocol/messages";
-import { provided } from "../../ui/provided";
 
 /** In place of a robot's name. */
 export const PERCEPTION = "";
@@ -32,7 +31,11 @@ export class RobotSettings {
   }
 }
 
-export const [RobotSettingsProvider, useRobotSettings] = provided<RobotSettings>("RobotSettings");
+declare module "../../model/page" {
+  interface Page {
+    readonly robotSettings: RobotSettings;
+  }
+}
 
 /** The values that differ from the saved ones. */
 export function changes(settings: readonly Setting[], values: Values): Values {

@@ -2,9 +2,8 @@
 
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-
 import { say, t } from "../../i18n";
-import { useConnect } from "../../model/connect";
+import { usePage } from "../../model/page";
 import { Icon } from "../../ui/icons";
 
 interface Props {
@@ -17,7 +16,7 @@ interface Props {
 
 /** A button that connects to a robot, says what has answered or what to do, and lets go of it. */
 export function TestConnection({ robot, title, isSaved }: Props) {
-  const connect = useConnect();
+  const { connect } = usePage();
   const tested = useSignal(false);
   const answered = useSignal(false);
   const state = tested.value ? connect.state.value.state : "none";
@@ -61,7 +60,7 @@ export function TestConnection({ robot, title, isSaved }: Props) {
 }
 
 function Problem({ title }: { readonly title: string }) {
-  const { requests, state } = useConnect();
+  const { requests, state } = usePage().connect;
   const { state: reached, problem } = state.value;
   if (requests.refusal.value) return <>{say(requests.refusal.value)}</>;
   if (reached !== "failed" && reached !== "lost") return null;

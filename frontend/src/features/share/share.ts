@@ -6,7 +6,6 @@ import { t } from "../../i18n";
 import type { Page } from "../../model/page";
 import { Cleanup } from "../../ui/cleanup";
 import { saveFile } from "../../ui/files";
-import { provided } from "../../ui/provided";
 import { Film, filmFormat } from "./film";
 import { drawWorld, fillSky, newBrush } from "./frame";
 
@@ -23,7 +22,7 @@ const CAPTION = { height: 56, font: '800 26px "Nunito Variable", sans-serif', in
 export class Share {
   readonly isFilming = signal(false);
 
-  constructor(private readonly page: Page) {}
+  constructor(private readonly page: Pick<Page, "context" | "controls" | "project" | "toasts" | "views">) {}
 
   /** Save a picture of the world as it is now, with the name of the project. */
   async takePicture(): Promise<void> {
@@ -95,4 +94,8 @@ export class Share {
   }
 }
 
-export const [ShareProvider, useShare] = provided<Share>("Share");
+declare module "../../model/page" {
+  interface Page {
+    readonly share: Share;
+  }
+}

@@ -8,7 +8,7 @@ import type { ExampleChoice, LessonChoice, ProjectEntry } from "../../protocol/m
 import { Icon } from "../../ui/icons";
 import { pictureOf } from "../examples/pictures";
 import { exampleText, exampleTitle } from "../examples/words";
-import { inLanguage, useLessons } from "../lessons/lessons";
+import { inLanguage } from "../lessons/lessons";
 import { day } from "../projects/dates";
 import { projectPicture } from "./project-picture";
 import { tryExample } from "./try-example";
@@ -20,7 +20,7 @@ export function Hero() {
   const { project } = usePage();
   const [last] = project.entries.value ?? [];
   const first = project.welcome.value?.examples.find(({ name }) => name === FIRST);
-  const lesson = useLessons().choices.value?.find((one) => one.project && one.project === last?.name);
+  const lesson = usePage().lessons.choices.value?.find((one) => one.project && one.project === last?.name);
   if (last) return lesson ? <GoOn lesson={lesson} last={last} /> : <Continue last={last} />;
   return project.entries.value && first ? <FirstProgram example={first} /> : <div class="start-hero" />;
 }

@@ -4,7 +4,6 @@ import { prefer } from "../../model/preferences";
 import { Icon, type IconName } from "../../ui/icons";
 import { languageName } from "../../ui/language-name";
 import { Menu } from "../../ui/menu";
-import { useClassNews } from "../in-class/in-class";
 import { PupilChip } from "../in-class/notes";
 import { Logo } from "./logo";
 
@@ -18,7 +17,7 @@ const PLACES: readonly (readonly [string, IconName])[] = [
 
 export function TopBar() {
   const { dialogs } = usePage();
-  const inClass = useClassNews().now.value !== null;
+  const inClass = usePage().classNews.now.value !== null;
   return (
     <header class="start-bar">
       <Logo />

@@ -22,14 +22,13 @@ import {
   sameNames,
   slipOf,
 } from "./rows";
-import { type Names, type TagDictionary, useTagDictionary } from "./tag-dictionary";
+import type { Names, TagDictionary } from "./tag-dictionary";
 import "./dialog.css";
 
 type Rows = Signal<readonly Row[]>;
 
 export function TagsDialog() {
-  const { dialogs, toasts } = usePage();
-  const tags = useTagDictionary();
+  const { dialogs, toasts, tags } = usePage();
   const rows = useSignal(rowsOf(tags.names.peek()));
   useEffect(() => {
     tags.requests.refuse("");
@@ -106,7 +105,7 @@ function saveInPassing(tags: TagDictionary, toasts: Toasts, names: Names): void 
 }
 
 function Exports({ off }: { off: boolean }) {
-  const tags = useTagDictionary();
+  const { tags } = usePage();
   return (
     <>
       {(["toml", "csv", "html"] as const).map((format) => (

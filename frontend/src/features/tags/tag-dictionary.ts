@@ -5,7 +5,6 @@ import { type Phrase, t } from "../../i18n";
 import { DialogRequests } from "../../model/dialog-requests";
 import type { Connection } from "../../protocol/connection";
 import { type ExportTags, LIMITS } from "../../protocol/messages";
-import { provided } from "../../ui/provided";
 
 export type Names = Readonly<Record<string, number>>;
 
@@ -41,4 +40,8 @@ export class TagDictionary {
   }
 }
 
-export const [TagDictionaryProvider, useTagDictionary] = provided<TagDictionary>("TagDictionary");
+declare module "../../model/page" {
+  interface Page {
+    readonly tags: TagDictionary;
+  }
+}

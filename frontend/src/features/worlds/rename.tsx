@@ -3,11 +3,9 @@ import { usePage } from "../../model/page";
 import { LIMITS } from "../../protocol/messages";
 import { Dialog } from "../../ui/dialog";
 import { NameForm } from "../../ui/name-form";
-import { useWorlds } from "./worlds";
 
 export function RenameWorldDialog() {
-  const { context, dialogs, project } = usePage();
-  const worlds = useWorlds();
+  const { context, dialogs, project, worlds } = usePage();
   const name = context.running.world.value;
   return (
     <Dialog title={t("page-worlds-rename-title")} close={() => dialogs.close()}>

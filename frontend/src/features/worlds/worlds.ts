@@ -4,7 +4,6 @@ import { t } from "../../i18n";
 import type { Connection } from "../../protocol/connection";
 import { LIMITS } from "../../protocol/messages";
 import { bytesOf, inBase64, saveFile } from "../../ui/files";
-import { provided } from "../../ui/provided";
 import type { Toasts } from "../../ui/toasts";
 
 /** The files of worlds: the second has a floor picture too. */
@@ -50,4 +49,8 @@ export class Worlds {
   }
 }
 
-export const [WorldsProvider, useWorlds] = provided<Worlds>("Worlds");
+declare module "../../model/page" {
+  interface Page {
+    readonly worlds: Worlds;
+  }
+}

@@ -1,0 +1,117 @@
+/** Creates the objects of the page and connects them. */
+
+import { computed } from "@preact/signals";
+
+import { BlockSets } from "../features/block-sets/block-sets";
+import { Containment } from "../features/containment/containment";
+import { CustomBlocks } from "../features/custom-blocks/custom-blocks";
+import { ClassNews } from "../features/in-class/in-class";
+import { Lessons } from "../features/lessons/lessons";
+import { LessonMaking } from "../features/lessons/making";
+import { Libraries } from "../features/libraries/libraries";
+import { RobotMaker } from "../features/new-robot/robot-maker";
+import { RobotSettings } from "../features/robot-settings/robot-settings";
+import { Share } from "../features/share/share";
+import { TagDictionary } from "../features/tags/tag-dictionary";
+import { Worlds } from "../features/worlds/worlds";
+import { Announcer } from "../model/announcer";
+import { AskingWhy } from "../model/asking-why";
+import { Connect } from "../model/connect";
+import type { Context } from "../model/context";
+import { Controls } from "../model/controls";
+import { Dialogs } from "../model/dialogs";
+import { BrowserDrafts } from "../model/drafts";
+import { Ghost } from "../model/ghost";
+import { KeptRuns } from "../model/kept-runs";
+import { LookingBack } from "../model/looking-back";
+import type { Page } from "../model/page";
+import { Program } from "../model/program";
+import { Project } from "../model/project";
+import { RobotTabs } from "../model/robot-tabs";
+import { runError } from "../model/run-error";
+import { Running } from "../model/running";
+import { RunsOn } from "../model/runs-on";
+import { Views } from "../model/views";
+import { socketAddress, takeToken } from "../protocol/address";
+import { Connection } from "../protocol/connection";
+import { Toasts } from "../ui/toasts";
+
+/** The parts of the page that listen to the server and need little else. */
+type Stores = ReturnType<typeof makeStores>;
+
+export function compose(): Page {
+  const connection = new Connection(socketAddress(), takeToken());
+  const toasts = new Toasts();
+  const dialogs = new Dialogs();
+  const stores = makeStores(connection, toasts, dialogs);
+  const model = makeModel(connection, toasts, dialogs, stores);
+  const { announcer, context } = model;
+  const lessons = new Lessons(connection, { program: context.program, announcer, toasts });
+  const lessonMaking = new LessonMaking(connection, { program: context.program, dialogs, toasts, lessons });
+  return { ...model, ...stores, lessons, lessonMaking, share: new Share(model) };
+}
+
+function makeStores(connection: Connection, toasts: Toasts, dialogs: Dialogs) {
+  return {
+    blockSets: new BlockSets(connection),
+    classNews: new ClassNews(connection),
+    connect: new Connect(connection),
+    containment: new Containment(connection, toasts, () => dialogs.show("containment")),
+    customBlocks: new CustomBlocks(connection),
+    libraries: new Libraries(connection),
+    robotMaker: new RobotMaker(connection),
+    robotSettings: new RobotSettings(connection),
+    tags: new TagDictionary(connection),
+    worlds: new Worlds(connection, toasts),
+  };
+}
+
+function makeModel(connection: Connection, toasts: Toasts, dialogs: Dialogs, stores: Stores) {
+  const { blockSets, customBlocks, tags } = stores;
+  const program = new Program(connection, new BrowserDrafts());
+  const tabs = new RobotTabs(connection, program);
+  const running = new Running(connection);
+  const views = new Views();
+  const lookingBack = new LookingBack(running, connection);
+  const askingWhy = new AskingWhy(connection, running, () => views.showPanel("why"));
+  const ghost = new Ghost(connection, running);
+  const context: Context = {
+    connection,
+    robots: computed(() => project.welcome.value?.robots ?? []),
+    program,
+    running,
+    runError: runError(program, running),
+    customBlocks: customBlocks.blocks,
+    tagNames: tags.names,
+    ways: computed(() => (keptRuns.ways.value.length > 0 ? keptRuns.ways.value : ghost.ways.value)),
+    ghost: ghost.robot,
+    shownBlocks: blockSets.shown,
+    reveal: (block) => views.reveal(block),
+    select: (block) => (views.selected.value = block),
+    robotColor: (name) => (tabs.tabs.value.length > 0 ? tabs.colorOf(name) : null),
+    lookingBack,
+    askingWhy,
+    listCustomBlocks: () => dialogs.show("customBlocks"),
+    editCustomBlock: (name, line = 0) => dialogs.show({ customBlock: name, line }),
+  };
+  const project = new Project(connection, program, toasts, tabs);
+  const forgetQuestions = () => {
+    askingWhy.questions.value = askingWhy.answer.value = null;
+  };
+  const keptRuns = new KeptRuns(connection, project.name, { program, running, lookingBack, toasts, forgetQuestions });
+  return {
+    context,
+    views,
+    toasts,
+    project,
+    tabs,
+    controls: new Controls(context),
+    lookingBack,
+    ghost,
+    keptRuns,
+    askingWhy,
+    runsOn: new RunsOn(connection, program, project.name),
+    dialogs,
+    announcer: new Announcer(context),
+  };
+}
