@@ -16,6 +16,7 @@ import { TagDictionary } from "../features/tags/tag-dictionary";
 import { Worlds } from "../features/worlds/worlds";
 import { Announcer } from "../model/announcer";
 import { AskingWhy } from "../model/asking-why";
+import { beginAnew } from "../model/beginning-anew";
 import { Connect } from "../model/connect";
 import type { Context } from "../model/context";
 import { Controls } from "../model/controls";
@@ -48,7 +49,31 @@ export function compose(): Page {
   const { announcer, context } = model;
   const lessons = new Lessons(connection, { program: context.program, announcer, toasts });
   const lessonMaking = new LessonMaking(connection, { program: context.program, dialogs, toasts, lessons });
-  return { ...model, ...stores, lessons, lessonMaking, share: new Share(model) };
+  const page = { ...model, ...stores, lessons, lessonMaking, share: new Share(model) };
+  connect(page);
+  return page;
+}
+
+/** Let a new connection and an opened project change the parts of the page, in this order. */
+function connect(page: Page): void {
+  const { program, running } = page.context;
+  beginAnew(page.context.connection, {
+    // It is known who only reads before the project is opened again, and whose it is after that.
+    connected: [page.connect, page.containment, program, page.project, page.lessons],
+    // The program comes before what shows it. The survey takes a moment, so the project comes first.
+    reset: [
+      program,
+      page.tabs,
+      running,
+      page.lookingBack,
+      page.keptRuns,
+      page.project,
+      page.lessons,
+      page.blockSets,
+      page.customBlocks,
+      page.containment,
+    ],
+  });
 }
 
 function makeStores(connection: Connection, toasts: Toasts, dialogs: Dialogs) {

@@ -50,11 +50,12 @@ export class Connect {
     });
     connection.on("RobotValues", (values) => (this.values.value = values));
     connection.on("RobotCorrected", (corrected) => (this.corrected.value = corrected));
-    // The server has forgotten both if the connection to it was lost.
-    connection.on("Welcome", () => {
-      this.state.value = NONE;
-      if (this.searching.value) connection.send({ kind: "FindRobots", on: true });
-    });
+  }
+
+  /** The server has forgotten the robot and the search if the connection to it was lost. */
+  connected(): void {
+    this.state.value = NONE;
+    if (this.searching.value) this.connection.send({ kind: "FindRobots", on: true });
   }
 
   begin(): void {

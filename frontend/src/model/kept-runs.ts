@@ -61,10 +61,6 @@ export class KeptRuns {
     private readonly project: { readonly value: string },
     private readonly others: Others,
   ) {
-    connection.on("Opened", () => {
-      this.runs.value = this.compared.value = null;
-      this.chosen.value = [];
-    });
     connection.on("RunState", ({ state }) => {
       if (state === "starting" || state === "idle") this.compared.value = null;
     });
@@ -73,6 +69,11 @@ export class KeptRuns {
     connection.on("KeptRuns", ({ runs }) => (this.runs.value = runs));
     connection.on("RunShown", (shown) => this.show(shown));
     this.watchProgram();
+  }
+
+  reset(): void {
+    this.runs.value = this.compared.value = null;
+    this.chosen.value = [];
   }
 
   list(): void {

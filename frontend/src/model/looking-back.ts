@@ -32,11 +32,6 @@ export class LookingBack {
   ) {
     connection.on("Past", () => this.next());
     connection.onRefused(["LookBack"], () => this.next());
-    // A connection that broke gives no answer any more.
-    connection.on("Opened", () => {
-      this.asked = false;
-      this.waiting = [];
-    });
     // Who went back to now, or began another run, no longer wants them.
     effect(() => {
       if (!running.past.value) this.waiting = [];
@@ -46,6 +41,12 @@ export class LookingBack {
       if (AT_REST.has(state)) this.readTimeline();
       if (PAUSED.has(state)) connection.send({ kind: "ReadValues" });
     });
+  }
+
+  /** A connection that broke gives no answer any more. */
+  reset(): void {
+    this.asked = false;
+    this.waiting = [];
   }
 
   readTimeline(): void {

@@ -4,7 +4,7 @@ import { signal } from "@preact/signals";
 
 import type { Phrase } from "../i18n";
 import type { Connection } from "../protocol/connection";
-import type { Document, Notation, Place, Problem, View, Workspace } from "../protocol/messages";
+import type { Document, Notation, Opened, Place, Problem, View, Welcome, Workspace } from "../protocol/messages";
 import type { Drafts } from "./drafts";
 import { type Content, type Repeated, repeated, Unsaved } from "./unsaved";
 
@@ -95,17 +95,23 @@ export class Program {
     private readonly connection: Connection,
     private readonly drafts: Drafts,
   ) {
-    connection.on("Welcome", (welcome) => (this.readOnly.value = welcome.read_only ?? null));
     connection.state.subscribe((state) => {
       if (state !== "open") this.disconnected();
     });
-    connection.on("Opened", ({ name, tab = "" }) => this.opened(name, tab, 0));
     connection.on("TabOpened", ({ tab, shown }) => this.opened(this.project, tab, shown));
     connection.on("ProjectRenamed", ({ name }) => this.renamed(name, this.tab));
     connection.on("Tabs", ({ open = "" }) => this.renamed(this.project, open));
     connection.on("Document", (document) => this.receive(document));
     connection.on("Saved", ({ edit }) => this.savedUpTo(edit));
     connection.onRefused(["EditBlocks", "EditText", "RecoverBlocks", "RecoverText"], () => this.refused());
+  }
+
+  connected(welcome: Welcome): void {
+    this.readOnly.value = welcome.read_only ?? null;
+  }
+
+  reset({ name, tab = "" }: Opened): void {
+    this.opened(name, tab, 0);
   }
 
   /** Whether the server has answered every edit. */

@@ -10,6 +10,7 @@ import {
   type Export,
   type History,
   LIMITS,
+  type Opened,
   type OriginalImported,
   type ProjectEntry,
   type Welcome,
@@ -46,9 +47,7 @@ export class Project {
     private readonly toasts: Toasts,
     private readonly tabs: RobotTabs,
   ) {
-    connection.on("Welcome", (welcome) => this.begin(welcome));
     connection.on("Projects", ({ projects }) => (this.entries.value = projects));
-    connection.on("Opened", ({ name }) => this.opened(name));
     connection.on("ProjectRenamed", ({ name }) => this.renamed(name));
     connection.on("Robots", ({ robots }) => (this.welcome.value &&= { ...this.welcome.value, robots }));
     connection.on("Worlds", ({ worlds }) => (this.worlds.value = worlds));
@@ -73,6 +72,25 @@ export class Project {
     });
     addEventListener("popstate", () => this.followAddress());
     addEventListener("beforeunload", (event) => this.leaving(event));
+  }
+
+  /** Handle a new connection, the first one or a reconnection. */
+  connected(welcome: Welcome): void {
+    this.welcome.value = welcome;
+    this.worlds.value = welcome.worlds;
+    const name = this.name.value || addressedProject();
+    if (this.name.value) this.toasts.note(t("page-project-recovered"));
+    if (name) this.open(name, this.tabs.open.value);
+    else this.list();
+  }
+
+  reset({ name }: Opened): void {
+    this.offered.value = null;
+    this.reviewing.value = false;
+    this.name.value = name;
+    this.atStart.value = false;
+    nameProject(name);
+    this.list();
   }
 
   open(name: string, tab = ""): void {
@@ -188,16 +206,6 @@ export class Project {
     return `${title} ${number}`;
   }
 
-  /** Handle a new connection, the first one or a reconnection. */
-  private begin(welcome: Welcome): void {
-    this.welcome.value = welcome;
-    this.worlds.value = welcome.worlds;
-    const name = this.name.value || addressedProject();
-    if (this.name.value) this.toasts.note(t("page-project-recovered"));
-    if (name) this.open(name, this.tabs.open.value);
-    else this.list();
-  }
-
   private offer(offered: CodeOffered): void {
     const names = [...(offered.blocks ?? []), ...(offered.libraries ?? [])].map((one) => one.name);
     if (names.length === 0) {
@@ -211,15 +219,6 @@ export class Project {
       text: t("page-project-offered", { names: names.join(", ") }),
       action: { text: t("page-project-offered-review"), run: () => (this.reviewing.value = true) },
     });
-  }
-
-  private opened(name: string): void {
-    this.offered.value = null;
-    this.reviewing.value = false;
-    this.name.value = name;
-    this.atStart.value = false;
-    nameProject(name);
-    this.list();
   }
 
   private showStart(): void {

@@ -3,7 +3,7 @@
 import { computed, signal } from "@preact/signals";
 
 import type { Connection } from "../protocol/connection";
-import type { Tab, TabRobot } from "../protocol/messages";
+import type { Opened, Tab, TabRobot } from "../protocol/messages";
 import type { Program } from "./program";
 
 /** The colours of tabs, and of the robots' names in the world; white text can be read on each. */
@@ -29,7 +29,6 @@ export class RobotTabs {
     private readonly connection: Connection,
     private readonly program: Program,
   ) {
-    connection.on("Opened", ({ tab = "" }) => (this.open.value = tab));
     connection.on("TabOpened", ({ tab, shows = "" }) => {
       this.open.value = tab;
       this.shows.value = shows;
@@ -42,6 +41,10 @@ export class RobotTabs {
     });
     // The server did not show another robot, so edits go on with this one.
     connection.onRefused(["AddTab", "CloseTab", "ReopenTab"], () => this.show(this.open.peek()));
+  }
+
+  reset({ tab = "" }: Opened): void {
+    this.open.value = tab;
   }
 
   /** Add a new program for some robots of a kind. */

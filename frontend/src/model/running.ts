@@ -113,8 +113,7 @@ export class Running {
   );
 
   constructor(private readonly connection: Connection) {
-    connection.on("Opened", (opened) => this.opened(opened));
-    connection.on("TabOpened", (opened) => this.opened(opened));
+    connection.on("TabOpened", (opened) => this.reset(opened));
     connection.on("Settings", (settings) => {
       this.robot.value = settings.robot;
       this.world.value = settings.world;
@@ -159,6 +158,18 @@ export class Running {
     );
     // A test run of a custom block is not a run of the program.
     connection.on("Ended", (ended) => (this.ended.value = ended.tried ? null : ended));
+  }
+
+  /** Forget the last run; begin with the robot, the world and the breakpoints of a project or of a tab. */
+  reset({ robot, world, breakpoints }: Opened | TabOpened): void {
+    this.forgetPast();
+    this.robot.value = robot;
+    this.world.value = world;
+    this.breakpoints.value = new Set(breakpoints);
+    this.state.value = IDLE;
+    this.keys.value = [];
+    this.variables.value = this.ended.value = this.telemetry.value = this.line.value = this.link.value = null;
+    this.measured.value = null;
   }
 
   /** The way of the robot up to a time of the timeline: mm east and north. */
@@ -216,17 +227,6 @@ export class Running {
       if (news.variables !== undefined) this.variables.value = news.variables;
       if (news.line !== undefined) this.line.value = news.line;
     });
-  }
-
-  private opened({ robot, world, breakpoints }: Opened | TabOpened): void {
-    this.forgetPast();
-    this.robot.value = robot;
-    this.world.value = world;
-    this.breakpoints.value = new Set(breakpoints);
-    this.state.value = IDLE;
-    this.keys.value = [];
-    this.variables.value = this.ended.value = this.telemetry.value = this.line.value = this.link.value = null;
-    this.measured.value = null;
   }
 
   toggleBreakpoint(block: string): void {

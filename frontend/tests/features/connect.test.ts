@@ -60,7 +60,7 @@ test("after the connection to the server was lost, robots are looked for again a
   const connect = new Connect(connection.real);
   connect.begin();
   connection.tell({ kind: "RobotConnected", state: "connected", id: COZMO.id, robot: "cozmo" });
-  connection.tell({ kind: "Welcome" });
+  connect.connected();
   expect(connect.isConnected.value).toBe(false);
   expect(connection.sent.at(-1)).toEqual({ kind: "FindRobots", on: true });
 });

@@ -1,6 +1,7 @@
 import { expect, test } from "vitest";
 
 import { Containment } from "../../src/features/containment/containment";
+import { beginAnew } from "../../src/model/beginning-anew";
 import { Toasts } from "../../src/ui/toasts";
 import { FakeConnection } from "../fake-connection";
 
@@ -10,6 +11,7 @@ const FREE = { ...REFUSED, contained: false };
 function begin(warns: boolean) {
   const [connection, toasts, opened] = [new FakeConnection(), new Toasts(), [] as string[]];
   const containment = new Containment(connection.real, toasts, () => opened.push("dialog"));
+  beginAnew(connection.real, { connected: [containment], reset: [containment] });
   connection.tell({ kind: "Welcome", warns });
   connection.tell({ kind: "Opened" });
   return { connection, toasts, opened, containment };

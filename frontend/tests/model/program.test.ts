@@ -1,5 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 
+import { beginAnew } from "../../src/model/beginning-anew";
 import type { Drafts, Left } from "../../src/model/drafts";
 import { Program } from "../../src/model/program";
 import type { Draft } from "../../src/model/unsaved";
@@ -44,6 +45,7 @@ function opened(name = "square", earlier: readonly Draft[] = []): [Program, Fake
   const connection = new FakeConnection();
   const drafts = new FakeDrafts(earlier);
   const program = new Program(connection.real, drafts);
+  beginAnew(connection.real, { connected: [program], reset: [program] });
   reopen(connection, name);
   return [program, connection, drafts];
 }
@@ -246,6 +248,7 @@ test("a page that only reads sends no edit, and keeps the drafts of earlier page
   const connection = new FakeConnection();
   const drafts = new FakeDrafts([draft]);
   const program = new Program(connection.real, drafts);
+  beginAnew(connection.real, { connected: [program], reset: [program] });
   const read_only = { code: "server-reading", values: {} };
   connection.tell({ kind: "Welcome", version: "", robots: [], worlds: [], examples: [], folder: "", read_only });
   connection.tell({ kind: "Opened", name: "square" });

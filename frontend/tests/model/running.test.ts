@@ -1,11 +1,14 @@
 import { expect, test } from "vitest";
 
+import { beginAnew } from "../../src/model/beginning-anew";
 import { Running } from "../../src/model/running";
 import { FakeConnection } from "../fake-connection";
 
 function running(): [Running, FakeConnection] {
   const connection = new FakeConnection();
-  return [new Running(connection.real), connection];
+  const run = new Running(connection.real);
+  beginAnew(connection.real, { connected: [], reset: [run] });
+  return [run, connection];
 }
 
 test.each([

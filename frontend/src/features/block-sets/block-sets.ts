@@ -28,7 +28,6 @@ export class BlockSets {
 
   constructor(private readonly connection: Connection) {
     this.requests = new DialogRequests(connection);
-    connection.on("Opened", () => (this.draft.value = null));
     connection.on("BlocksShown", ({ set, carried = [] }) => {
       // Rebuild the palette only if the set is a different one.
       if (JSON.stringify(set) !== JSON.stringify(this.shown.peek())) this.shown.value = set;
@@ -40,6 +39,10 @@ export class BlockSets {
       this.problems.value = problems;
     });
     connection.on("BlockSetRead", ({ set }) => (this.read.value = set));
+  }
+
+  reset(): void {
+    this.draft.value = null;
   }
 
   list(): void {

@@ -5,7 +5,7 @@ import { signal } from "@preact/signals";
 import { t } from "../../i18n";
 import { DialogRequests } from "../../model/dialog-requests";
 import type { Connection } from "../../protocol/connection";
-import type { Finding, Network } from "../../protocol/messages";
+import type { Finding, Network, Welcome } from "../../protocol/messages";
 import type { Toasts } from "../../ui/toasts";
 
 export class Containment {
@@ -23,11 +23,16 @@ export class Containment {
     private readonly showDialog: () => void,
   ) {
     this.requests = new DialogRequests(connection);
-    connection.on("Welcome", ({ warns = false }) => (this.warns = warns));
-    // The survey takes a moment, so the project comes first.
-    connection.on("Opened", () => this.warns && this.survey());
     connection.on("Containment", ({ findings }) => this.found(findings));
     connection.on("Network", (network) => (this.network.value = network));
+  }
+
+  connected({ warns = false }: Welcome): void {
+    this.warns = warns;
+  }
+
+  reset(): void {
+    if (this.warns) this.survey();
   }
 
   read(): void {

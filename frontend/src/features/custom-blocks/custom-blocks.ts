@@ -23,8 +23,11 @@ export class CustomBlocks {
   readonly outcome = signal<Outcome | null>(null);
 
   constructor(private readonly connection: Connection) {
-    connection.on("Opened", () => this.list());
     connection.on("CustomBlocks", ({ blocks }) => (this.blocks.value = blocks));
+  }
+
+  reset(): void {
+    this.list();
   }
 
   list(): void {

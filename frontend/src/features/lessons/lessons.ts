@@ -20,6 +20,7 @@ import {
   LIMITS,
   type PuzzleJudged,
   type QuizJudged,
+  type Welcome,
 } from "../../protocol/messages";
 import { inBase64 } from "../../ui/files";
 import type { Toasts } from "../../ui/toasts";
@@ -69,21 +70,16 @@ export class Lessons {
   /** What is known of the goals since the step was shown. */
   private readonly news = signal<LessonGoals | null>(null);
   private readonly live = signal(false);
+  private readonly browser = browserId();
 
   constructor(
     private readonly connection: Connection,
     private readonly others: Others,
   ) {
-    const browser = browserId();
-    connection.on("Welcome", ({ teaches = false }) => {
-      this.teaches.value = teaches;
-      connection.send({ kind: "Introduce", browser });
-    });
     connection.on("Lessons", ({ lessons, problems = [] }) => {
       this.choices.value = lessons;
       for (const problem of problems) others.toasts.error(say(problem));
     });
-    connection.on("Opened", () => this.forget());
     connection.on("LessonShown", (shown) => this.show(shown));
     connection.on("LessonGoals", (goals) => this.judged(goals));
     connection.on("LessonChecked", (checked) => this.told(checked));
@@ -95,6 +91,18 @@ export class Lessons {
       others.toasts.note(t("page-lesson-imported", { title: inLanguage(title) }));
       this.start({ name: lesson, title });
     });
+  }
+
+  connected({ teaches = false }: Welcome): void {
+    this.teaches.value = teaches;
+    this.connection.send({ kind: "Introduce", browser: this.browser });
+  }
+
+  /** Forget the step that was shown. */
+  reset(): void {
+    this.shown.value = this.news.value = this.checked.value = this.hints.value = null;
+    this.quiz.value = this.puzzle.value = null;
+    this.failed.value = this.live.value = false;
   }
 
   /** Whether the program of a lesson runs and is being judged. */
@@ -187,15 +195,9 @@ export class Lessons {
     this.connection.send({ kind: "ReadLessonNotes", lesson });
   }
 
-  private forget(): void {
-    this.shown.value = this.news.value = this.checked.value = this.hints.value = null;
-    this.quiz.value = this.puzzle.value = null;
-    this.failed.value = this.live.value = false;
-  }
-
   private show(shown: LessonShown): void {
     const before = this.shown.peek();
-    if (before?.name !== shown.name || before?.step !== shown.step) this.forget();
+    if (before?.name !== shown.name || before?.step !== shown.step) this.reset();
     this.news.value = null;
     this.shown.value = shown.name ? shown : null;
   }
