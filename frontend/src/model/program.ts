@@ -5,8 +5,39 @@ import { signal } from "@preact/signals";
 import type { Phrase } from "../i18n";
 import type { Connection } from "../protocol/connection";
 import type { Document, Notation, Opened, Place, Problem, View, Welcome, Workspace } from "../protocol/messages";
-import type { Drafts } from "./drafts";
+import type { Drafts, Left } from "./drafts";
 import { type Content, type Repeated, repeated, Unsaved } from "./unsaved";
+
+/**
+ * How far the page and the server are from showing the same program.
+ *
+ * - `closed`: the server hasn't sent the program since it was opened, or since the connection was lost. Edits are kept
+ *   as drafts and not sent.
+ * - `greeted`: the server has sent it, but not answered the edits that were repeated on it, so that the views show no
+ *   revision of the server. An edit is sent together with what it changes.
+ * - `recovering`: the views show a revision; the page looks for edits that earlier pages have left unsaved.
+ * - `settled`: the views show a revision, and the server has answered every edit.
+ * - `dirty`: the views show a revision, with edits that aren't sent yet or aren't answered.
+ */
+type Phase =
+  /** `isNew` tells that the page has just opened the program, and has not only come back to it. */
+  | { readonly name: "closed" | "greeted"; readonly isNew: boolean }
+  /** The revision that the views show, apart from the user's edits. */
+  | { readonly name: "recovering" | "settled" | "dirty"; readonly revision: number };
+
+/** The states that may follow each state. All end with a lost connection, and with another program. */
+const NEXT: Readonly<Record<Phase["name"], readonly Phase["name"][]>> = {
+  // With the first document.
+  closed: ["closed", "greeted"],
+  // When the server has answered every edit; of a new program, earlier pages may have left some.
+  greeted: ["closed", "settled", "recovering"],
+  // When nothing or the last of it is found; or with an edit.
+  recovering: ["closed", "recovering", "settled", "dirty"],
+  // With an edit; what others edit is only another revision.
+  settled: ["closed", "settled", "dirty"],
+  // When the server has answered every edit.
+  dirty: ["closed", "settled", "dirty"],
+};
 
 /** What the three views show. */
 interface Shown {
@@ -72,23 +103,19 @@ export class Program {
   private tab = "";
   /** The number of the program among those that this page has shown of the project. */
   private number = 0;
-  /** Whether the page has just opened the project, and not only reconnected. */
-  private isNew = false;
+  private phase: Phase = { name: "closed", isNew: false };
   private latest = EMPTY;
   /** What the views show, with the user's own edits. */
   private shown: Shown = EMPTY;
-  /** The revision that the views show, apart from the user's edits; null until the server has answered. */
-  private revision: number | null = null;
-  /** Whether the server has sent the program since the project was opened. */
-  private greeted = false;
   private edits = 0;
   private answered = 0;
   /** The number of the last edit of each view. */
   private edited = new Map<View, number>();
   private readonly unsaved = new Unsaved();
   /** Other pages' drafts, by the edit that repeats the last of them. */
-  private recovering = new Map<number, () => void>();
-  private pending = new Map<View, () => void>();
+  private earlier = new Map<number, () => void>();
+  /** Reads and sends the views that were edited in this frame. */
+  private unread = new Map<View, () => void>();
   private frame = 0;
 
   constructor(
@@ -114,9 +141,9 @@ export class Program {
     this.opened(name, tab, 0);
   }
 
-  /** Whether the server has answered every edit. */
+  /** Whether the views show what the server has. */
   get settled(): boolean {
-    return this.pending.size === 0 && this.answered >= this.edits;
+    return this.phase.name === "settled" || this.phase.name === "recovering";
   }
 
   /** Report an edit of the workspace; `read` is called at most once per frame. */
@@ -133,8 +160,8 @@ export class Program {
   flush(): void {
     cancelAnimationFrame(this.frame);
     this.frame = 0;
-    const sending = [...this.pending.values()];
-    this.pending.clear();
+    const sending = [...this.unread.values()];
+    this.unread.clear();
     for (const send of sending) send();
   }
 
@@ -158,7 +185,8 @@ export class Program {
 
   private schedule(view: View, read: () => Content): void {
     if (this.readOnly.peek()) return;
-    this.pending.set(view, () => this.edit(view, read()));
+    this.unread.set(view, () => this.edit(view, read()));
+    this.becomeDirty();
     if (!this.frame) this.frame = requestAnimationFrame(() => this.flush());
   }
 
@@ -167,8 +195,8 @@ export class Program {
     this.count(view, content);
     this.unsaved.add(this.edits, view, content, before);
     this.keepDrafts();
-    if (this.revision !== null) this.send(view, content, this.revision);
-    else if (this.greeted) this.sendWithBase({ view, content, base: before });
+    if ("revision" in this.phase) this.send(view, content, this.phase.revision);
+    else if (this.phase.name === "greeted") this.sendWithBase({ view, content, base: before });
   }
 
   private count(view: View, content: Content): void {
@@ -195,7 +223,7 @@ export class Program {
   }
 
   private receive(document: Document): void {
-    if (!this.greeted) this.greet(document);
+    if (this.phase.name === "closed") this.greet(document, this.phase.isNew);
     this.answered = Math.max(this.answered, document.edit);
     this.latest = {
       ...this.contents(document),
@@ -207,12 +235,12 @@ export class Program {
       canUndo: document.can_undo ?? false,
       canRedo: document.can_redo ?? false,
     };
-    if (this.settled) this.show(document.revision);
+    if (this.unread.size === 0 && this.answered >= this.edits) this.show(document.revision);
   }
 
   /** Handle the first document: repeat the edits that the server has not saved. */
-  private greet(document: Document): void {
-    this.greeted = true;
+  private greet(document: Document, isNew: boolean): void {
+    this.become({ name: "greeted", isNew });
     this.edits = 0;
     const now = shownIn(document);
     const { drafts } = this.unsaved;
@@ -226,13 +254,13 @@ export class Program {
   }
 
   private show(revision: number): void {
-    this.revision = revision;
+    const isNew = this.phase.name === "greeted" && this.phase.isNew;
+    this.become({ name: isNew || this.phase.name === "recovering" ? "recovering" : "settled", revision });
     this.state.value = this.latest;
     this.shown = this.latest;
     for (const view of VIEWS) this.unsaved.answered(view, this.shown[field(view)]);
     this.keepDrafts();
-    if (this.isNew) void this.recover();
-    this.isNew = false;
+    if (isNew) void this.recover();
   }
 
   /** The views' contents; an answer to an earlier edit does not overwrite a later one. */
@@ -253,9 +281,9 @@ export class Program {
 
   private savedUpTo(edit: number): void {
     this.unsaved.saved(edit);
-    for (const [number, forget] of this.recovering) {
+    for (const [number, forget] of this.earlier) {
       if (number > edit) continue;
-      this.recovering.delete(number);
+      this.earlier.delete(number);
       forget();
     }
     this.keepDrafts();
@@ -264,7 +292,7 @@ export class Program {
   private keepDrafts(): void {
     const { drafts } = this.unsaved;
     if (drafts.length > 0 || !this.saved.value) this.drafts.keep(this.key, drafts);
-    this.saved.value = drafts.length === 0 && this.recovering.size === 0;
+    this.saved.value = drafts.length === 0 && this.earlier.size === 0;
   }
 
   /** The drafts of each robot's program have a name of their own; projects have no slash in theirs. */
@@ -284,42 +312,59 @@ export class Program {
 
   /** Send no edits until the server has sent the program again. */
   private disconnected(): void {
-    this.revision = null;
-    this.greeted = false;
+    this.become({ name: "closed", isNew: "isNew" in this.phase && this.phase.isNew });
+  }
+
+  /** The views show an edit that the server hasn't answered. */
+  private becomeDirty(): void {
+    if ("revision" in this.phase) this.become({ name: "dirty", revision: this.phase.revision });
+  }
+
+  private become(phase: Phase): void {
+    const expected = NEXT[this.phase.name];
+    if (!expected.includes(phase.name)) {
+      throw new Error(`after ${this.phase.name}, expected ${expected.join(" or ")}, got ${phase.name}`);
+    }
+    this.phase = phase;
   }
 
   /** Handle an opened program: a different one, or the same one after reconnecting. */
   private opened(project: string, tab: string, number: number): void {
-    this.isNew = project !== this.project || tab !== this.tab;
+    const isNew = project !== this.project || tab !== this.tab;
     this.project = project;
     this.tab = tab;
     this.number = number;
     this.edits = this.answered = 0;
-    this.disconnected();
+    this.become({ name: "closed", isNew });
     this.edited.clear();
-    this.recovering.clear();
+    this.earlier.clear();
     this.latest = EMPTY;
-    if (!this.isNew) return;
-    this.pending.clear();
+    if (!isNew) return;
+    this.unread.clear();
     this.unsaved.clear();
     this.saved.value = true;
   }
 
   /** Repeat the edits that other pages of this project have left unsaved. */
   private async recover(): Promise<void> {
-    // They stay in the browser until the project can be changed again.
-    if (this.readOnly.peek()) return;
     const { key } = this;
-    const left = await this.drafts.left(key);
-    if (key !== this.key || left.length === 0) return;
-    for (const { drafts, forget } of left) {
-      for (const draft of drafts) {
-        this.edits += 1;
-        this.sendWithBase(repeated(draft, this.shown[field(draft.view)]));
-      }
-      this.recovering.set(this.edits, forget);
+    // They stay in the browser until the project can be changed again.
+    const left = this.readOnly.peek() ? [] : await this.drafts.left(key);
+    if (key !== this.key) return;
+    for (const one of left) this.repeat(one);
+    if (left.length > 0) {
+      this.keepDrafts();
+      this.recovered.value += 1;
     }
-    this.keepDrafts();
-    this.recovered.value += 1;
+    if (this.phase.name === "recovering") this.become({ ...this.phase, name: "settled" });
+  }
+
+  private repeat({ drafts, forget }: Left): void {
+    for (const draft of drafts) {
+      this.becomeDirty();
+      this.edits += 1;
+      this.sendWithBase(repeated(draft, this.shown[field(draft.view)]));
+    }
+    this.earlier.set(this.edits, forget);
   }
 }

@@ -62,8 +62,9 @@ test("the program is the new one's before anything shows that project", () => {
   connection.tell(OPENED);
   connection.tell({ kind: "Document", edit: 0, revision: 1, origin: "python", python: "x = 1" });
   page.context.program.editedText("python", () => "x = 12");
+  page.context.program.flush();
   const seen: boolean[] = [];
-  page.project.name.subscribe(() => seen.push(page.context.program.settled));
+  page.project.name.subscribe(() => seen.push(page.context.program.saved.value));
   connection.tell({ ...OPENED, name: "dance" });
   expect(seen).toEqual([false, true]);
 });

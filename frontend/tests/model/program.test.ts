@@ -261,3 +261,94 @@ test("a page that only reads sends no edit, and keeps the drafts of earlier page
   expect(connection.sent).toEqual([]);
   expect(drafts.forgotten).toBe(0);
 });
+
+test("the views show what the server has from its first document on, until an edit", () => {
+  const connection = new FakeConnection();
+  const program = new Program(connection.real, new FakeDrafts([]));
+  beginAnew(connection.real, { connected: [program], reset: [program] });
+  const settled: boolean[] = [];
+  const look = () => settled.push(program.settled);
+  connection.tell({ kind: "Opened", name: "square" });
+  look();
+  connection.tell({ kind: "Document", edit: 0, revision: 1, origin: "python" });
+  look();
+  program.editedText("python", () => "x = 1");
+  look();
+  drawFrame();
+  connection.tell({ kind: "Document", edit: 1, revision: 2, origin: "python" });
+  look();
+  connection.tell({ kind: "Document", edit: 1, revision: 3, origin: "blocks", python: "x = 2" });
+  look();
+  expect(settled).toEqual([false, true, false, true, true]);
+});
+
+test("edits of a program that the user leaves are sent when the server sends it again", () => {
+  const [program, connection] = opened();
+  program.leave();
+  program.editedText("python", () => "x = 1");
+  drawFrame();
+  expect(connection.sent).toEqual([]);
+  connection.tell({ kind: "Document", edit: 0, revision: 1, origin: "python" });
+  expect(connection.sent).toEqual([
+    { kind: "RecoverText", edit: 1, shown: 0, notation: "python", text: "x = 1", base: "" },
+  ]);
+});
+
+test("an edit before the answer to repeated ones is sent with what it changes", () => {
+  const [program, connection] = opened();
+  program.editedText("python", () => "x = 1");
+  drawFrame();
+  reopen(connection, "square");
+  program.editedText("blocktext", () => "y = 1");
+  drawFrame();
+  expect(connection.sent.at(-1)).toEqual({
+    kind: "RecoverText",
+    edit: 2,
+    shown: 0,
+    notation: "blocktext",
+    text: "y = 1",
+    base: "",
+  });
+  connection.tell({ kind: "Document", edit: 2, revision: 5, origin: "python" });
+  program.editedText("python", () => "x = 12");
+  drawFrame();
+  expect(connection.sent.at(-1)).toMatchObject({ kind: "EditText", edit: 3, revision: 5 });
+});
+
+test("an edit made while earlier pages' drafts are looked for is sent before them", async () => {
+  const [program, connection] = opened("square", [{ view: "blocktext", steps: ["", "y = 1"] }]);
+  program.editedText("python", () => "x = 1");
+  drawFrame();
+  await vi.waitFor(() => expect(program.recovered.value).toBe(1));
+  expect(connection.sent.map((edit) => [edit.kind, "edit" in edit && edit.edit])).toEqual([
+    ["EditText", 1],
+    ["RecoverText", 2],
+  ]);
+  connection.tell({ kind: "Document", edit: 1, revision: 2, origin: "python" });
+  expect(program.settled).toBe(false);
+  connection.tell({ kind: "Document", edit: 2, revision: 3, origin: "python" });
+  expect(program.settled).toBe(true);
+});
+
+test("earlier pages' drafts are repeated once, not again after a lost connection", async () => {
+  const [program, connection] = opened("square", [{ view: "python", steps: ["", "x = 1"] }]);
+  await vi.waitFor(() => expect(program.recovered.value).toBe(1));
+  connection.tell({ kind: "Document", edit: 1, revision: 2, origin: "python" });
+  connection.tell({ kind: "Saved", edit: 1 });
+  connection.state.value = "lost";
+  connection.state.value = "open";
+  reopen(connection, "square");
+  await Promise.resolve();
+  expect(program.recovered.value).toBe(1);
+  expect(connection.sent).toHaveLength(1);
+});
+
+test("drafts that are found after another project was opened are not repeated in it", async () => {
+  const [program, connection, drafts] = opened("square", [{ view: "python", steps: ["", "x = 1"] }]);
+  const found = vi.spyOn(drafts, "left").mockResolvedValue([]);
+  reopen(connection, "dance");
+  await vi.waitFor(() => expect(found).toHaveBeenCalledWith("dance"));
+  await Promise.resolve();
+  expect(program.recovered.value).toBe(0);
+  expect(connection.sent).toEqual([]);
+});
