@@ -68,31 +68,6 @@ def test_the_texts_suggest_shown_blocks_before_hidden_ones(pupil):
     assert "turn_back" in options.all_text_contents()
 
 
-def test_single_blocks_and_whole_tabs_are_chosen_and_saved(pupil, own_server):
-    open_dialog(pupil)
-    dialog = pupil.dialog()
-    dialog.get_by_role("button", name="Show none").click()
-    expect(dialog.get_by_text("Tick at least one block.")).to_be_visible()
-    dialog.get_by_role("checkbox", name="Distances", exact=True).check()
-    dialog.get_by_role("searchbox").fill("if")
-    dialog.get_by_role("checkbox", name=re.compile("^if .* else")).check()
-    dialog.get_by_role("searchbox").fill("")
-    control = dialog.get_by_role("checkbox", name="Control", exact=True)
-    assert control.evaluate("box => box.indeterminate")
-    pupil.picture("ticked")
-    dialog.get_by_role("checkbox", name="Also show blocks added later").uncheck()
-    dialog.get_by_role("button", name="Save as…").click()
-    dialog.get_by_role("textbox", name="Name").fill("Our lesson")
-    dialog.get_by_role("button", name="Save", exact=True).click()
-    expect(dialog.get_by_role("radio", name="Our lesson")).to_be_checked()
-    dialog.get_by_role("button", name="Show these blocks").click()
-    pupil.expect_note("Now showing: Our lesson")
-    expect_groups(pupil, "Sense", "Control")
-    saved = (own_server.home / "sets" / "Our lesson.toml").read_text("utf-8")
-    assert 'categories = [\n    "Distances",\n]' in saved
-    assert '"controls_if:else"' in saved
-
-
 def test_an_exercise_contains_its_own_set_and_keeps_it(pupil, own_server, tmp_path):
     file = tmp_path / "exercise.learnblock"
     file.write_text(EXERCISE, "utf-8")
@@ -141,28 +116,6 @@ def test_a_set_is_exported_deleted_and_imported_again(pupil, own_server, tmp_pat
     expect_groups(pupil, "Events")
 
 
-def test_escape_keeps_the_ticks_and_cancel_discards_them(pupil):
-    open_dialog(pupil)
-    pupil.dialog().get_by_role("checkbox", name="Camera", exact=True).uncheck()
-    pupil.page.keyboard.press("Escape")
-    open_dialog(pupil)
-    expect(pupil.dialog().get_by_role("status").first).to_contain_text("changed, not saved")
-    expect(pupil.dialog().get_by_role("checkbox", name="Camera", exact=True)).not_to_be_checked()
-    pupil.dialog().get_by_role("button", name="Cancel").click()
-    open_dialog(pupil)
-    expect(pupil.dialog().get_by_role("checkbox", name="Camera", exact=True)).to_be_checked()
-
-
-def test_an_invalid_file_is_reported_in_the_dialog(pupil, tmp_path):
-    file = tmp_path / "lesson.toml"
-    file.write_text("[show]\nblock = []\n")
-    open_dialog(pupil)
-    with pupil.page.expect_file_chooser() as chooser:
-        pupil.dialog().get_by_role("button", name="Import set…").click()
-    chooser.value.set_files(file)
-    expect(pupil.dialog().get_by_role("alert")).to_contain_text("Did you mean 'blocks'?")
-
-
 def test_the_dialog_works_with_the_keyboard_alone(pupil):
     open_dialog(pupil)
     page = pupil.page
@@ -181,16 +134,6 @@ def test_two_pages_of_a_project_show_the_same_blocks(pupil):
     pupil.page = second
     expect(second.locator(".shown-blocks")).to_have_text("Blocks: Events")
     pupil.page = first
-
-
-def test_in_spanish_the_sets_have_spanish_names(sit_down, own_server):
-    pupil = sit_down(own_server, language="es")
-    pupil.project("Elegir bloques…")
-    pupil.dialog().get_by_role("radio", name="Primeros pasos").check()
-    pupil.picture("spanish")
-    pupil.dialog().get_by_role("button", name="Mostrar estos bloques").click()
-    pupil.expect_note("Se muestran: Primeros pasos")
-    expect_groups(pupil, "Eventos", "Mover", "Mostrar", "Control")
 
 
 def open_dialog(pupil):

@@ -96,44 +96,6 @@ def test_a_library_block_from_the_palette_adds_its_import(second, tmp_path):
     second.picture("palette")
 
 
-def test_a_function_that_cannot_be_exported_says_why(first):
-    open_libraries(first)
-    first.dialog().get_by_role("button", name="Create library…").click()
-    late = first.dialog().get_by_role("checkbox", name="late()")
-    expect(late).to_be_disabled()
-    expect(late).to_have_accessible_description(re.compile("The functions use 'speed', which line"))
-    waltz = first.dialog().get_by_role("checkbox", name="waltz(times)")
-    expect(waltz).to_have_accessible_description("includes sway")
-    first.picture("make")
-
-
-def test_a_version_that_is_not_newer_is_installed_only_when_ticked(first, tmp_path):
-    file = create_library(first, tmp_path, "waltz")
-    choose(first, file)
-    import_button(first).click()
-    expect(first.dialog()).to_contain_text("Imported: dance.")
-    choose(first, file)
-    expect(first.dialog()).to_contain_text("Version 1.0.0 is already installed.")
-    expect(import_button(first)).to_be_disabled()
-    first.dialog().get_by_role("checkbox", name="Replace dance").check()
-    import_button(first).click()
-    expect(first.dialog()).to_contain_text("Imported: dance.")
-
-
-def test_a_file_that_is_not_a_library_is_reported_and_can_be_skipped(first, tmp_path):
-    (tmp_path / "none.lblib").write_text("nothing")
-    file = create_library(first, tmp_path, "waltz")
-    choose(first, file, tmp_path / "none.lblib")
-    expect(first.dialog().get_by_role("alert")).to_contain_text(
-        "This file is damaged or not a library"
-    )
-    expect(import_button(first)).to_be_disabled()
-    first.picture("broken")
-    first.dialog().get_by_role("button", name="Skip none.lblib").click()
-    import_button(first).click()
-    expect(first.dialog()).to_contain_text("Imported: dance.")
-
-
 def test_libraries_can_be_dropped_on_the_page(first, tmp_path):
     file = create_library(first, tmp_path, "waltz")
     first.page.keyboard.press("Escape")
@@ -147,19 +109,6 @@ def test_libraries_can_be_dropped_on_the_page(first, tmp_path):
     )
     first.page.dispatch_event("body", "drop", {"dataTransfer": data})
     expect(first.dialog()).to_contain_text('import "dance" · 1.0.0 · waltz, sway')
-
-
-def test_a_library_is_removed_after_confirmation(first, tmp_path):
-    choose(first, create_library(first, tmp_path, "waltz"))
-    import_button(first).click()
-    dialog = first.dialog()
-    dialog.get_by_role("button", name="Remove dance").click()
-    expect(dialog.get_by_role("button", name="Keep")).to_be_focused()
-    first.page.keyboard.press("Enter")
-    dialog.get_by_role("button", name="Remove dance").click()
-    dialog.get_by_role("button", name="Remove", exact=True).click()
-    expect(dialog).to_contain_text("dance removed.")
-    expect(dialog).to_contain_text("No libraries installed yet.")
 
 
 def test_with_the_keyboard_alone(first, tmp_path):
@@ -178,21 +127,6 @@ def test_with_the_keyboard_alone(first, tmp_path):
         press_with_keyboard(first, "Create and download")
     assert started.value.suggested_filename == "dance.lblib"
     expect(first.dialog().get_by_role("status")).to_contain_text("dance.lblib created.")
-
-
-def test_in_spanish_and_in_the_dark(sit_down, own_server, tmp_path):
-    pupil = sit_down(
-        own_server, language="es", theme="dark", viewport={"width": 500, "height": 800}
-    )
-    (tmp_path / "none.lblib").write_text("nothing")
-    pupil.project("Bibliotecas…")
-    expect(pupil.dialog()).to_contain_text("Aún no hay bibliotecas instaladas.")
-    with pupil.page.expect_file_chooser() as chooser:
-        pupil.dialog().get_by_role("button", name="Importar archivos…").click()
-    chooser.value.set_files(tmp_path / "none.lblib")
-    alert = pupil.dialog().get_by_role("alert")
-    expect(alert).to_contain_text("Este archivo está dañado o no es una biblioteca")
-    pupil.picture("spanish")
 
 
 @pytest.mark.parametrize("theme", THEMES)

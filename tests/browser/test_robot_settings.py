@@ -1,4 +1,4 @@
-"""Settings of robots and of camera recognition on the page."""
+"""Settings of robots on the page."""
 
 import re
 import tomllib
@@ -9,16 +9,6 @@ from playwright.sync_api import expect
 from emulated import settle
 from learnblock.emulators import emulate
 
-#: Types into the field for a video in the moment in which it appears.
-TYPE_AT_ONCE = """() => new MutationObserver((_, watcher) => {
-    const labels = [...document.querySelectorAll("dialog label")];
-    const field = labels.find((one) => one.textContent.startsWith("Video"))?.control;
-    if (!field) return;
-    watcher.disconnect();
-    field.value = "walk.avi";
-    field.dispatchEvent(new InputEvent("input", { bubbles: true }));
-}).observe(document, { subtree: true, childList: true })"""
-
 
 @pytest.fixture
 def pupil(sit_down, own_server):
@@ -26,7 +16,7 @@ def pupil(sit_down, own_server):
 
 
 def test_robot_settings_are_saved_and_an_invalid_value_is_reported_at_its_field(pupil, own_server):
-    choose(pupil, "Robot settings…")
+    open_dialog(pupil)
     pupil.dialog().get_by_role("combobox", name="Robot").select_option("ev3")
     field(pupil, "Address").fill("192.168.1.7")
     field(pupil, "Maximum speed").fill("5")
@@ -53,7 +43,7 @@ def test_the_saved_settings_of_a_robot_are_tested_and_a_robot_that_is_missing_is
     monkeypatch.setenv("LEARNBLOCK_HOME", str(own_server.home))
     with emulate("ebo", "empty") as emulation:
         settle("ebo", {**emulation.settings, "patience": 15.0})
-        choose(pupil, "Robot settings…")
+        open_dialog(pupil)
         pupil.dialog().get_by_role("combobox", name="Robot").select_option("ebo")
         test = pupil.dialog().get_by_role("button", name="Test", exact=True)
         test.click()
@@ -70,68 +60,9 @@ def test_the_saved_settings_of_a_robot_are_tested_and_a_robot_that_is_missing_is
     expect(test).to_be_enabled()
 
 
-def test_emotions_on_cameras_are_switched_on_only_after_agreement(pupil, own_server):
-    choose(pupil, "Camera recognition…", menu="Settings and help")
-    expect(pupil.dialog()).to_contain_text("Article 5(1)(f)")
-    field(pupil, "Recognise emotions on real cameras").check()
-    button = pupil.dialog().get_by_role("button", name="Save")
-    expect(button).to_be_disabled()
-    pupil.picture("law")
-    pupil.dialog().get_by_role("checkbox", name="I am an adult").check()
-    save(pupil)
-    expect(pupil.dialog().get_by_text("Saved", exact=True)).to_be_visible()
-    assert saved(own_server)["perception"] == {"emotions_on_cameras": True}
-
-
-def test_a_video_must_be_in_its_folder(pupil, own_server):
-    videos = own_server.home / "videos"
-    videos.mkdir()
-    (videos / "walk.avi").write_bytes(b"RIFF")
-    choose(pupil, "Camera recognition…", menu="Settings and help")
-    field(pupil, "Video").fill("../settings.toml")
-    save(pupil)
-    expect(pupil.dialog().get_by_role("alert")).to_contain_text("There is no video")
-    field(pupil, "Video").fill("walk.avi")
-    field(pupil, "Webcam").fill("1")
-    save(pupil)
-    expect(pupil.dialog().get_by_text("Saved", exact=True)).to_be_visible()
-    assert saved(own_server)["perception"] == {"video": str(videos / "walk.avi"), "webcam": 1}
-    field(pupil, "Webcam").fill("")
-    save(pupil)
-    expect(pupil.dialog().get_by_text("Saved", exact=True)).to_be_visible()
-    assert "webcam" not in saved(own_server)["perception"]
-
-
-@pytest.mark.certain
-def test_what_is_typed_as_soon_as_a_field_appears_is_kept(pupil, own_server):
-    videos = own_server.home / "videos"
-    videos.mkdir()
-    (videos / "walk.avi").write_bytes(b"RIFF")
-    pupil.page.evaluate(TYPE_AT_ONCE)
-    choose(pupil, "Camera recognition…", menu="Settings and help")
-    field(pupil, "Webcam").fill("1")
-    save(pupil)
-    expect(pupil.dialog().get_by_text("Saved", exact=True)).to_be_visible()
-    assert saved(own_server)["perception"] == {"video": str(videos / "walk.avi"), "webcam": 1}
-
-
-def test_in_spanish_by_keyboard(sit_down, own_server):
-    pupil = sit_down(own_server, language="es", theme="dark")
-    choose(pupil, "Ajustes de los robots…", menu="Robot")
-    pupil.dialog().get_by_role("combobox", name="Robot").select_option("cozmo")
-    field(pupil, "Volumen").focus()
-    pupil.page.keyboard.press("Control+a")
-    pupil.page.keyboard.type("500")
-    pupil.page.keyboard.press("Enter")
-    expect(pupil.dialog()).to_contain_text("un número entero de 0 a 100")
-    pupil.picture("spanish")
-    pupil.page.keyboard.press("Escape")
-    expect(pupil.dialog()).to_have_count(0)
-
-
-def choose(pupil, item, menu="Robot"):
-    pupil.menu(menu).click()
-    pupil.page.get_by_role("menuitem", name=item, exact=True).click()
+def open_dialog(pupil):
+    pupil.menu("Robot").click()
+    pupil.page.get_by_role("menuitem", name="Robot settings…", exact=True).click()
 
 
 def field(pupil, name):

@@ -1,47 +1,25 @@
 // @vitest-environment happy-dom
 
-import { signal } from "@preact/signals";
-import { act, cleanup, fireEvent, render, screen, within } from "@testing-library/preact";
-import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { act, fireEvent, screen, waitFor, within } from "@testing-library/preact";
+import { expect, test } from "vitest";
 
 import { TagsDialog } from "../../src/features/tags/dialog";
 import { TagDictionary } from "../../src/features/tags/tag-dictionary";
-import { startLanguage } from "../../src/i18n";
-import { type Page, PageProvider } from "../../src/model/page";
-import { Toasts } from "../../src/ui/toasts";
-import { FakeConnection } from "../fake-connection";
-
-const language = signal("en");
-
-beforeEach(() => startLanguage(language));
-afterEach(cleanup);
+import { button, open as openDialog, pressEscape, speak, write } from "../dialog";
 
 /** The dialog of a page whose server knows these names. */
 function open(names: Record<string, number> = {}) {
-  const connection = new FakeConnection();
-  const toasts = new Toasts();
-  const tags = new TagDictionary(connection.real);
-  connection.tell({ kind: "Tags", names });
-  const isOpen = signal(true);
-  const close = () => (isOpen.value = false);
-  const page = { toasts, tags, dialogs: { close } } as unknown as Page;
-  const App = () => <PageProvider value={page}>{isOpen.value && <TagsDialog />}</PageProvider>;
-  render(<App />);
-  return { connection, toasts, tags, isOpen };
+  return openDialog(TagsDialog, (connection) => {
+    const tags = new TagDictionary(connection.real);
+    connection.tell({ kind: "Tags", names });
+    return { tags };
+  });
 }
 
 function add(name: string, number: string): void {
   fireEvent.click(screen.getByText("Add a name"));
   write(screen.getAllByLabelText("Name").at(-1)!, name);
   write(screen.getAllByRole("spinbutton").at(-1)!, number);
-}
-
-function write(field: HTMLElement, value: string): void {
-  fireEvent.input(field, { target: { value } });
-}
-
-function saveButton(): HTMLButtonElement {
-  return screen.getByRole("button", { name: "Save" });
 }
 
 test("a new row starts with its name", () => {
@@ -55,20 +33,20 @@ test("an invalid entry is reported at its line and not saved", () => {
   add("12", "7");
   const line = within(screen.getAllByRole("row")[1]!);
   line.getByText("A name needs at least one letter.");
-  expect(saveButton().disabled).toBe(true);
+  expect(button("Save").disabled).toBe(true);
   write(line.getByLabelText("Name"), "ball");
   write(line.getByRole("spinbutton"), "587");
   line.getByText(/from 0 to 586/);
-  expect(saveButton().disabled).toBe(true);
+  expect(button("Save").disabled).toBe(true);
   write(line.getByRole("spinbutton"), "586");
-  fireEvent.click(saveButton());
+  fireEvent.click(button("Save"));
   expect(connection.sent).toEqual([{ kind: "SaveTags", names: { ball: 586 } }]);
 });
 
 test("names count as saved when the server has them", async () => {
   const { connection } = open();
   add("ball", "7");
-  fireEvent.click(saveButton());
+  fireEvent.click(button("Save"));
   expect(screen.queryByText("Saved")).toBeNull();
   connection.tell({ kind: "Tags", names: { ball: 7 } });
   await screen.findByText("Saved");
@@ -77,14 +55,14 @@ test("names count as saved when the server has them", async () => {
 test("the refusal of a file is shown until the dialog is closed", async () => {
   const { connection, tags, isOpen } = open();
   void tags.readFile(new File(["ball = 1000"], "tags.toml"));
-  await vi.waitFor(() => expect(connection.sent).toEqual([expect.objectContaining({ text: "ball = 1000" })]));
+  await waitFor(() => expect(connection.sent).toEqual([expect.objectContaining({ text: "ball = 1000" })]));
   await connection.refuse("tag-number-range");
   await screen.findByText("tag-number-range");
   isOpen.value = false;
-  await vi.waitFor(() => expect(screen.queryByRole("dialog")).toBeNull());
+  await waitFor(() => expect(screen.queryByRole("dialog")).toBeNull());
   isOpen.value = true;
   await screen.findByRole("dialog");
-  await vi.waitFor(() => expect(screen.queryByText("tag-number-range")).toBeNull());
+  await waitFor(() => expect(screen.queryByText("tag-number-range")).toBeNull());
 });
 
 test("names of a file replace those of the same name, unsaved", async () => {
@@ -92,13 +70,13 @@ test("names of a file replace those of the same name, unsaved", async () => {
   connection.tell({ kind: "TagsRead", names: { ball: 7 } });
   await screen.findByDisplayValue("7");
   expect(screen.getAllByLabelText("Name").map((one) => (one as HTMLInputElement).value)).toEqual(["door", "ball"]);
-  expect(saveButton().disabled).toBe(false);
+  expect(button("Save").disabled).toBe(false);
 });
 
 test("Escape saves unsaved names, which can be undone", () => {
   const { connection, toasts, isOpen } = open();
   add("goal", "3");
-  fireEvent(screen.getByRole("dialog"), new Event("cancel"));
+  pressEscape();
   expect(isOpen.value).toBe(false);
   expect(connection.sent).toEqual([{ kind: "SaveTags", names: { goal: 3 } }]);
   toasts.shown.value[0]!.action!.run();
@@ -119,9 +97,7 @@ test("what another page has saved does not replace unsaved edits", async () => {
 });
 
 test("it speaks Spanish", async () => {
-  language.value = "es";
+  await speak("es");
   open();
   await screen.findByText("Añadir un nombre");
-  language.value = "en";
-  await screen.findByText("Add a name");
 });
