@@ -3,7 +3,7 @@
 import { del, getMany, keys, set } from "idb-keyval";
 
 import { Throttle } from "../ui/throttle";
-import type { Draft } from "./unsaved";
+import type { UnsavedView } from "./unsaved";
 
 /** ms between two writes of the drafts. */
 const PERIOD = 100;
@@ -15,7 +15,7 @@ function own(project: string): string {
 
 /** The drafts that another page, or this one before it was reloaded, has left. */
 export interface Left {
-  readonly drafts: readonly Draft[];
+  readonly drafts: readonly UnsavedView[];
   /** Forget them once they are saved. */
   forget(): void;
 }
@@ -23,7 +23,7 @@ export interface Left {
 /** Where a page keeps its drafts. */
 export interface Drafts {
   /** Keep the drafts of a project instead of those before; none forgets them. */
-  keep(project: string, drafts: readonly Draft[]): void;
+  keep(project: string, drafts: readonly UnsavedView[]): void;
   /** Forget the drafts of a project at once. */
   forget(project: string): void;
   /** The drafts that other pages have left of a project. */
@@ -42,7 +42,7 @@ export class BrowserDrafts implements Drafts {
     void this.locks?.request(this.page, () => new Promise(() => undefined));
   }
 
-  keep(project: string, drafts: readonly Draft[]): void {
+  keep(project: string, drafts: readonly UnsavedView[]): void {
     const key = [own(project), this.page];
     this.writing.do(() => {
       void attempt(drafts.length > 0 ? set(key, drafts) : del(key));
@@ -57,7 +57,7 @@ export class BrowserDrafts implements Drafts {
     const all = (await attempt(keys<[string, string]>())) ?? [];
     const open = await this.openPages();
     const others = all.filter(([name, page]) => name === own(project) && !open.has(page));
-    const found = (await attempt(getMany<readonly Draft[]>(others))) ?? [];
+    const found = (await attempt(getMany<readonly UnsavedView[]>(others))) ?? [];
     return others.map((key, index) => ({ drafts: found[index] ?? [], forget: () => void attempt(del(key)) }));
   }
 

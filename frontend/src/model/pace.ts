@@ -30,7 +30,7 @@ export class Pace {
 }
 
 /** The speed to tell beside the chosen one: it is clearly less, or as fast as the computer can was chosen. */
-export function told(reached: number | null, chosen: number | null): number | null {
+export function shownSpeed(reached: number | null, chosen: number | null): number | null {
   if (reached === null || (chosen !== null && reached >= CLEARLY_LESS * chosen)) return null;
   return reached < 10 ? Math.round(10 * reached) / 10 : Math.round(reached);
 }

@@ -58,7 +58,7 @@ export class Project {
     connection.on("File", ({ filename, text }) => saveFile(filename, text, "text/plain"));
     connection.on("CodeOffered", (offered) => this.offer(offered));
     connection.on("Noted", ({ message }) => this.toasts.note(say(message)));
-    connection.on("Conflict", (conflict) => this.tellConflict(conflict));
+    connection.on("Conflict", (conflict) => this.showConflict(conflict));
     connection.on("TakenIn", () => {
       // A page that only reads follows the other one all the time.
       if (!program.readOnly.value) this.toasts.note(t("page-project-taken-in"));
@@ -231,7 +231,7 @@ export class Project {
     this.list();
   }
 
-  private tellConflict({ version, by }: Conflict): void {
+  private showConflict({ version, by }: Conflict): void {
     const action = { text: t("page-project-take-other"), run: () => this.restore(version) };
     const text = t(`page-project-conflict-${by}`);
     this.toasts.show(version ? { sort: "error", text, action } : { sort: "error", text });

@@ -22,7 +22,7 @@ import type {
   Variables,
 } from "../protocol/messages";
 import { addParts, Drawing } from "./drawing";
-import { Pace, told } from "./pace";
+import { Pace, shownSpeed } from "./pace";
 
 const IDLE: RunState = { kind: "RunState", state: "idle" };
 
@@ -52,7 +52,7 @@ export class Running {
   /** How many times as fast as real time the world runs, where the chosen speed does not say it; else null. */
   readonly realSpeed = computed(() => {
     const { state, speed = 1 } = this.state.value;
-    return state === "running" ? told(this.reached.value, speed) : null;
+    return state === "running" ? shownSpeed(this.reached.value, speed) : null;
   });
   /** The link to the robot; null until the server has reported it. */
   readonly link = signal<RobotLink | null>(null);

@@ -5,7 +5,7 @@ import type { View, Workspace } from "../protocol/messages";
 export type Content = string | Workspace;
 
 /** What the user has made of a view since it was saved. */
-export interface Draft {
+export interface UnsavedView {
   readonly view: View;
   /** The view as it was saved, and after edits of which the server may know some; the last is the newest. */
   readonly steps: readonly Content[];
@@ -23,7 +23,7 @@ const MOST_STEPS = 32;
 export class Unsaved {
   private readonly views = new Map<View, readonly Step[]>();
 
-  get drafts(): readonly Draft[] {
+  get drafts(): readonly UnsavedView[] {
     return [...this.views].map(([view, steps]) => ({ view, steps: kept(steps).map(({ content }) => content) }));
   }
 
@@ -71,7 +71,7 @@ export interface Repeated {
  *
  * The server may know later edits than those that it has told the page to be saved, and may have edits of others.
  */
-export function repeated({ view, steps }: Draft, now: Content): Repeated {
+export function repeated({ view, steps }: UnsavedView, now: Content): Repeated {
   const distances = steps.map((step) => distance(step, now));
   const base = steps[distances.indexOf(Math.min(...distances))];
   return { view, base: base ?? now, content: steps.at(-1) ?? now };

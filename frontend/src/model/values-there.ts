@@ -12,13 +12,13 @@ export function valuesInWords(values: readonly ValueThere[]): ReadonlyMap<string
   const found = new Map<string, string>();
   for (const one of values) {
     const before = found.get(one.block);
-    found.set(one.block, before ? `${before}${one.name ? ", " : " "}${inWords(one)}` : inWords(one));
+    found.set(one.block, before ? `${before}${one.name ? ", " : " "}${describeValue(one)}` : describeValue(one));
   }
   return found;
 }
 
 /** A condition has no name, but an outcome. */
-function inWords({ name, value }: ValueThere): string {
+function describeValue({ name, value }: ValueThere): string {
   if (name) return `${name} = ${value.length > LONGEST ? `${value.slice(0, LONGEST - 1)}…` : value}`;
   return `→ ${t(OUTCOMES[value] ?? value)}`;
 }

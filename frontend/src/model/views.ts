@@ -31,7 +31,7 @@ export interface ViewIsland extends Island {
   focus(): void;
   reveal(block: string): void;
   /** A statement as this view shows it, in one line; empty if it does not know the statement. */
-  inWords(block: string): string;
+  describeStep(block: string): string;
   /** Both from 1; column 0 is the line's first word. */
   goTo?(line: number, column: number): void;
 }
@@ -119,8 +119,8 @@ export class Views {
   }
 
   /** A statement as a view shows it, in one line. */
-  inWords(view: View, block: string): string {
-    return this.islands.get(view)?.inWords(block) ?? "";
+  describeStep(view: View, block: string): string {
+    return this.islands.get(view)?.describeStep(block) ?? "";
   }
 
   focus(view: View): void {

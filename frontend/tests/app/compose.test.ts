@@ -45,7 +45,7 @@ test("an opened project forgets what belonged to the one before, and asks for it
   page.keptRuns.runs.value = [];
   page.keptRuns.chosen.value = ["run"];
   page.lessons.failed.value = true;
-  page.blockSets.draft.value = {} as never;
+  page.blockSets.ticked.value = {} as never;
   connection.sent.length = 0;
   connection.tell({ ...OPENED, tab: "b" });
   expect(page.project.name.value).toBe("square");
@@ -53,7 +53,7 @@ test("an opened project forgets what belonged to the one before, and asks for it
   expect(page.context.running.world.value).toBe("line");
   expect([page.keptRuns.runs.value, page.keptRuns.chosen.value]).toEqual([null, []]);
   expect(page.lessons.failed.value).toBe(false);
-  expect(page.blockSets.draft.value).toBeNull();
+  expect(page.blockSets.ticked.value).toBeNull();
   expect(sentKinds()).toEqual(["ListProjects", "ListCustomBlocks", "ReadContainment"]);
 });
 

@@ -132,7 +132,7 @@ test("names that are not installed here stay ticked until they are removed", asy
   await click(screen.getByRole("radio", { name: "school" }));
   expect(box("of_our_school").checked).toBe(true);
   await click(box("of_our_school"));
-  expect(blockSets.draft.value?.ticks.absent.blocks).toEqual([]);
+  expect(blockSets.ticked.value?.ticks.absent.blocks).toEqual([]);
 });
 
 test("in Spanish the sets have Spanish names", async () => {

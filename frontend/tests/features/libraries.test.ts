@@ -5,9 +5,9 @@ import {
   fileOf,
   type Incoming,
   isReady,
-  looked,
   renamed,
   replaces,
+  withAnswer,
 } from "../../src/features/libraries/incoming";
 import type { LibraryRead } from "../../src/protocol/messages";
 
@@ -20,21 +20,21 @@ function read(values: Partial<LibraryRead>): LibraryRead {
 const CLASH = [{ skill: "turn", place: { code: "library-place-block", values: {} } }];
 
 test("a skill whose name is taken is offered a name with the library's in front", () => {
-  expect(looked(FILE, read({ clashes: CLASH })).renamings).toEqual([
+  expect(withAnswer(FILE, read({ clashes: CLASH })).renamings).toEqual([
     { skill: "turn", place: { code: "library-place-block", values: {} }, name: "maze_turn" },
   ]);
 });
 
 test("a file is sent with the new names of its skills", () => {
-  const file = renamed(looked(FILE, read({ clashes: CLASH })), "turn", " spin ");
+  const file = renamed(withAnswer(FILE, read({ clashes: CLASH })), "turn", " spin ");
   expect(fileOf(file).renames).toEqual({ turn: "spin" });
 });
 
 const TOOLS = { code: "library-place-library", values: { name: "tools" } };
 
 test("a new name that is taken too clashes and is not renamed again", () => {
-  const first = looked(FILE, read({ clashes: CLASH }));
-  const second = looked(first, read({ clashes: [{ skill: "maze_turn", place: TOOLS }] }));
+  const first = withAnswer(FILE, read({ clashes: CLASH }));
+  const second = withAnswer(first, read({ clashes: [{ skill: "maze_turn", place: TOOLS }] }));
   expect(second.renamings).toHaveLength(1);
   expect(clashOf(second, second.renamings[0] as Incoming["renamings"][0])?.place).toBe(TOOLS);
 });

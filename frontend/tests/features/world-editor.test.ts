@@ -1,6 +1,4 @@
 import { expect, test } from "vitest";
-
-import { Draft } from "../../src/features/world-editor/drafts";
 import { boundsOf, defaultsOf, fieldsOf } from "../../src/features/world-editor/fields";
 import { SORTS, type Sort, type Thing } from "../../src/features/world-editor/sorts";
 import {
@@ -15,6 +13,7 @@ import {
   thingAt,
   turned,
 } from "../../src/features/world-editor/things";
+import { WorldEdit } from "../../src/features/world-editor/world-edit";
 import type { WorldValues } from "../../src/views/world/scenery/description";
 
 function world(): WorldValues {
@@ -118,13 +117,13 @@ test("bounds come from the schema", () => {
   expect(least).toBeLessThan(most);
 });
 
-function drafted(): Draft {
-  const draft = new Draft();
+function drafted(): WorldEdit {
+  const draft = new WorldEdit();
   draft.open(world());
   return draft;
 }
 
-function titled(draft: Draft, title: string, merge = ""): void {
+function titled(draft: WorldEdit, title: string, merge = ""): void {
   draft.change({ ...(draft.world.peek() as WorldValues), title }, merge);
 }
 

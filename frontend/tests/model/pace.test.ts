@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 
-import { Pace, told } from "../../src/model/pace";
+import { Pace, shownSpeed } from "../../src/model/pace";
 
 /** What is measured at the end of ten pictures a second for three seconds. */
 function measured(factor: number): number | null {
@@ -23,9 +23,9 @@ describe("the pace of the world", () => {
   });
 
   it("is told where it is clearly less than the chosen one, or nothing was chosen", () => {
-    expect(told(2.84, 20)).toBe(2.8);
-    expect(told(18, 20)).toBeNull();
-    expect(told(31.4, null)).toBe(31);
-    expect(told(null, 20)).toBeNull();
+    expect(shownSpeed(2.84, 20)).toBe(2.8);
+    expect(shownSpeed(18, 20)).toBeNull();
+    expect(shownSpeed(31.4, null)).toBe(31);
+    expect(shownSpeed(null, 20)).toBeNull();
   });
 });

@@ -3,7 +3,7 @@ import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { beginAnew } from "../../src/model/beginning-anew";
 import type { Drafts, Left } from "../../src/model/drafts";
 import { Program } from "../../src/model/program";
-import type { Draft } from "../../src/model/unsaved";
+import type { UnsavedView } from "../../src/model/unsaved";
 import { FakeConnection } from "../fake-connection";
 
 let frames: (() => void)[] = [];
@@ -19,14 +19,14 @@ afterEach(() => vi.unstubAllGlobals());
 
 /** Keeps drafts for one project, and has some of an earlier page. */
 class FakeDrafts implements Drafts {
-  kept: readonly Draft[] = [];
+  kept: readonly UnsavedView[] = [];
   forgotten = 0;
   /** The project that the drafts are kept for. */
   project = "";
 
-  constructor(private readonly earlier: readonly Draft[]) {}
+  constructor(private readonly earlier: readonly UnsavedView[]) {}
 
-  keep(project: string, drafts: readonly Draft[]): void {
+  keep(project: string, drafts: readonly UnsavedView[]): void {
     this.project = project;
     this.kept = drafts;
   }
@@ -41,7 +41,7 @@ class FakeDrafts implements Drafts {
   }
 }
 
-function opened(name = "square", earlier: readonly Draft[] = []): [Program, FakeConnection, FakeDrafts] {
+function opened(name = "square", earlier: readonly UnsavedView[] = []): [Program, FakeConnection, FakeDrafts] {
   const connection = new FakeConnection();
   const drafts = new FakeDrafts(earlier);
   const program = new Program(connection.real, drafts);
@@ -221,7 +221,7 @@ test("an edit that was undone is not sent again", () => {
 });
 
 test("what an earlier page has left unsaved is repeated, and forgotten once it is saved", async () => {
-  const draft: Draft = { view: "python", steps: ["x = 0", "x = 1"] };
+  const draft: UnsavedView = { view: "python", steps: ["x = 0", "x = 1"] };
   const [program, connection, drafts] = opened("square", [draft]);
   await vi.waitFor(() => expect(program.recovered.value).toBe(1));
   expect(connection.sent).toEqual([
@@ -244,7 +244,7 @@ test("a refused edit does not keep later answers from being shown", () => {
 });
 
 test("a page that only reads sends no edit, and keeps the drafts of earlier pages", async () => {
-  const draft: Draft = { view: "python", steps: ["", "x = 1"] };
+  const draft: UnsavedView = { view: "python", steps: ["", "x = 1"] };
   const connection = new FakeConnection();
   const drafts = new FakeDrafts([draft]);
   const program = new Program(connection.real, drafts);

@@ -136,9 +136,9 @@ function ViewPane({ view }: { view: View }) {
 
 async function load(view: View, { context }: Page): Promise<ViewIsland> {
   if (view === "blocks") {
-    const { createBlocks } = await import("../../views/blocks");
+    const { createBlocks } = await import("../../views/blocks/blocks-view");
     return createBlocks(context);
   }
-  const { createText } = await import("../../views/text");
+  const { createText } = await import("../../views/text/text-view");
   return createText(context, view);
 }

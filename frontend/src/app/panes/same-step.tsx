@@ -44,7 +44,7 @@ function Line({ view, step }: { view: View; step: string }) {
     <li>
       <button type="button" onClick={() => views.show(view)} title={t("page-shell-show-view", { view: name })}>
         <span class="view-name">{name}</span>
-        <code>{places && views.inWords(view, step)}</code>
+        <code>{places && views.describeStep(view, step)}</code>
       </button>
     </li>
   );

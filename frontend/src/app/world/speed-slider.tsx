@@ -12,7 +12,7 @@ export function SpeedSlider() {
   const { context, controls } = usePage();
   const { speed } = context.running.state.value;
   const at = SPEEDS.indexOf(speed === undefined ? 1 : speed);
-  const text = inWords(SPEEDS[at] ?? null);
+  const text = describeSpeed(SPEEDS[at] ?? null);
   return (
     <label class="speed">
       <Icon name="turtle" />
@@ -35,6 +35,6 @@ export function SpeedSlider() {
   );
 }
 
-function inWords(speed: number | null): string {
+function describeSpeed(speed: number | null): string {
   return speed === null ? t("page-bar-free") : t("page-bar-times", { factor: speed });
 }

@@ -119,7 +119,7 @@ function MarkTick({ mark, end }: { mark: TimeMark; end: number }) {
       tabIndex={-1}
       class={`timeline-mark ${mark.sort}`}
       style={{ "--share": mark.time / end }}
-      title={t("page-why-mark", { what: inWords(mark) })}
+      title={t("page-why-mark", { what: describeMark(mark) })}
       onClick={() => askingWhy.aboutMark(mark)}
     />
   );
@@ -128,10 +128,10 @@ function MarkTick({ mark, end }: { mark: TimeMark; end: number }) {
 /** The time, and what happened then. */
 function valueText(time: number, marks: readonly TimeMark[]): string {
   const seconds = t("page-timeline-seconds", { seconds: time.toFixed(2) });
-  const there = marks.filter((mark) => Math.abs(mark.time - time) < STEP / 2).map(inWords);
+  const there = marks.filter((mark) => Math.abs(mark.time - time) < STEP / 2).map(describeMark);
   return [seconds, ...there].join(", ");
 }
 
-function inWords({ sort, text }: TimeMark): string {
+function describeMark({ sort, text }: TimeMark): string {
   return t(`page-timeline-${sort}`, { text });
 }

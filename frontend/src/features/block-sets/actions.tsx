@@ -9,24 +9,24 @@ import { chooseFile } from "../../ui/files";
 import type { Toasts } from "../../ui/toasts";
 import { type BlockSets, titleOf } from "./block-sets";
 import type { LabelledTab } from "./labels";
-import { type Draft, setOf } from "./ticks";
+import { setOf, type TickedBlocks } from "./ticks";
 
 const NAME = "[\\p{L}\\p{N}_]([\\p{L}\\p{N}_ \\-]*[\\p{L}\\p{N}_])?";
 
 interface Props {
-  readonly draft: Draft;
+  readonly ticked: TickedBlocks;
   readonly tabs: readonly LabelledTab[];
   readonly look: (set: BlockSet) => void;
 }
 
-export function BlockSetActions({ draft, tabs, look }: Props) {
+export function BlockSetActions({ ticked, tabs, look }: Props) {
   const { dialogs, toasts, blockSets } = usePage();
   const naming = useSignal(false);
-  const isOurs = blockSets.ours.value.some((one) => one.name === draft.base.name);
-  const isOwn = blockSets.own.value.some((one) => one.name === draft.base.name);
-  const empty = draft.ticks.blocks.size === 0;
+  const isOurs = blockSets.ours.value.some((one) => one.name === ticked.base.name);
+  const isOwn = blockSets.own.value.some((one) => one.name === ticked.base.name);
+  const empty = ticked.ticks.blocks.size === 0;
   const leave = () => {
-    blockSets.draft.value = null;
+    blockSets.ticked.value = null;
     dialogs.close();
   };
   const show = () => {
@@ -34,14 +34,14 @@ export function BlockSetActions({ draft, tabs, look }: Props) {
     choose(
       blockSets,
       toasts,
-      draft.changed && isOurs ? renamed(setOf(draft, tabs), blockSets.ours.value) : setOf(draft, tabs),
+      ticked.changed && isOurs ? renamed(setOf(ticked, tabs), blockSets.ours.value) : setOf(ticked, tabs),
     );
   };
   const remove = () => {
-    blockSets.delete(draft.base);
+    blockSets.delete(ticked.base);
     look(blockSets.shown.peek());
   };
-  if (naming.value) return <SaveForm draft={draft} tabs={tabs} look={look} done={() => (naming.value = false)} />;
+  if (naming.value) return <SaveForm ticked={ticked} tabs={tabs} look={look} done={() => (naming.value = false)} />;
   return (
     <>
       {empty && <p class="dim">{t("page-sets-empty")}</p>}
@@ -53,7 +53,7 @@ export function BlockSetActions({ draft, tabs, look }: Props) {
         >
           {t("page-sets-load")}
         </button>
-        <button type="button" class="button bordered" onClick={() => blockSets.export(setOf(draft, tabs))}>
+        <button type="button" class="button bordered" onClick={() => blockSets.export(setOf(ticked, tabs))}>
           {t("page-sets-download")}
         </button>
         {isOwn && (
@@ -72,14 +72,14 @@ export function BlockSetActions({ draft, tabs, look }: Props) {
   );
 }
 
-function SaveForm({ draft, tabs, look, done }: Props & { done: () => void }) {
+function SaveForm({ ticked, tabs, look, done }: Props & { done: () => void }) {
   const { blockSets } = usePage();
-  const isOurs = blockSets.ours.value.some((one) => one.name === draft.base.name);
-  const name = useSignal(isOurs ? t("page-sets-my-blocks") : (draft.base.name ?? ""));
+  const isOurs = blockSets.ours.value.some((one) => one.name === ticked.base.name);
+  const name = useSignal(isOurs ? t("page-sets-my-blocks") : (ticked.base.name ?? ""));
   const taken = blockSets.own.value.some((one) => one.name === name.value.trim());
   const save = (event: SubmitEvent) => {
     event.preventDefault();
-    const set = named(setOf(draft, tabs), name.value.trim());
+    const set = named(setOf(ticked, tabs), name.value.trim());
     blockSets.save(set, taken);
     look(set);
     done();

@@ -5,7 +5,7 @@ import { language, type Phrase, t } from "../../i18n";
 import { DialogRequests } from "../../model/dialog-requests";
 import type { Connection } from "../../protocol/connection";
 import { type BlockSet, LIMITS } from "../../protocol/messages";
-import type { Draft } from "./ticks";
+import type { TickedBlocks } from "./ticks";
 
 const EVERYTHING: BlockSet = { name: "everything" };
 
@@ -20,7 +20,7 @@ export class BlockSets {
   /** The set in the last file read. */
   readonly read = signal<BlockSet | null>(null);
   /** The ticks that are neither applied nor discarded. */
-  readonly draft = signal<Draft | null>(null);
+  readonly ticked = signal<TickedBlocks | null>(null);
   /** The set deleted last, while this can be undone. */
   readonly deleted = signal<BlockSet | null>(null);
   readonly requests: DialogRequests;
@@ -42,7 +42,7 @@ export class BlockSets {
   }
 
   reset(): void {
-    this.draft.value = null;
+    this.ticked.value = null;
   }
 
   list(): void {

@@ -16,17 +16,17 @@ import "./dialog.css";
 export function BlockSetsDialog() {
   const { dialogs, blockSets } = usePage();
   const tabs = useSignal<readonly LabelledTab[] | null>(null);
-  const { draft } = blockSets;
+  const { ticked } = blockSets;
   const failed = useSignal(false);
   const look = (base: BlockSet) => {
-    draft.value = { base, ticks: ticksOf(base, tabs.value ?? []), changed: false };
+    ticked.value = { base, ticks: ticksOf(base, tabs.value ?? []), changed: false };
   };
   useEffect(() => blockSets.list(), []);
   useSignalEffect(() => {
     void load(language.value)
       .then((found) => {
         tabs.value = found;
-        if (!draft.peek()?.changed) look(blockSets.shown.peek());
+        if (!ticked.peek()?.changed) look(blockSets.shown.peek());
       })
       .catch(() => (failed.value = true));
   });
@@ -36,20 +36,20 @@ export function BlockSetsDialog() {
   return (
     <Dialog title={t("page-sets-title")} close={() => dialogs.close()} size="large">
       {failed.value && <p role="alert">{t("page-blocks-failed")}</p>}
-      {draft.value && tabs.value && (
+      {ticked.value && tabs.value && (
         <>
           <div class="block-sets">
-            <Sets chosen={draft.value.base} choose={look} />
+            <Sets chosen={ticked.value.base} choose={look} />
             <BlockTree
               tabs={tabs.value}
-              ticks={draft.value.ticks}
-              changed={draft.value.changed}
-              change={(ticks) => (draft.value = { ...draft.value!, ticks, changed: true })}
+              ticks={ticked.value.ticks}
+              changed={ticked.value.changed}
+              change={(ticks) => (ticked.value = { ...ticked.value!, ticks, changed: true })}
             />
           </div>
           <Refusals />
           <Deleted look={look} />
-          <BlockSetActions key={draft.value.base.name} draft={draft.value} tabs={tabs.value} look={look} />
+          <BlockSetActions key={ticked.value.base.name} ticked={ticked.value} tabs={tabs.value} look={look} />
         </>
       )}
     </Dialog>

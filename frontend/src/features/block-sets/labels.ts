@@ -4,7 +4,7 @@ import * as Blockly from "blockly/core";
 import { t } from "../../i18n";
 import type { Entry, Tab } from "../../model/shown-blocks";
 import { blocksOf, CHANGING, nameOf } from "../../model/shown-blocks";
-import { prepare } from "../../views/blocks";
+import { prepare } from "../../views/blocks/blocks-view";
 import { ownTab } from "../../views/blocks/categories";
 import { fetchPalette, installPalette } from "../../views/blocks/palette";
 import type { Group } from "./ticks";

@@ -25,14 +25,14 @@ export interface Ticks {
 }
 
 /** A set in the dialog, with ticks that may differ from it. */
-export interface Draft {
+export interface TickedBlocks {
   readonly base: BlockSet;
   readonly ticks: Ticks;
   readonly changed: boolean;
 }
 
-/** The set described by a draft. */
-export function setOf({ base, ticks, changed }: Draft, groups: readonly Group[]): BlockSet {
+/** The set with these ticks. */
+export function setOf({ base, ticks, changed }: TickedBlocks, groups: readonly Group[]): BlockSet {
   if (!changed) return base;
   const { name, title, description } = base;
   return { name, title, description, ...rulesOf(ticks, groups) };

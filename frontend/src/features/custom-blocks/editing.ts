@@ -8,8 +8,8 @@ import type { CustomBlockProblem } from "../../protocol/messages";
 import { Cleanup } from "../../ui/cleanup";
 import { fetchPalette, type Palette } from "../../views/blocks/palette";
 import { Code } from "./code";
+import { CustomBlockEdit } from "./custom-block-edit";
 import type { CustomBlocks } from "./custom-blocks";
-import { Draft } from "./draft";
 import { Preview } from "./preview";
 import { python } from "./python";
 import { Trying } from "./trying";
@@ -17,7 +17,7 @@ import { Trying } from "./trying";
 export type TabName = "ownForm" | "ownTry" | "ownJson";
 
 export class Editing {
-  readonly draft: Draft;
+  readonly draft: CustomBlockEdit;
   readonly trying: Trying;
   readonly source: Code;
   readonly json: Code;
@@ -41,7 +41,7 @@ export class Editing {
     line: number,
   ) {
     this.palette = fetchPalette(language.peek());
-    this.draft = new Draft(context.connection);
+    this.draft = new CustomBlockEdit(context.connection);
     this.trying = new Trying(context);
     this.source = new Code(
       () => t("page-custom-source"),

@@ -9,7 +9,7 @@ import { Form } from "./form";
 import { TryIt } from "./try-it";
 
 /** The code with its problems on one side, the block that it makes on the other. */
-export function Editor({ editing }: { editing: Editing }) {
+export function CustomBlockEditor({ editing }: { editing: Editing }) {
   const { source } = editing;
   return (
     <>
@@ -51,7 +51,7 @@ function Json({ editing }: { editing: Editing }) {
 
 function Head({ editing: { draft } }: { editing: Editing }) {
   const { context } = usePage();
-  const { goesOn, dirty } = draft;
+  const { restored, dirty } = draft;
   return (
     <div class="custom-block-head">
       <button type="button" class="button bordered" onClick={() => context.listCustomBlocks()}>
@@ -62,7 +62,7 @@ function Head({ editing: { draft } }: { editing: Editing }) {
         <button
           type="button"
           class="button bordered"
-          title={goesOn.value ? t("page-custom-goes-on") : undefined}
+          title={restored.value ? t("page-custom-goes-on") : undefined}
           onClick={() => draft.discard()}
         >
           {t("page-custom-discard")}
@@ -76,12 +76,12 @@ function Head({ editing: { draft } }: { editing: Editing }) {
 }
 
 function Status({ draft }: Pick<Editing, "draft">) {
-  const { dirty, goesOn, outcome } = draft;
+  const { dirty, restored, outcome } = draft;
   const ended = outcome.value;
   const refused = ended && "refused" in ended;
   return (
     <p class={refused ? "custom-block-status failed" : "custom-block-status"} role={refused ? "alert" : "status"}>
-      {!ended && dirty.value && t(goesOn.value ? "page-custom-goes-on" : "page-custom-unsaved")}
+      {!ended && dirty.value && t(restored.value ? "page-custom-goes-on" : "page-custom-unsaved")}
       {ended && "saved" in ended && t("page-custom-saved", { name: ended.saved })}
       {refused && (ended.refused ? say(ended.refused) : t("page-custom-refused"))}
     </p>

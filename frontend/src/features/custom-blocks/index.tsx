@@ -7,7 +7,7 @@ import { type Page, PageProvider } from "../../model/page";
 import type { Island } from "../../ui/island";
 import type { CustomBlocks } from "./custom-blocks";
 import { Editing } from "./editing";
-import { Editor } from "./editor";
+import { CustomBlockEditor } from "./editor";
 import "./editor.css";
 
 /**
@@ -22,7 +22,7 @@ export function createCustomBlockEditor(page: Page, all: CustomBlocks, name: Sig
   dom.addEventListener("keydown", stayInCode);
   render(
     <PageProvider value={page}>
-      <Editor editing={editing} />
+      <CustomBlockEditor editing={editing} />
     </PageProvider>,
     dom,
   );

@@ -5,7 +5,7 @@ import * as Blockly from "blockly/core";
 import { theme } from "../../model/preferences";
 import type { CustomBlockPreview } from "../../protocol/messages";
 import type { Island } from "../../ui/island";
-import { prepare } from "../../views/blocks";
+import { prepare } from "../../views/blocks/blocks-view";
 import { Checker } from "../../views/blocks/checker";
 import type { Definition } from "../../views/blocks/fields";
 import { MEDIA } from "../../views/blocks/media";

@@ -7,7 +7,7 @@ import type { CustomBlockPreview } from "../../protocol/messages";
 import { type Argument, argumentsOf } from "./arguments";
 import { Committed } from "./committed";
 import { type Configured, languagesOf, type Words, withVariable, withWord } from "./configuration";
-import type { Draft } from "./draft";
+import type { CustomBlockEdit } from "./custom-block-edit";
 
 /** Languages offered besides those that the block already has. */
 const OFFERED = [
@@ -35,7 +35,7 @@ const OFFERED = [
 ];
 
 interface Props {
-  readonly draft: Draft;
+  readonly draft: CustomBlockEdit;
   readonly block: Configured;
   readonly preview: CustomBlockPreview | null;
 }

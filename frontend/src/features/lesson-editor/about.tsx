@@ -5,7 +5,7 @@ import { useId } from "preact/hooks";
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
 import { plainTitle } from "../../model/robots";
-import type { LessonContent } from "../lessons/draft";
+import type { LessonContent } from "../lessons/lesson-edit";
 import { Add, ChoiceInput, NumberInput, Part, Problems, TextInput, Tick } from "./inputs";
 
 const LEVELS = [1, 2, 3, 4] as const;

@@ -3,7 +3,7 @@
 import { useId } from "preact/hooks";
 import { say, t, worldName } from "../../i18n";
 import { usePage } from "../../model/page";
-import type { StepContent, Values } from "../lessons/draft";
+import type { StepContent, Values } from "../lessons/lesson-edit";
 import type { Path } from "../lessons/making";
 import { type Field as CheckField, fieldsOf, kindsOf, kindWords, newOf } from "./fields";
 import { Add, ChoiceInput, Field, NumberInput, Part, Problems, TextInput, Tick } from "./inputs";

@@ -4,7 +4,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { languages, say, t, translated } from "../../i18n";
 import { usePage } from "../../model/page";
 import { IconButton } from "../../ui/button";
-import type { Draft } from "../lessons/draft";
+import type { LessonEdit } from "../lessons/lesson-edit";
 import { inLanguage } from "../lessons/lessons";
 import { MOST_STEPS, type Path, type Section } from "../lessons/making";
 import { About } from "./about";
@@ -41,20 +41,20 @@ export function LessonEditor() {
   );
 }
 
-function Shown({ draft, section }: { draft: Draft; section: Section }) {
+function Shown({ draft, section }: { draft: LessonEdit; section: Section }) {
   if (section === "about") return <About content={draft.content} />;
   if (section === "teacher") return <Teacher draft={draft} />;
   const step = draft.content.step[section];
   return step ? <Step step={step} index={section} /> : null;
 }
 
-function titleOf({ content }: Draft, section: Section): string {
+function titleOf({ content }: LessonEdit, section: Section): string {
   if (typeof section === "string") return t(`page-maker-part-${section}`);
   const title = inLanguage(content.step[section]?.title);
   return t("page-maker-step", { number: section + 1, title: title || t("page-maker-new-step") });
 }
 
-function Parts({ draft }: { draft: Draft }) {
+function Parts({ draft }: { draft: LessonEdit }) {
   const making = usePage().lessonMaking;
   const { step: steps } = draft.content;
   const sections: readonly Section[] = ["about", ...steps.map((_, index) => index), "teacher"];
@@ -76,7 +76,7 @@ function Parts({ draft }: { draft: Draft }) {
   );
 }
 
-function StepTools({ draft, index }: { draft: Draft; index: number }) {
+function StepTools({ draft, index }: { draft: LessonEdit; index: number }) {
   const making = usePage().lessonMaking;
   const last = draft.content.step.length - 1;
   return (
@@ -138,7 +138,7 @@ function placeOf(path: Path): string {
   return [part, word].filter(Boolean).join(" · ") || t("page-maker-part-about");
 }
 
-function Foot({ draft }: { draft: Draft }) {
+function Foot({ draft }: { draft: LessonEdit }) {
   const making = usePage().lessonMaking;
   return (
     <div class="maker-foot">

@@ -1,7 +1,7 @@
 /** The kinds of checks and of events, and the values that each takes, from the schema of lessons. */
 
 import { translated } from "../../i18n";
-import type { Values } from "../lessons/draft";
+import type { Values } from "../lessons/lesson-edit";
 import schema from "./schema.json";
 
 /** A value of a check or of an event. */

@@ -2,7 +2,7 @@
 
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
-import type { HintContent, StepContent } from "../lessons/draft";
+import type { HintContent, StepContent } from "../lessons/lesson-edit";
 import { kindWords } from "./fields";
 import { Add, ChoiceInput, Part, TextInput } from "./inputs";
 

@@ -6,7 +6,7 @@ import { say, t } from "../../i18n";
 import { usePage } from "../../model/page";
 import { IconButton } from "../../ui/button";
 import { languageName } from "../../ui/language-name";
-import type { Texts } from "../lessons/draft";
+import type { Texts } from "../lessons/lesson-edit";
 import { inLanguage } from "../lessons/lessons";
 import type { Path } from "../lessons/making";
 

@@ -3,7 +3,7 @@
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
 import type { WrittenProgram } from "../../protocol/messages";
-import { EMPTY_PROGRAM } from "../lessons/draft";
+import { EMPTY_PROGRAM } from "../lessons/lesson-edit";
 import { ChoiceInput, Field } from "./inputs";
 
 interface Props {

@@ -2,7 +2,7 @@
 
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
-import { EMPTY_PROGRAM, type PuzzleContent, type StepContent } from "../lessons/draft";
+import { EMPTY_PROGRAM, type PuzzleContent, type StepContent } from "../lessons/lesson-edit";
 import type { Path } from "../lessons/making";
 import { Add, Field, Part, Tick } from "./inputs";
 

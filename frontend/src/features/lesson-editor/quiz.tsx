@@ -2,7 +2,7 @@
 
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
-import type { ChoiceContent, StepContent } from "../lessons/draft";
+import type { ChoiceContent, StepContent } from "../lessons/lesson-edit";
 import { Add, Part, Problems, TextInput, Tick } from "./inputs";
 
 const MOST = 8;

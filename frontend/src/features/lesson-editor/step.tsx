@@ -6,7 +6,7 @@ import { useEffect } from "preact/hooks";
 import { language, t } from "../../i18n";
 import { usePage } from "../../model/page";
 import { titleOf } from "../block-sets/block-sets";
-import type { Phase, StepContent } from "../lessons/draft";
+import type { Phase, StepContent } from "../lessons/lesson-edit";
 import { inLanguage } from "../lessons/lessons";
 import type { MarkdownPart } from "../lessons/markdown";
 import { Checks } from "./checks";

@@ -4,12 +4,12 @@ import { say, t } from "../../i18n";
 import { usePage } from "../../model/page";
 import type { TriedProgram } from "../../protocol/messages";
 import { Icon } from "../../ui/icons";
-import type { Draft } from "../lessons/draft";
+import type { LessonEdit } from "../lessons/lesson-edit";
 import { TextInput } from "./inputs";
 
 const LONGEST_NOTES = 20_000;
 
-export function Teacher({ draft }: { draft: Draft }) {
+export function Teacher({ draft }: { draft: LessonEdit }) {
   const making = usePage().lessonMaking;
   const { teaches } = usePage().lessons;
   return (

@@ -8,7 +8,7 @@ import { theme } from "../../model/preferences";
 import type { Workspace } from "../../protocol/messages";
 import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
-import { prepare } from "../../views/blocks";
+import { prepare } from "../../views/blocks/blocks-view";
 import { Checker } from "../../views/blocks/checker";
 import { MEDIA } from "../../views/blocks/media";
 import { fetchPalette, installPalette } from "../../views/blocks/palette";

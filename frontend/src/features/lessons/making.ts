@@ -11,15 +11,15 @@ import { bytesOf, saveFile } from "../../ui/files";
 import { UnsavedEdits } from "../../ui/storage";
 import type { Toasts } from "../../ui/toasts";
 import {
-  type Draft,
   draftOf,
   EMPTY_PROGRAM,
   editedOf,
   type LessonContent,
+  type LessonEdit,
   moved,
   NEW_STEP,
   type StepContent,
-} from "./draft";
+} from "./lesson-edit";
 import { inLanguage, type Lessons } from "./lessons";
 
 /** ms without an edit before the server examines the lesson. */
@@ -27,7 +27,7 @@ const PAUSE = 400;
 export const MOST_STEPS = 30;
 
 /** By the name that a lesson was saved under; a new lesson has the empty name. */
-const UNSAVED = new UnsavedEdits<Draft>("learnblock.lessons");
+const UNSAVED = new UnsavedEdits<LessonEdit>("learnblock.lessons");
 
 /** What the editor shows: what the lesson is about, a step by its index, or what is for the teacher. */
 export type Section = "about" | "teacher" | number;
@@ -43,7 +43,7 @@ interface Others {
 
 export class LessonMaking {
   /** Null if no lesson is being made. */
-  readonly draft = signal<Draft | null>(null);
+  readonly draft = signal<LessonEdit | null>(null);
   readonly examined = signal<LessonExamined>({ kind: "LessonExamined" });
   /** The names of the skills that checks may ask for. */
   readonly skills = signal<readonly string[]>([]);
@@ -93,7 +93,7 @@ export class LessonMaking {
     this.others.lessons.list();
   }
 
-  edit(change: (draft: Draft) => Draft): void {
+  edit(change: (draft: LessonEdit) => LessonEdit): void {
     const { draft } = this;
     if (!draft.value) return;
     draft.value = change(draft.value);
@@ -220,7 +220,7 @@ export class LessonMaking {
     return text.trim() ? { text } : null;
   }
 
-  private show(draft: Draft, { isSaved }: { readonly isSaved: boolean }): void {
+  private show(draft: LessonEdit, { isSaved }: { readonly isSaved: boolean }): void {
     this.isStrict.value = false;
     this.tried.value = null;
     this.section.value = "about";
@@ -242,7 +242,7 @@ export class LessonMaking {
     }));
   }
 
-  private examineSoon(draft: Draft | null): void {
+  private examineSoon(draft: LessonEdit | null): void {
     clearTimeout(this.timer);
     if (draft) this.timer = window.setTimeout(() => this.send("ExamineLesson"), PAUSE);
   }

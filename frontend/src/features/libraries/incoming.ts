@@ -35,7 +35,7 @@ export function fileOf({ filename, content, renamings }: Incoming): LibraryFile 
 }
 
 /** A file after the server has read it: each new clash gets a proposed name. */
-export function looked(file: Incoming, read: LibraryRead): Incoming {
+export function withAnswer(file: Incoming, read: LibraryRead): Incoming {
   const known = new Set(file.renamings.flatMap(({ skill, name }) => [skill, name.trim()]));
   const clashes = (read.clashes ?? []).filter(({ skill }) => !known.has(skill));
   const found = clashes.map((clash) => renaming(clash, read.library));

@@ -14,7 +14,7 @@ import {
   type MakeLibrary,
 } from "../../protocol/messages";
 import { bytesOf, inBase64, saveFile } from "../../ui/files";
-import { fileOf, type Incoming, looked, renamed } from "./incoming";
+import { fileOf, type Incoming, renamed, withAnswer } from "./incoming";
 import { conversion, looseIn, originalsIn } from "./originals";
 
 /** The outcome of the last action. */
@@ -120,7 +120,7 @@ export class Libraries {
     const known = this.incoming.value;
     // Files were added or removed since: another answer is coming.
     if (files.length !== known.length || files.some((one, at) => one.filename !== known[at]?.filename)) return;
-    const found = known.map((one, at) => looked(one, files[at]!));
+    const found = known.map((one, at) => withAnswer(one, files[at]!));
     const suggests = found.some((one, at) => one.renamings.length > known[at]!.renamings.length);
     if (suggests) this.look(found);
     else this.incoming.value = found;

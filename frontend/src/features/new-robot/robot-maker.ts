@@ -15,7 +15,7 @@ export class RobotMaker {
 
   constructor(private readonly connection: Connection) {
     connection.on("RobotBegun", ({ description }) => (this.description.value ||= description));
-    connection.on("RobotMade", (made) => this.hear(made));
+    connection.on("RobotMade", (made) => this.receive(made));
   }
 
   /** Continue with the current text, or start with the server's template. */
@@ -46,7 +46,7 @@ export class RobotMaker {
     this.name.value ||= file.name.replace(/\.toml$/, "");
   }
 
-  private hear(made: RobotMade): void {
+  private receive(made: RobotMade): void {
     this.problems.value = made.problems ?? [];
     if (this.problems.value.length) return;
     this.made.value = made;

@@ -2,8 +2,8 @@
 export function preload(): void {
   const whenIdle = globalThis.requestIdleCallback ?? setTimeout;
   whenIdle(() => {
-    void import("../../views/blocks");
-    void import("../../views/text");
+    void import("../../views/blocks/blocks-view");
+    void import("../../views/text/text-view");
     void import("../../views/world");
   });
 }

@@ -55,7 +55,7 @@ export function branches(text: string, first: number, last: number): number[] {
 /** The code of a line; where only blocks are shown, the block in its own words. */
 function codeOf(page: Page, block: string, line: number): string {
   const { views, context } = page;
-  const words = views.shows("blocktext") || views.shows("python") ? "" : views.inWords("blocks", block);
+  const words = views.shows("blocktext") || views.shows("python") ? "" : views.describeStep("blocks", block);
   if (words) return `“${words}”`;
   const text = context.program.state.value[notationOf(page)].split("\n")[line - 1] ?? "";
   return text

@@ -26,7 +26,7 @@ export interface Action {
   act(): void;
 }
 
-export class Actions implements Island {
+export class WorldEditorActions implements Island {
   readonly dom = document.createElement("div");
   /** Whether positions are rounded to the grid. */
   readonly snaps = signal(true);

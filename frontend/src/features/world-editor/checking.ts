@@ -8,10 +8,10 @@ import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
 import { Throttle } from "../../ui/throttle";
 import type { WorldValues } from "../../views/world/scenery/description";
-import type { Draft } from "./drafts";
 import { SORTS, type Sort } from "./sorts";
 import { allThings, type Ref } from "./things";
 import { nameOf } from "./words";
+import type { WorldEdit } from "./world-edit";
 
 /** ms between two requests for a check. */
 const PERIOD = 300;
@@ -30,7 +30,7 @@ export class Checking implements Island {
   private readonly cleanup: Cleanup;
 
   constructor(
-    private readonly draft: Draft,
+    private readonly draft: WorldEdit,
     connection: Connection,
   ) {
     this.dom.className = "editor-problems";

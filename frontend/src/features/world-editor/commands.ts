@@ -1,7 +1,6 @@
 /** Commands on a draft, for buttons and keys. */
 
 import type { XY } from "../../views/world/scenery/description";
-import type { Draft } from "./drafts";
 import type { Sort } from "./sorts";
 import {
   added,
@@ -17,13 +16,14 @@ import {
   thingAt,
   turned,
 } from "./things";
+import type { WorldEdit } from "./world-edit";
 
 /** Degrees by which a button or key turns. */
 export const TURN = 15;
 
 /** Commands return the object to select next, or null if there was nothing to do. */
 export class Commands {
-  constructor(private readonly draft: Draft) {}
+  constructor(private readonly draft: WorldEdit) {}
 
   /** Add an object at a place, or as near to it as the floor allows. */
   add(sort: Sort, place: XY): Ref | null {

@@ -8,13 +8,12 @@ import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
 import { UnsavedEdits } from "../../ui/storage";
 import type { WorldValues } from "../../views/world/scenery/description";
-import { type Action, Actions } from "./actions";
+import { type Action, WorldEditorActions } from "./actions";
 import type { Carried } from "./carrying";
 import { Checking } from "./checking";
 import { Commands, TURN } from "./commands";
-import { Draft } from "./drafts";
 import { editorKeys } from "./keys";
-import { Palette } from "./palette";
+import { ThingPalette } from "./palette";
 import { Plan } from "./plan";
 import { Properties } from "./properties";
 import { hasPlace, Putting } from "./putting";
@@ -22,21 +21,22 @@ import { Saving } from "./saving";
 import type { Sort } from "./sorts";
 import { Templates } from "./templates";
 import { type Ref, snapped } from "./things";
+import { WorldEdit } from "./world-edit";
 
 /** The content of a new world. */
 const NEW = "empty";
 /** By the name of the world that was opened. */
 const UNSAVED = new UnsavedEdits<WorldValues>("learnblock.worlds");
 
-export class Editor implements Island {
+export class WorldEditor implements Island {
   readonly dom = document.createElement("div");
-  private readonly draft = new Draft();
+  private readonly draft = new WorldEdit();
   /** The world as it was read or saved last. */
   private readonly opened = signal<{ readonly name: string; readonly world: WorldValues } | null>(null);
   private readonly commands = new Commands(this.draft);
-  private readonly actions = new Actions(this.offered());
+  private readonly actions = new WorldEditorActions(this.offered());
   private readonly putting = new Putting();
-  private readonly palette = new Palette(
+  private readonly palette = new ThingPalette(
     this.draft,
     this.putting.sort,
     (sort) => this.choose(sort),

@@ -4,9 +4,9 @@ import "./editor.css";
 
 import type { Context } from "../../model/context";
 import type { Island } from "../../ui/island";
-import { Editor } from "./editor";
+import { WorldEditor } from "./editor";
 
 /** @param freeTitle returns a title for a copy of a built-in world that no world has yet. */
 export function createWorldEditor(context: Context, freeTitle: (name: string) => string): Island {
-  return new Editor(context, freeTitle);
+  return new WorldEditor(context, freeTitle);
 }

@@ -2,8 +2,8 @@
 
 import type { Commands } from "./commands";
 import { TURN } from "./commands";
-import type { Draft } from "./drafts";
 import type { Plan } from "./plan";
+import type { WorldEdit } from "./world-edit";
 
 const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
   ArrowLeft: [-1, 0],
@@ -16,7 +16,7 @@ const TURNS: Readonly<Record<string, number>> = { "[": -TURN, "]": TURN, ",": -T
 const COARSE = 100;
 const FINE = 1;
 
-export function editorKeys(draft: Draft, commands: Commands, plan: Plan): (event: KeyboardEvent) => void {
+export function editorKeys(draft: WorldEdit, commands: Commands, plan: Plan): (event: KeyboardEvent) => void {
   return (event) => {
     if (!undoing(event, draft) && !(plan.focusedThing && onThing(event, draft, commands, plan))) return;
     event.preventDefault();
@@ -24,7 +24,7 @@ export function editorKeys(draft: Draft, commands: Commands, plan: Plan): (event
   };
 }
 
-function undoing(event: KeyboardEvent, draft: Draft): boolean {
+function undoing(event: KeyboardEvent, draft: WorldEdit): boolean {
   // In a text field, undo belongs to the browser.
   if (event.target instanceof HTMLInputElement || !(event.ctrlKey || event.metaKey)) return false;
   const letter = event.key.toLowerCase();
@@ -34,7 +34,7 @@ function undoing(event: KeyboardEvent, draft: Draft): boolean {
   return true;
 }
 
-function onThing(event: KeyboardEvent, draft: Draft, commands: Commands, plan: Plan): boolean {
+function onThing(event: KeyboardEvent, draft: WorldEdit, commands: Commands, plan: Plan): boolean {
   const arrow = ARROWS[event.key];
   const turn = TURNS[event.key];
   if (arrow) commands.nudge(...arrow, event.shiftKey ? COARSE : event.altKey ? FINE : undefined);

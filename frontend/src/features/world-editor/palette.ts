@@ -5,10 +5,10 @@ import { t } from "../../i18n";
 import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
 import { type Carried, carries } from "./carrying";
-import type { Draft } from "./drafts";
 import type { Sort } from "./sorts";
 import { svg } from "./svg";
 import { missing } from "./things";
+import type { WorldEdit } from "./world-edit";
 
 /** In the order in which worlds are usually built. */
 const OFFERED: readonly Sort[] = [
@@ -49,7 +49,7 @@ const PICTURES: Readonly<Record<Sort, string>> = {
   avoid: "M14 9h7v7h-7zM3 20c9 0 1-14 9-15M10 3l3 2-2 3",
 };
 
-export class Palette implements Island {
+export class ThingPalette implements Island {
   readonly dom = document.createElement("div");
   private readonly cleanup = new Cleanup();
 
@@ -59,7 +59,7 @@ export class Palette implements Island {
    * @param carried is called when a button is dragged.
    */
   constructor(
-    private readonly draft: Draft,
+    private readonly draft: WorldEdit,
     private readonly chosen: ReadonlySignal<Sort | null>,
     private readonly choose: (sort: Sort) => void,
     private readonly carried: (sort: Sort) => Carried,

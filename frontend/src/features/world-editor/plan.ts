@@ -4,7 +4,6 @@ import { effect, type ReadonlySignal, untracked } from "@preact/signals";
 import { t } from "../../i18n";
 import { Cleanup } from "../../ui/cleanup";
 import type { WorldValues, XY } from "../../views/world/scenery/description";
-import type { Draft } from "./drafts";
 import { groundOf } from "./ground";
 import { type Handle, handlesOf } from "./handles";
 import type { Putting } from "./putting";
@@ -13,6 +12,7 @@ import { set, svg } from "./svg";
 import { allowedPlace, allThings, GRID, key, moved, type Ref, replaced, same, snapped, thingAt } from "./things";
 import { Viewport } from "./viewport";
 import { thingInWords } from "./words";
+import type { WorldEdit } from "./world-edit";
 
 /** Radii of a handle in pixels: the visible one, and what a mouse or a finger hits. */
 const KNOB = 7;
@@ -69,7 +69,7 @@ export class Plan {
    * @param unreachable why goals can't be reached, by their key.
    */
   constructor(
-    private readonly draft: Draft,
+    private readonly draft: WorldEdit,
     private readonly snaps: () => boolean,
     private readonly putting: Putting,
     private readonly put: () => Ref | null,

@@ -5,12 +5,12 @@ import { t } from "../../i18n";
 import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
 import type { VaryValues, WorldValues } from "../../views/world/scenery/description";
-import type { Draft } from "./drafts";
 import { defaultsOf } from "./fields";
 import { form } from "./form";
 import { allThings, key, type Ref, replaced, same, thingAt } from "./things";
 import type { Update } from "./updates";
 import { nameOf } from "./words";
+import type { WorldEdit } from "./world-edit";
 
 export class Properties implements Island {
   readonly dom = document.createElement("div");
@@ -18,7 +18,7 @@ export class Properties implements Island {
   private readonly fields = document.createElement("div");
   private readonly cleanup: Cleanup;
 
-  constructor(private readonly draft: Draft) {
+  constructor(private readonly draft: WorldEdit) {
     this.dom.className = "editor-properties";
     this.fields.className = "editor-fields";
     this.dom.append(this.select, this.fields);

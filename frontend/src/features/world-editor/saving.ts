@@ -5,7 +5,7 @@ import { say, t } from "../../i18n";
 import type { Connection } from "../../protocol/connection";
 import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
-import type { Draft } from "./drafts";
+import type { WorldEdit } from "./world-edit";
 
 /** The server's limit. */
 const LONGEST = 40;
@@ -28,7 +28,7 @@ export class Saving implements Island {
    * @param done called with the name of the saved world.
    */
   constructor(
-    private readonly draft: Draft,
+    private readonly draft: WorldEdit,
     private readonly connection: Connection,
     private readonly problems: ReadonlySignal<readonly unknown[]>,
     private readonly done: (name: string) => void,

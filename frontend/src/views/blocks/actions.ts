@@ -15,7 +15,7 @@ export interface OfferedRobot {
   readonly serving: (needs: readonly string[]) => string;
 }
 
-export interface Actions {
+export interface BlockActions {
   undo(): void;
   redo(): void;
   canUndo(): boolean;
@@ -48,15 +48,15 @@ export interface Actions {
   editCustomBlock(skill: string): void;
 }
 
-const actions = new WeakMap<Blockly.Workspace, Actions>();
+const actions = new WeakMap<Blockly.Workspace, BlockActions>();
 
 /** Set the actions of a workspace. */
-export function setActions(workspace: Blockly.Workspace, own: Actions): void {
+export function setActions(workspace: Blockly.Workspace, own: BlockActions): void {
   actions.set(workspace, own);
 }
 
 /** The actions of a workspace, or of the workspace beside a palette. */
-export function actionsOf(workspace: Blockly.Workspace | undefined): Actions | undefined {
+export function actionsOf(workspace: Blockly.Workspace | undefined): BlockActions | undefined {
   const main = workspace?.isFlyout ? (workspace as Blockly.WorkspaceSvg).targetWorkspace : workspace;
   return main ? actions.get(main) : undefined;
 }

@@ -4,7 +4,7 @@ import { ScrollMetricsManager, ScrollOptions } from "@blockly/plugin-scroll-opti
 import * as Blockly from "blockly/core";
 import type { ThemeName } from "../../model/preferences";
 import type { BlockSet, Workspace } from "../../protocol/messages";
-import { type Actions, actionsOf, setActions } from "./actions";
+import { actionsOf, type BlockActions, setActions } from "./actions";
 import { registerCategories } from "./categories";
 import { Checker } from "./checker";
 import { Dragger, EDGE } from "./dragger";
@@ -46,7 +46,7 @@ interface View {
  *
  * A compact one is for a phone.
  */
-export class Editor {
+export class BlockEditor {
   readonly marks: Marks;
   private readonly workspace: Blockly.WorkspaceSvg;
   private readonly sync: Sync;
@@ -63,7 +63,7 @@ export class Editor {
     host: HTMLElement,
     private readonly palette: Palette,
     theme: ThemeName,
-    actions: Actions,
+    actions: BlockActions,
     compact: boolean,
     private readonly edited: () => void,
     /** Called when blocks have been drawn that were not. */
@@ -94,7 +94,7 @@ export class Editor {
     registerCategories(this.workspace);
     limitTabs(this.workspace, palette, () => actions.shownBlocks());
     setActions(this.workspace, actions);
-    this.workspace.addChangeListener((event) => this.hear(event));
+    this.workspace.addChangeListener((event) => this.receive(event));
     this.toolbox?.begin();
   }
 
@@ -180,7 +180,7 @@ export class Editor {
   }
 
   /** A statement as a sentence, without what is inside it. */
-  inWords(id: string): string {
+  describeStep(id: string): string {
     const block = this.workspace.getBlockById(id);
     if (block) return wordsOf(block);
     const hidden = this.sync.placeholderOf(id) && this.sync.hiddenBlocks().find((one) => one.id === id);
@@ -230,7 +230,7 @@ export class Editor {
     return { workspace: this.read(), tab: this.openTab, focused: this.focused, scale, x: scrollX, y: scrollY };
   }
 
-  takeOver({ workspace, tab, focused, scale, x, y }: View): void {
+  adopt({ workspace, tab, focused, scale, x, y }: View): void {
     this.show(workspace);
     this.workspace.setScale(scale);
     this.workspace.scroll(x, y);
@@ -266,7 +266,7 @@ export class Editor {
     return this.workspace.getToolbox() as PaletteToolbox | null;
   }
 
-  private hear(event: Blockly.Events.Abstract): void {
+  private receive(event: Blockly.Events.Abstract): void {
     if (event.type === Blockly.Events.SELECTED) this.select((event as Blockly.Events.Selected).newElementId);
     if (!event.isUiEvent || event.type === Blockly.Events.VIEWPORT_CHANGE) this.look();
     if (event.type === Blockly.Events.BUBBLE_OPEN) this.drawCalls(event as Blockly.Events.BubbleOpen);

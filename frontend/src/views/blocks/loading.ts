@@ -31,7 +31,7 @@ export class Loading {
     if (this.isOn) return;
     this.note.textContent = t("page-blocks-loading");
     this.host.append(this.note);
-    this.goOn();
+    this.addSoon();
   }
 
   /** Call a function when the blocks are complete. */
@@ -40,9 +40,9 @@ export class Loading {
   }
 
   // A timer, not a frame: a page in the background gets none.
-  private goOn(): void {
+  private addSoon(): void {
     this.timer = setTimeout(() => {
-      if (this.workspace.isDragging() || this.addNext()) this.goOn();
+      if (this.workspace.isDragging() || this.addNext()) this.addSoon();
       else this.end();
     });
   }

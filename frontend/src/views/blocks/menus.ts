@@ -4,7 +4,7 @@ import * as Blockly from "blockly/core";
 
 import { t } from "../../i18n";
 import "./menus.css";
-import { type Actions, actionsOf } from "./actions";
+import { actionsOf, type BlockActions } from "./actions";
 import { showHelp } from "./help";
 import { hasCondition, toggleCondition, toggleWord } from "./when-block";
 
@@ -70,7 +70,7 @@ function leaveOutSelection(): void {
   };
 }
 
-function replaceKey(name: string, keys: (number | undefined)[][], act: (own: Actions) => void): void {
+function replaceKey(name: string, keys: (number | undefined)[][], act: (own: BlockActions) => void): void {
   const registry = Blockly.ShortcutRegistry.registry;
   registry.unregister(name);
   registry.register({

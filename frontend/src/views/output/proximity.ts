@@ -23,7 +23,7 @@ export class Proximity {
   constructor(private readonly synthesizer: Synthesizer) {}
 
   /** `now` in seconds. */
-  hear({ sensors = [] }: Telemetry, now: number): void {
+  receive({ sensors = [] }: Telemetry, now: number): void {
     const touches = sensors.some(({ device, value }) => device === "Bumper" && value === true);
     if (touches && !this.touched) this.synthesizer.play({ hertz: 110, seconds: 0.12, volume: 4 * VOLUME });
     this.touched = touches;

@@ -48,13 +48,13 @@ class Loudspeaker {
 
   constructor({ connection, running }: Context) {
     this.cleanup = new Cleanup(
-      connection.on("Sound", (sound) => preferences.value.sound && this.hear(sound)),
+      connection.on("Sound", (sound) => preferences.value.sound && this.receive(sound)),
       connection.on("Opened", () => this.silence()),
       connection.on("TabOpened", () => this.silence()),
       connection.on("RunState", ({ state }) => state === "starting" && this.silence()),
       connection.on("Ended", ({ ended }) => ended === "stopped" && this.silence()),
       connection.on("Telemetry", (telemetry) => {
-        if (preferences.value.audible) this.proximity.hear(telemetry, performance.now() / 1000);
+        if (preferences.value.audible) this.proximity.receive(telemetry, performance.now() / 1000);
       }),
       effect(() => {
         if (!preferences.value.sound || running.state.value.state === "paused") this.silence();
@@ -68,7 +68,7 @@ class Loudspeaker {
     this.synthesizer.destroy();
   }
 
-  private hear({ device, action, values }: Sound): void {
+  private receive({ device, action, values }: Sound): void {
     if (device === "MP3") this.player.obey(action, values);
     if (device !== "Speaker") return;
     if (action === "say") this.say(String(values[0]));

@@ -70,8 +70,8 @@ export class Stick {
     const box = this.dom.getBoundingClientRect();
     const across = limit(((event.clientX - box.left) / box.width) * 2 - 1);
     const up = limit(1 - ((event.clientY - box.top) / box.height) * 2);
-    const rests = Math.hypot(across, up) < REST;
-    this.push(rests ? { forward: 0, right: 0 } : { forward: up, right: across });
+    const isStill = Math.hypot(across, up) < REST;
+    this.push(isStill ? { forward: 0, right: 0 } : { forward: up, right: across });
   }
 
   private press(event: KeyboardEvent): void {

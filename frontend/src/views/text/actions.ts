@@ -31,7 +31,7 @@ export interface Action {
 }
 
 /** The actions of one text. */
-export class Actions {
+export class TextActions {
   readonly all: readonly Action[];
   private restoring = false;
 

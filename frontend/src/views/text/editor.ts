@@ -25,7 +25,7 @@ import {
 } from "@codemirror/view";
 
 import type { Notation } from "../../protocol/messages";
-import type { Actions } from "./actions";
+import type { TextActions } from "./actions";
 import { blocktext } from "./blocktext";
 import { breakpointGutter } from "./breakpoints";
 import { completion } from "./completion";
@@ -75,13 +75,13 @@ export function editing(): Extension {
   ];
 }
 
-function keys(actions: Actions): Extension {
+function keys(actions: TextActions): Extension {
   const usual = [...defaultKeymap.filter(({ key }) => !TAKEN.has(key ?? "")), ...searchKeymap, ...foldKeymap];
   return [Prec.high(keymap.of(actions.keys)), keymap.of([...usual, indentWithTab])];
 }
 
 /** Ctrl+click goes to a name's definition; the browser's undo becomes the program's. */
-function pointerAndMenu(actions: Actions): Extension {
+function pointerAndMenu(actions: TextActions): Extension {
   const action = (name: string) => actions.all.find((each) => each.name === name);
   return EditorView.domEventHandlers({
     mousedown: (event, view) => {
@@ -99,7 +99,7 @@ function pointerAndMenu(actions: Actions): Extension {
 }
 
 /** All extensions except the phrases. */
-export function extensions(notation: Notation, actions: Actions, requests: Requests): Extension {
+export function extensions(notation: Notation, actions: TextActions, requests: Requests): Extension {
   return [
     breakpointGutter((view, line) => actions.toggleBreakpoint(view, line)),
     problemMarks(),

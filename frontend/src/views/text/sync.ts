@@ -11,7 +11,7 @@ import { selectAt } from "./places";
 const fromProgram = Annotation.define<boolean>();
 
 /** Reports the user's edits to the program. */
-export function tellEdits(program: Program, notation: Notation): Extension {
+export function sendEdits(program: Program, notation: Notation): Extension {
   return EditorView.updateListener.of(({ docChanged, transactions, view }) => {
     if (!docChanged || transactions.every((each) => each.annotation(fromProgram))) return;
     program.editedText(notation, () => view.state.doc.toString());

@@ -6,7 +6,7 @@ import { effect } from "@preact/signals";
 import { t } from "../../i18n";
 import { icon } from "../../ui/icons";
 import type { Island } from "../../ui/island";
-import type { Action, ActionName, Actions } from "./actions";
+import type { Action, ActionName, TextActions } from "./actions";
 
 /** Undo and redo are the page's, which has buttons for them. */
 const SHOWN: readonly ActionName[] = ["find", "format", "breakpoint", "help", "definition", "rename", "reveal", "why"];
@@ -54,7 +54,7 @@ function rove(bar: HTMLElement): void {
   };
 }
 
-export function createToolbar(actions: Actions, view: EditorView): Island {
+export function createToolbar(actions: TextActions, view: EditorView): Island {
   const dom = document.createElement("div");
   dom.className = "text-toolbar";
   dom.setAttribute("role", "toolbar");

@@ -1,5 +1,5 @@
 /** Announces texts to screen readers, invisibly. */
-export class Announcer {
+export class WorldAnnouncer {
   readonly dom = document.createElement("div");
 
   constructor() {

@@ -27,7 +27,7 @@ export function keyOf({ key }: Pick<KeyboardEvent, "key">, wanted: readonly Key[
 }
 
 /** The keys in words, or symbols. */
-export function inWords(keys: readonly Key[]): string {
+export function describeKeys(keys: readonly Key[]): string {
   if (keys.length >= MANY) return t("page-world-keys-all");
   return keys.map((key) => ARROWS[key] ?? (key.length > 1 ? t(`page-world-key-${key}`) : key.toUpperCase())).join(" ");
 }
@@ -50,7 +50,7 @@ export class HeldKeys {
     this.hint = computed(() => {
       if (keys.value.length === 0) return "";
       const word = this.focused.value ? "page-world-keys-heard" : "page-world-keys-wanted";
-      return t(word, { keys: inWords(keys.value), programs: listeners.value });
+      return t(word, { keys: describeKeys(keys.value), programs: listeners.value });
     });
     this.end = effect(() => (keys.value.length > 0 ? this.begin() : this.held.clear()));
     const { signal: until } = this.listening;

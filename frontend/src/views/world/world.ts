@@ -11,7 +11,7 @@ import type { GoalNow, Robot, Scene, Sound, Telemetry } from "../../protocol/mes
 import { Cleanup } from "../../ui/cleanup";
 import { Throttle } from "../../ui/throttle";
 import type { Tool } from "../../ui/tool";
-import { Announcer } from "./announcer";
+import { WorldAnnouncer } from "./announcer";
 import { Bearing } from "./bearing";
 import { type CameraMode, Cameras } from "./cameras";
 import { FloorDrawing } from "./drawing";
@@ -52,7 +52,7 @@ export class World implements WorldIsland {
   readonly hint: ReadonlySignal<string>;
   private readonly frame = document.createElement("div");
   private readonly canvas = document.createElement("canvas");
-  private readonly announcer = new Announcer();
+  private readonly announcer = new WorldAnnouncer();
   private readonly cameras = new Cameras(this.canvas, () => this.view?.invalidate());
   private readonly view: View = new View(this.canvas, this.cameras.camera, (now) => this.draw(now));
   private readonly pointing = new Pointing(this.canvas, this.cameras.camera);
@@ -90,9 +90,9 @@ export class World implements WorldIsland {
   constructor(private readonly context: Context) {
     const { running } = context;
     this.asks = computed(() => context.askingWhy.isPossible);
-    const rests = () => !running.active.value || running.waits.value;
+    const isStill = () => !running.active.value || running.waits.value;
     // A real robot cannot be moved from the page, and the past cannot be changed.
-    this.still = computed(() => !running.scene.value?.real && !running.past.value && rests());
+    this.still = computed(() => !running.scene.value?.real && !running.past.value && isStill());
     this.placing = new Placing(this.canvas, this.pointing, {
       robot: () => this.ownRobot(),
       size: () => this.stage?.world.floor.size ?? [0, 0],
@@ -244,7 +244,7 @@ export class World implements WorldIsland {
     );
     this.watch(
       () => t("page-world-image"),
-      () => (this.canvas.ariaLabel = this.inWords()),
+      () => (this.canvas.ariaLabel = this.describe()),
     );
     const keys = worldKeys(this.cameras, this.tools, {
       on: this.places,
@@ -286,7 +286,7 @@ export class World implements WorldIsland {
       { name: "beams", key: "b", pressed: this.showsBeams, act: () => this.toggleBeams() },
       { name: "place", key: "p", pressed: this.places, enabled: this.still, act: () => this.togglePlacing() },
       { name: "why", key: "y", enabled: this.asks, act: () => this.context.askingWhy.aboutRobot() },
-      { name: "where", key: "w", act: () => this.announcer.say(this.inWords()) },
+      { name: "where", key: "w", act: () => this.announcer.say(this.describe()) },
     ];
   }
 
@@ -532,7 +532,7 @@ export class World implements WorldIsland {
   }
 
   private label(): void {
-    this.labels.do(() => (this.canvas.ariaLabel = this.inWords()));
+    this.labels.do(() => (this.canvas.ariaLabel = this.describe()));
   }
 
   private worldInWords(): string {
@@ -541,7 +541,7 @@ export class World implements WorldIsland {
     return title ? t("page-world-image", { title: worldName(title) }) : t("page-world-image-empty");
   }
 
-  private inWords(): string {
+  private describe(): string {
     const scene = this.context.running.scene.peek();
     const telemetry = this.context.running.telemetry.peek();
     const robot = telemetry?.robots[0];

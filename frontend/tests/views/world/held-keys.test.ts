@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 
-import { inWords, type Key, keyOf } from "../../../src/views/world/held-keys";
+import { describeKeys, type Key, keyOf } from "../../../src/views/world/held-keys";
 
 const WANTED: readonly Key[] = ["up", "space", "enter", "w", "7"];
 
@@ -19,5 +19,5 @@ test("keys that the program does not ask for stay with the page", () => {
 });
 
 test("the keys are shown as on the keyboard", () => {
-  expect(inWords(["up", "left", "w", "7"])).toBe("↑ ← W 7");
+  expect(describeKeys(["up", "left", "w", "7"])).toBe("↑ ← W 7");
 });

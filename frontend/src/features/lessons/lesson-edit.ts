@@ -49,7 +49,7 @@ export interface LessonContent {
   readonly step: readonly StepContent[];
 }
 
-export interface Draft {
+export interface LessonEdit {
   readonly content: LessonContent;
   readonly steps: readonly EditedStep[];
   /** The name of the saved lesson; empty for a new one. */
@@ -68,11 +68,11 @@ const LISTS = new Set(["aims"]);
 /** A lesson from the server, with every text by language: one for all languages is in the user's. */
 export function draftOf({ content, steps = [], lesson = "", programs = {}, notes = {} }: EditedLesson, code: string) {
   const found = byLanguage(content, code) as unknown as LessonContent;
-  return { content: found, steps, lesson, programs, notes } satisfies Draft;
+  return { content: found, steps, lesson, programs, notes } satisfies LessonEdit;
 }
 
 /** What is sent to the server: without blank texts where the lesson can do without them. */
-export function editedOf({ content, steps, lesson, programs, notes }: Draft): EditedLesson {
+export function editedOf({ content, steps, lesson, programs, notes }: LessonEdit): EditedLesson {
   const aims = content.aims.filter((aim) => !isBlank(aim));
   const kept = { ...content, aims: aims.length > 0 ? aims : [{}], step: content.step.map(writtenStep) };
   const written = withoutBlanks(kept) as Record<string, unknown>;

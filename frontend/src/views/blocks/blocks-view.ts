@@ -12,8 +12,8 @@ import type { Island } from "../../ui/island";
 import { room } from "../../ui/screen";
 import "./blocks.css";
 import { Cleanup } from "../../ui/cleanup";
-import type { Actions, OfferedRobot } from "./actions";
-import { Editor } from "./editor";
+import type { BlockActions, OfferedRobot } from "./actions";
+import { BlockEditor } from "./editor";
 import { registerMenus } from "./menus";
 import type { Palette } from "./palette";
 import { fetchPalette, installPalette, prepareBlockly } from "./palette";
@@ -24,7 +24,7 @@ export interface BlocksIsland extends Island {
   focus(): void;
   /** Scroll to a block and highlight it. */
   reveal(block: string): void;
-  inWords(block: string): string;
+  describeStep(block: string): string;
   resize(): void;
 }
 
@@ -50,7 +50,7 @@ const FOLLOWING = 400;
 
 class Blocks implements BlocksIsland {
   readonly dom = document.createElement("div");
-  private editor: Editor | null = null;
+  private editor: BlockEditor | null = null;
   private palette: Palette | null = null;
   /** Counts requests, so that older answers are ignored. */
   private asked = 0;
@@ -98,8 +98,8 @@ class Blocks implements BlocksIsland {
     if (this.isShown) this.editor?.reveal(block);
   }
 
-  inWords(block: string): string {
-    return this.editor?.inWords(block) ?? "";
+  describeStep(block: string): string {
+    return this.editor?.describeStep(block) ?? "";
   }
 
   resize(): void {
@@ -150,7 +150,7 @@ class Blocks implements BlocksIsland {
     this.close();
     this.dom.textContent = "";
     const compact = room.peek() === "narrow";
-    this.editor = new Editor(
+    this.editor = new BlockEditor(
       this.dom,
       this.palette,
       theme.peek(),
@@ -159,7 +159,7 @@ class Blocks implements BlocksIsland {
       () => this.edited(),
       () => this.showMarks(),
     );
-    if (view) this.editor.takeOver(view);
+    if (view) this.editor.adopt(view);
     this.showAccess(this.context.program.readOnly.peek() !== null);
     this.showAll();
   }
@@ -179,7 +179,7 @@ class Blocks implements BlocksIsland {
     });
   }
 
-  private actions(): Actions {
+  private actions(): BlockActions {
     const { program, running } = this.context;
     return {
       undo: () => program.undo(),
@@ -294,7 +294,7 @@ class Blocks implements BlocksIsland {
     this.editor?.marks.showValues(texts);
   }
 
-  private follow(block: Parameters<Editor["scrollTo"]>[0], atOnce: boolean): void {
+  private follow(block: Parameters<BlockEditor["scrollTo"]>[0], atOnce: boolean): void {
     const now = performance.now();
     if (!atOnce && now - this.followed < FOLLOWING) return;
     this.followed = now;

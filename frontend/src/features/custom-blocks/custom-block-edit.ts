@@ -30,13 +30,13 @@ export interface Written {
 /** By the name that a block was saved under; a new block has the empty name. */
 const UNSAVED = new UnsavedEdits<Written>("learnblock.ownblocks");
 
-export class Draft {
+export class CustomBlockEdit {
   readonly written = signal<Written>({ name: "", source: "", configuration: "" });
   /** The name that it is saved under; empty if it was never saved. */
   readonly saved = signal("");
   readonly checked = signal<CustomBlockChecked | null>(null);
   /** Whether it continues an unsaved edit. */
-  readonly goesOn = signal(false);
+  readonly restored = signal(false);
   /** The outcome of saving: a name, or the reason for the failure. */
   readonly outcome = signal<{ readonly saved: string } | { readonly refused: Phrase | string } | null>(null);
 
@@ -98,7 +98,7 @@ export class Draft {
   /** Go back to the saved version. */
   discard(): void {
     UNSAVED.drop(this.saved.peek());
-    this.goesOn.value = false;
+    this.restored.value = false;
     this.named = this.saved.peek() !== "";
     this.written.value = this.original.peek();
   }
@@ -129,7 +129,7 @@ export class Draft {
     batch(() => {
       this.saved.value = saved;
       this.original.value = original;
-      this.goesOn.value = left !== null;
+      this.restored.value = left !== null;
       this.written.value = left ?? original;
     });
     this.cleanup.add(effect(() => this.keepUnsaved()));
@@ -182,7 +182,7 @@ export class Draft {
       if (same(saving, this.written.peek())) this.written.value = original;
       this.saved.value = name;
       this.original.value = original;
-      this.goesOn.value = false;
+      this.restored.value = false;
       this.outcome.value = { saved: name };
     });
   }

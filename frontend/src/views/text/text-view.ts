@@ -12,7 +12,7 @@ import { valuesInWords } from "../../model/values-there";
 import type { Notation } from "../../protocol/messages";
 import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
-import { Actions } from "./actions";
+import { TextActions } from "./actions";
 import { showBreakpoints } from "./breakpoints";
 import { extensions } from "./editor";
 import { Outline } from "./outline";
@@ -21,7 +21,7 @@ import { cursorLine, positionOf, scrollTo, selectAt } from "./places";
 import { showProblems } from "./problems";
 import { Requests } from "./requests";
 import { showRunning } from "./running-line";
-import { showText, tellEdits } from "./sync";
+import { sendEdits, showText } from "./sync";
 import { createToolbar } from "./toolbar";
 import { showValues } from "./values";
 
@@ -29,7 +29,7 @@ export interface TextIsland extends Island {
   focus(): void;
   /** Show a statement: the block's id. */
   reveal(block: string): void;
-  inWords(block: string): string;
+  describeStep(block: string): string;
   /** Go to a line and column, from 1; column 0 is the line's first word. */
   goTo(line: number, column: number): void;
 }
@@ -40,7 +40,7 @@ class TextView implements TextIsland {
   private readonly boxes = document.createElement("div");
   private readonly requests: Requests;
   private readonly outline: ReadonlySignal<Outline>;
-  private readonly actions: Actions;
+  private readonly actions: TextActions;
   private readonly view: EditorView;
   private readonly toolbar: Island;
   private readonly words = new Compartment();
@@ -59,7 +59,7 @@ class TextView implements TextIsland {
     const { program } = context;
     this.outline = computed(() => new Outline(program.state.value.places, notation));
     this.requests = new Requests(context, notation);
-    this.actions = new Actions(context, this.requests, this.outline);
+    this.actions = new TextActions(context, this.requests, this.outline);
     this.boxes.className = "text-boxes";
     document.body.append(this.boxes);
     this.view = new EditorView({ state: this.firstState() });
@@ -86,7 +86,7 @@ class TextView implements TextIsland {
     if (lines) this.goTo(lines.first, 0);
   }
 
-  inWords(block: string): string {
+  describeStep(block: string): string {
     const lines = this.outline.value.head(block);
     const { doc } = this.view.state;
     return lines && lines.first <= doc.lines ? doc.line(lines.first).text.trim() : "";
@@ -111,7 +111,7 @@ class TextView implements TextIsland {
         this.access.of([]),
         extensions(this.notation, this.actions, this.requests),
         tooltips({ parent: this.boxes }),
-        tellEdits(this.context.program, this.notation),
+        sendEdits(this.context.program, this.notation),
         EditorView.updateListener.of(({ selectionSet, view }) => {
           if (selectionSet && view.hasFocus) this.context.select(this.outline.peek().around(cursorLine(view.state)));
         }),

@@ -13,7 +13,7 @@ interface State {
 }
 
 /** A world and its selected object; every change can be undone. */
-export class Draft {
+export class WorldEdit {
   private readonly state = signal<State | null>(null);
   private readonly past = signal<readonly State[]>([]);
   private readonly future = signal<readonly State[]>([]);

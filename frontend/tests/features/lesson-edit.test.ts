@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 
 import { fieldsOf, kindsOf, newOf } from "../../src/features/lesson-editor/fields";
-import { draftOf, editedOf, moved } from "../../src/features/lessons/draft";
+import { draftOf, editedOf, moved } from "../../src/features/lessons/lesson-edit";
 
 const CONTENT = {
   title: "Square",

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 
-import { Draft } from "../../src/features/custom-blocks/draft";
+import { CustomBlockEdit } from "../../src/features/custom-blocks/custom-block-edit";
 import { FakeConnection } from "../fake-connection";
 
 const SOURCE = "def hop(robot):\n";
@@ -24,7 +24,7 @@ afterEach(() => {
 /** A new block with a name, whose first check the server has answered. */
 async function begin() {
   const connection = new FakeConnection();
-  const draft = new Draft(connection.real);
+  const draft = new CustomBlockEdit(connection.real);
   draft.create(SOURCE);
   await connection.answer({ kind: "CustomBlockChecked", problems: [] });
   draft.change({ name: "hop" });
