@@ -19,7 +19,7 @@ function lamp([name, [red, green, blue]]: Led): HTMLElement {
     { title: `${name}: ${state}` },
     light,
     element("span", {}, name),
-    element("span", { class: "unseen" }, state),
+    element("span", { class: "hidden" }, state),
   );
 }
 

@@ -3,7 +3,7 @@ export class WorldAnnouncer {
   readonly dom = document.createElement("div");
 
   constructor() {
-    this.dom.className = "world-said";
+    this.dom.className = "world-said hidden";
     this.dom.ariaLive = "polite";
   }
 
