@@ -1,6 +1,5 @@
 /** The project menu, which shows the name of the open project. */
 
-import type { LessonMaking } from "../../features/lessons/making";
 import { t } from "../../i18n";
 import { type Page, usePage } from "../../model/page";
 import { UPLOADS } from "../../model/upload";
@@ -12,13 +11,11 @@ import { useOpening } from "../files/opening";
 export function ProjectMenu() {
   const page = usePage();
   const open = useOpening();
-  const making = page.lessonMaking;
-  const { teaches } = page.lessons;
   const { name } = page.project;
   const { saved, readOnly } = page.context.program;
   return (
     <>
-      <Menu label={t("page-project-menu")} groups={groups(page, open, teaches.value ? making : null)} look="title">
+      <Menu label={t("page-project-menu")} groups={groups(page, open)} look="title">
         <span class="hidden">{t("page-project-menu")}: </span>
         <span class="project-name">{name.value || "…"}</span>
         <Icon name="down" />
@@ -33,8 +30,8 @@ export function ProjectMenu() {
   );
 }
 
-function groups(page: Page, open: (files: readonly File[]) => void, making: LessonMaking | null): readonly MenuGroup[] {
-  const { dialogs, project } = page;
+function groups(page: Page, open: (files: readonly File[]) => void): readonly MenuGroup[] {
+  const { dialogs, lessonMaking, lessons, project } = page;
   const name = project.name.value;
   return [
     {
@@ -57,7 +54,7 @@ function groups(page: Page, open: (files: readonly File[]) => void, making: Less
         { text: t("page-custom-menu"), run: () => dialogs.show("customBlocks") },
         { text: t("page-libraries-menu"), run: () => dialogs.show("libraries") },
         { text: t("page-tags-menu"), run: () => dialogs.show("tags") },
-        ...(making ? [{ text: t("page-maker-menu"), run: () => making.make() }] : []),
+        ...(lessons.teaches.value ? [{ text: t("page-maker-menu"), run: () => lessonMaking.make() }] : []),
       ],
     },
     {

@@ -131,13 +131,12 @@ function OutcomeLine() {
 
 export function CustomBlockDialog({ name }: { name: CustomBlockDialogName }) {
   const page = usePage();
-  const all = page.customBlocks;
   useFocusAfterwards();
   const saved = useSignal(name.customBlock);
   const close = () => page.dialogs.close();
   const load = async () => {
     const { createCustomBlockEditor } = await import(".");
-    return createCustomBlockEditor(page, all, saved, name.line);
+    return createCustomBlockEditor(page, saved, name.line);
   };
   const title = saved.value ? t("page-custom-edit", { name: saved.value }) : t("page-custom-new-title");
   return (

@@ -5,7 +5,6 @@ import { render } from "preact";
 
 import { type Page, PageProvider } from "../../model/page";
 import type { Island } from "../../ui/island";
-import type { CustomBlocks } from "./custom-blocks";
 import { Editing } from "./editing";
 import { CustomBlockEditor } from "./editor";
 import "./editor.css";
@@ -14,9 +13,9 @@ import "./editor.css";
  * @param name The block's name, updated when the block is renamed; empty for a new block.
  * @param line The line of its source to show, from 1; 0 for none.
  */
-export function createCustomBlockEditor(page: Page, all: CustomBlocks, name: Signal<string>, line: number): Island {
+export function createCustomBlockEditor(page: Page, name: Signal<string>, line: number): Island {
   const dom = document.createElement("div");
-  const editing = new Editing(all, page.context, name.peek(), line);
+  const editing = new Editing(page.customBlocks, page.context, name.peek(), line);
   dom.className = "custom-block";
   dom.addEventListener("keydown", (event) => pressed(event, editing), { capture: true });
   dom.addEventListener("keydown", stayInCode);
