@@ -135,9 +135,9 @@ export function Picture({ graph, laid, marked, look }: PictureProps) {
               class={`call level-${levelOf(one.share)}${marked?.has(index) ? " apart" : ""}`}
               transform={`translate(${place.x - BOX.width / 2} ${place.y - BOX.height / 2})`}
               role="button"
-              tabIndex={index === Math.min(chosen.value, functions.length - 1) ? 0 : -1}
+              tabindex={index === Math.min(chosen.value, functions.length - 1) ? 0 : -1}
               data-function={index}
-              aria-label={described(graph, index)}
+              aria-label={named(graph, index)}
               onClick={() => lookAtFirst(index)}
               onFocus={() => (chosen.value = index)}
               onKeyDown={(event) => walk(event, laid, index, choose, lookAtFirst)}
@@ -211,13 +211,21 @@ function nearest(places: readonly Place[], from: number, dx: number, dy: number)
   return found[0]?.index;
 }
 
-function described({ functions = [], edges = [] }: CallGraph, index: number): string {
-  const one = functions[index];
+/** What a screen reader says of a function: first what its box shows, so that it can be called by it. */
+function named(graph: CallGraph, index: number): string {
+  const one = graph.functions?.[index];
   if (!one) return "";
+  const count = t("page-calls-count", { count: one.count, seconds: one.seconds });
+  return described(graph, index, `${shortened(one.name)} ${count}`);
+}
+
+function described({ functions = [], edges = [] }: CallGraph, index: number, name = functions[index]?.name): string {
+  const one = functions[index];
+  if (!one || !name) return "";
   const callers = edges.filter(({ callee }) => callee === index).map(({ caller }) => functions[caller]?.name ?? "");
   return t("page-calls-function", {
     layer: t(LAYERS[one.layer] ?? LAYERS[0]),
-    name: one.name,
+    name,
     count: one.count,
     seconds: one.seconds,
     callers: callers.length ? callers.join(", ") : "–",

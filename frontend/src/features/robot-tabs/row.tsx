@@ -137,7 +137,7 @@ export function AddRobots({ named }: { named: boolean }) {
       onClick={() => dialogs.show("addRobots")}
     >
       <Icon name="plus" />
-      {named && <span>{t("page-tabs-add")}</span>}
+      {named && <span>{t("page-tabs-add-help")}</span>}
     </button>
   );
 }

@@ -118,6 +118,8 @@ function sentenceOf({ inputList }: Blockly.Block): string {
 }
 
 function fillHead(head: HTMLElement, input: HTMLInputElement): void {
+  // Every workspace has a search, and the plugin gives all of them the same id.
+  input.removeAttribute("id");
   input.placeholder = t("page-blocks-search");
   input.ariaLabel = t("page-blocks-search-blocks");
   head.className = "lbSearchHead";

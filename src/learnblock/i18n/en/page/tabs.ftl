@@ -1,5 +1,4 @@
 page-tabs-label = Robots
-page-tabs-add = Robot
 page-tabs-add-help = Add robots
 page-tabs-add-title = Add robots
 page-tabs-add-action = Add

@@ -1,5 +1,4 @@
 page-tabs-label = Robots
-page-tabs-add = Robot
 page-tabs-add-help = Añadir robots
 page-tabs-add-title = Añadir robots
 page-tabs-add-action = Añadir
