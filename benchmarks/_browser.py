@@ -35,11 +35,12 @@ WIDE = {"width": 1800, "height": 900}
 
 
 @contextmanager
-def serving() -> Iterator[str]:
-    """Return the address of a server whose home folder has one project."""
+def serving(*, started: bool = True) -> Iterator[str]:
+    """Return the address of a server whose home folder has one project, or none."""
     with tempfile.TemporaryDirectory() as home:
-        project = projecting.new_project(New(STARTED, STARTED))
-        ProjectFolder(Path(home, "projects")).write(project)
+        if started:
+            project = projecting.new_project(New(STARTED, STARTED))
+            ProjectFolder(Path(home, "projects")).write(project)
         command = [sys.executable, "-m", "learnblock", "--no-browser", "--port", "0"]
         environment = {**os.environ, "LEARNBLOCK_HOME": home}
         server = subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment)
