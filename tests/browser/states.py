@@ -17,6 +17,28 @@ ASKS = 'main:\n    x = input("Ready?")\nend\n'
 WRONG = "main:\n    while\nend\n"
 FAILS = "main:\n    x = 1 / 0\nend\n"
 REACHES = "main:\n    function.drive_distance(800)\nend\n"
+#: Blocks whose values have editors of their own.
+EDITED = """\
+main:
+    function.play_note("C4", 1)
+    function.RGBled(1, 2, 3, "first")
+end
+"""
+#: What can be asked for, from the timeline to the question why.
+LOOKED_AT = """\
+count = 0
+def add(n):
+    return n + 1
+end
+main:
+    function.expressJoy()
+    repeat 2:
+        count = add(count)
+        print(count)
+        function.sleep(1)
+    end
+end
+"""
 
 
 class Visitor:
@@ -298,6 +320,107 @@ def runs(visitor):
     yield "ended"
 
 
+def editors(visitor):
+    """The piano and the colours of a block, and the searches."""
+    visitor.writes(EDITED)
+    visitor.shows_view("blocks")
+    block = visitor.pupil.blocks
+    fields = {
+        "note": block("lb_skill_play_note").locator("> .lb_choice"),
+        "colour": block("lb_skill_RGBled").locator("> .blocklyImageField").last,
+    }
+    for name, field in fields.items():
+        expect(field.first).to_be_visible()
+        visitor.pupil.click_on(field.first)
+        editor = visitor.page.locator(
+            ":is(.blocklyDropDownDiv, .blocklyWidgetDiv, .lbPanel):visible"
+        )
+        expect(editor.first).to_be_visible()
+        yield f"editor, {name}"
+        visitor.page.keyboard.press("Escape")
+        expect(editor).to_have_count(0)
+    visitor.page.locator(".lbSearch").click()
+    visitor.page.locator(".lbSearchHead input").fill("a")
+    yield "palette, search"
+    visitor.page.keyboard.press("Escape")
+    for view in ("blocktext", "python"):
+        visitor.shows_view(view)
+        visitor.pupil.editor(view).press("Control+f")
+        expect(visitor.page.locator(".cm-search:visible")).to_have_count(1)
+        yield f"{view}, search"
+        visitor.page.keyboard.press("Escape")
+
+
+def looking_back(visitor):
+    """A run that has ended: its moments, calls and questions, and two runs compared."""
+    for _ in range(2):
+        visitor.runs(LOOKED_AT)
+        visitor.is_in_state("ended")
+    expect(
+        visitor.page.get_by_role("slider", name=visitor.says("page-timeline-time"))
+    ).to_be_visible()
+    yield "timeline"
+    show_output(visitor)
+    for tab in ("console", "variables", "calls", "runs", "sensors", "result"):
+        open_tab(visitor, tab)
+        yield f"ended, {tab}"
+    open_tab(visitor, "runs")
+    for tick in visitor.page.locator(".run-row input[type=checkbox]").all():
+        tick.check()
+    visitor.press("page-runs-compare")
+    expect(
+        visitor.page.get_by_role("button", name=visitor.says("page-runs-compare-end"))
+    ).to_be_visible()
+    yield "two runs compared"
+    open_tab(visitor, "why")
+    yield "why, questions"
+    visitor.page.get_by_role("tabpanel").locator("li button").first.click()
+    expect(visitor.button("page-why-back")).to_be_visible()
+    yield "why, answer"
+
+
+def robots(visitor):
+    """Several robots: adding, naming and counting them."""
+    visitor.press("page-tabs-add-help")
+    expect(visitor.dialog).to_be_visible()
+    yield "add robots"
+    visitor.press("page-tabs-add-action", visitor.dialog)
+    tabs = visitor.page.get_by_role("tablist", name=visitor.says("page-tabs-label")).get_by_role(
+        "tab"
+    )
+    expect(tabs).to_have_count(2)
+    yield "two robots"
+    visitor.page.locator(".robot-tabs > button").first.click()
+    expect(visitor.dialog).to_be_visible()
+    yield "rename a robot"
+    visitor.escape()
+
+
+def lesson(visitor):
+    """A lesson from its card to its stars, and its teacher's editor."""
+    visitor.press("page-lesson-cards-level-1")
+    card = visitor.page.locator(".lesson-card", has_text="10 min")
+    expect(card).to_be_visible()
+    yield "lessons"
+    card.locator("[aria-haspopup=menu]").click()
+    expect(visitor.page.get_by_role("menu")).to_be_visible()
+    yield "menu of a lesson"
+    visitor.escape()
+    card.get_by_role("button").first.click()
+    pane = visitor.page.locator("[data-region=lesson]")
+    expect(pane).to_be_visible()
+    if "lesson-line" in pane.get_attribute("class"):
+        yield "lesson, one line"
+        pane.get_by_role("button").first.click()
+        pane = visitor.dialog
+    expect(pane.get_by_role("radio").first).to_be_visible()
+    yield "lesson, question"
+    pane.get_by_role("radio").first.check()
+    visitor.press("page-lesson-answer", pane)
+    expect(pane.locator(".lesson-stars").first).to_have_attribute("aria-label", re.compile("^1"))
+    yield "lesson, right"
+
+
 def mistakes(visitor):
     """A program with mistakes, and one that an error stops."""
     visitor.writes(WRONG)
@@ -372,6 +495,8 @@ PAGE_DIALOGS = {
     "page-containment-menu": "what programs may do",
     "page-newrobot-menu": "new robot",
 }
+#: The walks of what Starter does not show.
+EXPLORED = (looking_back, robots)
 #: The walks of the working page.
 WALKS = (
     views,
@@ -381,8 +506,11 @@ WALKS = (
     filled_dialogs,
     world_editor,
     connecting,
+    editors,
     runs,
     mistakes,
+    looking_back,
+    robots,
     extras,
 )
 

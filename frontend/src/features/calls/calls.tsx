@@ -147,6 +147,7 @@ export function Picture({ graph, laid, marked, look }: PictureProps) {
               <text x={BOX.width / 2} y={19} class="name">
                 {shortened(one.name)}
               </text>
+              {/* Or both are read as one word. */ " "}
               <text x={BOX.width / 2} y={35}>
                 {t("page-calls-count", { count: one.count, seconds: one.seconds })}
               </text>
