@@ -462,18 +462,27 @@ class Pupil:
         self._scroll_program_to(part)
         part.click()
 
+    def open_menu(self, block):
+        """Open the menu of a block, after scrolling to it."""
+        self._scroll_program_to(block)
+        block.click(button="right", position={"x": 20, "y": 12})
+
     def _scroll_program_to(self, element):
-        """Scroll the program sideways until one of its elements is visible."""
+        """Scroll the program to the right and down until one of its elements is visible."""
         ground = self.page.locator(f"{WORKSPACE} .blocklyMainBackground").bounding_box()
-        box, end = element.bounding_box(), ground["x"] + ground["width"] - 40
-        beyond = box["x"] + box["width"] - end
-        if beyond > 0:
-            self.page.mouse.move(end, ground["y"] + 20)
+        right, bottom = (ground["x"] + ground["width"] - 40, ground["y"] + ground["height"] - 40)
+        box = element.bounding_box()
+        across, down = box["x"] + box["width"] - right, box["y"] + box["height"] - bottom
+        if across > 0 or down > 0:
+            self.page.mouse.move(right, ground["y"] + 20)
             # A bit more: the wheel is measured in other pixels.
-            self.page.mouse.wheel(beyond + 20, 0)
+            self.page.mouse.wheel(*(beyond + 20 if beyond > 0 else 0 for beyond in (across, down)))
             self.page.wait_for_function(
-                "([element, end]) => element.getBoundingClientRect().right <= end",
-                arg=[element.element_handle(), end],
+                """([element, right, bottom]) => {
+                    const box = element.getBoundingClientRect();
+                    return box.right <= right && box.bottom <= bottom;
+                }""",
+                arg=[element.element_handle(), right, bottom],
             )
 
     def answer(self, text):

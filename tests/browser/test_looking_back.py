@@ -221,8 +221,7 @@ def test_why_is_answered_in_sentences_that_lead_to_their_moment(pupil):
 
 
 def test_a_block_is_asked_why_it_did_not_run(pupil):
-    turn = pupil.blocks("lb_skill_turn")
-    turn.click(button="right", position={"x": 20, "y": 12})
+    pupil.open_menu(pupil.blocks("lb_skill_turn"))
     pupil.page.get_by_role("menuitem", name="Why did it run, or not?").click()
     expect(pupil.page.locator(".why-answer")).to_contain_text("20 mm")
 
@@ -299,8 +298,7 @@ def test_one_goes_to_the_changes_of_a_variable(pupil):
 def test_one_goes_to_the_runs_of_a_block(pupil):
     look(pupil, 1.5)
     for name, seconds in (("previous", 1), ("previous", 0), ("next", 1)):
-        drive = pupil.blocks("lb_skill_move_straight")
-        drive.click(button="right", position={"x": 20, "y": 12})
+        pupil.open_menu(pupil.blocks("lb_skill_move_straight"))
         pupil.page.get_by_role("menuitem", name=f"Go to its {name} run").click()
         at(pupil, seconds)
 
