@@ -10,6 +10,8 @@ export type Measure = string;
 const MOST = 5;
 const HEADING: Measure = "Heading";
 const DRIVEN: Measure = "Driven";
+/** What the program's questions have found in the camera's picture. */
+export const FOUND: Measure = "Camera";
 /** Shown for a program that asks for nothing. */
 const USUAL: Measure = "DistanceSensors:front";
 /** The devices that measure something to show; a robot's base and gyroscope answer with its heading. */
@@ -32,6 +34,7 @@ export function measuresOf(asked: readonly string[]): Measure[] {
 /** Sensors of the ground belong together; distances are shown by side. */
 function measureOf(asked: string): Measure[] {
   const [device = ""] = asked.split(":");
+  if (device === FOUND) return [FOUND];
   if (!SENSORS.has(device)) return [];
   return [device === "DistanceSensors" ? asked : device];
 }

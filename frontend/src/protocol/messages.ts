@@ -1671,7 +1671,7 @@ export interface Scene {
 }
 
 export interface Seen {
-  sort: "face" | "line" | "tag";
+  sort: "face" | "line" | "object" | "tag";
   label: string;
   corners: [number, number][];
 }
@@ -1858,6 +1858,7 @@ export interface Telemetry {
   pushed?: [number, number, number][];
   sensors?: Sensor[];
   goals?: GoalNow[];
+  found?: Seen[] | null;
 }
 
 export interface TimeMark {

@@ -35,6 +35,7 @@ describe("the measures of a program", () => {
   it("are what its questions need, then how the robot moves", () => {
     expect(measuresOf(["GroundSensors:line", "Camera", "DistanceSensors:left"])).toEqual([
       "GroundSensors",
+      "Camera",
       "DistanceSensors:left",
       "Heading",
       "Driven",

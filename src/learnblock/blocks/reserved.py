@@ -17,6 +17,7 @@ RESERVED = frozenset(
         "description",
         "description_name",
         "detect",
+        "detected",
         "device",
         "device_names",
         "devices",

@@ -116,6 +116,8 @@ class Client(Announced, Events):
         self.senses = Senses(self)
         #: What its driver calls by name.
         self.operations = Operations()
+        #: What the program's questions have found in the camera's picture, by detector.
+        self.detected: dict[str, Any] = {}
         #: When the program's timer was last at 0, in seconds of the robot's time.
         self.timer_start = 0.0
         #: Beats per minute of the notes that the program plays.
@@ -280,6 +282,8 @@ class Client(Announced, Events):
         found = self._seen((Camera, key, name), lambda: camera.detect(name))
         if found is None:
             self.note_missing(f"Detector:{name}")
+        else:
+            self.detected[name] = found
         return found
 
     def forget_readings(self) -> None:

@@ -19,6 +19,7 @@ from learnblock.monitor.monitor import (
     LinkState,
     Robot,
     Scene,
+    Seen,
     Sound,
     State,
     Stroke,
@@ -101,6 +102,14 @@ class ClientMonitor:
 
             self._filmed = frame, develop(frame, client.clock.time(), drawn=camera.drawn)
         return self._filmed[1] if self._filmed else None
+
+    def found(self) -> tuple[Seen, ...] | None:
+        client = self._client
+        if client is None or not client.detected:
+            return None
+        from learnblock.monitor.pictures import found  # noqa: PLC0415 - it loads perception
+
+        return found(client.detected)
 
     def sounds(self) -> Sequence[Sound]:
         """None: a real robot plays its sounds itself."""

@@ -127,11 +127,12 @@ class Seen(Struct, frozen=True, omit_defaults=True):
 
     Args:
         sort: the kind of finding.
-        label: the tag's number, what the face expresses, or the line's colour and side.
+        label: the tag's number, what the face expresses (empty if nobody asked), the line's colour
+            and side, or the object's colour.
         corners: (column, row) in pixels.
     """
 
-    sort: Literal["tag", "face", "line"]
+    sort: Literal["tag", "face", "line", "object"]
     label: str
     corners: tuple[tuple[float, float], ...]
 
@@ -171,6 +172,12 @@ class Monitor(Protocol):
 
     def state(self) -> State:
         """Its current state."""
+
+    def found(self) -> tuple[Seen, ...] | None:
+        """What the program's own questions have found last in the camera's picture.
+
+        None if it has asked nothing.
+        """
 
     def link(self) -> Link:
         """Its link."""

@@ -1,11 +1,11 @@
 """A camera's picture for a person: a JPEG file, and the findings of perception."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from learnblock.monitor.monitor import Seen
-from learnblock.perception import FaceEmotion, Lines, LineView, Sight, Tag
+from learnblock.perception import ColouredObject, Face, FaceEmotion, Lines, LineView, Sight, Tag
 from learnblock.perception.settings import TABLE
 
 if TYPE_CHECKING:
@@ -61,6 +61,21 @@ def develop(frame: "Frame", time: float, *, drawn: bool) -> Picture:
     return Picture(_jpeg(frame), width, height, time, seen)
 
 
+def found(detected: Mapping[str, Any]) -> tuple[Seen, ...] | None:
+    """What detectors have found, by their names; None if none was asked.
+
+    Emotions are found in faces.
+    """
+    if not detected:
+        return None
+    known = {**detected}
+    if "emotions" in known:
+        known.pop("faces", None)
+    return tuple(
+        one for name, describe in _ASKED.items() if name in known for one in describe(known[name])
+    )
+
+
 def png(image: "Frame") -> bytes:
     """An RGB image as a PNG file."""
     import cv2  # noqa: PLC0415 - loaded with the first picture
@@ -80,11 +95,15 @@ def _tags(tags: tuple[Tag, ...]) -> Iterator[Seen]:
 
 
 def _faces(faces: tuple[FaceEmotion, ...]) -> Iterator[Seen]:
-    for found in faces:
-        face = found.face
-        left, top = float(face.x), float(face.y)
-        corners = _rectangle(left, top, left + face.width, top + face.height)
-        yield Seen("face", found.emotion, corners)
+    return (Seen("face", found.emotion, _box(found.face)) for found in faces)
+
+
+def _plain_faces(faces: tuple[Face, ...]) -> Iterator[Seen]:
+    return (Seen("face", "", _box(face)) for face in faces)
+
+
+def _objects(objects: tuple[ColouredObject, ...]) -> Iterator[Seen]:
+    return (Seen("object", one.colour, _box(one)) for one in objects)
 
 
 def _lines(lines: Lines) -> Iterator[Seen]:
@@ -98,6 +117,11 @@ def _line(view: LineView) -> Seen:
     return Seen("line", f"{view.colour} {side}", _rectangle(left, top, right, bottom))
 
 
+def _box(found: Face | ColouredObject) -> Corners:
+    left, top = float(found.x), float(found.y)
+    return _rectangle(left, top, left + found.width, top + found.height)
+
+
 def _rectangle(left: float, top: float, right: float, bottom: float) -> Corners:
     return ((left, top), (right, top), (right, bottom), (left, bottom))
 
@@ -106,4 +130,10 @@ _FINDINGS: dict[str, Callable[[Any], Iterator[Seen]]] = {
     "tags": _tags,
     "emotions": _faces,
     "lines": _lines,
+}
+#: What only a program asks for, too.
+_ASKED: dict[str, Callable[[Any], Iterator[Seen]]] = {
+    **_FINDINGS,
+    "faces": _plain_faces,
+    "objects": _objects,
 }

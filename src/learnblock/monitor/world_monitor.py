@@ -18,11 +18,12 @@ from learnblock.monitor.monitor import (
     LinkState,
     Robot,
     Scene,
+    Seen,
     State,
     Stroke,
     located,
 )
-from learnblock.monitor.pictures import Picture, develop
+from learnblock.monitor.pictures import Picture, develop, found
 from learnblock.monitor.sensors import Sensor, sensors_of
 from learnblock.monitor.worlds import world_lines, world_values
 from learnblock.robots.simulated import SimulatedRobot, Simulation, goal_of
@@ -143,6 +144,9 @@ class WorldMonitor:
             world.add_robot(body.description, body.name)
         self._simulation = Simulation(world)
         self._first, self._start, self._heard = self._body.pose, None, 0
+
+    def found(self) -> tuple[Seen, ...] | None:
+        return found(self._client.detected) if self._client else None
 
     def camera(self, key: str | None = None) -> Picture | None:
         """A camera's view, with the findings of perception; None without a camera.

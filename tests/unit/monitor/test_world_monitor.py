@@ -203,6 +203,28 @@ def test_a_line_in_the_picture_is_labelled_with_colour_and_side(watch):
     assert [one.label for one in seen if one.sort == "line"] == ["black center"]
 
 
+def test_what_the_program_itself_has_asked_for_in_the_picture_is_found():
+    with Ebo(world="tags") as robot:
+        monitor = WorldMonitor.of(robot)
+        tag = monitor.scene().world["tag"][0]
+        monitor.place(*_before(tag, 400))
+        monitor.camera()
+        assert monitor.found() is None
+        assert robot.is_tag(tag["id"])
+        assert [(one.sort, one.label) for one in monitor.found()] == [("tag", str(tag["id"]))]
+
+
+def test_a_face_is_found_without_an_emotion_until_the_program_asks_for_one():
+    with Ebo(world="faces") as robot:
+        monitor = WorldMonitor.of(robot)
+        face = monitor.scene().world["face"][0]
+        monitor.place(*_before(face, 450))
+        assert robot.is_there_face()
+        assert [one.label for one in monitor.found()] == [""]
+        robot.is_any_face_happy()
+        assert [one.label for one in monitor.found()] == [face["emotion"]]
+
+
 def test_a_robot_without_a_camera_has_no_picture(watch):
     assert watch("sim-thymio", "empty").camera() is None
 

@@ -2,7 +2,8 @@
 
 import { t } from "../../i18n";
 import { type Measure, measures } from "../../model/measures";
-import type { Sensor } from "../../protocol/messages";
+import type { Seen, Sensor } from "../../protocol/messages";
+import { findingName } from "../../views/output/findings";
 import { quantityOf, sensorName, valueText } from "../../views/output/quantities";
 
 /** Null without a reading. */
@@ -24,6 +25,11 @@ export function valueInWords(measure: Measure, readings: readonly Sensor[]): str
     default:
       return listInWords(found, first);
   }
+}
+
+/** What the program's questions have found in the picture; null if it has asked nothing. */
+export function foundInWords(found: readonly Seen[] | null | undefined): string | null {
+  return found ? [...new Set(found.map(findingName))].join(", ") || "–" : null;
 }
 
 /** The nearest reading. */

@@ -1,21 +1,23 @@
-/** The values that matter most to the program: pointed at, the world shows them; pressed, they are plotted. */
+/** The values that matter most to the program: pointed at, the world shows them; pressed, they or the camera are shown. */
 
 import { type ReadonlySignal, useComputed } from "@preact/signals";
 import { useEffect, useMemo, useRef } from "preact/hooks";
 
 import { t } from "../../i18n";
-import { type Measure, measuresOf, pastReadingsOf, readingsOf } from "../../model/measures";
+import { FOUND, type Measure, measuresOf, pastReadingsOf, readingsOf } from "../../model/measures";
 import { Odometer } from "../../model/odometer";
 import { usePage } from "../../model/page";
+import { arrange } from "../../model/preferences";
 import type { Sensor } from "../../protocol/messages";
 import { Icon, type IconName } from "../../ui/icons";
-import { valueInWords } from "./chip-values";
+import { foundInWords, valueInWords } from "./chip-values";
 
 /** By the type of device. */
 const ICONS: Readonly<Record<string, IconName>> = {
   DistanceSensors: "ruler",
   Heading: "compass",
   Driven: "trail",
+  Camera: "camera",
 };
 
 export function Chips() {
@@ -41,7 +43,10 @@ export function Chips() {
 /** Nothing without a value. */
 function Chip({ measure, readings }: { measure: Measure; readings: ReadonlySignal<readonly Sensor[]> }) {
   // As a text, so that values that look the same are not drawn 20 times a second.
-  const value = useComputed(() => valueInWords(measure, readings.value));
+  const { running } = usePage().context;
+  const value = useComputed(() =>
+    measure === FOUND ? foundInWords(running.telemetry.value?.found) : valueInWords(measure, readings.value),
+  );
   return value.value && <ShownChip measure={measure} value={value.value} />;
 }
 
@@ -57,12 +62,12 @@ function ShownChip({ measure, value }: { measure: Measure; value: string }) {
       <button
         type="button"
         class="chip value"
-        title={t("page-world-plot")}
+        title={t(measure === FOUND ? "page-shell-camera" : "page-world-plot")}
         onPointerEnter={() => point(measure)}
         onPointerLeave={() => point(null)}
         onFocus={() => point(measure)}
         onBlur={() => point(null)}
-        onClick={() => views.plot(measure)}
+        onClick={() => (measure === FOUND ? arrange({ camera: true }) : views.plot(measure))}
       >
         <Icon name={ICONS[device] ?? "sense"} />
         {t("page-world-measure", { device, place })} <b>{value}</b>

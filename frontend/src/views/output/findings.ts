@@ -8,6 +8,7 @@ const SORTS: Record<Seen["sort"], string> = {
   tag: "page-camera-tag",
   face: "page-camera-face",
   line: "page-camera-line",
+  object: "page-camera-object",
 };
 const WORDS: Record<string, string> = {
   black: "page-camera-black",
@@ -18,9 +19,10 @@ const WORDS: Record<string, string> = {
   right: "page-camera-right",
 };
 
-/** A tag with its number, a face with its emotion, a line with its colour and side. */
+/** A tag with its number, a face with its emotion, a line with its colour and side, a thing with its colour. */
 export function findingName({ sort, label }: Seen): string {
   if (sort === "face") return faceName(label);
+  if (sort === "object") return t(SORTS[sort], { colour: label });
   const words = label.split(" ").map((word) => (WORDS[word] ? t(WORDS[word]) : word));
   return [t(SORTS[sort]), ...words].join(" ").trim();
 }

@@ -2,7 +2,12 @@
 
 import type { CameraFrame, Seen } from "../../protocol/messages";
 
-const COLOURS: Record<Seen["sort"], string> = { tag: "#ffe900", face: "#5dff93", line: "#5ad1ff" };
+const COLOURS: Record<Seen["sort"], string> = {
+  tag: "#ffe900",
+  face: "#5dff93",
+  line: "#5ad1ff",
+  object: "#ff9ecb",
+};
 
 /** Pixels: the size of letters, the height of a line of them, and the least distance to the picture's edge. */
 const LETTERS = 14;

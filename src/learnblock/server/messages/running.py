@@ -296,7 +296,14 @@ class Drawing(ToPage, frozen=True):
 
 
 class Telemetry(ToPage, State, frozen=True):
-    """The current state of the world, about twenty times per second while something changes."""
+    """The current state of the world, about twenty times per second while something changes.
+
+    Args:
+        found: what the program's own questions have found last in the camera's picture; None if it
+            has asked nothing, and while a run is looked back at.
+    """
+
+    found: tuple[Seen, ...] | None = None
 
 
 class RobotLink(ToPage, Link, frozen=True):

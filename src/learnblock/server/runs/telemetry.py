@@ -19,7 +19,7 @@ def scene(monitor: "Monitor") -> messages.Scene:
 
 def telemetry(monitor: "Monitor") -> messages.Telemetry:
     """Its current state."""
-    return of_state(monitor.state())
+    return messages.Telemetry(**asdict(monitor.state()), found=monitor.found())
 
 
 def of_state(state: "State") -> messages.Telemetry:

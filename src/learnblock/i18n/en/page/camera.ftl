@@ -9,6 +9,14 @@ page-camera-tag = Tag
 page-camera-face = Face
 page-camera-feeling-face = Face: { $emotion }
 page-camera-line = Line
+page-camera-object = { $colour ->
+    [red] Red thing
+    [orange] Orange thing
+    [yellow] Yellow thing
+    [green] Green thing
+    [blue] Blue thing
+   *[purple] Purple thing
+}
 page-camera-lamps = Lights
 page-camera-off = off
 page-camera-fear = afraid

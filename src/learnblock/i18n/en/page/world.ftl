@@ -23,6 +23,7 @@ page-world-measure = { $device ->
     [LightSensor] Light
     [Controller] Buttons
     [Infrared] Infrared
+    [Camera] Camera
     [Heading] Heading
     [Driven] Driven
    *[other] { $device }

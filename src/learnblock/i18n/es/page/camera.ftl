@@ -9,6 +9,14 @@ page-camera-tag = Etiqueta
 page-camera-face = Cara
 page-camera-feeling-face = Cara: { $emotion }
 page-camera-line = Línea
+page-camera-object = { $colour ->
+    [red] Objeto rojo
+    [orange] Objeto naranja
+    [yellow] Objeto amarillo
+    [green] Objeto verde
+    [blue] Objeto azul
+   *[purple] Objeto morado
+}
 page-camera-lamps = Luces
 page-camera-off = apagada
 page-camera-fear = miedo

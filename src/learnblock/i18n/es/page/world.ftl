@@ -23,6 +23,7 @@ page-world-measure = { $device ->
     [LightSensor] Luz
     [Controller] Botones
     [Infrared] Infrarrojos
+    [Camera] Cámara
     [Heading] Rumbo
     [Driven] Recorrido
    *[other] { $device }
