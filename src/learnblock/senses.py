@@ -28,7 +28,7 @@ SENSES: Mapping[str, tuple[str, ...]] = {
     "text-display": ("Matrix", "Screen"),
 }
 
-#: The sense that each method of `robot.senses` reads; ``{}`` stands for the method's argument.
+#: Which sense each method of `robot.senses` reads; its argument takes the place of ``{}``.
 METHODS: Mapping[str, str] = {
     "heading": "heading",
     "reset_heading": "heading",

@@ -14,7 +14,7 @@ PAGE = ROOT / "docs" / "one-program-every-robot.md"
 #: How much longer a robot may take than the one that the example is meant for.
 PATIENCE = 2
 REACHED, MISSED = "reached", "missed"
-#: The goal is about something that nobody can see, or that nobody does, at the end of a wire.
+#: The goal can't be judged over a wire: it can't be seen there, or needs somebody's hands.
 NOT_JUDGED = "ran"
 #: The robots at the end of a wire, in the order of the table.
 REAL = ("cozmo", "thymio", "ebo", "ev3", "rcis", "coppeliasim")

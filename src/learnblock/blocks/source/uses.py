@@ -166,11 +166,12 @@ def _unguarded(root: ast.AST) -> Iterator[ast.AST]:
 
 
 def _unguarded_parts(node: ast.AST) -> Iterator[ast.AST]:
+    guarded = _guarded_field(node)
+    is_and = isinstance(node, ast.BoolOp) and isinstance(node.op, ast.And)
+    guards = _asks if is_and else _returns_without
     for field, value in ast.iter_fields(node):
-        if field != _guarded_field(node):
+        if field != guarded:
             parts = value if isinstance(value, list) else [value]
-            is_and = isinstance(node, ast.BoolOp) and isinstance(node.op, ast.And)
-            guards = _asks if is_and else _returns_without
             yield from _until(guards, (part for part in parts if isinstance(part, ast.AST)))
 
 

@@ -147,7 +147,7 @@ export function drum(radius: number, height: number, edge = 6): BufferGeometry {
   return turned([[0, -half], ...quarter(soft - half, -Math.PI / 2), ...quarter(half - soft, 0), [0, half]]);
 }
 
-/** The sides of something round that nobody sees: half a millimetre is missing in the middle of each. */
+/** How many flat sides look round: the middle of each is half a millimetre closer to the axis than a circle. */
 function sidesOf(radius: number): number {
   return Math.max(8, 2 * Math.ceil(1.6 * Math.sqrt(radius)));
 }
