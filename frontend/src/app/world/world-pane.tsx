@@ -68,7 +68,8 @@ function Extras() {
   return (
     <>
       {camera && (
-        <aside class="extra camera-place" aria-label={t("page-shell-camera")}>
+        // biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, so the keyboard has to reach it
+        <aside class="extra camera-place" aria-label={t("page-shell-camera")} tabIndex={0}>
           <IslandPlace load={() => loadCamera(page)} />
         </aside>
       )}

@@ -127,35 +127,67 @@ export function Picture({ graph, laid, marked, look }: PictureProps) {
         {edges.map((edge, index) => (
           <Line key={`${edge.caller} ${edge.callee}`} points={laid.lines[index] ?? []} edge={edge} />
         ))}
-        {functions.map((one, index) => {
-          const place = laid.places[index] ?? { x: 0, y: 0 };
-          return (
-            <g
-              key={`${one.layer} ${one.name}`}
-              class={`call level-${levelOf(one.share)}${marked?.has(index) ? " apart" : ""}`}
-              transform={`translate(${place.x - BOX.width / 2} ${place.y - BOX.height / 2})`}
-              role="button"
-              tabindex={index === Math.min(chosen.value, functions.length - 1) ? 0 : -1}
-              data-function={index}
-              aria-label={named(graph, index)}
-              onClick={() => lookAtFirst(index)}
-              onFocus={() => (chosen.value = index)}
-              onKeyDown={(event) => walk(event, laid, index, choose, lookAtFirst)}
-            >
-              <title>{described(graph, index)}</title>
-              <rect width={BOX.width} height={BOX.height} rx={8} />
-              <text x={BOX.width / 2} y={19} class="name">
-                {shortened(one.name)}
-              </text>
-              {/* Or both are read as one word. */ " "}
-              <text x={BOX.width / 2} y={35}>
-                {t("page-calls-count", { count: one.count, seconds: one.seconds })}
-              </text>
-            </g>
-          );
-        })}
+        {functions.map((one, index) => (
+          <Box
+            key={`${one.layer} ${one.name}`}
+            graph={graph}
+            index={index}
+            place={laid.places[index] ?? { x: 0, y: 0 }}
+            isApart={marked?.has(index) ?? false}
+            isNext={index === Math.min(chosen.value, functions.length - 1)}
+            look={() => lookAtFirst(index)}
+            onFocus={() => (chosen.value = index)}
+            onKeyDown={(event) => walk(event, laid, index, choose, lookAtFirst)}
+          />
+        ))}
       </svg>
     </div>
+  );
+}
+
+interface BoxProps {
+  readonly graph: CallGraph;
+  readonly index: number;
+  readonly place: Place;
+  /** Whether only one of two runs has called it. */
+  readonly isApart: boolean;
+  /** Whether Tab leads to it. */
+  readonly isNext: boolean;
+  look(): void;
+  onFocus(): void;
+  onKeyDown(event: KeyboardEvent): void;
+}
+
+/** A function. */
+function Box({ graph, index, place, isApart, isNext, look, onFocus, onKeyDown }: BoxProps) {
+  const one = graph.functions?.[index];
+  if (!one) return null;
+  const top = place.y - BOX.height / 2;
+  const label = described(graph, index);
+  return (
+    <>
+      <g
+        class={`call level-${levelOf(one.share)}${isApart ? " apart" : ""}`}
+        transform={`translate(${place.x - BOX.width / 2} ${top})`}
+        role="button"
+        tabindex={isNext ? 0 : -1}
+        data-function={index}
+        aria-label={label}
+        onClick={look}
+        onFocus={onFocus}
+        onKeyDown={onKeyDown}
+      >
+        <title>{label}</title>
+        <rect width={BOX.width} height={BOX.height} rx={8} />
+        <text x={BOX.width / 2} y={19} class="name">
+          {shortened(one.name)}
+        </text>
+      </g>
+      {/* Beside the button, whose label says it in words. */}
+      <text x={place.x} y={top + 35} class="call-count">
+        {t("page-calls-count", { count: one.count, seconds: one.seconds })}
+      </text>
+    </>
   );
 }
 
@@ -212,21 +244,13 @@ function nearest(places: readonly Place[], from: number, dx: number, dy: number)
   return found[0]?.index;
 }
 
-/** What a screen reader says of a function: first what its box shows, so that it can be called by it. */
-function named(graph: CallGraph, index: number): string {
-  const one = graph.functions?.[index];
-  if (!one) return "";
-  const count = t("page-calls-count", { count: one.count, seconds: one.seconds });
-  return described(graph, index, `${shortened(one.name)} ${count}`);
-}
-
-function described({ functions = [], edges = [] }: CallGraph, index: number, name = functions[index]?.name): string {
+function described({ functions = [], edges = [] }: CallGraph, index: number): string {
   const one = functions[index];
-  if (!one || !name) return "";
+  if (!one) return "";
   const callers = edges.filter(({ callee }) => callee === index).map(({ caller }) => functions[caller]?.name ?? "");
   return t("page-calls-function", {
     layer: t(LAYERS[one.layer] ?? LAYERS[0]),
-    name,
+    name: one.name,
     count: one.count,
     seconds: one.seconds,
     callers: callers.length ? callers.join(", ") : "–",

@@ -42,6 +42,8 @@ export function registerSearchTab(): void {
   const { TOOLBOX_ITEM } = Blockly.registry.Type;
   const Plugin = Blockly.registry.getClass(TOOLBOX_ITEM, KIND) as unknown as typeof Blockly.ToolboxCategory;
   class SearchTab extends Plugin {
+    /** Every workspace has a search, and the plugin's own value would give all of them the same id. */
+    protected readonly SEARCH_INPUT_ID = Blockly.utils.idGenerator.getNextUniqueId();
     private words: string | null = null;
     /** The search field, in the flyout's head. */
     readonly head = document.createElement("div");
@@ -78,18 +80,18 @@ export function registerSearchTab(): void {
         name: "startSearch",
         keyCodes: [registry.createSerializedKey(B, [CTRL])],
         preconditionFn: () => !Blockly.getFocusManager().ephemeralFocusTaken(),
-        callback: () => this.takeFocus(),
+        callback: () => focusTab(this, this.parentToolbox_ as Blockly.Toolbox),
       });
-    }
-
-    // Focus the palette first: its blocks must not have the focus while they are replaced.
-    private takeFocus(): boolean {
-      Blockly.getFocusManager().focusTree(this.parentToolbox_ as Blockly.Toolbox);
-      Blockly.getFocusManager().focusNode(this);
-      return true;
     }
   }
   Blockly.registry.register(TOOLBOX_ITEM, KIND, SearchTab, true);
+}
+
+/** Focus the palette first: its blocks must not have the focus while they are replaced. */
+function focusTab(tab: Blockly.ToolboxCategory, palette: Blockly.Toolbox): boolean {
+  Blockly.getFocusManager().focusTree(palette);
+  Blockly.getFocusManager().focusNode(tab);
+  return true;
 }
 
 /**
@@ -118,8 +120,6 @@ function sentenceOf({ inputList }: Blockly.Block): string {
 }
 
 function fillHead(head: HTMLElement, input: HTMLInputElement): void {
-  // Every workspace has a search, and the plugin gives all of them the same id.
-  input.removeAttribute("id");
   input.placeholder = t("page-blocks-search");
   input.ariaLabel = t("page-blocks-search-blocks");
   head.className = "lbSearchHead";
@@ -139,6 +139,8 @@ function nameTab(dom: HTMLElement, row: HTMLElement | null): void {
   dom.classList.add("lbSearch");
   dom.ariaLabel = dom.title = t("page-blocks-search-blocks");
   dom.removeAttribute("aria-labelledby");
+  // The plugin gives it to the search field too, which has the focus.
+  dom.removeAttribute("id");
 }
 
 /** The found blocks in the order in which they are shown. */
