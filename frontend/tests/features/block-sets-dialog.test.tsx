@@ -49,7 +49,7 @@ function box(name: string): HTMLInputElement {
 }
 
 function click(element: Element) {
-  return act(() => fireEvent.click(element));
+  return act(() => void fireEvent.click(element));
 }
 
 test("a set of ours is shown, which can be undone", async () => {
@@ -89,7 +89,9 @@ test("Escape keeps the ticks, and Cancel discards them", async () => {
   const { isOpen } = await open();
   const reopen = async () => {
     await waitFor(() => expect(screen.queryByRole("dialog")).toBeNull());
-    await act(() => (isOpen.value = true));
+    await act(() => {
+      isOpen.value = true;
+    });
     await screen.findByRole("searchbox");
   };
   await click(box("Camera"));

@@ -57,7 +57,7 @@ test("a library is made of the ticked functions, from what is written last", asy
   await act(() => write(screen.getByLabelText("Name"), " dance "));
   await act(() => write(screen.getByLabelText("Tab name"), "Ball room"));
   expect(button("Create and download").disabled).toBe(true);
-  await act(() => fireEvent.click(screen.getByLabelText("waltz(times)")));
+  await act(() => void fireEvent.click(screen.getByLabelText("waltz(times)")));
   fireEvent.submit(button("Create and download").form!);
   expect(opened.connection.sent.at(-1)).toEqual({
     kind: "MakeLibrary",
@@ -74,7 +74,7 @@ test("a version that isn't newer is installed only when ticked", async () => {
   await choose(opened, { filename: "dance.lblib", library: DANCE, installed: "1.0.0", is_newer: false });
   screen.getByText(/^Version 1.0.0 is already installed/);
   expect(button("Import").disabled).toBe(true);
-  await act(() => fireEvent.click(screen.getByLabelText("Replace dance")));
+  await act(() => void fireEvent.click(screen.getByLabelText("Replace dance")));
   press("Import");
   expect(opened.connection.sent.at(-1)).toMatchObject({ kind: "ImportLibraries", replace: true });
   await act(() => opened.connection.answer());

@@ -48,7 +48,9 @@ test("the text is kept after Escape", async () => {
   await act(() => write(description(), WRONG));
   await act(pressEscape);
   expect(isOpen.value).toBe(false);
-  await act(() => (isOpen.value = true));
+  await act(() => {
+    isOpen.value = true;
+  });
   expect(description().value).toBe(WRONG);
   expect(connection.sent.map(({ kind }) => kind)).toEqual(["BeginRobot"]);
 });

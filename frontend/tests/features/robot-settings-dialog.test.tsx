@@ -67,7 +67,7 @@ test("a saved value can be reset to the default", async () => {
 
 test("the settings of another robot are asked for when it is chosen", async () => {
   const { connection } = await openRobots([VOLUME]);
-  await act(() => fireEvent.change(screen.getByLabelText("Robot"), { target: { value: "cozmo" } }));
+  await act(() => void fireEvent.change(screen.getByLabelText("Robot"), { target: { value: "cozmo" } }));
   expect(connection.sent.at(-1)).toEqual({ kind: "ReadSettings", robot: "cozmo" });
   expect(screen.queryByLabelText("Volume")).toBeNull();
 });
@@ -82,9 +82,9 @@ test("only saved settings can be tested, since programs use these", async () => 
 test("emotions on cameras are switched on only after agreement", async () => {
   const { connection } = await openPerception([EMOTIONS]);
   expect(screen.getByText(/Article 5\(1\)\(f\)/)).toBeDefined();
-  await act(() => fireEvent.click(screen.getByLabelText("Recognise emotions on real cameras")));
+  await act(() => void fireEvent.click(screen.getByLabelText("Recognise emotions on real cameras")));
   expect(button("Save").disabled).toBe(true);
-  await act(() => fireEvent.click(screen.getByLabelText(/^I am an adult/)));
+  await act(() => void fireEvent.click(screen.getByLabelText(/^I am an adult/)));
   press("Save");
   expect(connection.sent.at(-1)).toMatchObject({ values: { emotions_on_cameras: true }, agreed: true });
 });

@@ -5,7 +5,7 @@ import { t } from "../../i18n";
 
 export class Loading {
   private readonly note = document.createElement("p");
-  private timer = 0;
+  private timer: ReturnType<typeof setTimeout> | 0 = 0;
   private waiting: (() => void)[] = [];
 
   /** `addNext` adds some blocks and returns whether there are more. */
