@@ -85,6 +85,9 @@ def pupil(sit_down, server):
     pupil.write("blocktext", PROGRAM)
     expect(pupil.blocks("lb_when")).to_be_visible()
     pupil.wait_until_saved()
+    # The help of the word below the mouse is no part of the page.
+    pupil.page.mouse.move(1, 1)
+    expect(pupil.page.locator(".cm-tooltip-hover")).to_have_count(0)
     return pupil
 
 

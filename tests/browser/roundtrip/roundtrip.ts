@@ -1,6 +1,6 @@
 /** The page's editor of blocks alone, for a test that shows it one program after the other. */
 
-import { Editor } from "../../../frontend/src/views/blocks/editor";
+import { BlockEditor } from "../../../frontend/src/views/blocks/editor";
 import { fetchPalette, installPalette, prepareBlockly } from "../../../frontend/src/views/blocks/palette";
 import type { Workspace } from "../../../frontend/src/protocol/messages";
 
@@ -24,7 +24,7 @@ async function begin(host: HTMLElement): Promise<void> {
   const palette = await fetchPalette("en");
   prepareBlockly();
   installPalette(palette);
-  const editor = new Editor(host, palette, "light", ACTIONS, () => undefined);
+  const editor = new BlockEditor(host, palette, "light", ACTIONS, () => undefined);
   const roundTrip = async (workspace: Workspace): Promise<Workspace> => {
     editor.show(workspace);
     await new Promise<void>((done) => editor.whenLoaded(done));
