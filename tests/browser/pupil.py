@@ -185,7 +185,7 @@ class Pupil:
 
     def add_robot(self, kind):
         """Add a robot, and wait until its empty program is shown."""
-        self.press("Add robots")
+        self.command("Robot", "Add robots…")
         self.dialog().get_by_role("combobox", name="Robot").select_option(kind)
         self.dialog().get_by_role("button", name="Add").click()
         # The program shown before may be empty too.

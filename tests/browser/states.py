@@ -381,7 +381,7 @@ def looking_back(visitor):
 
 def robots(visitor):
     """Several robots: adding, naming and counting them."""
-    visitor.press("page-tabs-add-help")
+    visitor.command("page-bar-robot", "page-tabs-add-menu")
     expect(visitor.dialog).to_be_visible()
     yield "add robots"
     visitor.press("page-tabs-add-action", visitor.dialog)

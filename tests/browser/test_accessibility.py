@@ -30,7 +30,7 @@ def pupil(sit_down, server):
 
 
 def test_axe_finds_a_button_without_a_name(pupil, axe):
-    pupil.page.get_by_role("button", name="Undo").evaluate(
+    pupil.page.get_by_role("button", name="Show views side by side").evaluate(
         "button => button.replaceWith(document.createElement('button'))"
     )
     assert [fault[0] for fault in faults(pupil, axe, ".program-head")] == ["button-name"]
@@ -216,7 +216,7 @@ DIALOGS = {
     "camera recognition": lambda pupil: open_settings(pupil, "Camera recognition…", "Webcam"),
     "new robot": lambda pupil: open_settings(pupil, "New robot…", "Description (TOML)"),
     "other device": lambda pupil: open_from_help_menu(pupil, "Open on another device…"),
-    "add robots": lambda pupil: pupil.press("Add robots"),
+    "add robots": lambda pupil: pupil.command("Robot", "Add robots…"),
 }
 
 

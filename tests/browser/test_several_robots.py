@@ -23,7 +23,7 @@ def tab(pupil, name):
 
 def share(pupil, name, count):
     """Let more robots run the program of a tab."""
-    pupil.press("Add robots")
+    pupil.command("Robot", "Add robots…")
     pupil.dialog().get_by_label("Program").select_option(f"Same program as {name}")
     pupil.dialog().get_by_label("Robots to add").fill(str(count))
     pupil.picture("add-robots")
@@ -199,7 +199,7 @@ def test_the_number_of_robots_of_a_program_is_changed(own_server, sit_down):
     share(pupil, "program", 2)
     shown_robot(pupil).click()
     pupil.picture("menu")
-    pupil.page.get_by_role("menuitem", name="Number of robots...").click()
+    pupil.page.get_by_role("menuitem", name="Number of robots…").click()
     pupil.picture("number")
     pupil.answer("1")
     expect(pupil.page.get_by_role("tablist", name="Robots")).to_have_count(0)
@@ -208,7 +208,7 @@ def test_the_number_of_robots_of_a_program_is_changed(own_server, sit_down):
 
 def test_in_spanish_robots_share_a_program(own_server, sit_down):
     pupil = sit_down(own_server, empty=True, language="es")
-    pupil.page.get_by_role("button", name="Añadir robots").click()
+    pupil.command("Robot", "Añadir robots…")
     pupil.dialog().get_by_label("Programa").select_option(index=1)
     pupil.dialog().get_by_label("Robots que se añaden").fill("2")
     pupil.picture("add-robots")

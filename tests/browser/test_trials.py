@@ -45,7 +45,9 @@ def main_of(pupil):
     return pupil.blocks("lb_main").get_attribute("data-id")
 
 
-def test_at_first_sight_there_are_at_most_15_controls_besides_palette_and_program(pupil):
+@pytest.mark.parametrize("stage", ["Starter", "Explorer"])
+def test_at_first_sight_there_are_at_most_15_controls_besides_palette_and_program(pupil, stage):
+    pupil.command("Settings and help", stage)
     expect(pupil.menu("View and robot")).to_be_visible()
     expect(pupil.page.locator(".blocklyToolbox")).to_be_visible()
     controls = pupil.page.evaluate(CONTROLS)

@@ -96,7 +96,7 @@ export function arrange(change: Partial<Layout>): void {
 /** What each stage shows at first. */
 const FIRST_SHOWN: Readonly<Record<Stage, Partial<Layout>>> = {
   starter: { split: false, view: "blocks", panel: false },
-  explorer: { split: false, view: "blocks", panel: true },
+  explorer: { split: false, view: "blocks", panel: false },
   coder: { split: true, views: ["blocks", "python"], view: "python", panel: true },
 };
 

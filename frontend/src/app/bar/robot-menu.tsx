@@ -4,6 +4,7 @@ import { titleOf } from "../../features/connect/names";
 import { t } from "../../i18n";
 import type { Connect } from "../../model/connect";
 import { type Page, usePage } from "../../model/page";
+import { MOST_ROBOTS } from "../../model/robot-tabs";
 import { hasReal, robotGroups, robotTitle } from "../../model/robots";
 import type { RobotChoice } from "../../protocol/messages";
 import { Icon } from "../../ui/icons";
@@ -12,7 +13,7 @@ import { RobotPicture } from "../../ui/robots/picture";
 
 export function RobotMenu() {
   const page = usePage();
-  const { context, controls, dialogs, project } = page;
+  const { context, controls, dialogs, project, tabs } = page;
   const { connect } = page;
   const robots = project.welcome.value?.robots ?? [];
   const chosen = robots.find((one) => one.name === context.running.robot.value);
@@ -26,27 +27,25 @@ export function RobotMenu() {
       run: () => controls.chooseRobot(robot.name),
     })),
   }));
-  const more = {
-    items: [
-      { text: t("page-connect-menu"), run: () => dialogs.show("connect") },
-      { text: t("page-robots-robots-menu"), run: () => dialogs.show("robotSettings") },
-    ],
-  };
+  const settings = [
+    { text: t("page-connect-menu"), run: () => dialogs.show("connect") },
+    { text: t("page-robots-robots-menu"), run: () => dialogs.show("robotSettings") },
+  ];
+  const isFull = tabs.count.value >= MOST_ROBOTS;
+  const isLocked = off || context.program.readOnly.value !== null;
+  const add = { text: t("page-tabs-add-menu"), off: isLocked || isFull, run: () => dialogs.show("addRobots") };
+  const real = hasReal(robots);
+  const commands = { items: real ? [add, ...settings] : [add] };
+  const groups = real ? [...choices, nearby(page, connect, off), commands] : [...choices, commands];
   // Robots are looked for while the menu is open, and go on being looked for in the dialog.
   const toggled = (isOpen: boolean) => {
-    if (!hasReal(robots)) return;
+    if (!real) return;
     if (isOpen) connect.begin();
     else if (dialogs.open.peek() !== "connect") connect.end();
   };
   return (
     <div class="robot-menu" data-tour="robot">
-      <Menu
-        label={t("page-bar-robot")}
-        groups={hasReal(robots) ? [...choices, nearby(page, connect, off), more] : choices}
-        look="pill"
-        side="right"
-        toggled={toggled}
-      >
+      <Menu label={t("page-bar-robot")} groups={groups} look="pill" side="right" toggled={toggled}>
         <span class="robot-icon">{chosen ? <RobotPicture robot={chosen.name} /> : <Icon name="robot" />}</span>
         <span class="hidden">{t("page-bar-robot")}: </span>
         <span class="robot-name">{chosen ? robotTitle(chosen) : "…"}</span>

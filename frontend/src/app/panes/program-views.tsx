@@ -3,10 +3,10 @@
 import { Fragment } from "preact";
 
 import { titleOf } from "../../features/block-sets/block-sets";
-import { AddRobots, PROGRAM_PANEL, RobotTabRow } from "../../features/robot-tabs/row";
+import { PROGRAM_PANEL, RobotTabRow } from "../../features/robot-tabs/row";
 import { t } from "../../i18n";
 import { type Page, usePage } from "../../model/page";
-import { arrange, preferences, showsDebugger } from "../../model/preferences";
+import { arrange, preferences } from "../../model/preferences";
 import { VIEWS, type ViewIsland } from "../../model/views";
 import type { View } from "../../protocol/messages";
 import { IconButton } from "../../ui/button";
@@ -41,7 +41,7 @@ export function ProgramViews() {
 
 /** The switches of the views, and what concerns the whole program. */
 function ProgramHead() {
-  const { tabs, views } = usePage();
+  const { views } = usePage();
   const isNarrow = room.value === "narrow";
   return (
     <div class="program-head" data-region="program">
@@ -52,7 +52,6 @@ function ProgramHead() {
       <StaleNote />
       <ShownBlocks />
       <UndoButtons />
-      {tabs.tabs.value.length === 0 && showsDebugger.value && <AddRobots named={false} />}
     </div>
   );
 }

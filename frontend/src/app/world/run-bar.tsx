@@ -44,19 +44,20 @@ function RunButtons() {
   );
 }
 
+/** Step begins a run; the others appear once there is one. */
 function DebugButtons({ active, waiting }: { active: boolean; waiting: boolean }) {
   const { controls } = usePage();
   return (
     <>
+      <IconButton icon="step" word="page-bar-step" onClick={() => controls.step(false)} />
+      <IconButton icon="stepOver" word="page-bar-step-over" off={!active} onClick={() => controls.step(true)} />
       <IconButton
         icon={waiting ? "resume" : "pause"}
         word={waiting ? "page-bar-resume" : "page-bar-pause"}
         off={!active}
         onClick={() => controls.pauseOrResume()}
       />
-      <IconButton icon="step" word="page-bar-step" onClick={() => controls.step(false)} />
-      <IconButton icon="stepOver" word="page-bar-step-over" onClick={() => controls.step(true)} />
-      <IconButton icon="restart" word="page-bar-restart" onClick={() => controls.restart()} />
+      <IconButton icon="restart" word="page-bar-restart" off={!active} onClick={() => controls.restart()} />
     </>
   );
 }

@@ -1,4 +1,4 @@
-/** The tabs of the project's programs; with one robot, only the button that adds more. */
+/** The tabs of the project's programs, once it has several; the robot menu adds the first. */
 
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
@@ -25,7 +25,7 @@ export function RobotTabRow() {
       </div>
       <ShownRobot />
       <OpenTabButtons />
-      <AddRobots named />
+      <AddRobots />
     </div>
   );
 }
@@ -123,21 +123,19 @@ function OpenTabButtons() {
   );
 }
 
-/** The button that adds robots to the project; `named` shows what is added. */
-export function AddRobots({ named }: { named: boolean }) {
+function AddRobots() {
   const { context, dialogs, tabs } = usePage();
   if (context.running.active.value || context.program.readOnly.value) return null;
   return (
     <button
       type="button"
       class="button add-robot"
-      aria-label={t("page-tabs-add-help")}
       title={t("page-tabs-add-help")}
       disabled={tabs.count.value >= MOST_ROBOTS}
       onClick={() => dialogs.show("addRobots")}
     >
       <Icon name="plus" />
-      {named && <span>{t("page-tabs-add-help")}</span>}
+      <span>{t("page-tabs-add-help")}</span>
     </button>
   );
 }

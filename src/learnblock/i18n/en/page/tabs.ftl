@@ -1,5 +1,6 @@
 page-tabs-label = Robots
 page-tabs-add-help = Add robots
+page-tabs-add-menu = Add robots…
 page-tabs-add-title = Add robots
 page-tabs-add-action = Add
 page-tabs-add-count = Robots to add
@@ -10,7 +11,7 @@ page-tabs-new-program-help = The robots get a tab with an empty program.
 page-tabs-same-program = Same program as { $name }
 page-tabs-same-program-help = The robots share one program: you edit it once for all of them.
 page-tabs-count = Number of robots
-page-tabs-count-menu = Number of robots...
+page-tabs-count-menu = Number of robots…
 page-tabs-count-title = Robots that run { $name }
 page-tabs-count-action = Change
 # Beside the name of a program that several robots run.

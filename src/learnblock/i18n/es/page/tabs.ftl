@@ -1,5 +1,6 @@
 page-tabs-label = Robots
 page-tabs-add-help = Añadir robots
+page-tabs-add-menu = Añadir robots…
 page-tabs-add-title = Añadir robots
 page-tabs-add-action = Añadir
 page-tabs-add-count = Robots que se añaden
@@ -9,7 +10,7 @@ page-tabs-new-program-help = Los robots reciben una pestaña con un programa vac
 page-tabs-same-program = El mismo programa que { $name }
 page-tabs-same-program-help = Los robots comparten un programa: lo editas una vez para todos.
 page-tabs-count = Número de robots
-page-tabs-count-menu = Número de robots...
+page-tabs-count-menu = Número de robots…
 page-tabs-count-title = Robots que ejecutan { $name }
 page-tabs-count-action = Cambiar
 page-tabs-times = ×{ $count }
