@@ -22,6 +22,8 @@ EDITED = """\
 main:
     function.play_note("C4", 1)
     function.RGBled(1, 2, 3, "first")
+    function.turn(90)
+    function.sleep(1)
 end
 """
 #: What can be asked for, from the timeline to the question why.
@@ -321,13 +323,15 @@ def runs(visitor):
 
 
 def editors(visitor):
-    """The piano and the colours of a block, and the searches."""
+    """What the fields of blocks open, the searches, and the suggestions of the texts."""
     visitor.writes(EDITED)
     visitor.shows_view("blocks")
     block = visitor.pupil.blocks
     fields = {
         "note": block("lb_skill_play_note").locator("> .lb_choice"),
         "colour": block("lb_skill_RGBled").locator("> .blocklyImageField").last,
+        "menu": block("lb_skill_turn").locator("> .blocklyDropdownField"),
+        "number": block("lb_skill_sleep").locator(".blocklyNumberField"),
     }
     for name, field in fields.items():
         expect(field.first).to_be_visible()
@@ -348,6 +352,10 @@ def editors(visitor):
         visitor.pupil.editor(view).press("Control+f")
         expect(visitor.page.locator(".cm-search:visible")).to_have_count(1)
         yield f"{view}, search"
+        visitor.page.keyboard.press("Escape")
+        visitor.page.keyboard.press("Control+Space")
+        expect(visitor.page.locator(".cm-tooltip-autocomplete")).to_be_visible()
+        yield f"{view}, suggestions"
         visitor.page.keyboard.press("Escape")
 
 
@@ -496,7 +504,7 @@ PAGE_DIALOGS = {
     "page-newrobot-menu": "new robot",
 }
 #: The walks of what Starter does not show.
-EXPLORED = (looking_back, robots)
+EXPLORED = (looking_back,)
 #: The walks of the working page.
 WALKS = (
     views,

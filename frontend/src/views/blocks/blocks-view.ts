@@ -14,6 +14,7 @@ import "./blocks.css";
 import { Cleanup } from "../../ui/cleanup";
 import type { BlockActions, OfferedRobot } from "./actions";
 import { BlockEditor } from "./editor";
+import { nameEditors } from "./editor-names";
 import { registerMenus } from "./menus";
 import type { Palette } from "./palette";
 import { fetchPalette, installPalette, prepareBlockly } from "./palette";
@@ -42,6 +43,7 @@ export function prepare(): void {
   prepared = true;
   prepareBlockly();
   registerMenus();
+  nameEditors();
   registerSearchTab();
 }
 

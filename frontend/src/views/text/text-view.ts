@@ -6,6 +6,7 @@ import { Compartment, EditorState } from "@codemirror/state";
 import { EditorView, tooltips } from "@codemirror/view";
 import { computed, effect, type ReadonlySignal } from "@preact/signals";
 
+import { t } from "../../i18n";
 import type { Context } from "../../model/context";
 import type { ProgramState } from "../../model/program";
 import { valuesInWords } from "../../model/values-there";
@@ -61,6 +62,7 @@ class TextView implements TextIsland {
     this.requests = new Requests(context, notation);
     this.actions = new TextActions(context, this.requests, this.outline);
     this.boxes.className = "text-boxes";
+    this.boxes.role = "region";
     document.body.append(this.boxes);
     this.view = new EditorView({ state: this.firstState() });
     this.toolbar = createToolbar(this.actions, this.view);
@@ -72,6 +74,9 @@ class TextView implements TextIsland {
       effect(() => this.showBreakpoints()),
       effect(() => this.showRunning()),
       effect(() => this.showValues()),
+      effect(() => {
+        this.boxes.ariaLabel = t("page-text-boxes", { view: t(`page-text-${notation}`) });
+      }),
       effect(() => this.view.dispatch({ effects: this.words.reconfigure(words(notation)) })),
       effect(() => this.showAccess()),
     );

@@ -41,6 +41,8 @@ page-text-go-to-line = Go to line
 page-text-go = go
 page-text-diagnostics = Problems
 page-text-no-diagnostics = No problems
+# $view is Block-Text or Python.
+page-text-boxes = { $view }: suggestions and explanations
 page-text-completions = Suggestions
 page-text-folded-lines = Folded lines
 page-text-unfolded-lines = Unfolded lines

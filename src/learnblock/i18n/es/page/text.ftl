@@ -41,6 +41,8 @@ page-text-go-to-line = Ir a la línea
 page-text-go = ir
 page-text-diagnostics = Problemas
 page-text-no-diagnostics = Sin problemas
+# $view is Block-Text or Python.
+page-text-boxes = { $view }: sugerencias y explicaciones
 page-text-completions = Sugerencias
 page-text-folded-lines = Líneas plegadas
 page-text-unfolded-lines = Líneas desplegadas
