@@ -59,7 +59,7 @@ workspace-no-such-skill = The robot has no skill '{ $name }'. Remove this block,
 workspace-unknown-when = There is no event '{ $name }'. Make it with 'New event…' in 'Events', or choose another one in this block.
 workspace-unknown-when-near = There is no event '{ $name }'. Did you mean '{ $near }'? Choose it in this block.
 workspace-never-started = Nothing starts the event '{ $name }', so it never runs. Put a block 'start { $name }' from 'Events' into the program, or add a condition to this block with its '+'.
-workspace-events-never-run = This loop never ends, so events such as '{ $name }' never run. Put what the loop repeats into an event with 'true' as its condition, or put an 'if' with 'break out of loop' into the loop.
+workspace-events-never-run = This loop never ends, so events such as '{ $name }' never run. Put what the loop repeats into an event with 'true' as its condition, or put an 'if' with 'leave the loop' into the loop.
 # $word: def or when
 workspace-defined-twice = { $word ->
     [def] There are two functions '{ $name }'.
@@ -134,6 +134,6 @@ workspace-unreachable-after-jump = This block never runs: the block above it lea
     [return] the function
    *[other] this round of the loop
 } first. Move it above that block, or remove it.
-workspace-unreachable-after-loop = This block never runs: the loop above it never ends. Move it into the loop or above it, or leave the loop with 'break out of loop'.
+workspace-unreachable-after-loop = This block never runs: the loop above it never ends. Move it into the loop or above it, or leave the loop with 'leave the loop'.
 workspace-unreachable-after-branches = This block never runs: every branch of the 'if' above leaves before it. Move it above the 'if', or remove it.
 workspace-sensor-outside-loop = The robot is asked only once, when the program gets here. To keep asking, put this block into 'repeat forever', or use an event from 'Events'.

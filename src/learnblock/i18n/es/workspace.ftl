@@ -59,7 +59,7 @@ workspace-no-such-skill = El robot no tiene ninguna habilidad '{ $name }'. Quita
 workspace-unknown-when = No hay ningún evento '{ $name }'. Créalo con 'Nuevo evento…' en 'Eventos', o elige otro en este bloque.
 workspace-unknown-when-near = No hay ningún evento '{ $name }'. ¿Querías decir '{ $near }'? Elígelo en este bloque.
 workspace-never-started = Nada inicia el evento '{ $name }', así que no se ejecuta nunca. Pon en el programa un bloque 'iniciar { $name }' de 'Eventos', o añade una condición a este bloque con su '+'.
-workspace-events-never-run = Este bucle no termina nunca, así que los eventos como '{ $name }' no se ejecutan. Pasa lo que repite el bucle a un evento con 'verdadero' como condición, o pon en el bucle un 'si' con 'romper el bucle'.
+workspace-events-never-run = Este bucle no termina nunca, así que los eventos como '{ $name }' no se ejecutan. Pasa lo que repite el bucle a un evento con 'verdadero' como condición, o pon en el bucle un 'si' con 'salir del bucle'.
 # $word: def or when
 workspace-defined-twice = { $word ->
     [def] Hay dos funciones '{ $name }'.
@@ -138,6 +138,6 @@ workspace-unreachable-after-jump = Este bloque no se ejecuta nunca: el de encima
     [return] la función
    *[other] esta vuelta del bucle
 }. Ponlo encima de ese bloque, o quítalo.
-workspace-unreachable-after-loop = Este bloque no se ejecuta nunca: el bucle de encima no termina. Ponlo dentro del bucle o encima de él, o sal del bucle con 'romper el bucle'.
+workspace-unreachable-after-loop = Este bloque no se ejecuta nunca: el bucle de encima no termina. Ponlo dentro del bucle o encima de él, o sal del bucle con 'salir del bucle'.
 workspace-unreachable-after-branches = Este bloque no se ejecuta nunca: todas las ramas del 'si' de encima salen antes. Ponlo encima del 'si', o quítalo.
 workspace-sensor-outside-loop = Al robot se le pregunta solo una vez, cuando el programa llega aquí. Para seguir preguntando, pon este bloque dentro de 'repetir siempre', o usa un evento de 'Eventos'.
