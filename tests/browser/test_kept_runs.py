@@ -181,7 +181,7 @@ def test_the_calls_of_two_runs_are_shown_at_the_same_places(pupil):
     ]
     places = [turn.get_attribute("transform") for turn in turns]
     assert places[0] == places[1]
-    expect(turns[1]).to_contain_text("2×")
+    expect(second).to_contain_text("2×")
     pupil.picture("calls-beside")
     turns[1].focus()
     pupil.page.keyboard.press("Enter")

@@ -33,7 +33,9 @@ def test_sensors_follow_a_change_of_robot_while_they_are_hidden(sit_down, server
     pupil.choose("Robot", "Cozmo")
     pupil.expect_robot("Cozmo at")
     pupil.tab("Sensors")
-    expect(plot).to_have_attribute("aria-label", "Plot of the last minute: Ground in the middle")
+    expect(plot).to_have_attribute(
+        "aria-label", "Plot of the last minute: Heading, Distance driven"
+    )
     pupil.picture("sensors")
 
 

@@ -198,6 +198,8 @@ def test_past_the_proxy_nothing_is_answered_without_the_token(hub, alice):
 @pytest.mark.certain
 def test_two_users_have_two_tokens_and_two_folders(hub, alice, bob):
     assert hubs.token(hub.server("alice")) != hubs.token(hub.server("bob"))
+    with bob.visit() as page:
+        page.open("own", DRIVES)
     folders = [[*hub.home(name).rglob("*.learnblock")] for name in ("alice", "bob")]
     assert all(folders)
 
