@@ -3,6 +3,7 @@
 import io
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import msgspec
@@ -166,11 +167,12 @@ def run_file(path: Path, robot: str, *, worker=None, watcher=None, **options) ->
         trace=trace,
         worker=worker,
         watcher=watcher,
+        lacking=partial(running.lacking, source),
     )
     if isinstance(watcher, Holder):
         watcher.session = session
     report = session.run()
-    assert session.recorder is not None, report.error
+    assert session.recorder or report.error
     return Finished(report, session.recorder, trace.getvalue())
 
 

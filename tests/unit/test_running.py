@@ -5,12 +5,13 @@ import re
 
 import pytest
 
-from learnblock import running
+from learnblock import robots, running
 from learnblock.errors import ProgramError, UnknownNameError
 from learnblock.running.source import LARGEST_PROGRAM
 from learnblock.runtime.ending import How
 from learnblock.runtime.limits import MEGABYTE, Limits
 from places import ROOT
+from runs import EXAMPLES, run_example
 
 PAGE = (ROOT / "docs" / "running.md").read_text(encoding="utf-8")
 
@@ -49,6 +50,18 @@ def test_a_file_too_large_for_a_program_is_refused(tmp_path):
     path.write_text("#" * (LARGEST_PROGRAM + 1))
     with pytest.raises(ProgramError, match="too-large"):
         running.read(path)
+
+
+def test_a_robot_known_only_once_connected_is_refused_before_the_first_line(monkeypatch):
+    robot = robots.find("sim-ebo").load()
+    monkeypatch.setattr(robot, "known_equipment", lambda: None)
+    assert running.check(running.read(EXAMPLES / "first/edge.bt"), robots.find("sim-ebo")) == []
+    report = run_example("first/edge.bt", "sim-ebo").report
+    assert (report.ended, report.time) == ("error", 0)
+    assert str(report.error["message"]).startswith(
+        "The program has an error on line 4. This robot has no ground sensors"
+    )
+    assert run_example("first/edge.bt", "sim-ebo", anyway=True).report.ended == "finished"
 
 
 def test_an_unknown_example_is_named():

@@ -4,6 +4,7 @@ import sys
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from time import monotonic
 from typing import Any, BinaryIO
@@ -64,12 +65,14 @@ class Prepared:
         program: the program.
         robot: the robot to run it on.
         options: the options of the run.
+        source: what it was read from.
         keys: the keys that are pressed during the run.
     """
 
     program: Program
     robot: RobotEntry
     options: Options
+    source: Source
     keys: RecordedKeyboard | None = None
 
 
@@ -119,7 +122,7 @@ def _prepare(
     limit = time_limit(pace, seconds)
     options = Options(world, seed, pace, limit, variant, network=network, anyway=anyway)
     entry.load().check_wishes(options.wishes)
-    return Prepared(program, entry, options, recorded)
+    return Prepared(program, entry, options, source, recorded)
 
 
 def run_and_report(
@@ -162,7 +165,13 @@ def _run_found(
     with opened_trace(trace) as trace_file, _keyboard(found, as_json=as_json) as keyboard:
         watcher = Collector(keyboard) if as_json else _Terminal(keyboard)
         session = ProgramRun(
-            found.program, found.robot, found.options, trace=trace_file, watcher=watcher, log=log
+            found.program,
+            found.robot,
+            found.options,
+            trace=trace_file,
+            watcher=watcher,
+            log=log,
+            lacking=partial(running.lacking, found.source),
         )
         watcher.session = session
         with stopped_by_signals(session.stop):

@@ -35,11 +35,17 @@ def choose_robot(source: Source, name: str | None = None) -> RobotEntry:
 
 def check(source: Source, robot: RobotEntry | None = None) -> list[Diagnostic]:
     """Check a program, for a robot if one is given; return its mistakes and warnings."""
-    equipment = robot.load().known_equipment() if robot else None
-    python = source.text if source.is_python else None
-    skills = _skills(source)
-    importable = _importable(source, skills)
-    return language.check(source.tree, skills, equipment, importable, python=python)
+    return _checked(source, robot.load().known_equipment() if robot else None)
+
+
+def lacking(source: Source, equipment: frozenset[str]) -> Phrase | None:
+    """What a robot lacks for a program, once it is connected and its equipment is known."""
+    found = _checked(source, equipment)
+    errors = (one for one in found if one.code == "missing-device" and one.severity == "error")
+    first = next(errors, None)
+    if first is None:
+        return None
+    return Phrase("check-program-error-in-line", line=str(first.line), problem=first.message)
 
 
 def runs_on(source: Source) -> dict[str, Verdict | Phrase]:
@@ -71,6 +77,13 @@ def program(source: Source, robot: RobotEntry) -> Program:
         return Program(source.path.name, source.text, source.text, folder=folder)
     python = language.to_python(source.tree, robot.module)
     return Program(source.path.name, python.text, source.text, python.source_map, folder)
+
+
+def _checked(source: Source, equipment: frozenset[str] | None) -> list[Diagnostic]:
+    python = source.text if source.is_python else None
+    skills = _skills(source)
+    importable = _importable(source, skills)
+    return language.check(source.tree, skills, equipment, importable, python=python)
 
 
 def _verdict(demanded: tuple[Demand, ...], robot: RobotEntry) -> Verdict | Phrase:

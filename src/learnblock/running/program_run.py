@@ -10,7 +10,8 @@ import msgspec
 from learnblock import robots
 from learnblock.client import Client
 from learnblock.devices import Pose
-from learnblock.errors import LearnBlockError
+from learnblock.errors import LearnBlockError, MissingDeviceError
+from learnblock.i18n import Phrase
 from learnblock.robots import RobotEntry
 from learnblock.running.report import Report, report
 from learnblock.runtime.containment.driver import give_up, in_own_thread
@@ -27,6 +28,10 @@ from learnblock.runtime.watcher import Watcher
 
 if TYPE_CHECKING:
     from learnblock.monitor import Monitor
+
+
+#: What a robot with this equipment lacks that the program needs; None if it lacks nothing.
+Lacking = Callable[[frozenset[str]], Phrase | None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,6 +84,7 @@ class ProgramRun:
         worker: creates the worker that runs the program; a process by default.
         debugger: pauses and steps the program, and stops it at breakpoints.
         log: keeps what the program does, for questions about the run; None for no log.
+        lacking: refuses a robot whose devices are known only once it is connected.
     """
 
     def __init__(
@@ -93,6 +99,7 @@ class ProgramRun:
         worker: Callable[[], Worker] = ProcessWorker,
         debugger: Debugger | None = None,
         log: RunLog | None = None,
+        lacking: Lacking | None = None,
     ) -> None:
         self.program = program
         self.robot = robot
@@ -101,6 +108,7 @@ class ProgramRun:
         #: The robot as the page shows it, once the program has created it.
         self.monitor: Monitor | None = None
         self._debugger = debugger
+        self._lacking = lacking
         self._run = Run(
             program,
             self._make_robot,
@@ -191,8 +199,18 @@ class ProgramRun:
         del module
         self._contain()
         client = self.robot.load().hosted(arguments, self.options.wishes)
+        self._refuse_lacking(client)
         self.monitor = monitor_of(client)
         return client
+
+    def _refuse_lacking(self, client: Client) -> None:
+        """End the program before its first line, as the check does where it knows the devices."""
+        is_known = self.robot.load().known_equipment() is not None
+        if self._lacking is None or is_known or self.options.anyway:
+            return
+        if lack := self._lacking(client.equipment):
+            client.stop()
+            raise MissingDeviceError(lack.code, **lack.values)
 
     def _contain(self) -> None:
         """Let the driver do only what it needs: from now on it may see the program's values."""

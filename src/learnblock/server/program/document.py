@@ -6,6 +6,7 @@ from functools import cached_property, reduce
 
 from learnblock.blocks import BlockConfiguration
 from learnblock.errors import Diagnostic, FileError, LearnBlockError, ProgramError
+from learnblock.i18n import Phrase
 from learnblock.language import WorkspaceProgram, from_workspace, parse, recover
 from learnblock.language import format as format_program
 from learnblock.language.check.robots import asked, demands
@@ -253,6 +254,11 @@ class Document:
         """The first error, which keeps the program from running; None if there is none."""
         return next((one for one in self.problems if one.severity == "error"), None)
 
+    def lacking(self, equipment: frozenset[str]) -> Phrase | None:
+        """What a robot lacks for the program, once it is connected and its equipment is known."""
+        error = self.with_robot(self.target.robot_module, equipment).first_error
+        return self._said(error) if error and error.code == "missing-device" else None
+
     def require_no_errors(self) -> None:
         """Refuse a program with errors.
 
@@ -260,11 +266,15 @@ class Document:
             LearnBlockError: the program has errors.
         """
         if error := self.first_error:
-            if self.origin == "blocks" or not error.line:
-                problem = (self.origin == "blocks" and error.in_blocks) or error.message
-                raise LearnBlockError("check-program-error", problem=problem)
-            line = str(error.line)
-            raise LearnBlockError("check-program-error-in-line", line=line, problem=error.message)
+            said = self._said(error)
+            raise LearnBlockError(said.code, **said.values)
+
+    def _said(self, error: Problem) -> Phrase:
+        """An error where the author looks: in the blocks, or on a line."""
+        if self.origin == "blocks" or not error.line:
+            problem = (self.origin == "blocks" and error.in_blocks) or error.message
+            return Phrase("check-program-error", problem=problem)
+        return Phrase("check-program-error-in-line", line=str(error.line), problem=error.message)
 
     @cached_property
     def block_tree(self) -> Tree:

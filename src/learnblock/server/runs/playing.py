@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, Protocol
 
 from learnblock.devices import Pose
+from learnblock.i18n import Phrase
 from learnblock.monitor.monitor import GoalNow
 from learnblock.robots import RobotEntry
 from learnblock.running import Options, ProgramRun, Report
@@ -70,6 +71,9 @@ class Played(Protocol):
 
     def python_line(self, block: str, /) -> int | None:
         """The first line of a block; None if the program does not contain it."""
+
+    def lacking(self, equipment: frozenset[str], /) -> Phrase | None:
+        """What a robot lacks for it, once it is connected and its equipment is known."""
 
 
 class Controlled(Protocol):
@@ -230,6 +234,7 @@ def prepared(
         watcher=watcher,
         debugger=Debugger(lines(played, setting.breakpoints), paused=paused),
         log=log,
+        lacking=played.lacking,
     )
     return Playing(played, run, watcher, looking_at(played, log))
 

@@ -48,6 +48,10 @@ class Trial:
         """Return None, because it contains no block of the workspace."""
         del block
 
+    def lacking(self, equipment: frozenset[str]) -> None:
+        """Return None: what the source needs is its author's to find out."""
+        del equipment
+
     def custom_line(self, python_line: int) -> int:
         """The line of the source; 0 for a line below it."""
         return python_line if python_line <= len(self.source.split("\n")) else 0

@@ -324,6 +324,17 @@ def test_a_name_is_renamed_in_all_three_views():
     assert {place.block for place in one.places} == {place.block for place in document().places}
 
 
+@pytest.mark.parametrize(("origin", "line"), [("blocktext", "on line 1. "), ("blocks", ". ")])
+def test_what_a_connected_robot_lacks_is_said_where_the_author_looks(origin, line):
+    one = document("function.set_pen_width(10)\n")
+    if origin == "blocks":
+        one = one.with_blocks(one.workspace)
+    said = str(one.lacking(frozenset({"Base", "Base:ROBOT"})))
+    assert said.startswith("The program has an error")
+    assert f"{line}This robot has no pen" in said
+    assert document().lacking(frozenset({"Base", "Base:ROBOT"})) is None
+
+
 def test_a_program_with_errors_is_not_renamed():
     with pytest.raises(LearnBlockError) as error:
         document().with_text("blocktext", "if\n").renamed("variable", "times", "sides")
