@@ -236,3 +236,35 @@ def turn_a_corner(keys):
         keys.walk("ArrowLeft", "^change Variable")
         keys.fill(change)
         keys.walk("ArrowLeft", "^change Variable")
+
+
+def test_an_if_with_an_else_and_the_colour_of_a_lamp_are_made_with_the_keyboard(pupil):
+    keys = Typist(pupil)
+    keys.begin()
+    keys.choose("Robot", "Thymio")
+    keys.go_to("blocks")
+    keys.walk("ArrowDown", "when Run is pressed")
+    keys.find("else", "^if Empty.*2 branches")
+    keys.walk("ArrowRight", r"^if Empty: yes or no\?$")
+    keys.find("obstacle ahead", "^obstacle ahead")
+    keys.fill("150")
+    keys.walk("ArrowLeft", "^if obstacle")
+    keys.find("LED", "^set LED first to red")
+    keys.walk("ArrowRight", "olour")
+    keys.press("Enter")
+    keys.walk("Tab", "^green$")
+    keys.press("Enter")
+    pupil.picture("built")
+    pupil.sees("blocktext", "if function.is_front_obstacle(150):", "RGBled(0, 255, 0")
+
+
+def test_a_when_is_made_with_the_keyboard(pupil):
+    keys = Typist(pupil)
+    keys.begin()
+    keys.go_to("blocks")
+    keys.walk("ArrowDown", "when Run is pressed")
+    keys.take("Events", "^event.* when")
+    keys.walk("ArrowRight", r"yes or no\?$")
+    keys.find("obstacle ahead", "^obstacle ahead")
+    pupil.picture("built")
+    pupil.sees("blocktext", "when event = function.is_front_obstacle(200):")

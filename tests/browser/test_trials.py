@@ -88,6 +88,28 @@ def test_a_when_is_dragged_to_the_program_and_runs(pupil, trial):
 
 
 @pytest.mark.usefixtures("trial")
+def test_an_if_with_a_question_and_an_else_is_built_by_dragging(pupil):
+    choice = pupil.take("Control", "controls_if", "else")
+    pupil.put_into(choice, main_of(pupil))
+    question = pupil.take("Sense", "lb_skill_is_front_obstacle")
+    pupil.put_on(question, pupil.hole(choice))
+    stop = pupil.take("Move", "lb_skill_stop_bot")
+    pupil.put_into_loop(stop, choice)
+    pupil.picture("if-else")
+    pupil.sees("blocktext", "if function.is_front_obstacle(200):", "stop_bot", "else")
+
+
+@pytest.mark.usefixtures("trial")
+def test_the_colour_of_a_lamp_is_chosen_with_the_mouse(pupil):
+    lamp = pupil.take("Show", "lb_skill_RGBled")
+    pupil.put_into(lamp, main_of(pupil))
+    pupil.click_on(pupil.block(lamp).locator("> .blocklyImageField").last)
+    pupil.page.get_by_role("button", name="green").click()
+    pupil.picture("lamp")
+    pupil.sees("blocktext", "RGBled(0, 255, 0")
+
+
+@pytest.mark.usefixtures("trial")
 def test_a_breakpoint_is_set_with_one_click_on_a_line_number(pupil):
     pupil.press("Block-Text")
     pupil.write("blocktext", "main:\n    function.sleep(1)\n    function.sleep(2)\nend\n")

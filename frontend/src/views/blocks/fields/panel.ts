@@ -17,6 +17,8 @@ export function openPanel(field: Blockly.Field, content: HTMLElement, { undo, cl
   content.className = "lbPanel";
   content.addEventListener("keydown", (event) => {
     if (event.key === "Escape") undo();
+    // The panel closes before the browser would click the button.
+    if (event.key === "Enter" && event.target instanceof HTMLButtonElement) event.target.click();
     if (event.key === "Escape" || event.key === "Enter") close(field, event);
   });
   DropDownDiv.clearContent();
