@@ -16,7 +16,7 @@ from learnblock.language import from_python, from_workspace, parse, to_python, t
 from learnblock.language.tree.nodes import Blank, Comment
 from learnblock.language.tree.traversal import expressions, statements, within
 from places import ROOT, TESTS
-from workspaces import CONFIGURATIONS, NEWER_SKILLS, BlockTrees, as_json, blocks, through_json
+from workspaces import CONFIGURATIONS, BlockTrees, as_json, blocks, through_json
 
 GOLDEN = sorted((TESTS / "cases").glob("*/program.json"))
 PROGRAMS = sorted([*(TESTS / "cases").glob("*/program.bt"), *(ROOT / "examples").glob("*.bt")])
@@ -73,14 +73,16 @@ def test_a_random_program_survives_as_blocks(trees):
     assert_survives(trees.program())
 
 
-def test_the_random_programs_have_every_block_of_the_language_and_the_newer_skills():
+def test_the_random_programs_have_every_block_of_the_language_and_every_skill():
     found = set()
-    for seed in range(500):
+    for seed in range(2000):
         found.update(block.type for block in blocks(written(BlockTrees(seed).program())))
     tabs = palette(CONFIGURATIONS, "en")["toolbox"]["contents"]
     offered = {one["type"] for tab in tabs for one in tab.get("contents", ()) if "type" in one}
     of_language = {one for one in offered if not one.startswith(SKILL)}
-    assert (of_language | {SKILL + one for one in NEWER_SKILLS}) - found == set()
+    # Time has a block of the language.
+    skills = {SKILL + one for one in CONFIGURATIONS if one != "elapsedTime"}
+    assert (of_language | skills) - found == set()
 
 
 @settings(many, max_examples=300)
