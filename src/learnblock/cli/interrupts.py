@@ -2,12 +2,17 @@
 
 import signal
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import partial
-from queue import SimpleQueue
+from queue import Empty, SimpleQueue
 from types import FrameType
 
 from learnblock.cli.console import say
+
+
+#: Seconds after which a signal is noticed that came in the instant before a wait began: Python
+#: calls its handler only once the wait is over.
+_LOOK_AGAIN = 0.5
 
 
 @contextmanager
@@ -40,5 +45,11 @@ def served_until_ctrl_c() -> Iterator[None]:
     with stopped_by_signals(partial(asked.put, None)):
         yield
         say("cli-stop-with-ctrl-c")
-        asked.get()
+        _await(asked)
     raise KeyboardInterrupt
+
+
+def _await(asked: SimpleQueue[None]) -> None:
+    while True:
+        with suppress(Empty):
+            return asked.get(timeout=_LOOK_AGAIN)
