@@ -9,7 +9,6 @@ from types import FrameType
 
 from learnblock.cli.console import say
 
-
 #: Seconds after which a signal is noticed that came in the instant before a wait began: Python
 #: calls its handler only once the wait is over.
 _LOOK_AGAIN = 0.5

@@ -92,7 +92,7 @@ def test_an_untranslated_language_falls_back_to_english():
 
 def test_skills_are_translated():
     found = named(palette(builtin(), "es"), "lb_skill_move_left")
-    assert "curva a la %3 a %1 mm/s, %2°/s" == found["message0"]
+    assert "ir en curva sin parar a la %3 a %1 mm/s, %2°/s" == found["message0"]
     assert found["tooltip"].startswith("Avanza en curva")
 
 
