@@ -4,6 +4,7 @@ import { computed, signal } from "@preact/signals";
 
 import type { Connection } from "../protocol/connection";
 import type { Opened, Tab, TabRobot } from "../protocol/messages";
+import type { Context } from "./context";
 import type { Program } from "./program";
 
 /** The colours of tabs, and of the robots' names in the world; white text can be read on each. */
@@ -15,6 +16,11 @@ export const MOST_ROBOTS = 30;
 /** The states in which a program waits for its user. */
 const WAITING: ReadonlySet<TabRobot["state"]> = new Set(["held", "paused", "input"]);
 
+/** Whether robots can't be added, renamed or removed now: a program runs, or can only be read. */
+export function areRobotsFixed({ program, running }: Context): boolean {
+  return running.active.value || program.readOnly.value !== null;
+}
+
 export class RobotTabs {
   /** None if the project has only one robot. */
   readonly tabs = signal<readonly Tab[]>([]);
@@ -24,6 +30,8 @@ export class RobotTabs {
   readonly shows = signal("");
   /** How many robots there are. */
   readonly count = computed(() => Math.max(1, sum(this.tabs.value.map(robotsOf))));
+  /** Whether the project has as many robots as it can. */
+  readonly isFull = computed(() => this.count.value >= MOST_ROBOTS);
 
   constructor(
     private readonly connection: Connection,

@@ -4,7 +4,7 @@ import { titleOf } from "../../features/connect/names";
 import { t } from "../../i18n";
 import type { Connect } from "../../model/connect";
 import { type Page, usePage } from "../../model/page";
-import { MOST_ROBOTS } from "../../model/robot-tabs";
+import { areRobotsFixed } from "../../model/robot-tabs";
 import { hasReal, robotGroups, robotTitle } from "../../model/robots";
 import type { RobotChoice } from "../../protocol/messages";
 import { Icon } from "../../ui/icons";
@@ -31,9 +31,11 @@ export function RobotMenu() {
     { text: t("page-connect-menu"), run: () => dialogs.show("connect") },
     { text: t("page-robots-robots-menu"), run: () => dialogs.show("robotSettings") },
   ];
-  const isFull = tabs.count.value >= MOST_ROBOTS;
-  const isLocked = off || context.program.readOnly.value !== null;
-  const add = { text: t("page-tabs-add-menu"), off: isLocked || isFull, run: () => dialogs.show("addRobots") };
+  const add = {
+    text: t("page-tabs-add-menu"),
+    off: areRobotsFixed(context) || tabs.isFull.value,
+    run: () => dialogs.show("addRobots"),
+  };
   const real = hasReal(robots);
   const commands = { items: real ? [add, ...settings] : [add] };
   const groups = real ? [...choices, nearby(page, connect, off), commands] : [...choices, commands];

@@ -2,7 +2,7 @@
 
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
-import { MOST_ROBOTS } from "../../model/robot-tabs";
+import { areRobotsFixed } from "../../model/robot-tabs";
 import type { Tab, TabRobot } from "../../protocol/messages";
 import { IconButton } from "../../ui/button";
 import { Icon, type IconName } from "../../ui/icons";
@@ -87,7 +87,7 @@ function ShownRobot() {
       run: () => tabs.show(tabs.open.value, robot.name),
     };
   });
-  const off = context.running.active.value || context.program.readOnly.value !== null;
+  const off = areRobotsFixed(context);
   const count = { text: t("page-tabs-count-menu"), icon: "robot", off, run: () => dialogs.show("robotCount") } as const;
   return (
     <Menu label={t("page-tabs-shown")} groups={[{ items }, { items: [count] }]}>
@@ -99,7 +99,7 @@ function ShownRobot() {
 
 function OpenTabButtons() {
   const { context, dialogs, tabs, toasts } = usePage();
-  const off = context.running.active.value || context.program.readOnly.value !== null;
+  const off = areRobotsFixed(context);
   const close = () => {
     const name = tabs.open.value;
     tabs.close(name);
@@ -125,13 +125,13 @@ function OpenTabButtons() {
 
 function AddRobots() {
   const { context, dialogs, tabs } = usePage();
-  if (context.running.active.value || context.program.readOnly.value) return null;
+  if (areRobotsFixed(context)) return null;
   return (
     <button
       type="button"
       class="button add-robot"
       title={t("page-tabs-add-help")}
-      disabled={tabs.count.value >= MOST_ROBOTS}
+      disabled={tabs.isFull.value}
       onClick={() => dialogs.show("addRobots")}
     >
       <Icon name="plus" />
