@@ -205,10 +205,10 @@ class ProgramRun:
 
     def _refuse_lacking(self, client: Client) -> None:
         """End the program before its first line, as the check does where it knows the devices."""
-        is_known = self.robot.load().known_equipment() is not None
-        if self._lacking is None or is_known or self.options.anyway:
+        if self._lacking is None or self.options.anyway:
             return
-        if lack := self._lacking(client.equipment):
+        is_known = self.robot.load().known_equipment() is not None
+        if not is_known and (lack := self._lacking(client.equipment)):
             client.stop()
             raise MissingDeviceError(lack.code, **lack.values)
 
