@@ -186,9 +186,13 @@ def test_the_tour_goes_on_when_the_pupil_has_done_what_it_says(sit_down, server)
     expect(title).to_have_count(0)
 
 
-def build_listing_4(keys):
+def go_to_main(keys):
     keys.go_to("blocks")
     keys.walk("ArrowDown", "when Run is pressed")
+
+
+def build_listing_4(keys):
+    go_to_main(keys)
     for name in ("times", "angle"):
         keys.make_variable(name)
     set_variable(keys, "times", "0")
@@ -221,7 +225,7 @@ def fewer_than_four(keys):
 
 
 def turn_a_corner(keys):
-    keys.find("forward", "^drive forward at")
+    keys.find("forward", "^keep driving forward at")
     keys.find("wait", "^wait")
     keys.fill("5")
     keys.walk("ArrowLeft", "^wait")
@@ -242,8 +246,7 @@ def test_an_if_with_an_else_and_the_colour_of_a_lamp_are_made_with_the_keyboard(
     keys = Typist(pupil)
     keys.begin()
     keys.choose("Robot", "Thymio")
-    keys.go_to("blocks")
-    keys.walk("ArrowDown", "when Run is pressed")
+    go_to_main(keys)
     keys.find("else", "^if Empty.*2 branches")
     keys.walk("ArrowRight", r"^if Empty: yes or no\?$")
     keys.find("obstacle ahead", "^obstacle ahead")
@@ -261,8 +264,7 @@ def test_an_if_with_an_else_and_the_colour_of_a_lamp_are_made_with_the_keyboard(
 def test_a_when_is_made_with_the_keyboard(pupil):
     keys = Typist(pupil)
     keys.begin()
-    keys.go_to("blocks")
-    keys.walk("ArrowDown", "when Run is pressed")
+    go_to_main(keys)
     keys.take("Events", "^event.* when")
     keys.walk("ArrowRight", r"yes or no\?$")
     keys.find("obstacle ahead", "^obstacle ahead")

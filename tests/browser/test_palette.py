@@ -227,7 +227,7 @@ def test_on_a_laptop_all_groups_are_whole_in_the_rail(sit_down, server, language
 def test_an_empty_program_invites_to_drag_a_block_until_there_is_one(sit_down, server):
     pupil = sit_down(server, stage="starter", empty=True)
     invitation = pupil.page.locator(".lbInvitation")
-    expect(invitation).to_contain_text("Drag a block here")
+    expect(invitation).to_contain_text("Drag a block into the yellow one")
     pupil.picture("invitation")
     pupil.put_into(
         pupil.take("Move", "lb_skill_stop_bot"), pupil.blocks("lb_main").get_attribute("data-id")

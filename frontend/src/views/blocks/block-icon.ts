@@ -3,7 +3,7 @@
 import * as Blockly from "blockly/core";
 
 import { faceSource } from "../../ui/face";
-import { iconSource } from "../../ui/icons";
+import { type IconName, iconSource } from "../../ui/icons";
 import { type Group, inkOf, STYLES } from "./groups";
 
 const SIZE = 20;
@@ -28,14 +28,22 @@ const EMOTIONS: Readonly<Record<string, string>> = {
 };
 const EMOTION = /^lb_skill_(?:express|is_any_face_|is_)([A-Za-z]+)$/;
 
-/** Each icon is made once, and all blocks of a group share it. */
-const sources = new Map<Group, string>();
+/** Blocks for which the icon of their group would be wrong: what chooses or waits does not repeat. */
+const OWN_ICONS: Readonly<Record<string, IconName>> = {
+  controls_if: "branch",
+  lb_skill_sleep: "wait",
+  lb_wait_until: "wait",
+};
 
-function sourceOf(group: Group): string {
-  const known = sources.get(group);
+/** Each icon is made once, and all blocks that have it share it. */
+const sources = new Map<string, string>();
+
+function sourceOf(name: IconName, group: Group): string {
+  const key = `${name} ${group}`;
+  const known = sources.get(key);
   if (known) return known;
-  const source = iconSource(group, inkOf(group));
-  sources.set(group, source);
+  const source = iconSource(name, inkOf(group));
+  sources.set(key, source);
   return source;
 }
 
@@ -51,13 +59,14 @@ class Picture extends Blockly.FieldImage {
 
 class BlockIcon extends Picture {
   constructor() {
-    super(sourceOf("control"), SIZE, SIZE);
+    super(sourceOf("control", "control"), SIZE, SIZE);
   }
 
   /** The block's group may change, such as that of a call with its function. */
   override applyColour(): void {
-    const group = STYLES[(this.getSourceBlock() as Blockly.BlockSvg | null)?.getStyleName() ?? ""];
-    if (group) this.setValue(sourceOf(group));
+    const block = this.getSourceBlock() as Blockly.BlockSvg | null;
+    const group = STYLES[block?.getStyleName() ?? ""];
+    if (group) this.setValue(sourceOf(OWN_ICONS[block?.type ?? ""] ?? group, group));
   }
 }
 

@@ -30,14 +30,21 @@ export class Invitation {
     this.dom.remove();
   }
 
-  /** Show it beside the palette while no block is in the program, hats apart. */
+  /** Show it beside the palette and below the hats while no block is in the program, hats apart. */
   update(isLoading: boolean): void {
     const { workspace } = this;
     this.dom.hidden = isLoading || workspace.isReadOnly() || !isEmpty(workspace);
     if (this.dom.hidden) return;
     const { left } = workspace.getMetricsManager().getAbsoluteMetrics();
     this.dom.style.setProperty("--beside", `${left}px`);
+    this.dom.style.setProperty("--below", `${lowest(workspace)}px`);
   }
+}
+
+/** The lower edge of the lowest block in the view, in px. */
+function lowest(workspace: Blockly.WorkspaceSvg): number {
+  const edges = workspace.getTopBlocks(false).map((block) => block.getBoundingRectangle().bottom);
+  return Math.max(0, ...edges) * workspace.scale + workspace.scrollY;
 }
 
 function isEmpty(workspace: Blockly.WorkspaceSvg): boolean {

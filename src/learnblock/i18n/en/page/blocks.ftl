@@ -41,8 +41,8 @@ page-blocks-search-program = Search in the program
 page-blocks-previous = Previous
 page-blocks-next = Next
 page-blocks-close = Close
-page-blocks-empty = Drag a block here.
-page-blocks-empty-keys = Drag a block here, or press Enter on it. Everything works with the keyboard, too: F1 helps.
+page-blocks-empty = Drag a block into the yellow one, then press Run.
+page-blocks-empty-keys = Drag a block into the yellow one, then press Run. With the keyboard: Enter on a block, and F1 for help.
 page-blocks-loading = Loading blocks…
 page-blocks-rest = { $count ->
     [one] 1 more block

@@ -41,8 +41,8 @@ page-blocks-search-program = Buscar en el programa
 page-blocks-previous = Anterior
 page-blocks-next = Siguiente
 page-blocks-close = Cerrar
-page-blocks-empty = Arrastra un bloque hasta aquí.
-page-blocks-empty-keys = Arrastra un bloque hasta aquí, o pulsa Intro sobre él. Todo funciona también con el teclado: F1 ayuda.
+page-blocks-empty = Arrastra un bloque dentro del amarillo y pulsa Ejecutar.
+page-blocks-empty-keys = Arrastra un bloque dentro del amarillo y pulsa Ejecutar. Con el teclado: Intro sobre un bloque, y F1 para la ayuda.
 page-blocks-loading = Cargando los bloques…
 page-blocks-rest = { $count ->
     [one] 1 bloque más
