@@ -134,6 +134,6 @@ workspace-unreachable-after-jump = This block never runs: the block above it lea
     [return] the function
    *[other] this round of the loop
 } first. Move it above that block, or remove it.
-workspace-unreachable-after-loop = This block never runs: the loop above it never ends. Move it into the loop or above it, or leave the loop with 'leave the loop'.
+workspace-unreachable-after-loop = This block never runs: the loop above it never ends. Move it into the loop or above it, or end the loop with 'leave the loop'.
 workspace-unreachable-after-branches = This block never runs: every branch of the 'if' above leaves before it. Move it above the 'if', or remove it.
 workspace-sensor-outside-loop = The robot is asked only once, when the program gets here. To keep asking, put this block into 'repeat forever', or use an event from 'Events'.

@@ -138,6 +138,6 @@ workspace-unreachable-after-jump = Este bloque no se ejecuta nunca: el de encima
     [return] la función
    *[other] esta vuelta del bucle
 }. Ponlo encima de ese bloque, o quítalo.
-workspace-unreachable-after-loop = Este bloque no se ejecuta nunca: el bucle de encima no termina. Ponlo dentro del bucle o encima de él, o sal del bucle con 'salir del bucle'.
+workspace-unreachable-after-loop = Este bloque no se ejecuta nunca: el bucle de encima no termina. Ponlo dentro del bucle o encima de él, o termina el bucle con 'salir del bucle'.
 workspace-unreachable-after-branches = Este bloque no se ejecuta nunca: todas las ramas del 'si' de encima salen antes. Ponlo encima del 'si', o quítalo.
 workspace-sensor-outside-loop = Al robot se le pregunta solo una vez, cuando el programa llega aquí. Para seguir preguntando, pon este bloque dentro de 'repetir siempre', o usa un evento de 'Eventos'.
