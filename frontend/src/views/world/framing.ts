@@ -10,10 +10,11 @@ import { radians } from "./scenery/geometry";
 export const FIELD = 36;
 /** The part of the picture in which robot and goal are, from its middle. */
 export const INNER = 0.8;
-/** The robot's part of the picture's height: the least, the most, and the usual one without a goal. */
+/** The robot's part of the picture's height: the least, and the most beside its goal. */
 const LEAST = 0.14;
 const MOST = 0.3;
-const ALONE = 0.2;
+/** Without a goal: its most of the height and of the width, and how far from the middle it is, with room ahead of it. */
+const ALONE = { height: 0.42, width: 0.28, aside: 0.38, below: 0.2 };
 /** What a turn from the south by 90 degrees costs, and what a robot that looks into the camera is worth. */
 const SIDEWAYS = 0.05;
 const FACING = 0.04;
@@ -85,11 +86,12 @@ function worth(share: number, turn: number, heading: number): number {
 function nearest(subject: Subject, steepness: number, turn: number, part: number, aspect: number): Eye | null {
   const [goalX, goalY] = subject.goal ?? [subject.x, subject.y];
   const [x, y] = [subject.x + part * (goalX - subject.x), subject.y + part * (goalY - subject.y)];
-  const most = subject.goal ? MOST : ALONE;
   const eye = new Eye(x, y, steepness, turn, aspect);
   for (let distance = NEAREST; distance < FARTHEST; distance *= STEP) {
     eye.distance = distance;
-    if (eye.share(subject) <= most && eye.shows(subject)) return eye;
+    if (!eye.shows(subject)) continue;
+    if (subject.goal && eye.share(subject) <= MOST) return eye;
+    if (!subject.goal && eye.isFarFrom(subject)) return eye.leaveRoom(subject.heading);
   }
   return null;
 }
@@ -103,8 +105,8 @@ class Eye {
   private readonly north: number;
 
   constructor(
-    private readonly x: number,
-    private readonly y: number,
+    private x: number,
+    private y: number,
     steepness: number,
     turn: number,
     private readonly aspect: number,
@@ -126,6 +128,23 @@ class Eye {
   share({ x, y, reach, height }: Subject): number {
     const [out, across] = [this.east * reach, this.north * reach];
     return (this.up(x - out, y - across, height) - this.up(x + out, y + across, 0)) / 2;
+  }
+
+  /** Whether a robot without a goal is small enough. */
+  isFarFrom(subject: Subject): boolean {
+    const { x, y, reach } = subject;
+    return this.share(subject) <= ALONE.height && reach <= ALONE.width * this.depth(x, y, 0) * this.aspect;
+  }
+
+  /** Move along, so that a robot in the middle leaves room ahead of it: it looks to the right at the left. */
+  leaveRoom(heading: number): Eye {
+    const half = TAN * this.distance;
+    const [forward, left] = [Math.cos(radians(heading)), Math.sin(radians(heading))];
+    const right = ALONE.aside * half * this.aspect * (this.east * left - this.north * forward);
+    const away = (ALONE.below * half) / this.rise;
+    this.x -= right * this.north + away * this.east;
+    this.y += right * this.east - away * this.north;
+    return this;
   }
 
   shows({ x, y, reach, height, goal }: Subject): boolean {

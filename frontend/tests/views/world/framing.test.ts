@@ -56,6 +56,29 @@ describe.each([
   });
 });
 
+describe.each([
+  ["a tall picture", 0.86],
+  ["a usual picture", 1.36],
+])("without a goal, in %s", (_, aspect) => {
+  it.each([
+    ["to the right", 0, -0.25],
+    ["to the left", 180, 0.25],
+  ])("a robot that looks %s leaves room ahead of it", (_, heading, side) => {
+    const seen = new Vector3(0, 0, 0).project(cameraFor({ ...LONELY, heading }, aspect));
+
+    expect(Math.sign(side) * seen.x).toBeGreaterThan(Math.abs(side));
+    expect(seen.y).toBeLessThan(-0.1);
+  });
+
+  it("it takes a quarter of the width, and not much more", () => {
+    const camera = cameraFor({ ...LONELY, heading: 0 }, aspect);
+    const [left, right] = [-LONELY.reach, LONELY.reach].map((x) => new Vector3(x, 0, 0).project(camera).x);
+
+    expect(((right ?? 0) - (left ?? 0)) / 2).toBeGreaterThan(0.22);
+    expect(((right ?? 0) - (left ?? 0)) / 2).toBeLessThan(0.32);
+  });
+});
+
 /** A wall with its corners, mm, standing on the floor. */
 function wall(west: number, south: number, east: number, north: number, bottom = 0, top = 200): Screen {
   const outline: XY[] = [
