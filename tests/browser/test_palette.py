@@ -165,12 +165,29 @@ def test_the_buttons_of_the_zoom_are_named_and_work_with_the_keyboard(
     sit_down, server, language, names
 ):
     pupil = sit_down(server, language=language, empty=True)
-    expect(pupil.page.locator(".lbTool.blocklyTrash")).to_have_accessible_name(re.compile("."))
     canvas = pupil.page.locator(f"{WORKSPACE} > .blocklyBlockCanvas")
     for name, scale in zip(names, (SCALE * 1.2, SCALE, SCALE), strict=True):
         pupil.page.get_by_role("button", name=name).focus()
         pupil.page.keyboard.press("Enter")
         expect(canvas).to_have_attribute("transform", re.compile(rf"scale\({scale:.4g}\)"))
+
+
+def test_the_bin_is_there_while_a_block_is_dragged_and_once_one_has_been_thrown_away(
+    sit_down, server
+):
+    pupil = sit_down(server, empty=True)
+    trash = pupil.page.locator(".lbTool.blocklyTrash")
+    pupil.put_into(
+        pupil.take("Move", "lb_skill_turn"), pupil.blocks("lb_main").get_attribute("data-id")
+    )
+    expect(trash).to_be_hidden()
+    with pupil.dragging(pupil.blocks("lb_skill_turn"), (300, 200)):
+        expect(trash).to_be_visible()
+    expect(trash).to_be_hidden()
+    pupil.select_block(pupil.blocks("lb_skill_turn"))
+    pupil.page.keyboard.press("Delete")
+    expect(trash).to_be_visible()
+    expect(trash).to_have_accessible_name(re.compile("."))
 
 
 def test_the_buttons_of_the_zoom_are_large_enough_for_a_finger(sit_down, server):

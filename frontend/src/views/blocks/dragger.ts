@@ -9,8 +9,16 @@ import * as Blockly from "blockly/core";
  */
 export const EDGE = { slowBlockStartDistance: Infinity, slowMouseSpeed: 0.2, fastMouseSpeed: 0.6 };
 
+/** The editor has it while something is dragged: the bin is needed then. */
+const DRAGGING = "lb-dragging";
+
 /** Over the palette it does not scroll: blocks come from there, and go there to be deleted. */
 export class Dragger extends ScrollBlockDragger {
+  override onDragStart(event: PointerEvent): Blockly.IDraggable {
+    this.editor.classList.add(DRAGGING);
+    return super.onDragStart(event);
+  }
+
   /**
    * Look for the place once more before the block is dropped. While blocks wait to be drawn, their places are
    * those of the last frame: a quick drop would land beside the gap that has just closed or opened.
@@ -21,10 +29,24 @@ export class Dragger extends ScrollBlockDragger {
       this.onDrag(event, delta);
     }
     super.onDragEnd(event);
+    this.editor.classList.remove(DRAGGING);
+  }
+
+  override onDragRevert(event?: PointerEvent | KeyboardEvent): void {
+    super.onDragRevert(event);
+    this.editor.classList.remove(DRAGGING);
+  }
+
+  private get editor(): Element {
+    return this.workspace.getInjectionDiv();
+  }
+
+  private get workspace(): Blockly.WorkspaceSvg {
+    return this.draggable.workspace as Blockly.WorkspaceSvg;
   }
 
   protected override scrollWorkspaceWhileDragging_(event: PointerEvent): void {
-    if (isOverPalette(this.draggable.workspace as Blockly.WorkspaceSvg, event)) this.stopAutoScrolling();
+    if (isOverPalette(this.workspace, event)) this.stopAutoScrolling();
     else super.scrollWorkspaceWhileDragging_(event);
   }
 }
