@@ -196,15 +196,15 @@ def test_a_project_that_is_not_open_is_renamed_copied_exported_and_deleted(own_s
 
 
 def test_a_project_has_a_picture_of_its_last_run(newcomer, own_server):
-    show_examples(newcomer).get_by_role("button", name=re.compile("^Turn a corner")).click()
-    newcomer.expect_project("Turn a corner")
+    show_examples(newcomer).get_by_role("button", name=re.compile("^Turn right")).click()
+    newcomer.expect_project("Turn right")
     expect(newcomer.page.locator("[data-region=world] canvas")).to_be_visible()
     newcomer.press("Run")
     newcomer.state("Ended")
-    kept = own_server.home / "projects" / ".history" / "Turn a corner" / "picture.jpg"
+    kept = own_server.home / "projects" / ".history" / "Turn right" / "picture.jpg"
     wait_for(kept.is_file, "the picture of the run")
     go_home(newcomer)
-    picture = row(newcomer, "Turn a corner").get_by_role("presentation")
+    picture = row(newcomer, "Turn right").get_by_role("presentation")
     expect(picture).to_have_js_property("naturalWidth", 480)
     assert 2_000 < kept.stat().st_size <= 20_000
 
@@ -248,9 +248,9 @@ def test_the_keyboard_alone_chooses_a_robot_and_opens_an_example(newcomer):
     expect(newcomer.page.get_by_role("radio", name="Cozmo")).to_be_checked()
     tab_to(newcomer, newcomer.page.get_by_role("button", name="All examples"))
     keyboard.press("Enter")
-    tab_to(newcomer, section(newcomer, "Examples").get_by_role("button", name="Turn a corner"))
+    tab_to(newcomer, section(newcomer, "Examples").get_by_role("button", name="Turn right"))
     keyboard.press("Enter")
-    newcomer.expect_project("Turn a corner")
+    newcomer.expect_project("Turn right")
 
 
 def tab_to(pupil, button):

@@ -8,7 +8,7 @@ import { Icon } from "../../ui/icons";
 export function Goals() {
   const { context, askingWhy } = usePage();
   const goals = context.running.telemetry.value?.goals ?? [];
-  if (goals.length === 0) return null;
+  if (goals.length === 0) return <FreePlay />;
   const reached = goals.filter(({ state }) => state === "reached").length;
   const done = reached === goals.length;
   const look = done ? "chip goals reached" : "chip goals";
@@ -17,7 +17,7 @@ export function Goals() {
   const inside = (
     <>
       <Icon name={done ? "check" : "star"} />
-      {goal && worldName(goal.name)}{" "}
+      {goal && t("page-world-goal", { goal: worldName(goal.name) })}{" "}
       {goals.length > 1 && <b>{t("page-problems-goals-reached", { reached, all: goals.length })}</b>}
     </>
   );
@@ -38,6 +38,18 @@ export function Goals() {
       {inside}
       <Icon name="why" />
     </button>
+  );
+}
+
+/** A world without goals says so, once it is there; a lesson has its own tasks. */
+function FreePlay() {
+  const { context, lessons } = usePage();
+  if (!context.running.scene.value || lessons.shown.value) return null;
+  return (
+    <p class="chip goals" title={t("page-world-free-play-help")}>
+      <Icon name="examples" />
+      {t("page-world-free-play")}
+    </p>
   );
 }
 

@@ -69,7 +69,7 @@ function OutputButton() {
   const shown = views.shows("panel");
   return (
     <div class="output-button">
-      <IconButton icon="console" word="page-shell-panel" pressed={shown} onClick={() => views.togglePanel()} />
+      <IconButton icon="console" word="page-shell-panel" named pressed={shown} onClick={() => views.togglePanel()} />
       {!shown && count > 0 && (
         <span class="badge" aria-hidden="true">
           {count}

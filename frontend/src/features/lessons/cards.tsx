@@ -31,6 +31,7 @@ export function LessonCards() {
   }, [welcomed]);
   const level = chosen.value ?? last?.level ?? BEGINNINGS[preferences.value.stage];
   const shown = all.filter((one) => one.level === level);
+  const next = [last, ...shown].find((one) => one?.level === level && !isDone(one));
   return (
     <section id="lessons" class="start-lessons" aria-labelledby="start-lessons" data-region="lessons" tabIndex={-1}>
       <div class="start-head">
@@ -48,40 +49,59 @@ export function LessonCards() {
             </button>
           ))}
         </div>
-        {!isReadOnly && lessons.teaches.value && (
-          <div class="lesson-import">
-            <button
-              type="button"
-              class="button bordered"
-              onClick={() => chooseFile(`${LESSON_FILE},${LESSON_ZIP}`, (file) => void lessons.import(file))}
-            >
-              <Icon name="upload" />
-              {t("page-lesson-open-file")}
-            </button>
-            <IconButton
-              icon="projects"
-              word="page-lesson-open-folder"
-              onClick={() => chooseFolder((files) => lessons.takeFolder(files))}
-            />
-          </div>
-        )}
+        {!isReadOnly && lessons.teaches.value && <OpenLesson />}
       </div>
       {lessons.choices.value && shown.length === 0 && <p class="dim">{t("page-lesson-cards-none")}</p>}
       <ul class="start-cards">
         {shown.map((one) => (
-          <Card key={one.name} lesson={one} isReadOnly={isReadOnly} />
+          <Card key={one.name} lesson={one} isNext={one === next} isReadOnly={isReadOnly} />
         ))}
       </ul>
     </section>
   );
 }
 
-function Card({ lesson, isReadOnly }: { lesson: LessonChoice; isReadOnly: boolean }) {
+function isDone({ earned = 0, stars, project = "" }: LessonChoice): boolean {
+  return stars > 0 ? earned >= stars : project !== "";
+}
+
+/** A lesson of one's own: from its file, or from the folder it is written in. */
+function OpenLesson() {
+  const { lessons } = usePage();
+  const items: readonly MenuItem[] = [
+    {
+      text: t("page-lesson-open-file"),
+      icon: "upload",
+      run: () => chooseFile(`${LESSON_FILE},${LESSON_ZIP}`, (file) => void lessons.import(file)),
+    },
+    {
+      text: t("page-lesson-open-folder"),
+      icon: "projects",
+      run: () => chooseFolder((files) => lessons.takeFolder(files)),
+    },
+  ];
+  return (
+    <div class="lesson-import">
+      <Menu label={t("page-lesson-open")} icon="upload" groups={[{ items }]} look="bordered" side="right">
+        {t("page-lesson-open")}
+      </Menu>
+    </div>
+  );
+}
+
+interface CardProps {
+  readonly lesson: LessonChoice;
+  /** Whether it is the one to do now. */
+  readonly isNext: boolean;
+  readonly isReadOnly: boolean;
+}
+
+function Card({ lesson, isNext, isReadOnly }: CardProps) {
   const { lessons } = usePage();
   const { name, picture = "", step = 0, steps, own = false, project = "" } = lesson;
   const title = inLanguage(lesson.title);
   return (
-    <li class="lesson-card">
+    <li class={isNext ? "lesson-card next" : "lesson-card"}>
       <button
         type="button"
         class="start-example"
@@ -98,6 +118,7 @@ function Card({ lesson, isReadOnly }: { lesson: LessonChoice; isReadOnly: boolea
           <Facts lesson={lesson} />
           {project && step > 0 && <span class="lesson-badge">{t("page-lesson-go-on", { step, count: steps })}</span>}
           {own && !project && <span class="lesson-badge">{t("page-lesson-own")}</span>}
+          {isNext && !own && !project && <span class="lesson-badge">{t("page-lesson-cards-next")}</span>}
         </span>
       </button>
       {(project || own || lessons.teaches.value) && (

@@ -13,8 +13,9 @@ page-lesson-minutes = { $minutes } min
 page-lesson-stars-of = { $earned } of { $stars } stars
 page-lesson-stars-short = { $earned }/{ $stars }
 page-lesson-go-on = Step { $step } of { $count }
-page-lesson-open-file = Open a lesson…
-page-lesson-open-folder = Open the folder of a lesson…
+page-lesson-open = Open a lesson
+page-lesson-open-file = From a file…
+page-lesson-open-folder = From a folder…
 page-lesson-no-folder = This folder has no lesson.toml, so it is not a lesson. Choose the folder that lesson.toml is in.
 page-lesson-own = My lesson
 page-lesson-delete = Delete { $title }
@@ -33,6 +34,7 @@ page-lesson-notes-wrong = Typical wrong programs
 # $check is what the program fails, as pupils read it.
 page-lesson-notes-fails = Fails: { $check }
 page-lesson-notes-hint = The hint for it:
+page-lesson-cards-next = Start here
 page-lesson-cards-none = There is no lesson of this level yet.
 page-lesson-again = Start { $title } again
 # $title is the title of a lesson.

@@ -20,7 +20,7 @@ page-start-try = Try it
 ## Robots
 
 page-start-robots = Which robot do you have?
-page-start-no-robot = No robot? It drives here, in the simulator.
+page-start-no-robot = No robot? A simulated one drives here.
 page-start-connect = Connect
 
 ## Lessons and examples

@@ -30,6 +30,9 @@ page-world-measure = { $device ->
 }
 page-world-plot = Plot these values
 # $thing is such as "a wall".
+page-world-goal = Goal: { $goal }
+page-world-free-play = Free play
+page-world-free-play-help = This world has no goal: make the robot do what you like. The worlds of the menu above have goals.
 page-world-bumped = Bump: { $thing }
 page-world-real-speed = { $factor }×: as fast as this computer can
 page-world-mm = { $mm } mm

@@ -20,7 +20,7 @@ page-start-try = Pruébalo
 ## Robots
 
 page-start-robots = ¿Qué robot tienes?
-page-start-no-robot = ¿No tienes robot? Conduce aquí, en el simulador.
+page-start-no-robot = ¿No tienes robot? Aquí conduce uno simulado.
 page-start-connect = Conectar
 
 ## Lecciones y ejemplos

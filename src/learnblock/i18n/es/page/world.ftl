@@ -29,6 +29,9 @@ page-world-measure = { $device ->
    *[other] { $device }
 }
 page-world-plot = Ver la gráfica de estos valores
+page-world-goal = Objetivo: { $goal }
+page-world-free-play = Juego libre
+page-world-free-play-help = Este mundo no tiene objetivo: haz con el robot lo que quieras. Los mundos del menú de arriba tienen objetivos.
 page-world-bumped = Choque: { $thing }
 page-world-real-speed = { $factor }×: lo más rápido que puede este ordenador
 page-world-mm = { $mm } mm
