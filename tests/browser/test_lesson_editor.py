@@ -192,7 +192,7 @@ def test_a_page_that_may_be_on_another_computer_offers_nothing_of_the_teachers(t
     show_the_first_lessons(pupil)
     expect(card(pupil, "A square with a loop")).to_have_count(1)
     expect(pupil.page.get_by_role("button", name="More for A square with")).to_have_count(0)
-    expect(pupil.page.get_by_role("button", name="Open a lesson")).to_have_count(0)
+    expect(pupil.page.get_by_role("button", name="Add a lesson")).to_have_count(0)
     assert behind_a_proxy.stop() == 0
 
 
@@ -216,7 +216,7 @@ def test_a_lesson_is_opened_from_its_folder(teacher, tmp_path):
 def open_folder(teacher, folder):
     """Choose a folder as the one of a lesson."""
     with teacher.page.expect_file_chooser() as chooser:
-        teacher.command("Open a lesson", "From a folder…")
+        teacher.command("Add a lesson", "From a folder…")
     chooser.value.set_files(folder)
 
 

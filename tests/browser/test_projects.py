@@ -227,7 +227,7 @@ def test_an_example_opens_as_a_new_project(pupil):
     expect(pupil.dialog().get_by_role("listitem")).not_to_have_count(0)
     pupil.picture("gallery")
     pupil.dialog().get_by_role("button", name="Line with states").click()
-    expect(pupil.page.locator("header .project-name")).to_have_text(re.compile("^line-states"))
+    expect(pupil.page.locator("header .project-name")).to_have_text(re.compile("^Line with states"))
     pupil.expect_chosen("World", "Line")
     expect(pupil.blocks("lb_when")).to_have_count(3)
     pupil.picture("opened")

@@ -37,7 +37,7 @@ function distanceInWords(readings: readonly Sensor[]): string {
   const nearest = readings.reduce((least, one) => (Number(one.value) < Number(least.value) ? one : least));
   const value = Number(nearest.value);
   const isBeyond = value >= quantityOf(nearest).highest;
-  return t(isBeyond ? "page-world-over-mm" : "page-world-mm", { mm: Math.round(value) });
+  return isBeyond ? t("page-world-nothing-near") : t("page-world-mm", { mm: Math.round(value) });
 }
 
 function pressedInWords(buttons: readonly Sensor[]): string {

@@ -3,7 +3,7 @@ import { usePage } from "../../model/page";
 import type { ExampleChoice } from "../../protocol/messages";
 import { Dialog } from "../../ui/dialog";
 import { pictureOf } from "./pictures";
-import { exampleText, exampleTitle } from "./words";
+import { exampleText, exampleTitle, plainTitle } from "./words";
 import "./dialog.css";
 
 /** The examples and first programs; opening one creates a new project. */
@@ -35,7 +35,7 @@ function Card({ example }: { example: ExampleChoice }) {
   const { name, robot, world } = example;
   const open = () => {
     dialogs.close();
-    project.create(name, name);
+    project.create(plainTitle(example), name);
   };
   const titles = (kinds: string) =>
     kinds

@@ -52,6 +52,7 @@ class Console implements ConsoleIsland {
         copy.textContent = t("page-console-copy");
         clear.textContent = t("page-console-clear");
         this.lines.dom.setAttribute("aria-label", t("page-console-lines"));
+        this.lines.dom.dataset.empty = t("page-console-empty");
         this.lines.translate();
       }),
     );

@@ -5,7 +5,7 @@ import { type PerspectiveCamera, Vector3 } from "three";
 import { between } from "./scenery/geometry";
 
 /** The part of the picture, from its middle, in which the robot moves before the camera does. */
-const FREE = 0.6;
+const FREE = 0.5;
 /** The part of the way that the camera goes each second, as a rate. */
 const RATE = 5;
 /** mm: nearer than this, it has arrived. */

@@ -45,7 +45,7 @@ export interface Subject {
   /** The radius around it, and its height, mm. */
   readonly reach: number;
   readonly height: number;
-  /** The first goal; null if it has no place. */
+  /** The first goal, or a line on the floor; null if there is none. */
   readonly goal: XY | null;
   /** What may hide it. */
   readonly screens: readonly Screen[];

@@ -188,6 +188,24 @@ export function firstGoal({ goal, tag }: WorldValues): XY | null {
   return first ? [first.x, first.y] : null;
 }
 
+/** mm: how far a robot sees what is drawn on the floor before it. */
+const NEAR = 1300;
+
+/** The middle of the farthest line that is near a place: what a world without goals is about. */
+export function farthestLine({ line }: WorldValues, x: number, y: number): XY | null {
+  const middles = line.map(({ points }): XY => {
+    const [xs, ys] = [points.map(([at]) => at), points.map(([, at]) => at)];
+    return [middle(xs), middle(ys)];
+  });
+  const away = ([atX, atY]: XY) => Math.hypot(atX - x, atY - y);
+  const near = middles.filter((one) => away(one) < NEAR).sort((one, other) => away(other) - away(one));
+  return near[0] ?? null;
+}
+
+function middle(values: readonly number[]): number {
+  return (Math.min(...values) + Math.max(...values)) / 2;
+}
+
 /** The first start, for goals that have no place. */
 function entrance(world: WorldValues): XY {
   const [first] = world.start;

@@ -1,5 +1,6 @@
 # The console. $seconds is how long a run took.
 
+page-console-empty = What the program prints appears here.
 page-console-lines = Program output
 page-console-copy = Copy
 page-console-clear = Clear

@@ -1,5 +1,6 @@
 # La consola.
 
+page-console-empty = Aquí aparece lo que escribe el programa.
 page-console-lines = Salida del programa
 page-console-copy = Copiar
 page-console-clear = Vaciar
