@@ -17,6 +17,19 @@ from places import ROOT
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 DOCS = ROOT / "docs"
 PACKAGE = ROOT / "src/learnblock"
+#: All pages that link to others.
+PAGES = [
+    *(ROOT / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md")),
+    ROOT / "examples/README.md",
+    *sorted(DOCS.rglob("*.md")),
+]
+#: What may name a page of the docs, such as a message.
+NAMING = (
+    *("src/**/*.py", "src/**/*.ftl", "src/**/*.template", "frontend/src/**/*.ts*"),
+    *("scripts/*", "benchmarks/*.py", "tests/**/*.py", "pyproject.toml"),
+)
+#: Pages of pycozmo.
+FOREIGN = {"docs/protocol.md", "docs/functions.md"}
 #: Where the words in the picture come from.
 WORDS = ("i18n/en/**/*.ftl", "blocks/**/*.json", "simulator/worlds/*.toml")
 
@@ -70,11 +83,7 @@ def test_continuous_integration_runs_the_same_test_command():
     assert "pip install uv && uv run pytest" in (ROOT / ".ci" / "run").read_text()
 
 
-@pytest.mark.parametrize(
-    "page",
-    [ROOT / "README.md", *sorted(DOCS.rglob("*.md"))],
-    ids=lambda page: str(page.relative_to(ROOT)),
-)
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
 def test_every_linked_page_exists(page):
     prose = re.sub(r"```.*?```|`[^`\n]*`", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
     named = re.findall(r"\]\(([^)#:]+)[^):]*\)", prose)
@@ -89,27 +98,34 @@ def anchors(page):
 
 
 def test_every_link_to_a_heading_finds_it():
-    pages = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *DOCS.rglob("*.md")]
     links = [
         (page.parent / name if name else page, anchor)
-        for page in pages
+        for page in PAGES
         for name, anchor in re.findall(r"\]\(([^)#:]*)#([^)]+)\)", page.read_text("utf-8"))
     ]
     assert len(links) > 50
     assert [(to.name, anchor) for to, anchor in links if anchor not in anchors(to)] == []
 
 
+def test_every_page_that_the_source_names_exists():
+    files = [path for pattern in NAMING for path in ROOT.glob(pattern) if path.is_file()]
+    text = "\n".join(path.read_text(encoding="utf-8") for path in files)
+    named = {*re.findall(r"\bdocs/[a-z/-]+\.md\b", text)}
+    assert "docs/add-a-robot.md" in named
+    assert [name for name in sorted(named - FOREIGN) if not (ROOT / name).exists()] == []
+
+
 def test_the_list_of_all_pages_and_that_of_all_commands_are_complete():
     pages = (DOCS / "README.md").read_text(encoding="utf-8")
     assert [page.name for page in DOCS.glob("[a-z]*.md") if f"({page.name})" not in pages] == []
-    commands = (DOCS / "commands.md").read_text(encoding="utf-8")
+    commands = pages.partition("## All commands")[2].partition("## Glossary")[0]
     named = set(
         re.findall(r"[a-z]+", " ".join(re.findall(r"^\| (.+?) \|", commands, re.MULTILINE)))
     )
     assert set(main.list_commands(None)) - named == set()
 
 
-@pytest.mark.parametrize("page", ["README.md", "docs/install.md", "docs/commands.md"])
+@pytest.mark.parametrize("page", ["README.md", "docs/README.md"])
 def test_a_command_for_users_installs_nothing_for_developers(page):
     text = (ROOT / page).read_text(encoding="utf-8")
     assert set(re.findall(r"uv run (?!pytest)([\w-]+)", text)) == {"--no-dev"}

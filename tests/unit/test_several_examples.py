@@ -18,7 +18,8 @@ from places import ROOT
 from runs import EXAMPLES, Presser
 
 FOLDER = EXAMPLES / "several"
-PAGE = (ROOT / "docs" / "several-robots.md").read_text(encoding="utf-8")
+GAMES = (ROOT / "docs" / "games.md").read_text(encoding="utf-8")
+PAGE = GAMES.partition("\n## Several robots\n")[2]
 README = (EXAMPLES / "README.md").read_text(encoding="utf-8")
 COMMAND = re.compile(r"`learnblock run (\S+@\S+(?: \S+@\S+)*) --world (\w+)(?: --for \d+)?`")
 COMMANDS = COMMAND.findall(PAGE)

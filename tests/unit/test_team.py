@@ -1,4 +1,4 @@
-"""Several programs in one run, as docs/several-robots.md describes it."""
+"""Several programs in one run, as docs/games.md describes it."""
 
 import io
 import json

@@ -23,7 +23,7 @@ Block-Text `function.NAME(...)`, in Python `robot.NAME(...)`. Speeds are in mm/s
 distances in mm, angles in degrees (clockwise, that is to the right, is positive) and times in
 seconds.
 
-A skill asks for a [sense](senses.md), and the best of the robot's devices serves it. If none can,
+A skill asks for a [sense](one-program-every-robot.md#senses). If nothing on the robot can serve it,
 the skill does nothing: a question returns False, and a measurement returns None.
 
 This page is generated: `python -m learnblock.blocks.reference docs/skills.md`.

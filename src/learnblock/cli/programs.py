@@ -52,9 +52,7 @@ _ROBOT = click.option("--robot", metavar="NAME", help="The robot: see learnblock
 @click.option("--trace", type=_NEW_FILE, help="Write the trace as JSON Lines.")
 @click.option("--why", type=_LOG, help="Write a log for questions: see learnblock why.")
 @click.option("--picture", type=_NEW_FILE, help="Draw the world and the path as .png or .svg.")
-@click.option(
-    "--keys", type=EXISTING_FILE, help="Press the keys in this file: see docs/keyboard.md."
-)
+@click.option("--keys", type=EXISTING_FILE, help="Press the keys in this file: see docs/games.md.")
 @click.option("--anyway", is_flag=True, help="Run even if the robot lacks a device it needs.")
 @click.option("--allow-network", is_flag=True, help="Let the program use the network.")
 @json_option

@@ -47,7 +47,7 @@ def test_the_skill_has_no_effect_on_a_robot_without_wheels(home):
 
 
 def test_the_example_of_a_test_passes(home):
-    exec(examples("python")[3], {})  # noqa: S102 - the page's own program
+    exec(examples("python")[4], {})  # noqa: S102 - the page's own program
 
 
 def test_the_skill_is_a_block_before_it_is_configured(home):
@@ -72,7 +72,7 @@ def test_each_hint_of_the_page_names_a_field(home):
 
 
 def test_the_check_finds_no_problem_in_the_files_of_the_page():
-    for source in (examples("python")[0], examples("python")[2]):
+    for source in (examples("python")[0], *examples("python")[2:4]):
         assert () == custom_blocks.check(source).problems
     assert () == custom_blocks.check(examples("python")[0], examples("json")[0]).problems
 

@@ -42,7 +42,7 @@ def test_every_page_that_the_docs_link_to_exists(page):
 
 
 def test_the_set_of_blocks_in_the_docs_is_one():
-    text = (DOCS / "block-sets.md").read_text("utf-8")
+    text = (DOCS / "class.md").read_text("utf-8")
     shown = re.search(r"```toml\n(.*?)```", text, re.DOTALL)[1]
     assert block_sets.parse(shown, "tuesday").title["en"] == "On Tuesday"
     shown_error = re.search(r"```text\n(.*?)```", text, re.DOTALL)[1]
@@ -52,6 +52,6 @@ def test_the_set_of_blocks_in_the_docs_is_one():
 
 
 def test_every_set_and_every_tab_of_the_language_is_in_the_docs():
-    text = (DOCS / "block-sets.md").read_text("utf-8")
+    text = (DOCS / "class.md").read_text("utf-8")
     tabs = {tab["category"] for tab in palette(builtin(), "en")["toolbox"]["contents"]}
     assert [one for one in (*block_sets.BUILT_IN, *tabs) if f"`{one}`" not in text] == []

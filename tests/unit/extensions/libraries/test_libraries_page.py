@@ -1,4 +1,4 @@
-"""The examples of docs/libraries.md, in the order of the page."""
+"""The examples about libraries in docs/blocks.md, in the order of the page."""
 
 import re
 import shlex
@@ -12,7 +12,7 @@ from learnblock.cli import main
 from learnblock.extensions import libraries
 from places import ROOT
 
-PAGE = (ROOT / "docs" / "libraries.md").read_text("utf-8")
+PAGE = (ROOT / "docs" / "blocks.md").read_text("utf-8").partition("\n## Libraries\n")[2]
 SESSIONS = re.findall(r"```console\n(.*?)```", PAGE, re.DOTALL)
 COMMAND = re.compile(r"^\$ learnblock (.*)\n((?:[^$].*\n)*)", re.MULTILINE)
 
