@@ -1,15 +1,56 @@
-"""The check of a custom block before it is saved; none of its code is run."""
+"""The check of a custom block and its names before it is saved; none of its code is run."""
 
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
 
-from learnblock.blocks import BlockConfiguration
+from learnblock.blocks import BlockConfiguration, builtin
+from learnblock.blocks.installed_libraries import installed_blocks
+from learnblock.blocks.reserved import RESERVED
+from learnblock.blocks.source.derivation import derive_plugin
 from learnblock.blocks.source.signature import Signature, signatures
-from learnblock.errors import CustomBlockError, Diagnostic, ProgramError
+from learnblock.errors import CustomBlockError, Diagnostic, LearnBlockError, ProgramError
 from learnblock.extensions.custom_blocks import chosen as choices
-from learnblock.extensions.custom_blocks.clashes import taken_names
 from learnblock.extensions.custom_blocks.custom_block import Checked, Part, Problem, checked_name
 from learnblock.extensions.custom_blocks.source_check import bad_default, wrong_source
 from learnblock.i18n import Phrase
+from learnblock.storage import skill_files
+
+
+def taken_names(
+    *, but: str = "", others: Mapping[str, Phrase] | None = None
+) -> Mapping[str, Phrase]:
+    """The taken names, each with a message.
+
+    Args:
+        but: the block whose functions are left out.
+        others: the result of `others_names`, if it is already known.
+    """
+    taken: dict[str, Phrase] = {}
+    for path in skill_files.own_files():
+        if path.stem != but:
+            for name in skill_files.names(path):
+                taken[name] = Phrase("custom-taken-by-block", name=name, block=path.stem)
+    return {**taken, **(others_names() if others is None else others)}
+
+
+def others_names() -> Mapping[str, Phrase]:
+    """The names that are taken by anything except custom blocks."""
+    taken = {
+        one.name: Phrase("custom-taken-by-library", name=one.name, library=one.library)
+        for one in installed_blocks()
+    }
+    taken |= {name: Phrase("custom-taken-by-plugin", name=name) for name in _of_plugins()}
+    taken |= {name: Phrase("custom-taken-by-robot", name=name) for name in RESERVED}
+    taken |= {name: Phrase("custom-taken-by-skill", name=name) for name in builtin()}
+    return taken
+
+
+def _of_plugins() -> Iterator[str]:
+    for point in skill_files.plugins():
+        # `all_configurations` reports a plugin that cannot be read.
+        with suppress(LearnBlockError, OSError):
+            for signature, _ in derive_plugin(point):
+                yield signature.name
 
 
 def check(
@@ -25,7 +66,7 @@ def check(
     Args:
         source: the Python of its functions.
         configuration: the configuration of its blocks, as JSON; empty for the defaults.
-        name: the name the name to save it under; empty if it has none yet.
+        name: the name to save it under; empty if it has none yet.
         replaces: the name it is saved under now, if any.
         others: the result of `others_names`, if it is already known.
     """

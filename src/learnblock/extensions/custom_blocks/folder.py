@@ -15,8 +15,7 @@ from learnblock.errors import (
     UnknownNameError,
 )
 from learnblock.extensions.custom_blocks import copying, package
-from learnblock.extensions.custom_blocks.checking import check
-from learnblock.extensions.custom_blocks.clashes import others_names, taken_names
+from learnblock.extensions.custom_blocks.checking import check, others_names, taken_names
 from learnblock.extensions.custom_blocks.custom_block import (
     Checked,
     CustomBlock,

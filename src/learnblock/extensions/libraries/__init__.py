@@ -4,8 +4,7 @@ A library is a folder, or the same files in one zip. Its code is only read here,
 runs only as part of a program.
 """
 
-from learnblock.extensions.libraries.address import find
-from learnblock.extensions.libraries.archive import ENDING, pack, read, unpack
+from learnblock.extensions.libraries.archive import ENDING, find, pack, read, unpack
 from learnblock.extensions.libraries.clashes import Clash, clashes
 from learnblock.extensions.libraries.contents import Library, from_files
 from learnblock.extensions.libraries.making import make, own_skills

@@ -1,13 +1,15 @@
 """The user's own worlds: shared as one file, imported, renamed and deleted."""
 
-from learnblock.extensions.worlds.archive import ENDINGS, pack, unpack
 from learnblock.extensions.worlds.folder import delete, find, install, own_names, rename, restore
 from learnblock.extensions.worlds.packed_world import (
+    ENDINGS,
     PackedWorld,
     is_same,
+    pack,
     picture_name,
     plain_name,
     staged,
+    unpack,
 )
 
 __all__ = [

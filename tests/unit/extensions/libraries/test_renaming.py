@@ -5,7 +5,7 @@ import pytest
 from learnblock.blocks import load_configurations
 from learnblock.errors import FileError, LibraryError, UnknownNameError
 from learnblock.extensions.libraries import renamed
-from learnblock.extensions.libraries.python_names import renamed as renamed_in_python
+from learnblock.extensions.libraries.renaming import renamed_module
 from learnblock.i18n import Phrase
 
 
@@ -70,7 +70,7 @@ def test_an_unknown_skill_is_named(make):
 )
 def test_a_name_with_two_meanings_is_refused(code):
     with pytest.raises(LibraryError) as error:
-        renamed_in_python(code, "clap", "applaud", "clap.py")
+        renamed_module(code, "clap", "applaud", "clap.py")
     (problem,) = error.value.diagnostics
     assert problem.message == Phrase("library-two-meanings", name="clap")
 
@@ -78,4 +78,4 @@ def test_a_name_with_two_meanings_is_refused(code):
 def test_multibyte_letters_are_counted_correctly():
     code = 'def clap(robot): pass\nx = "ñandú", clap, "ñ"; robot = 1; robot.clap()\n'
     expected = 'def applaud(robot): pass\nx = "ñandú", applaud, "ñ"; robot = 1; robot.applaud()\n'
-    assert renamed_in_python(code, "clap", "applaud", "clap.py") == expected
+    assert renamed_module(code, "clap", "applaud", "clap.py") == expected
