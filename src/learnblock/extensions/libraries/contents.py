@@ -15,7 +15,7 @@ from learnblock.extensions.libraries.manifest import Manifest, read_manifest, wr
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext import names
 from learnblock.language.edit.extraction import extracted
-from learnblock.language.python.skill_writer import to_skills
+from learnblock.language.python.generation import to_skills
 from learnblock.language.tree.nodes import Assign, Blank, Comment, Def
 from learnblock.storage import skill_files
 

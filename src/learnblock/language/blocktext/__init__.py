@@ -23,7 +23,7 @@ numbers, texts, names, lists, items       Number, String, Name, List, Index  exp
 ========================================  =================================  ====================
 
 What can't be read is explained by `slips.py` and `open_brackets.py` (a word or a bracket) or by
-`foreign_lines.py` and `several_targets.py` (a whole line), whose rules are made of `line_rules.py`
-and applied by `rewording.py` and `line_rewriter.py`. `lexer.py` and `token_reader.py` are below all
-parsers. `order.py` puts definitions above their uses; `names.py` translates names to Python.
+`foreign_lines.py` and `several_targets.py` (a whole line), whose rules `line_rules.py` and
+`line_rewriter.py` apply. `lexer.py` and `token_reader.py` are below all parsers. `order.py` puts
+definitions above their uses; `names.py` translates names to Python.
 """

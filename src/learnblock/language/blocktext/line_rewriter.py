@@ -4,13 +4,12 @@ from collections.abc import Iterable
 
 from learnblock.errors import Diagnostic
 from learnblock.language.blocktext.expression_parser import ExpressionParser
+from learnblock.language.blocktext.foreign_lines import RULES
 from learnblock.language.blocktext.lexer import LINE_ENDS, Token, Tokens, tokenize
-from learnblock.language.blocktext.rewording import Rewording, reworded
+from learnblock.language.blocktext.line_rules import Rewording, reworded
 
 #: At most this many lines are compared with known slips; a pupil reads only the first messages.
 MAX_COMPARED = 200
-#: A line may need several words in English.
-MAX_PER_LINE = 4
 
 
 class LineRewriter(ExpressionParser):
@@ -41,7 +40,7 @@ class LineRewriter(ExpressionParser):
         if any(token.line != number for token in self.tokens[start:end]):
             return False
         self.compared += 1
-        rewording = reworded(self.code_of(number, end))
+        rewording = reworded(self.code_of(number, end), RULES)
         if rewording is None:
             return False
         if number not in self.rewritten:

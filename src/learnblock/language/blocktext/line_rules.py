@@ -1,11 +1,19 @@
-"""Rules that recognise a wrong line, and say what to write instead."""
+"""Rules that recognise a wrong line, and reword it: what is wrong, and what to write instead."""
 
 import re
 from collections.abc import Callable, Sequence
 from functools import cache
 from typing import NamedTuple
 
+from learnblock.i18n import Phrase
+
 WRITE_INSTEAD = "blocktext-write-instead"
+#: Longer lines are not reworded: the patterns go over a line several times.
+MAX_LENGTH = 200
+#: A condition or a value: everything up to the colon.
+REST = r"(\S.*?)\s*:?\s*$"
+NAME = r"([^\W\d]\w*)"
+_TEXTS = re.compile(r"\"(?:[^\"\\]|\\.)*\"|'(?:[^'\\]|\\.)*'")
 
 
 class Rule(NamedTuple):
@@ -39,6 +47,58 @@ def at_start(words: str, instead: str, code: str = WRITE_INSTEAD) -> Rule:
     return Rule(rf"\s*(?P<wrong>{words})\b(?!\s*(?:=[^=]|[.\[]))", instead, code)
 
 
-#: A condition or a value: everything up to the colon.
-REST = r"(\S.*?)\s*:?\s*$"
-NAME = r"([^\W\d]\w*)"
+class Rewording(NamedTuple):
+    """A wrong line and the right one.
+
+    Args:
+        line: the line as it should be.
+        message: what was wrong.
+        start: where the wrong part begins, counted from 0.
+        end: where it ends.
+    """
+
+    line: str
+    message: Phrase
+    start: int
+    end: int
+
+
+def reworded(line: str, rules: tuple[Rule, ...]) -> Rewording | None:
+    """What a line that cannot be read should be; None if it resembles no known slip."""
+    if len(line) > MAX_LENGTH:
+        return None
+    masked = _TEXTS.sub(_blank, line)
+    for rule in rules:
+        found = rule.match(masked)
+        if found is None:
+            continue
+        rewording = _applied(rule, found, line)
+        if rewording.line != line:
+            return rewording
+    return None
+
+
+def _applied(rule: Rule, found: re.Match[str], line: str) -> Rewording:
+    indent = len(line) - len(line.lstrip())
+    start, end = (indent, len(line.rstrip()))
+    if "wrong" in found.re.groupindex:
+        start, end = found.span("wrong")
+    wrong = line[start:end]
+    groups = [wrong, *(line[slice(*span)] for span in found.regs[1:])]
+    instead = _filled(rule.instead, groups)
+    values = {name: _filled(value, groups) for name, value in rule.values}
+    message = Phrase(rule.code, found=wrong.strip(), instead=instead.strip(), **values)
+    blanks = len(wrong) - len(wrong.lstrip())
+    return Rewording(line[:start] + instead + line[end:], message, start + blanks, end)
+
+
+def _filled(template: str | Callable[[Sequence[str]], str], groups: Sequence[str]) -> str:
+    """A template with the groups of a match in place of their numbers."""
+    if callable(template):
+        return template(groups)
+    return re.sub(r"\\(\d)", lambda number: groups[int(number[1])], template)
+
+
+def _blank(text: re.Match[str]) -> str:
+    quote = text[0][0]
+    return quote + " " * (len(text[0]) - 2) + quote

@@ -15,7 +15,6 @@ from learnblock.language.check.flow_checker import LOOPS, FlowChecker
 from learnblock.language.check.python_checker import check_python
 from learnblock.language.check.type_checker import check_types
 from learnblock.language.check.variable_checker import check_variables
-from learnblock.language.check.variable_order_checker import check_order
 from learnblock.language.python.syntax_errors import syntax_message
 from learnblock.language.tree.nodes import (
     Activate,
@@ -130,7 +129,6 @@ class _Checker:
         self.block(self.findings.top, 0, 0, within_def=False)
         self.block(self.findings.main, 0, 0, within_def=False)
         check_variables(self.findings)
-        check_order(self.findings)
         check_types(self.findings)
         self.flow.run()
         self.sensors_outside_loops()

@@ -1,20 +1,52 @@
-"""Find variables that are never set."""
+"""Find variables that are never set, or read before, also in the functions that are called."""
+
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field, replace
+from itertools import chain
 
 from learnblock.errors import nearest
 from learnblock.i18n import Phrase
+from learnblock.language.blocktext.names import state_of
 from learnblock.language.blocktext.slips import write_instead
 from learnblock.language.check.findings import Findings
+from learnblock.language.check.flow_checker import LOOPS
 from learnblock.language.check.other_names import VALUES
-from learnblock.language.check.variable_order_checker import evaluated
-from learnblock.language.tree.nodes import Def, Item, Name
-from learnblock.language.tree.traversal import statements
+from learnblock.language.tree.markers import raw_names
+from learnblock.language.tree.nodes import (
+    Assign,
+    Binary,
+    Body,
+    Call,
+    Conditional,
+    Def,
+    Expression,
+    ForEach,
+    ForRange,
+    If,
+    Item,
+    Name,
+    RawExpression,
+    When,
+)
+from learnblock.language.tree.traversal import (
+    all_expressions,
+    bodies,
+    expressions,
+    set_by,
+    statements,
+    targets,
+    within,
+)
 
 # Python sets these in every file.
 _PYTHONS_OWN = frozenset(("__name__", "__file__"))
 
 
 def check_variables(findings: Findings) -> None:
+    """Report variables that are never set, and then those that are read too early."""
     _Values(findings).run()
+    _Order(findings).run()
 
 
 class _Values:
@@ -31,7 +63,7 @@ class _Values:
     def never_set(self, item: Item) -> None:
         own = set(item.parameters) if isinstance(item, Def) else set()
         for statement in statements((item,)):
-            for node in evaluated(statement):
+            for node in _evaluated(statement):
                 if isinstance(node, Name):
                     self.read(node, own)
 
@@ -56,3 +88,174 @@ class _Values:
         if near is None:
             return Phrase("check-unknown-name", name=name)
         return Phrase("check-unknown-name-near", name=name, near=near)
+
+
+@dataclass(frozen=True, slots=True)
+class _Scope:
+    """The variables that may be set where a statement runs.
+
+    Args:
+        known: the shared variables that may be set.
+        own: the parameters and loop variables of the function.
+        bound: those of them that may be set.
+        in_loop: what the loops around set, each as often as statements set it.
+        maybe: what other branches may have set in an earlier round of these loops.
+    """
+
+    known: set[str]
+    own: frozenset[str] = frozenset()
+    bound: set[str] = field(default_factory=set)
+    in_loop: Counter[str] = field(default_factory=Counter)
+    maybe: frozenset[str] = frozenset()
+
+    def has(self, name: str) -> bool:
+        return name in (self.bound if name in self.own else self.known) or name in self.maybe
+
+    def bind(self, name: str) -> None:
+        (self.bound if name in self.own else self.known).add(name)
+
+
+class _Order:
+    """Follows a program in the order in which it runs.
+
+    A variable set in one branch counts as set: only definite errors are reported.
+    """
+
+    def __init__(self, findings: Findings) -> None:
+        self.findings = findings
+        self.functions = findings.functions
+        self.reported: set[str] = set()
+        self.followed: set[tuple[str, bool]] = set()
+
+    def run(self) -> None:
+        program, whens = self.findings.program, self.findings.whens
+        known = set(self.findings.raw_names)
+        known.update(*(self.sets(self.functions[name].body) for name in self.called_in_raw()))
+        runs = [one for one in program.items if not isinstance(one, Def | When)]
+        if self.findings.in_python:
+            # The text runs from top to bottom; the tree has definitions first.
+            runs.sort(key=lambda one: one.span.line)
+        self.block((*runs, *self.findings.main), _Scope(known))
+        self.events(list(whens.values()), known)
+
+    def events(self, whens: list[When], known: set[str]) -> None:
+        start = [one for one in whens if one.name == "start" and one.condition is None]
+        for when in start:
+            self.event(when, known, Counter())
+        for when in whens:
+            # The first cycle evaluates every condition before it runs an event.
+            self.expressions(_certain(when.condition), _Scope(known))
+        sets = {when.name: set(self.sets(when.body)) for when in whens}
+        for when in whens:
+            # Each runs again and again, after any other.
+            others = (found for name, found in sets.items() if name != when.name)
+            self.event(when, known.union(*others), self.sets(when.body))
+
+    def event(self, when: When, known: set[str], again: Counter[str]) -> None:
+        self.block(when.body, _Scope(known, _counted(when.body), in_loop=again))
+
+    def called_in_raw(self) -> set[str]:
+        """The functions that parts in raw Python may call at any time."""
+        names = set(self.findings.raw_names)
+        for item in self.findings.everything:
+            for node in all_expressions(item):
+                if isinstance(node, RawExpression):
+                    names |= raw_names(node.text.strip())
+        return names & self.functions.keys()
+
+    def sets(self, body: Body) -> Counter[str]:
+        """The variables that statements set, also through the functions that they call."""
+        names = Counter(chain.from_iterable(map(set_by, statements(body))))
+        seen: set[str] = set()
+        ahead = list(self.called_in(body))
+        while ahead:
+            name = ahead.pop()
+            inner = self.functions[name].body
+            names.update(chain.from_iterable(map(set_by, statements(inner))))
+            if name not in seen:
+                seen.add(name)
+                ahead += self.called_in(inner)
+        return names
+
+    def called_in(self, body: Body) -> Iterator[str]:
+        for item in statements(body):
+            for node in all_expressions(item):
+                if isinstance(node, Call) and node.name in self.functions:
+                    yield node.name
+
+    def block(self, body: Iterable[Item], scope: _Scope) -> None:
+        for item in body:
+            self.statement(item, scope)
+
+    def statement(self, item: Item, scope: _Scope) -> None:
+        self.expressions(_evaluated(item), scope)
+        for name in set_by(item):
+            scope.bind(name)
+        for body in bodies(item):
+            self.block(body, self.inner(item, body, scope))
+
+    def inner(self, item: Item, body: Body, scope: _Scope) -> _Scope:
+        """The scope of a body of a statement."""
+        if isinstance(item, LOOPS):
+            return replace(scope, in_loop=scope.in_loop + self.sets(body))
+        if isinstance(item, If) and scope.in_loop:
+            return replace(scope, maybe=scope.maybe | (scope.in_loop - self.sets(body)).keys())
+        return scope
+
+    def expressions(self, found: Iterable[Expression], scope: _Scope) -> None:
+        nodes = list(found)
+        for node in nodes:
+            if isinstance(node, Call) and node.name in self.functions:
+                self.call(self.functions[node.name], scope)
+        for node in nodes:
+            if isinstance(node, Name):
+                self.read(node, scope)
+
+    def call(self, function: Def, scope: _Scope) -> None:
+        """Follow the first call of a function: later, the same variables are set and more."""
+        key = (function.name, bool(scope.maybe))
+        if key in self.followed:
+            return
+        self.followed.add(key)
+        own = _counted(function.body) | frozenset(function.parameters)
+        bound = set(function.parameters)
+        self.block(function.body, _Scope(scope.known, own, bound, maybe=scope.maybe))
+
+    def read(self, node: Name, scope: _Scope) -> None:
+        name = node.name
+        if state_of(name, self.findings.whens.keys()) is not None:
+            return
+        if scope.has(name) or name in self.reported or name not in self.findings.assigned:
+            return
+        self.reported.add(name)
+        self.findings.report(
+            "unset-variable", Phrase("check-read-before-set", name=name), node.span
+        )
+
+
+def _counted(body: Body) -> frozenset[str]:
+    """The variables of loops, which each function has for itself."""
+    loops = (one for one in statements(body) if isinstance(one, ForEach | ForRange))
+    return frozenset(chain.from_iterable(map(set_by, loops)))
+
+
+def _evaluated(item: Item) -> Iterator[Expression]:
+    """The expressions that a statement evaluates, without its target and the bodies inside it."""
+    is_changed = isinstance(item, Assign) and item.operator != "="
+    names = () if is_changed else targets(item)
+    for expression in expressions(item):
+        if not any(expression is one for one in names):
+            yield from within(expression)
+
+
+def _certain(condition: Expression | None) -> Iterator[Expression]:
+    """The parts of a condition that are evaluated whatever the others are."""
+    ahead = [] if condition is None else [condition]
+    while ahead:
+        node = ahead.pop()
+        if isinstance(node, Binary) and node.operator in {"and", "or"}:
+            ahead.append(node.left)
+        elif isinstance(node, Conditional):
+            ahead.append(node.condition)
+        else:
+            yield from within(node)

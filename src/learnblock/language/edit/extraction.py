@@ -1,5 +1,6 @@
 """Extract functions from a program for a library, with everything they need."""
 
+import ast
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -8,8 +9,9 @@ from learnblock.errors import Diagnostic, LibraryError, UnknownNameError
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.format import format as format_program
 from learnblock.language.blocktext.names import state_of
+from learnblock.language.check.findings import defined_names, python_error
 from learnblock.language.edit.symbols import Symbols
-from learnblock.language.edit.uses import called_by, names_in, set_by_python
+from learnblock.language.python.scopes import stored_names
 from learnblock.language.tree.builtins import FUNCTIONS
 from learnblock.language.tree.markers import raw_names
 from learnblock.language.tree.nodes import (
@@ -24,6 +26,7 @@ from learnblock.language.tree.nodes import (
     Name,
     Program,
     Raw,
+    RawExpression,
     SkillCall,
     Span,
 )
@@ -44,7 +47,7 @@ def with_needed(program: Program, names: Iterable[str]) -> tuple[str, ...]:
             raise UnknownNameError("function", name, functions)
         if name not in found:
             found.add(name)
-            ahead += [call for call in called_by(functions[name]) if call in functions]
+            ahead += [call for call in _called_by(functions[name]) if call in functions]
     return tuple(name for name in functions if name in found)
 
 
@@ -116,7 +119,7 @@ class _Extraction:
         """The variables of the whole program that an item uses."""
         own = self.symbols.own(item)
         for statement in statements((item,)):
-            for node, used in names_in(statement):
+            for node, used in _names_in(statement):
                 if used not in own and used in self.symbols.variables:
                     yield used, node.span
 
@@ -146,7 +149,7 @@ class _Extraction:
 
     def events(self, function: Def) -> Iterator[Diagnostic]:
         for statement in statements((function,)):
-            used = [(name, one.span) for one, name in names_in(statement) if self.is_state(name)]
+            used = [(name, one.span) for one, name in _names_in(statement) if self.is_state(name)]
             if isinstance(statement, Activate | Deactivate):
                 used.append((statement.name, statement.span))
             for name, span in used:
@@ -170,7 +173,7 @@ class _Extraction:
         """Report raw Python that would have to pass the robot on, or needs other raw Python."""
         own = self.symbols.own(function)
         for statement in statements((function,)):
-            for node, name in names_in(statement):
+            for node, name in _names_in(statement):
                 if name in own:
                     continue
                 if name in self.symbols.functions:
@@ -187,7 +190,7 @@ class _Extraction:
         """The names that raw Python outside of functions sets, defines and imports."""
         outside = (one for one in self.symbols.items if not isinstance(one, Def))
         found = (one.text for one in statements(tuple(outside)) if isinstance(one, Raw))
-        return {name for text in found for name in set_by_python(text)}
+        return {name for text in found for name in _set_by_python(text)}
 
     def variable(self, name: str, span: Span) -> Iterator[Diagnostic]:
         elsewhere = self.set_elsewhere.get(name)
@@ -231,3 +234,31 @@ def _set_in(statement: Item) -> Iterator[str]:
 
 def _problem(code: str, message: Phrase, span: Span) -> Diagnostic:
     return Diagnostic(code, message, span.line, span.column)
+
+
+def _called_by(function: Def) -> Iterator[str]:
+    """The names of the functions that a function calls."""
+    for statement in statements((function,)):
+        for node in all_expressions(statement):
+            if isinstance(node, Call):
+                yield node.name
+
+
+def _names_in(statement: Item) -> Iterator[tuple[Name | Raw | RawExpression, str]]:
+    """The names in a statement without its bodies, including those in its raw Python."""
+    if isinstance(statement, Raw):
+        for name in sorted(raw_names(statement.text)):
+            yield statement, name
+    for node in all_expressions(statement):
+        if isinstance(node, Name):
+            yield node, node.name
+        elif isinstance(node, RawExpression):
+            for name in sorted(raw_names(node.text.strip())):
+                yield node, name
+
+
+def _set_by_python(text: str) -> set[str]:
+    """The names that raw Python sets, defines and imports."""
+    if python_error(text, "exec"):
+        return set()
+    return defined_names(text) | stored_names(ast.parse(text))

@@ -22,6 +22,6 @@ any other statement or expression           Raw, RawExpression              the 
 ==========================================  ==============================  ======================
 
 `scopes.py` decides whether the local variables of functions could be shared. `generation.py` puts a
-whole program together, with a map of its lines (`source_map.py`); `skill_writer.py` writes the
-functions of a library. `syntax_errors.py` and `foreign_lines.py` explain what is no Python.
+whole program together, with a map of its lines (`source_map.py`), or the functions of a library.
+`syntax_errors.py` and `foreign_lines.py` explain what is no Python.
 """

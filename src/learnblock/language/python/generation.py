@@ -1,4 +1,7 @@
-"""Generate Python from a tree: simple code for learners, with the source of each line."""
+"""Generate Python: simple code for learners, with the source of each line, and skills.
+
+Skills are functions of a library: they take the robot first and pass it to each other.
+"""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -6,8 +9,9 @@ from dataclasses import dataclass
 
 from learnblock.language.python.source_map import SourceMap
 from learnblock.language.python.writer import PythonWriter
+from learnblock.language.tree.builtins import MODULES
 from learnblock.language.tree.extents import Extent, every
-from learnblock.language.tree.nodes import If, Node, Program, Raw, is_only_raw
+from learnblock.language.tree.nodes import Call, Def, If, Node, Program, Raw, is_only_raw
 from learnblock.language.tree.traversal import statements
 
 DEFAULT_ROBOT = "learnblock.robots.sim_ebo"
@@ -96,3 +100,31 @@ def _read_lines(program: Program) -> Iterator[tuple[int, int, Node]]:
             for part in (*statement.branches, statement.otherwise):
                 if part is not None:
                     yield part.span.line, part.span.line, statement
+
+
+def to_skills(program: Program, origin: str) -> str:
+    """The Python of a program that consists of functions and the variables that they share.
+
+    Args:
+        program: the program of a library.
+        origin: the file of the program.
+    """
+    writer = _SkillWriter(program, frozenset())
+    writer.body_of(list(program.items))
+    heading = [f'"""Made from {origin}: change that, and not this file."""']
+    imports = [f"import {module}" for module in MODULES if module in writer.modules]
+    lines = [*heading, *([""] if imports else []), *imports, *writer.lines]
+    return "\n".join([*lines, ""])
+
+
+class _SkillWriter(PythonWriter):
+    def definition(self, node: Def) -> None:
+        parameters = ["robot", *map(self.variable, node.parameters)]
+        self.function(f"def {self.variable(node.name)}({', '.join(parameters)})", node)
+
+    def call(self, node: Call, level: int) -> str:
+        text = super().call(node, level)
+        if node.name not in self.functions:
+            return text
+        name, _, arguments = text.partition("(")
+        return f"{name}(robot{'' if arguments == ')' else ', '}{arguments}"

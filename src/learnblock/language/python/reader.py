@@ -15,9 +15,9 @@ from learnblock.errors import Diagnostic, ProgramError
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext import names
 from learnblock.language.blocktext.lexer import MAX_CHARACTERS, too_long
+from learnblock.language.blocktext.line_rules import reworded
 from learnblock.language.blocktext.names import state_of
 from learnblock.language.blocktext.order import definitions_first
-from learnblock.language.blocktext.rewording import reworded
 from learnblock.language.python import imports
 from learnblock.language.python.expression_reader import (
     Unlike,

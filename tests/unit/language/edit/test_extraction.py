@@ -5,7 +5,7 @@ import pytest
 from learnblock.errors import LibraryError, UnknownNameError
 from learnblock.language import parse
 from learnblock.language.edit.extraction import extracted, with_needed
-from learnblock.language.python.skill_writer import to_skills
+from learnblock.language.python.generation import to_skills
 
 PROGRAM = """# About the program.
 
