@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-#: The names of `server.http.token` and `server.http.protection`.
+#: The names of `server.http.address` and `server.http.protection`.
 TOKEN_VARIABLE, TOKEN_COOKIE = "LEARNBLOCK_TOKEN", "learnblock_token"
 _ICON = Path(__file__).parent / "server" / "static" / "icon.svg"
 #: Seconds in which LearnBlock answers, even if a whole class starts at once.

@@ -7,7 +7,7 @@ from unittest import mock
 
 from learnblock.extensions import worlds
 from learnblock.extensions.worlds import PackedWorld
-from learnblock.server.projects import offering
+from learnblock.server.projects import unpacking
 from learnblock.server.projects.carried import Carried, CarriedWorld, Code
 from learnblock.server.projects.project import Project
 from learnblock.server.projects.project_file import decode, encode
@@ -41,8 +41,8 @@ def read_project(text):
     """Open a project elsewhere, and install what it brings."""
     with _empty_home():
         project = unpacked(decode(text.encode("utf-8", "replace"), "p")).project
-        offering.offer(project.carried.offered)
-        offering.install(project.carried.offered)
+        unpacking.offer(project.carried.offered)
+        unpacking.install(project.carried.offered)
 
 
 def project_texts():

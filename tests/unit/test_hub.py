@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from learnblock import hub
-from learnblock.server.http import protection, token
+from learnblock.server.http import address, protection
 
 
 def test_the_proxy_finds_it_by_its_entry_point():
@@ -20,7 +20,7 @@ def test_the_proxy_finds_it_by_its_entry_point():
 
 
 def test_it_names_the_token_as_the_server_does():
-    assert hub.TOKEN_VARIABLE == token.VARIABLE
+    assert hub.TOKEN_VARIABLE == address.VARIABLE
     assert hub.TOKEN_COOKIE == protection.COOKIE
 
 

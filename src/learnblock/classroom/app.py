@@ -30,7 +30,7 @@ from learnblock.classroom.wall import Board, ProjectorView, View, WallView
 from learnblock.errors import LearnBlockError
 from learnblock.server.http import static_files
 from learnblock.server.http.protection import SUBPROTOCOL, Guard, Protection
-from learnblock.server.messages.problems import phrase_of
+from learnblock.server.messages.base import phrase_of
 
 #: Close codes: this browser may not be here; the pupil's server is not ready yet.
 _FORBIDDEN, _TRY_LATER = 4403, 1013

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from learnblock.errors import LearnBlockError
-from learnblock.server.http.own_address import own_address
+from learnblock.server.http.address import own_address
 from learnblock.storage.files import save
 
 if TYPE_CHECKING:

@@ -16,7 +16,7 @@ from learnblock.classroom.pupil_folder import HOME, PROJECTS, TEMPORARY
 from learnblock.runtime.containment import kernel
 from learnblock.runtime.containment.fence import contain_server
 from learnblock.server import serve
-from learnblock.server.http.token import VARIABLE
+from learnblock.server.http.address import VARIABLE
 from learnblock.server.projects.writer import Access, Writer
 
 _MEGABYTE = 1024 * 1024

@@ -15,7 +15,7 @@ from learnblock.classroom.certificate import Certificate
 from learnblock.classroom.room import Room
 from learnblock.classroom.roster import Roster
 from learnblock.i18n import Phrase
-from learnblock.server.http.own_address import own_address
+from learnblock.server.http.address import own_address
 from learnblock.server.messages.lessons import LessonText
 from learnblock.server.serve import collect_rarely, configured, tcp_socket
 

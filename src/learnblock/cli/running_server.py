@@ -11,8 +11,8 @@ import msgspec
 
 from learnblock.errors import LearnBlockError
 from learnblock.server import messages
+from learnblock.server.http.address import token as the_token
 from learnblock.server.http.protection import SUBPROTOCOL
-from learnblock.server.http.token import token as the_token
 from learnblock.server.projects.project import Project
 from learnblock.server.projects.project_file import ENDING, encode
 from learnblock.server.projects.writer import Writer

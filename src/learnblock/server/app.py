@@ -18,7 +18,7 @@ from starlette.websockets import WebSocket
 
 from learnblock.i18n import Phrase
 from learnblock.server.http import static_files
-from learnblock.server.http.own_address import own_address
+from learnblock.server.http.address import own_address
 from learnblock.server.http.palette import palette
 from learnblock.server.http.pictures import face, floor, lesson, project, tag
 from learnblock.server.http.protection import (

@@ -21,9 +21,9 @@ import uvicorn
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.server.app import create_app
+from learnblock.server.http.address import token as the_token
 from learnblock.server.http.protection import is_loopback
 from learnblock.server.http.requests import TimedRequests
-from learnblock.server.http.token import token as the_token
 from learnblock.server.projects.writer import Access
 
 DEFAULT_HOST = "127.0.0.1"

@@ -15,8 +15,7 @@ from learnblock.server.catalog.lessons import (
     lesson_choices,
     star_names,
 )
-from learnblock.server.catalog.robots import robot_choices
-from learnblock.server.catalog.runs_on import runs_on
+from learnblock.server.catalog.robots import robot_choices, runs_on
 from learnblock.server.catalog.worlds import check_world_name, usual_world, world_choices
 
 __all__ = [

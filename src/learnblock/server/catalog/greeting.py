@@ -9,7 +9,7 @@ from learnblock.server.catalog.examples import example_choices
 from learnblock.server.catalog.robots import robot_choices
 from learnblock.server.catalog.worlds import world_choices
 from learnblock.server.messages import Tags, Welcome
-from learnblock.server.messages.problems import phrase_of
+from learnblock.server.messages.base import phrase_of
 
 
 def welcome(

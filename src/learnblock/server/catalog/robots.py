@@ -1,16 +1,19 @@
-"""The robots that a project can use."""
+"""The robots that a project can use, and those that can run its program."""
 
 from functools import cache
 from typing import TYPE_CHECKING
 
 from msgspec import structs
 
-from learnblock import robots
+from learnblock import robots, running
 from learnblock.blocks import builtin
 from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase
+from learnblock.language.check.robots import Verdict as Found
 from learnblock.robots.settings import given_names
 from learnblock.senses import SENSES, served_by
-from learnblock.server.messages import RobotChoice
+from learnblock.server.messages import RobotChoice, RunsOn, Verdict
+from learnblock.server.program.document import Document
 
 if TYPE_CHECKING:
     from learnblock.client import Client
@@ -91,3 +94,17 @@ def _needs() -> tuple[str, ...]:
     """Every need of the built-in blocks."""
     found = (need for block in builtin().values() for need in block.needed())
     return tuple(sorted(set(found)))
+
+
+def runs_on(document: Document) -> RunsOn:
+    """For each robot, whether it can run the program, and what it lacks."""
+    found = running.verdicts(document.block_tree, document.target.configurations)
+    return RunsOn(tuple(_verdict(robot, one) for robot, one in found.items()))
+
+
+def _verdict(robot: str, found: Found | Phrase) -> Verdict:
+    if isinstance(found, Phrase):
+        return Verdict(robot, "unknown", found)
+    if found.refused:
+        return Verdict(robot, "refused", found.phrase)
+    return Verdict(robot, "without" if found.missed else "runs", found.phrase)

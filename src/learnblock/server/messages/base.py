@@ -1,8 +1,11 @@
-"""Types that all messages share."""
+"""Types that all messages share, and errors as phrases for the page."""
 
 from typing import Annotated, Literal
 
 from msgspec import Meta, MsgspecError, Struct, json
+
+from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase
 
 #: The limit of a program in characters: 6,000 lines. A longer one would keep other pages waiting.
 LONGEST_TEXT = 250_000
@@ -69,3 +72,10 @@ class FromReader(FromPage, frozen=True):
 
 class ToPage(Message, frozen=True):
     """A message to a page."""
+
+
+def phrase_of(error: Exception) -> Phrase:
+    """The phrase of an error; of another library's exception, its text."""
+    if isinstance(error, LearnBlockError):
+        return error.phrase
+    return Phrase(str(error) or type(error).__name__)

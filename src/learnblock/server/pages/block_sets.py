@@ -8,8 +8,7 @@ from anyio import to_thread
 from learnblock.blocks import block_sets
 from learnblock.i18n import Phrase
 from learnblock.server import messages
-from learnblock.server.pages.handlers import Handlers
-from learnblock.server.pages.page import Page
+from learnblock.server.pages.page import Handlers, Page
 
 HANDLERS = Handlers()
 

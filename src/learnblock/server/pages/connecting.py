@@ -9,8 +9,7 @@ from learnblock.errors import LearnBlockError, SettingsError
 from learnblock.i18n import Phrase
 from learnblock.robots import RobotEntry, find
 from learnblock.server import catalog, messages
-from learnblock.server.pages.handlers import Handlers
-from learnblock.server.pages.page import Page
+from learnblock.server.pages.page import Handlers, Page
 
 # The drivers of robots are slow to import, and the server answers before that.
 

@@ -14,15 +14,14 @@ from learnblock import running
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.server import messages
-from learnblock.server.pages.handlers import Handlers
-from learnblock.server.pages.page import Page
+from learnblock.server.pages.page import Handlers, Page
 
 HANDLERS = Handlers()
 
 
 @HANDLERS.add
 async def _read(page: Page, _: messages.ReadContainment) -> None:
-    page.send(messages.Containment(await page.sessions.survey.findings()))
+    page.send(messages.Containment(await page.sessions.contained()))
 
 
 @HANDLERS.add

@@ -3,8 +3,7 @@
 from anyio import to_thread
 
 from learnblock.server import messages
-from learnblock.server.pages.handlers import Handlers
-from learnblock.server.pages.page import Page
+from learnblock.server.pages.page import Handlers, Page
 
 HANDLERS = Handlers()
 

@@ -6,8 +6,7 @@ from learnblock.blocks.palette import preview
 from learnblock.extensions import custom_blocks
 from learnblock.extensions.custom_blocks import Checked, CustomBlock, Problem
 from learnblock.server import messages
-from learnblock.server.pages.handlers import Handlers
-from learnblock.server.pages.page import Page
+from learnblock.server.pages.page import Handlers, Page
 from learnblock.server.runs.trial import trial
 
 HANDLERS = Handlers()

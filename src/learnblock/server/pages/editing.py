@@ -1,8 +1,7 @@
 """Handlers of messages about edits of the program."""
 
 from learnblock.server import messages
-from learnblock.server.pages.handlers import Handlers
-from learnblock.server.pages.page import Page
+from learnblock.server.pages.page import Handlers, Page
 from learnblock.server.program.document import Document
 
 Edit = messages.EditBlocks | messages.EditText | messages.RecoverBlocks | messages.RecoverText

@@ -3,11 +3,9 @@
 from anyio import to_thread
 
 from learnblock.server import messages
-from learnblock.server.pages.handlers import Handlers
-from learnblock.server.pages.page import Page
+from learnblock.server.pages.page import Handlers, Page
 from learnblock.server.projects.kept_runs import KeptRuns
-from learnblock.server.runs.compared import calls_beside, compared
-from learnblock.server.runs.kept import OpenedRun, opened
+from learnblock.server.runs.kept import OpenedRun, calls_beside, compared, opened
 
 HANDLERS = Handlers()
 

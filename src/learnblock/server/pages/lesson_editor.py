@@ -1,4 +1,4 @@
-"""Handlers of messages about lessons that a teacher makes or changes."""
+"""Handlers of messages about lessons that a teacher makes or changes, and about their notes."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
@@ -15,10 +15,9 @@ from learnblock.lessons.checks import Check
 from learnblock.lessons.describing import describe
 from learnblock.lessons.editing import EditedLesson, Examined
 from learnblock.lessons.opened import OpenLesson
+from learnblock.lessons.teachers_part import SolvedStep, WrongProgram, teachers_part
 from learnblock.server import catalog, messages
-from learnblock.server.pages.handlers import Handlers
-from learnblock.server.pages.page import Page
-from learnblock.server.pages.teaching import require_teacher
+from learnblock.server.pages.page import Handlers, Page
 from learnblock.server.sessions import lesson_view
 
 HANDLERS = Handlers()
@@ -26,7 +25,7 @@ HANDLERS = Handlers()
 
 @HANDLERS.add
 async def _make(page: Page, _: messages.MakeLesson) -> None:
-    require_teacher(page)
+    page.require_teacher()
     session = page.session
     programs = [
         drafting.Drafted(part.name, part.robot.name, part.document.blocktext)
@@ -43,12 +42,22 @@ async def _make(page: Page, _: messages.MakeLesson) -> None:
 
 @HANDLERS.add
 async def _change(page: Page, message: messages.ChangeLesson) -> None:
-    require_teacher(page)
+    page.require_teacher()
 
     def read() -> EditedLesson:
         return editing.edited_lesson(catalog.find_own(message.lesson))
 
     page.send(await to_thread.run_sync(_to_edit, read))
+
+
+@HANDLERS.add
+async def _copy(page: Page, message: messages.CopyLesson) -> None:
+    page.require_teacher()
+
+    def copy() -> EditedLesson:
+        return editing.edited_lesson(catalog.copy_lesson(message.lesson))
+
+    page.send(await to_thread.run_sync(_to_edit, copy))
 
 
 def _to_edit(find: Callable[[], EditedLesson]) -> messages.LessonToEdit:
@@ -62,7 +71,7 @@ async def _examine(page: Page, message: messages.ExamineLesson) -> None:
 
 @HANDLERS.add
 async def _save(page: Page, message: messages.SaveLesson) -> None:
-    require_teacher(page)
+    page.require_teacher()
     edited = message.edited
     opened = await _assembled(page, edited)
     if opened is None:
@@ -88,7 +97,7 @@ async def _stop(page: Page, _: messages.StopTrying) -> None:
 @HANDLERS.add
 async def _export(page: Page, message: messages.ExportLesson) -> None:
     if not message.for_pupils:
-        require_teacher(page)
+        page.require_teacher()
 
     def pack() -> bytes:
         opened = catalog.find_own(message.lesson)
@@ -121,7 +130,7 @@ def _saved(page: Page, edited: EditedLesson) -> OpenLesson | None:
     """
     if not edited.lesson:
         return None
-    require_teacher(page)
+    page.require_teacher()
     return catalog.find_own(edited.lesson)
 
 
@@ -174,3 +183,33 @@ def _texts(steps: Iterable[Mapping[str, Any]]) -> Iterator[str]:
         for one in text.values() if isinstance(text, dict) else [text]:
             if isinstance(one, str) and len(one) <= texts.LONGEST:
                 yield one
+
+
+@HANDLERS.add
+async def _read_notes(page: Page, message: messages.ReadLessonNotes) -> None:
+    page.require_teacher()
+    page.send(await to_thread.run_sync(_notes, message.lesson))
+
+
+def _notes(name: str) -> messages.LessonNotes:
+    opened = catalog.find_whole(name)
+    part = teachers_part(opened)
+    return messages.LessonNotes(
+        lesson=name,
+        title=lesson_view.plain(opened.lesson.title),
+        notes=dict(part.notes),
+        drawings=lesson_view.drawings_in(part.notes.values()),
+        steps=tuple(map(_step, part.steps)),
+    )
+
+
+def _step(solved: SolvedStep) -> messages.SolvedStep:
+    return messages.SolvedStep(
+        lesson_view.plain(solved.step.title), solved.solution, tuple(map(_wrong, solved.wrong))
+    )
+
+
+def _wrong(wrong: WrongProgram) -> messages.WrongProgram:
+    return messages.WrongProgram(
+        wrong.program, lesson_view.words(wrong.check), tuple(map(lesson_view.words, wrong.hint))
+    )

@@ -8,9 +8,7 @@ from msgspec.structs import replace
 from learnblock.errors import LearnBlockError
 from learnblock.lessons.archive import received_files, zipped
 from learnblock.server import catalog, messages
-from learnblock.server.pages.handlers import Handlers
-from learnblock.server.pages.page import Page
-from learnblock.server.pages.teaching import require_teacher
+from learnblock.server.pages.page import Handlers, Page
 from learnblock.server.projects.lesson_folder import Progress
 from learnblock.server.sessions import lesson_stage
 from learnblock.server.sessions.coach import Coach
@@ -127,13 +125,13 @@ async def _answer_puzzle(page: Page, message: messages.AnswerPuzzle) -> None:
 
 @HANDLERS.add
 async def _import(page: Page, message: messages.ImportLesson) -> None:
-    require_teacher(page)
+    page.require_teacher()
     await _add(page, PurePath(message.filename.replace("\\", "/")).stem, message.content)
 
 
 @HANDLERS.add
 async def _import_folder(page: Page, message: messages.ImportLessonFolder) -> None:
-    require_teacher(page)
+    page.require_teacher()
 
     def pack() -> bytes:
         return zipped(received_files(message.name, message.files))
@@ -151,7 +149,7 @@ async def _add(page: Page, name: str, content: bytes) -> None:
 
 @HANDLERS.add
 async def _delete(page: Page, message: messages.DeleteLesson) -> None:
-    require_teacher(page)
+    page.require_teacher()
     await to_thread.run_sync(catalog.delete_lesson, message.lesson)
     await _list(page, messages.ListLessons())
 

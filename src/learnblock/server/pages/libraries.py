@@ -15,9 +15,8 @@ from learnblock.i18n import Phrase
 from learnblock.language.edit.extraction import extracted, with_needed
 from learnblock.language.tree.nodes import Def, Program
 from learnblock.server import messages
-from learnblock.server.messages.problems import phrase_of
-from learnblock.server.pages.handlers import Handlers
-from learnblock.server.pages.page import Page
+from learnblock.server.messages.base import phrase_of
+from learnblock.server.pages.page import Handlers, Page
 
 HANDLERS = Handlers()
 

@@ -6,8 +6,7 @@ from anyio import to_thread
 
 from learnblock.errors import LearnBlockError
 from learnblock.server import messages
-from learnblock.server.pages.handlers import Handlers
-from learnblock.server.pages.page import Page
+from learnblock.server.pages.page import Handlers, Page
 from learnblock.server.runs import telemetry
 from learnblock.server.runs.looking import NO_TIMELINE
 

@@ -1,11 +1,12 @@
 """A connected page: handles its messages in order, and sends it the server's messages."""
 
 import asyncio
+import inspect
 import logging
 import secrets
-from collections.abc import Mapping
+from collections.abc import Awaitable, Callable, Mapping
 from contextlib import AbstractAsyncContextManager, nullcontext
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import msgspec
 from starlette.websockets import WebSocket, WebSocketDisconnect
@@ -13,12 +14,11 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Multilingual, Phrase
 from learnblock.server import messages
-from learnblock.server.messages.problems import phrase_of
+from learnblock.server.messages.base import phrase_of
 from learnblock.server.pages.boxes import Inbox, Outbox, OutboxFullError
-from learnblock.server.pages.handlers import Handler
 from learnblock.server.pages.quota import Quota
 from learnblock.server.program.shown import Shown
-from learnblock.server.sessions.lesson_trial import LessonTrial
+from learnblock.server.sessions.lesson_trials import LessonTrial
 
 if TYPE_CHECKING:
     from learnblock.server.runs.player import Player
@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from learnblock.server.sessions.session import Session
     from learnblock.server.sessions.sessions import Sessions
 
+Handler = Callable[..., Awaitable[None]]
+H = TypeVar("H", bound=Handler)
 #: The limit in bytes, larger than any message of a page.
 LARGEST_MESSAGE = 4 * 1024 * 1024
 #: What msgspec says about a program that is too long.
@@ -37,6 +39,23 @@ _TOO_SLOW = 1013
 
 _log = logging.getLogger(__name__)
 _decoder = msgspec.json.Decoder(messages.FROM_PAGE)
+
+
+class Handlers(dict[type[messages.FromPage], Handler]):
+    """Handlers by kind of message.
+
+    Example:
+        HANDLERS = Handlers()
+
+        @HANDLERS.add
+        async def _stop(page: Page, message: messages.Stop) -> None: ...
+    """
+
+    def add(self, handler: H) -> H:
+        """Add a function that handles the kind of its second parameter."""
+        _, message = inspect.signature(handler).parameters.values()
+        self[message.annotation] = handler
+        return handler
 
 
 def _with_languages(text: object) -> object:
@@ -123,6 +142,15 @@ class Page:
             LearnBlockError: the page has opened no project.
         """
         return self.part.player_of(self)
+
+    def require_teacher(self) -> None:
+        """Check that the user is at the server's computer: pupils are at others.
+
+        Raises:
+            LearnBlockError: the user is at another one.
+        """
+        if not self.is_local:
+            raise LearnBlockError("server-lesson-only-here")
 
     async def serve(self) -> None:
         """Serve the page; return once it has disconnected and all its messages are handled."""

@@ -1,4 +1,4 @@
-"""Handlers of messages about projects."""
+"""Handlers of messages about projects, their history and the code that they carry."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -8,8 +8,9 @@ from anyio import to_thread
 from learnblock import robots, running
 from learnblock.i18n import Phrase
 from learnblock.server import catalog, messages
-from learnblock.server.pages.handlers import Handlers
-from learnblock.server.pages.page import Page
+from learnblock.server.pages import custom_blocks, libraries
+from learnblock.server.pages.page import Handlers, Page
+from learnblock.server.projects import unpacking
 from learnblock.server.projects.packing import fits
 from learnblock.server.projects.project import Project, ProjectPart
 from learnblock.server.projects.project_file import LARGEST
@@ -143,6 +144,33 @@ async def _export(page: Page, message: messages.Export) -> None:
 async def _list(page: Page, _: messages.ListProjects) -> None:
     entries = await to_thread.run_sync(page.sessions.folder.entries)
     page.send(messages.Projects(tuple(entries)))
+
+
+@HANDLERS.add
+async def _list_history(page: Page, _: messages.ListHistory) -> None:
+    folder, name = page.sessions.folder, page.session.name
+    versions = await to_thread.run_sync(folder.versions, name)
+    runs = await to_thread.run_sync(folder.runs, name)
+    page.send(messages.History(versions, runs))
+
+
+@HANDLERS.add
+async def _restore(page: Page, message: messages.Restore) -> None:
+    folder, session = page.sessions.folder, page.session
+    earlier = await to_thread.run_sync(folder.read_version, session.name, message.version)
+    await session.restore(earlier)
+
+
+@HANDLERS.add
+async def _install(page: Page, _: messages.InstallOffered) -> None:
+    session = page.session
+    code = session.offered
+    await to_thread.run_sync(unpacking.install, code)
+    await to_thread.run_sync(page.sessions.block_files.have_changed)
+    session.installed(code)
+    await page.sessions.renew_blocks(session)
+    page.sessions.send(await to_thread.run_sync(custom_blocks.listed))
+    page.sessions.send(await to_thread.run_sync(libraries.listed))
 
 
 def new_project(message: messages.New) -> Project:

@@ -4,8 +4,7 @@ from anyio import to_thread
 
 from learnblock.errors import FileTakenError, NewNameError, RobotDescriptionError
 from learnblock.server import catalog, messages
-from learnblock.server.pages.handlers import Handlers
-from learnblock.server.pages.page import Page
+from learnblock.server.pages.page import Handlers, Page
 from learnblock.storage.home import home
 
 HANDLERS = Handlers()

@@ -7,8 +7,7 @@ from anyio import to_thread
 from learnblock.errors import LearnBlockError, SettingsError
 from learnblock.i18n import Phrase
 from learnblock.server import messages
-from learnblock.server.pages.handlers import Handlers
-from learnblock.server.pages.page import Page
+from learnblock.server.pages.page import Handlers, Page
 
 HANDLERS = Handlers()
 

@@ -6,8 +6,7 @@ from anyio import to_thread
 
 from learnblock.perception import tag_names
 from learnblock.server import catalog, messages
-from learnblock.server.pages.handlers import Handlers
-from learnblock.server.pages.page import Page
+from learnblock.server.pages.page import Handlers, Page
 
 HANDLERS = Handlers()
 

@@ -8,8 +8,7 @@ from msgspec import structs
 
 from learnblock.errors import LearnBlockError, UnknownNameError, WorldError
 from learnblock.server import catalog, messages
-from learnblock.server.pages.handlers import Handlers
-from learnblock.server.pages.page import Page
+from learnblock.server.pages.page import Handlers, Page
 
 HANDLERS = Handlers()
 

@@ -1,32 +1,24 @@
-"""Opens a kept run, so that pages can look back at it."""
+"""Opens a kept run, so that pages can look back at it, and compares two of them."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 from difflib import SequenceMatcher
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 from learnblock.i18n import Phrase
-from learnblock.runtime.program import Program
 from learnblock.server import messages
+from learnblock.server.program.document import Document
 from learnblock.server.runs import telemetry
 from learnblock.server.runs.console import MOST_KEPT
-from learnblock.server.runs.looking import Looking
+from learnblock.server.runs.looking import Looking, call_graph, way
 
 if TYPE_CHECKING:
+    from learnblock.why import History
     from learnblock.why.recorded import Recorded
+    from learnblock.why.sentences import Sentence
 
 #: Of longer programs, only lines that are where they were have their blocks.
 _MOST_LINES = 10_000
-
-
-class ProgramNow(Protocol):
-    """The program as it is now."""
-
-    def program(self, name: str, /) -> Program:
-        """The program to run."""
-
-    def block_at(self, python_line: int, /) -> str | None:
-        """The block of a line of its Python; None for a line without one."""
 
 
 @dataclass(frozen=True)
@@ -44,7 +36,7 @@ class OpenedRun:
     scene: messages.Scene | None
 
 
-def opened(run: messages.KeptRun, data: bytes, now: ProgramNow) -> OpenedRun:
+def opened(run: messages.KeptRun, data: bytes, now: Document) -> OpenedRun:
     """Open a kept run.
 
     Args:
@@ -100,3 +92,51 @@ def _scene(recorded: "Recorded") -> messages.Scene:
     from learnblock.why.world_again import WorldAgain  # noqa: PLC0415
 
     return telemetry.scene(WorldMonitor.of(WorldAgain(recorded).robot))
+
+
+def compared(first: tuple[str, bytes], second: tuple[str, bytes]) -> messages.RunsCompared:
+    """Compare two kept runs.
+
+    Args:
+        first: the id of the one, and its file.
+        second: those of the other.
+
+    Raises:
+        LearnBlockError: a file can't be read.
+    """
+    from learnblock.why.comparing import compared as compare  # noqa: PLC0415 - the page opens before
+    from learnblock.why.verifying import history_of  # noqa: PLC0415
+
+    one, other = (history_of(data) for _, data in (first, second))
+    found = compare(one, other)
+    parting = found.parting
+    return messages.RunsCompared(
+        _run(first[0], one, parting.first if parting else None),
+        _run(second[0], other, parting.second if parting else None),
+        parting.together if parting else None,
+        parting.because if parting else None,
+        found.causes,
+    )
+
+
+def calls_beside(first: bytes, second: bytes) -> messages.CallsBeside:
+    """The call graphs of two kept runs.
+
+    Args:
+        first: the file of the one.
+        second: that of the other.
+
+    Raises:
+        LearnBlockError: a file can't be read.
+    """
+    from learnblock.why.calls import calls  # noqa: PLC0415 - the page opens before
+    from learnblock.why.calls_beside import beside  # noqa: PLC0415
+    from learnblock.why.verifying import history_of  # noqa: PLC0415
+
+    both = beside(*(calls(history_of(data)) for data in (first, second)))
+    return messages.CallsBeside(call_graph(both.first), call_graph(both.second))
+
+
+def _run(id_: str, history: "History", did: "Sentence | None") -> messages.ComparedRun:
+    step = messages.RunStep(did.phrase, did.time) if did else None
+    return messages.ComparedRun(id_, way(history.recorded), step)

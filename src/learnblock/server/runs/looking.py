@@ -12,9 +12,9 @@ from learnblock.runtime.log.noting import TICK
 from learnblock.server import messages
 from learnblock.server.messages.looking import MOST_MARKS, MOST_POINTS
 from learnblock.server.runs import telemetry
-from learnblock.server.runs.drawn import Drawn
 from learnblock.server.runs.live_timeline import LiveTimeline
 from learnblock.server.runs.reported import Reported, predicted
+from learnblock.server.runs.telemetry import Drawn
 
 if TYPE_CHECKING:
     from learnblock.monitor.pictures import Picture

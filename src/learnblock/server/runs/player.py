@@ -307,7 +307,7 @@ class Player:
             raise LearnBlockError("play-nothing-to-look-back-at")
         return looking
 
-    # Reports of the run.
+    # Reports of the run, in the event loop; only `held_keys` is called from its thread.
 
     def on_state(self, state: State) -> None:
         if state in _STATES and self.state != "done":

@@ -21,11 +21,12 @@ from learnblock.server.runs import memory
 from learnblock.server.runs.console import Voice
 from learnblock.server.runs.looking import Looking
 from learnblock.server.runs.trial import Trial
-from learnblock.server.runs.watcher import Audience, RunWatcher
+from learnblock.server.runs.watcher import RunWatcher
 from learnblock.storage import skill_files
 
 if TYPE_CHECKING:
     from learnblock.monitor import Monitor
+    from learnblock.server.runs.player import Player
 
 #: The seed of the command line, so that the same run can be repeated there.
 SEED = 0
@@ -202,7 +203,7 @@ class Playing:
 def prepared(
     played: Played,
     setting: Setting,
-    audience: Audience,
+    player: "Player",
     voice: Voice,
     *,
     paused: bool,
@@ -212,11 +213,11 @@ def prepared(
     Args:
         played: a program without errors.
         setting: the robot and the world.
-        audience: receives the reports of the run.
+        player: receives the reports of the run.
         voice: takes the output.
         paused: pause before the first line.
     """
-    watcher = RunWatcher(audience, voice)
+    watcher = RunWatcher(player, voice)
     program = replace(played.program(setting.name), tags=setting.tags)
     log = RunLog(program)
     run = ProgramRun(

@@ -1,54 +1,32 @@
 """Reports changes in the world to the pages of a session, several times a second."""
 
 import asyncio
-from collections.abc import Awaitable, Callable, Sequence
+import math
+from collections.abc import Awaitable, Callable, Iterator, Sequence
 from time import monotonic
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 from anyio import to_thread
 
+from learnblock.runtime.trace import Collision
 from learnblock.server import messages
 from learnblock.server.runs import telemetry
-from learnblock.server.runs.bumps import Bumps
 from learnblock.server.runs.console import Console, message_of
-from learnblock.server.runs.drawn import Drawn
-from learnblock.server.runs.viewers import Viewers
+from learnblock.server.runs.telemetry import Drawn
+from learnblock.why.wording import thing_phrase
 
 if TYPE_CHECKING:
     from learnblock.monitor import Monitor
     from learnblock.monitor.pictures import Picture
-    from learnblock.runtime.trace import Collision
+    from learnblock.server.runs.player import Player
 
 #: Seconds between two reports of the world, and between two camera frames.
 TELEMETRY_PERIOD = 1 / 20
 CAMERA_PERIOD = 1 / 12
 #: Seconds for which a world is watched after the user moved something in it.
 ATTENTION = 1.5
-
-
-class Reported(Protocol):
-    """The run and the world that are reported."""
-
-    @property
-    def monitor(self) -> "Monitor | None": ...
-
-    @property
-    def active(self) -> bool:
-        """Whether a program runs."""
-
-    @property
-    def collisions(self) -> "Sequence[Collision]":
-        """What the robot has bumped into in this run."""
-
-    @property
-    def running_line(self) -> messages.RunningLine: ...
-
-    @property
-    def viewers(self) -> Viewers: ...
-
-    @property
-    def readers(self) -> Viewers:
-        """The pages that show the console."""
+#: Seconds of the robot's time without a touch after which a thing counts as bumped into again.
+APART = 1.0
 
 
 class Reporter:
@@ -59,7 +37,7 @@ class Reporter:
         console: the output of the program, which other robots may run too.
     """
 
-    def __init__(self, of: Reported, console: Console) -> None:
+    def __init__(self, of: "Player", console: Console) -> None:
         self._of = of
         self._console = console
         self._awake = asyncio.Event()
@@ -167,3 +145,24 @@ async def _repeat(
         began = loop.time()
         await action()
         await asyncio.sleep(max(0.0, began + period - loop.time()))
+
+
+class Bumps:
+    """What a robot has bumped into in a run."""
+
+    def __init__(self) -> None:
+        self._seen = 0
+        #: When it last touched each thing, in seconds of the robot's time.
+        self._touched: dict[str, float] = {}
+
+    def news(self, collisions: Sequence[Collision]) -> Iterator[messages.Bumped]:
+        """The bumps since the last call.
+
+        Args:
+            collisions: all of the run so far.
+        """
+        new, self._seen = collisions[self._seen :], len(collisions)
+        for one in new:
+            before, self._touched[one.thing] = self._touched.get(one.thing, -math.inf), one.time
+            if one.time - before >= APART:
+                yield messages.Bumped(one.time, thing_phrase(one.thing))

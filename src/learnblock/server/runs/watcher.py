@@ -3,7 +3,7 @@
 import asyncio
 import threading
 from collections.abc import Callable, Collection
-from typing import Protocol
+from typing import TYPE_CHECKING
 
 from learnblock.running import Report
 from learnblock.runtime.messages import Variables
@@ -11,36 +11,20 @@ from learnblock.runtime.status import State
 from learnblock.runtime.watcher import Watcher
 from learnblock.server.runs.console import Voice
 
-
-class Audience(Protocol):
-    """The receiver of a run's events, in the event loop unless they say otherwise."""
-
-    def on_state(self, state: State) -> None: ...
-
-    def on_held(self, line: int) -> None: ...
-
-    def on_variables(self, variables: Variables) -> None: ...
-
-    def on_input(self, prompt: str) -> None: ...
-
-    def on_keys_wanted(self) -> None: ...
-
-    def held_keys(self) -> Collection[str]:
-        """The keys that users hold down for the program; called from the run's thread."""
-
-    def on_ended(self, report: Report | Exception) -> None: ...
+if TYPE_CHECKING:
+    from learnblock.server.runs.player import Player
 
 
 class RunWatcher(Watcher):
     """Watches one run.
 
     Args:
-        audience: receives the events, in the event loop that is running now.
+        player: receives the events, in the event loop that is running now.
         voice: takes the output.
     """
 
-    def __init__(self, audience: Audience, voice: Voice) -> None:
-        self._audience = audience
+    def __init__(self, player: "Player", voice: Voice) -> None:
+        self._player = player
         self._voice = voice
         self._loop = asyncio.get_running_loop()
         #: The line of the program's Python that is running; 0 before the first.
@@ -59,20 +43,20 @@ class RunWatcher(Watcher):
         self.current_line = number
 
     def state(self, state: State) -> None:
-        self._pass_on(self._audience.on_state, state)
+        self._pass_on(self._player.on_state, state)
 
     def held(self, line: int, variables: Variables) -> None:
         # The variables first: so that the page has them when it shows the pause.
-        self._pass_on(self._audience.on_variables, variables)
-        self._pass_on(self._audience.on_held, line)
+        self._pass_on(self._player.on_variables, variables)
+        self._pass_on(self._player.on_held, line)
 
     def variables(self, variables: Variables) -> None:
-        self._pass_on(self._audience.on_variables, variables)
+        self._pass_on(self._player.on_variables, variables)
 
     def input(self, prompt: str) -> str | None:
         with self._input:
             self._answer = None
-            self._pass_on(self._audience.on_input, prompt)
+            self._pass_on(self._player.on_input, prompt)
             self._input.wait_for(lambda: self._answer is not None or self._cancelled)
             return self._answer
 
@@ -85,12 +69,12 @@ class RunWatcher(Watcher):
         del time
         if not self._wants_keys:
             self._wants_keys = True
-            self._pass_on(self._audience.on_keys_wanted)
-        return self._audience.held_keys()
+            self._pass_on(self._player.on_keys_wanted)
+        return self._player.held_keys()
 
     def ended(self, report: Report | Exception) -> None:
         """Report the end of the run."""
-        self._pass_on(self._audience.on_ended, report)
+        self._pass_on(self._player.on_ended, report)
 
     # The event loop.
 

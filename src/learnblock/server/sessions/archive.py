@@ -1,23 +1,29 @@
 """An open project on disk: the project, its versions and its runs."""
 
 import asyncio
-from collections.abc import Callable, Coroutine, Sequence
+from collections.abc import Awaitable, Callable, Coroutine, Sequence
+from contextlib import AbstractAsyncContextManager
 from functools import partial
 from time import monotonic
-from typing import Any, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from anyio import to_thread
 
 from learnblock.errors import LearnBlockError
-from learnblock.i18n import Phrase
 from learnblock.runtime.log.blocks import Block
-from learnblock.server.messages import KeptRun, PastRun
-from learnblock.server.messages.problems import phrase_of
+from learnblock.server.messages import PastRun
+from learnblock.server.messages.base import phrase_of
 from learnblock.server.projects.folder import FileChangedError, FileState, ProjectFolder
 from learnblock.server.projects.history import Reason
 from learnblock.server.projects.project import Project
-from learnblock.server.sessions.saver import Saver
 
+if TYPE_CHECKING:
+    from learnblock.server.sessions.session import Session
+
+#: Seconds from the first unsaved change to the save.
+DELAY = 0.5
+#: Seconds from a save that failed to the next attempt.
+RETRY = 2.0
 #: Seconds of changes after which a version is saved.
 VERSION_PERIOD = 300.0
 #: Seconds between two checks whether another program has changed the file.
@@ -26,29 +32,62 @@ WATCH_PERIOD = 1.0
 Value = TypeVar("Value")
 
 
-class Archived(Protocol):
-    """An open project, as its archive sees it."""
+class Saver:
+    """Saves something within a second of a change, or at once on request.
 
-    name: str
+    A save that fails is repeated until it succeeds.
 
-    @property
-    def project(self) -> Project:
-        """The project in its current state."""
+    Args:
+        write: saves it; returns whether that succeeded, and reports errors itself.
+        delay: seconds from a change to the save.
+        retry: seconds from a failed save to the next.
+    """
 
-    def saving(self) -> tuple[Project, Callable[[], None]]:
-        """The project to save, and what to call after success."""
+    def __init__(
+        self, write: Callable[[], Awaitable[bool]], delay: float = DELAY, retry: float = RETRY
+    ) -> None:
+        self._write = write
+        self._delay = delay
+        self._retry = retry
+        self._unsaved = False
+        self._waiting: asyncio.Task[None] | None = None
+        self._writing = asyncio.Lock()
 
-    async def take_in(self, outside: Project) -> bool:
-        """Merge the project as another program has saved it; return whether a change is lost."""
+    def changed(self) -> None:
+        """Record a change that is not on disk."""
+        self._unsaved = True
+        self._save_in(self._delay)
 
-    def kept_outside(self, version: str) -> None:
-        """Called with the version of what another program has saved if that could not be merged."""
+    def still(self) -> AbstractAsyncContextManager[None]:
+        """A context in which nothing is saved."""
+        return self._writing
 
-    def runs_kept(self, runs: tuple[KeptRun, ...]) -> None:
-        """Called with the runs that are kept when there is a new one."""
+    async def flush(self) -> None:
+        """Try at once to save unsaved changes, and return when they are on disk."""
+        if self._waiting:
+            self._waiting.cancel()
+            self._waiting = None
+        async with self._writing:
+            await self._save()
 
-    def failed(self, error: Phrase) -> None:
-        """Called with the reason why something could not be saved."""
+    def _save_in(self, seconds: float) -> None:
+        if self._waiting is None:
+            self._waiting = asyncio.create_task(self._later(seconds))
+
+    async def _later(self, seconds: float) -> None:
+        await asyncio.sleep(seconds)
+        async with self._writing:
+            # This save may miss later changes, so later changes start a new delay.
+            self._waiting = None
+            await self._save()
+        if self._unsaved:
+            self._save_in(self._retry)
+
+    async def _save(self) -> None:
+        if self._unsaved:
+            self._unsaved = False
+            if not await self._write():
+                self._unsaved = True
 
 
 class Archive:
@@ -63,7 +102,7 @@ class Archive:
         project: the project.
     """
 
-    def __init__(self, folder: ProjectFolder, project: Archived) -> None:
+    def __init__(self, folder: ProjectFolder, project: "Session") -> None:
         self._folder = folder
         self._project = project
         self._saver = Saver(self._write)

@@ -28,7 +28,7 @@ from learnblock.server.projects.project import Project
 from learnblock.server.runs.viewers import Viewer, Viewers
 from learnblock.server.sessions import lesson_stage as stage
 from learnblock.server.sessions import lesson_view as view
-from learnblock.server.sessions.lesson_check import LessonCheck
+from learnblock.server.sessions.lesson_trials import LessonCheck
 from learnblock.server.sessions.run_judge import Looked, RunJudge, world_of
 
 if TYPE_CHECKING:

@@ -11,8 +11,7 @@ from learnblock.robots import RobotEntry
 from learnblock.server import messages
 from learnblock.server.messages import View
 from learnblock.server.program.document import Document
-from learnblock.server.program.merging import Content, Edit, Merged, base_of
-from learnblock.server.program.shared import SharedProgram
+from learnblock.server.program.shared import Content, Edit, Merged, SharedProgram, base_of
 from learnblock.server.projects.project import Project, ProjectPart
 from learnblock.server.runs.console import Console
 from learnblock.server.runs.keyboard import Keyboard

@@ -21,8 +21,8 @@ from learnblock.server.program.shown import Shown
 from learnblock.server.projects.carried import Carried, Code
 from learnblock.server.projects.folder import ProjectFolder
 from learnblock.server.projects.lesson_folder import Progress
-from learnblock.server.projects.offering import offer, without
 from learnblock.server.projects.project import LONGEST_PART_NAME, Project, is_part_name
+from learnblock.server.projects.unpacking import offer, without
 from learnblock.server.runs.keyboard import Keyboard
 from learnblock.server.runs.player import Player
 from learnblock.server.runs.viewers import Viewer, Viewers

@@ -10,13 +10,13 @@ from anyio import to_thread
 from learnblock.blocks import BlockConfiguration
 from learnblock.blocks.known import all_configurations
 from learnblock.errors import LearnBlockError
+from learnblock.runtime.containment.survey import Finding, survey
 from learnblock.server.messages import PaletteChanged, ToPage
 from learnblock.server.projects.folder import ProjectFolder
 from learnblock.server.projects.project import Project, checked_name, is_same_program
 from learnblock.server.sessions.connections import Connections
 from learnblock.server.sessions.prepared import prepare
 from learnblock.server.sessions.session import Session
-from learnblock.server.sessions.survey import Survey
 from learnblock.storage.block_files import BlockFiles
 
 
@@ -37,7 +37,8 @@ class Sessions:
         self._renewing: set[asyncio.Task[None]] = set()
         #: Notices changes that the user makes by hand.
         self.block_files = BlockFiles()
-        self.survey = Survey()
+        self._findings: tuple[Finding, ...] = ()
+        self._surveying = asyncio.Lock()
         #: The robots that pages are connected to without a program.
         self.connections = Connections(self._running_robots)
         #: Lets two pages that open the same project at once share it.
@@ -125,6 +126,12 @@ class Sessions:
         """Record that a page has left; after the last one, the project is closed with a delay."""
         if not session.viewers and session.name not in self._ending:
             self._ending[session.name] = asyncio.create_task(self._end_later(session))
+
+    async def contained(self) -> tuple[Finding, ...]:
+        """What contains programs on this computer, tried out for the first page that asks."""
+        async with self._surveying:
+            self._findings = self._findings or await to_thread.run_sync(survey)
+        return self._findings
 
     @property
     def uses_network(self) -> bool:

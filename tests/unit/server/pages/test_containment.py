@@ -43,7 +43,7 @@ def allowed_programs(own_home):
 
 
 def test_a_page_receives_the_findings_of_doctor(page, monkeypatch):
-    monkeypatch.setattr("learnblock.server.sessions.survey.survey", lambda: (FREE,))
+    monkeypatch.setattr("learnblock.server.sessions.sessions.survey", lambda: (FREE,))
     page.say("ReadContainment")
     assert page.hear("Containment")["findings"] == [
         {
@@ -57,7 +57,7 @@ def test_a_page_receives_the_findings_of_doctor(page, monkeypatch):
 def test_the_survey_runs_once_for_all_pages(server, monkeypatch):
     asked = []
     monkeypatch.setattr(
-        "learnblock.server.sessions.survey.survey", lambda: asked.append(1) or (FREE,)
+        "learnblock.server.sessions.sessions.survey", lambda: asked.append(1) or (FREE,)
     )
     for _ in range(2):
         with server.visit() as page:

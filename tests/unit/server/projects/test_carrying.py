@@ -13,7 +13,7 @@ from learnblock.extensions import custom_blocks, libraries, worlds
 from learnblock.extensions.worlds import PackedWorld
 from learnblock.perception import tag_names
 from learnblock.robots.simulated import find_world
-from learnblock.server.projects import offering
+from learnblock.server.projects import unpacking
 from learnblock.server.projects.carried import Carried, CarriedWorld, Code
 from learnblock.server.projects.folder import ProjectFolder
 from learnblock.server.projects.packing import encode_whole, fits, packed
@@ -110,7 +110,7 @@ def test_accepted_code_is_installed_as_it_was(file, go):
     library = libraries.installed("moves").files
     go()
     project = unpacked(decode(file, "dance")).project
-    offering.install(project.carried.offered)
+    unpacking.install(project.carried.offered)
     assert {one.name: one.source for one in custom_blocks.load_all()}.items() <= before.items()
     assert libraries.installed("moves").files == library
     assert not unpacked(decode(file, "dance")).project.carried.offered
@@ -205,13 +205,13 @@ def test_elsewhere_different_code_is_offered_and_what_it_replaces_is_in_the_tras
     custom_blocks.save("dances", homes.WALTZ + "    robot.stop_bot()\n")
     homes.install_library("0.9.0", homes.STEPS.replace("print(1)", "print(2)"))
     offered = unpacked(decode(file, "dance")).project.carried.offered
-    shown = offering.offer(offered)
+    shown = unpacking.offer(offered)
     assert [(one.name, one.replaces) for one in shown.blocks] == [
         ("dances", True),
         ("turns", False),
     ]
     assert [(one.name, one.replaces) for one in shown.libraries] == [("moves", True)]
-    offering.install(offered)
+    unpacking.install(offered)
     assert custom_blocks.find("dances").source == homes.WALTZ
     assert libraries.installed("moves").manifest.version == "1.0.0"
     trash = home() / "libraries" / ".trash" / "moves" / "library.toml"
@@ -225,7 +225,7 @@ def test_a_block_that_can_not_be_installed_replaces_nothing(file, go):
     block = json.loads(custom_blocks.export("dances")[1])
     broken = {**block, "source": ["def stop_bot(robot): pass"]}
     with pytest.raises(Exception, match="stop_bot"):
-        offering.install(Code(blocks={"dances": broken}))
+        unpacking.install(Code(blocks={"dances": broken}))
     assert "stop_bot()" in custom_blocks.find("dances").source
 
 

@@ -2,7 +2,7 @@
 
 import asyncio
 
-from learnblock.server.sessions.saver import Saver
+from learnblock.server.sessions.archive import Saver
 
 
 def saves(story, delay=0.0):

@@ -1,33 +1,64 @@
-"""Checks a program on all variants of a step's world and on all its robots."""
+"""Tries programs of a lesson in the background, while the user goes on working."""
 
 import asyncio
 from collections.abc import Awaitable, Callable, Generator, Sequence
 from contextlib import closing
+from typing import Generic, TypeVar
 
 from anyio import to_thread
 from msgspec.structs import replace
 
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
-from learnblock.lessons.reading import OpenLesson
+from learnblock.lessons.checking import Follow, Result, check_lesson, count_attempts
+from learnblock.lessons.opened import OpenLesson
 from learnblock.lessons.trying import Attempt, StopSwitch, Tried, try_step
 from learnblock.server import messages
-from learnblock.server.messages.problems import phrase_of
+from learnblock.server.messages.base import phrase_of
+
+Send = Callable[[messages.ToPage], object]
+Told = TypeVar("Told", messages.LessonChecked, messages.LessonTried)
 
 
-class LessonCheck:
-    """What goes on in the background while the user may go on working.
+class _Trial(Generic[Told]):
+    """Programs that are tried in the background.
+
+    Args:
+        send: sends a message to the pages.
+        told: what they know before the first trial.
+    """
+
+    def __init__(self, send: Send, told: Told) -> None:
+        self._send = send
+        self._task: asyncio.Task[None] | None = None
+        self._switch = StopSwitch()
+        #: What the pages have been told last.
+        self.told: Told = told
+
+    def stop(self) -> None:
+        """Stop; runs that go on end at once."""
+        self._switch.stop()
+
+    def _begin(self, told: Told) -> None:
+        if self.told.running:
+            raise LearnBlockError("server-lesson-checking")
+        self._switch = StopSwitch()
+        self._tell(told)
+
+    def _tell(self, told: Told) -> None:
+        self.told = told
+        self._send(told)
+
+
+class LessonCheck(_Trial[messages.LessonChecked]):
+    """Checks a program on all variants of a step's world and on all its robots.
 
     Args:
         send: sends a message to the pages.
     """
 
-    def __init__(self, send: Callable[[messages.ToPage], object]) -> None:
-        self._send = send
-        self._task: asyncio.Task[None] | None = None
-        self._switch = StopSwitch()
-        #: What the pages have been told last.
-        self.told = messages.LessonChecked()
+    def __init__(self, send: Send) -> None:
+        super().__init__(send, messages.LessonChecked())
 
     def start(
         self,
@@ -49,16 +80,9 @@ class LessonCheck:
         Raises:
             LearnBlockError: a check goes on.
         """
-        if self.told.running:
-            raise LearnBlockError("server-lesson-checking")
-        self._switch = StopSwitch()
         waiting = tuple(messages.LessonAttempt(one.robot, one.variant) for one in attempts)
-        self._tell(messages.LessonChecked(waiting, running=True))
+        self._begin(messages.LessonChecked(waiting, running=True))
         self._task = asyncio.create_task(self._run(opened, step, source, attempts, on_passed))
-
-    def stop(self) -> None:
-        """Stop; runs that go on end at once."""
-        self._switch.stop()
 
     def forget(self) -> None:
         """Forget what was checked."""
@@ -114,6 +138,51 @@ class LessonCheck:
         )
         self._tell(replace(self.told, attempts=attempts))
 
-    def _tell(self, told: messages.LessonChecked) -> None:
-        self.told = told
-        self._send(told)
+
+class LessonTrial(_Trial[messages.LessonTried]):
+    """The trial of a lesson's solutions, for one page.
+
+    Args:
+        send: sends a message to the page.
+    """
+
+    def __init__(self, send: Send) -> None:
+        super().__init__(send, messages.LessonTried())
+
+    def start(self, opened: OpenLesson) -> None:
+        """Begin to try a lesson.
+
+        Raises:
+            LearnBlockError: a trial goes on.
+        """
+        self._begin(messages.LessonTried(count=count_attempts(opened), running=True))
+        self._task = asyncio.create_task(self._run(opened))
+
+    async def _run(self, opened: OpenLesson) -> None:
+        switch, loop = self._switch, asyncio.get_running_loop()
+
+        def watch(_: Tried) -> None:
+            loop.call_soon_threadsafe(self._attempted)
+
+        def run() -> None:
+            for result in check_lesson(opened, follow=Follow(watch, switch)):
+                loop.call_soon_threadsafe(self._finished, result)
+
+        problem = None
+        try:
+            await to_thread.run_sync(run)
+        except (LearnBlockError, OSError) as error:
+            # A run that is ended may be lost.
+            problem = None if switch.is_stopped else phrase_of(error)
+        # What the thread has handed over comes first.
+        await asyncio.sleep(0)
+        self._tell(replace(self.told, running=False, problem=problem))
+
+    def _attempted(self) -> None:
+        self._tell(replace(self.told, done=self.told.done + 1))
+
+    def _finished(self, result: Result) -> None:
+        program = messages.TriedProgram(
+            result.kind, result.step, result.right, result.attempts, result.problems
+        )
+        self._tell(replace(self.told, programs=(*self.told.programs, program)))

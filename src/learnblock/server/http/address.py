@@ -1,8 +1,12 @@
-"""The secret in the page's address, which gives access to the server."""
+"""The page's address: where other devices reach this computer, and the secret in it.
+
+The secret, the token, gives access to the server.
+"""
 
 import os
 import re
 import secrets
+import socket
 import stat
 from contextlib import suppress
 from pathlib import Path
@@ -15,6 +19,8 @@ VARIABLE = "LEARNBLOCK_TOKEN"
 _TOKEN = re.compile(r"[\w.~-]+", re.ASCII)
 #: The maximum number of characters, more than any token that we create has.
 _LONGEST = 200
+#: An address for documentation (RFC 5737), which is in no one's own network.
+_ELSEWHERE = ("192.0.2.1", 9)
 
 
 def token(*, new: bool = False) -> str:
@@ -58,3 +64,14 @@ def _read(file: Path) -> str | None:
     except (OSError, UnicodeDecodeError):
         return None
     return kept if len(kept) <= _LONGEST and _TOKEN.fullmatch(kept) else None
+
+
+def own_address() -> str | None:
+    """Return the numeric address of this computer in its network; None if it is in none.
+
+    Nothing is sent: the system only chooses the interface for a datagram.
+    """
+    with suppress(OSError), socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        probe.connect(_ELSEWHERE)
+        return str(probe.getsockname()[0])
+    return None

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from learnblock.blocks import builtin
 from learnblock.language.workspace.blocks import Block, Input, Workspace
 from learnblock.server.program.document import Document
-from learnblock.server.program.merging import Edit, base_of, merged
+from learnblock.server.program.shared import Edit, base_of, merged
 
 EBO = "learnblock.robots.sim_ebo"
 PROGRAM = """\

@@ -1,11 +1,13 @@
-"""The token in the page's address, which survives restarts."""
+"""The page's address: that of this computer, and the token, which survives restarts."""
 
+import ipaddress
+import socket
 import stat
 
 import pytest
 
 from learnblock.errors import LearnBlockError
-from learnblock.server.http.token import VARIABLE, token
+from learnblock.server.http.address import VARIABLE, own_address, token
 
 
 @pytest.fixture(autouse=True)
@@ -56,3 +58,19 @@ def test_a_token_that_no_address_can_hold_is_refused(monkeypatch):
     monkeypatch.setenv(VARIABLE, "not a token")
     with pytest.raises(LearnBlockError, match=VARIABLE):
         token()
+
+
+def test_the_own_address_belongs_to_this_computer():
+    address = own_address()
+    if address is not None:
+        with socket.socket() as listening:
+            listening.bind((str(ipaddress.ip_address(address)), 0))
+
+
+def test_a_computer_without_a_network_has_no_address(monkeypatch):
+    class Unreachable(socket.socket):
+        def connect(self, address):
+            raise OSError("Network is unreachable")
+
+    monkeypatch.setattr(socket, "socket", Unreachable)
+    assert own_address() is None

@@ -1,7 +1,7 @@
 """Which bumps of a robot are worth a line."""
 
 from learnblock.runtime.trace import Collision
-from learnblock.server.runs.bumps import Bumps
+from learnblock.server.runs.reporter import Bumps
 
 
 def times(bumps, *collisions):

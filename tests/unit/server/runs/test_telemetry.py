@@ -2,7 +2,7 @@
 
 import pytest
 
-from learnblock.server.runs.drawn import Drawn
+from learnblock.server.runs.telemetry import Drawn
 from learnblock.simulator import Stroke
 
 RED = (200, 0, 0)
