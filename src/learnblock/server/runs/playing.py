@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, Protocol
 
 from learnblock.devices import Pose
-from learnblock.i18n import Phrase
 from learnblock.monitor.monitor import GoalNow
 from learnblock.robots import RobotEntry
 from learnblock.running import Options, ProgramRun, Report
@@ -17,6 +16,7 @@ from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.program import Program
 from learnblock.runtime.trace import Recorder
 from learnblock.server import messages
+from learnblock.server.program.document import Document
 from learnblock.server.runs import memory
 from learnblock.server.runs.console import Voice
 from learnblock.server.runs.looking import Looking
@@ -28,6 +28,8 @@ if TYPE_CHECKING:
     from learnblock.monitor import Monitor
     from learnblock.server.runs.player import Player
 
+#: A program, or a function that the user tries.
+Played = Document | Trial
 #: The seed of the command line, so that the same run can be repeated there.
 SEED = 0
 
@@ -59,22 +61,6 @@ class Setting:
     tags: Mapping[str, int] = field(default_factory=dict)
     trace: BinaryIO | None = None
     seconds: float | None = None
-
-
-class Played(Protocol):
-    """A program's document, or a function that the user tries."""
-
-    def program(self, name: str, /) -> Program:
-        """The program to run."""
-
-    def block_at(self, python_line: int, /) -> str | None:
-        """The block of a line of its Python; None for a line without one."""
-
-    def python_line(self, block: str, /) -> int | None:
-        """The first line of a block; None if the program does not contain it."""
-
-    def lacking(self, equipment: frozenset[str], /) -> Phrase | None:
-        """What a robot lacks for it, once it is connected and its equipment is known."""
 
 
 class Controlled(Protocol):

@@ -2,12 +2,11 @@
 
 import dataclasses
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, BinaryIO, Protocol, cast
+from typing import TYPE_CHECKING, BinaryIO, cast
 
 from anyio import to_thread
 from msgspec.structs import replace
 
-from learnblock.blocks.block_sets import BlockSet
 from learnblock.errors import LearnBlockError
 from learnblock.lessons.expert import Experts
 from learnblock.lessons.judging import Verdict, judge
@@ -25,7 +24,7 @@ from learnblock.server.projects.lesson_folder import (
     StepProgress,
 )
 from learnblock.server.projects.project import Project
-from learnblock.server.runs.viewers import Viewer, Viewers
+from learnblock.server.runs.viewers import Viewer
 from learnblock.server.sessions import lesson_stage as stage
 from learnblock.server.sessions import lesson_view as view
 from learnblock.server.sessions.lesson_trials import LessonCheck
@@ -33,38 +32,7 @@ from learnblock.server.sessions.run_judge import Looked, RunJudge, world_of
 
 if TYPE_CHECKING:
     from learnblock.lessons.hints import Hint
-    from learnblock.server.sessions.part import Part
-    from learnblock.server.sessions.runs import Runs
-
-
-class Pupil(Protocol):
-    """An open project, as its coach sees it."""
-
-    name: str
-    world: str
-    variant: int
-    parts: "list[Part]"
-    viewers: Viewers
-    runs: "Runs"
-
-    @property
-    def project(self) -> Project:
-        """The project in the form that is saved."""
-
-    async def restore(self, earlier: Project) -> None:
-        """Restore programs."""
-
-    async def choose_robot(self, part: "Part", name: str) -> None:
-        """Change the kind of a robot."""
-
-    async def choose_world(self, name: str, variant: int = 0) -> None:
-        """Change the world, or its variant."""
-
-    async def close_robot(self, name: str) -> None:
-        """Close a robot."""
-
-    def show_blocks(self, block_set: BlockSet) -> None:
-        """Show the blocks of a set in the palette."""
+    from learnblock.server.sessions.session import Session
 
 
 class Coach:
@@ -82,7 +50,7 @@ class Coach:
 
     def __init__(
         self,
-        pupil: Pupil,
+        pupil: "Session",
         opened: OpenLesson,
         progress: Progress,
         keep: Callable[[str], LessonFolder],

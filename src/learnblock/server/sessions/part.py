@@ -1,8 +1,8 @@
 """One of the programs of an open project, with the robots that run it."""
 
 import asyncio
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Literal, Protocol, TypeVar
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, TypeVar
 
 from anyio import to_thread
 
@@ -12,40 +12,16 @@ from learnblock.server import messages
 from learnblock.server.messages import View
 from learnblock.server.program.document import Document
 from learnblock.server.program.shared import Content, Edit, Merged, SharedProgram, base_of
-from learnblock.server.projects.project import Project, ProjectPart
+from learnblock.server.projects.project import ProjectPart
 from learnblock.server.runs.console import Console
-from learnblock.server.runs.keyboard import Keyboard
 from learnblock.server.runs.player import Player
 from learnblock.server.runs.viewers import Viewer, Viewers
 from learnblock.server.sessions.prepared import PreparedPart
 
+if TYPE_CHECKING:
+    from learnblock.server.sessions.session import Session
+
 Result = TypeVar("Result")
-
-
-class Home(Protocol):
-    """The open project of a part."""
-
-    keyboard: Keyboard
-
-    @property
-    def project(self) -> Project:
-        """The project in its current state."""
-
-    def part_changed(self) -> None:
-        """Save the project, and show the pages what has changed on a tab."""
-
-    def show_tabs(self) -> None:
-        """Show the pages what has changed on a tab."""
-
-    async def keep_lost(
-        self, part: "Part", lost: Document, pages: Iterable[Viewer], by: Literal["page", "before"]
-    ) -> None:
-        """Save a version with a change that the program of a part lacks, and say so."""
-
-    def part_ended(self, ended: messages.Ended) -> None:
-        """Called after each run with how the program of a part ended."""
-
-
 #: The states of programs, those that need attention most first.
 _STATES: tuple[messages.StateName, ...] = (
     "held",
@@ -69,7 +45,7 @@ class Part:
         home: the project.
     """
 
-    def __init__(self, prepared: PreparedPart, home: Home) -> None:
+    def __init__(self, prepared: PreparedPart, home: "Session") -> None:
         self.name = prepared.name
         self.robot = prepared.robot
         self.breakpoints = prepared.breakpoints

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from time import time
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 from anyio import to_thread
 
@@ -18,21 +18,8 @@ from learnblock.server.runs.trial import Trial
 
 if TYPE_CHECKING:
     from learnblock.server.runs.player import Player
-    from learnblock.server.sessions.archive import Archive
-    from learnblock.server.sessions.coach import Coach
     from learnblock.server.sessions.part import Part
-
-
-class Staged(Protocol):
-    """An open project, as its runs see it."""
-
-    name: str
-    world: str
-    variant: int
-    tags: Mapping[str, int]
-    coach: "Coach | None"
-    parts: "list[Part]"
-    archive: "Archive"
+    from learnblock.server.sessions.session import Session
 
 
 class Runs:
@@ -43,7 +30,7 @@ class Runs:
         folder: the folder of its file.
     """
 
-    def __init__(self, project: Staged, folder: ProjectFolder) -> None:
+    def __init__(self, project: "Session", folder: ProjectFolder) -> None:
         self._project = project
         self._folder = folder
         self._last_run = (0.0, "")
