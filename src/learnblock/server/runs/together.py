@@ -10,10 +10,17 @@ from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.program import Program
 from learnblock.runtime.status import State
-from learnblock.server.runs import memory
 from learnblock.server.runs.looking import Looking
 from learnblock.server.runs.player import Player
-from learnblock.server.runs.playing import SEED, Played, Playing, Setting, lines, looking_at
+from learnblock.server.runs.playing import (
+    SEED,
+    Played,
+    Playing,
+    Setting,
+    give_back_memory,
+    lines,
+    looking_at,
+)
 from learnblock.server.runs.watcher import RunWatcher
 
 if TYPE_CHECKING:
@@ -222,7 +229,7 @@ def _play(team: "TeamRun", playings: Sequence[Playing]) -> None:
         outcomes = [error] * len(playings)
     for playing, outcome in zip(playings, outcomes, strict=True):
         playing.watcher.ended(outcome)
-    memory.give_back()
+    give_back_memory()
 
 
 def _outcomes(report: "TeamReport") -> Sequence[Report]:

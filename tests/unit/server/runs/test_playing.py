@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from learnblock.server.runs import memory
+from learnblock.server.runs.playing import give_back_memory
 
 
 def resident():
@@ -22,6 +22,6 @@ def test_holes_in_the_heap_are_given_back():
     last = blocks.pop()
     blocks.clear()
     before = resident()
-    memory.give_back()
+    give_back_memory()
     assert resident() < before - 20_000_000
     assert len(last) == 100_000
