@@ -41,9 +41,9 @@ class SharedProgram:
         unread = found.document.unread
         if unread is None or unread.view == edit.view:
             self._unread_by = by
-        if by and not (edit.view == "blocks" and found.alone.unread):
+        if by and found.left is not None:
             # An edit of blocks that can't be parsed has no text; the next one has the same base.
-            by.left(edit.view, found.alone.text_of(edit.view))
+            by.left(edit.view, found.left)
         return found
 
     def change(self, edit: Callable[[Document], Document]) -> None:
