@@ -6,6 +6,7 @@ import "./fields.css";
 import { registerDirections } from "./direction";
 import { FieldAngle, FieldSlider } from "./numbers";
 import { FieldChoice, FieldColour } from "./texts";
+import { registerUnits } from "./unit";
 
 export { type Allowed, type Definition, learnAllowed } from "./allowed";
 
@@ -27,6 +28,7 @@ const PALE: Readonly<Record<string, Pale>> = {
 /** Define these blocks, once for the whole page. */
 export function defineFields(): void {
   registerDirections();
+  registerUnits();
   for (const [type, pale] of Object.entries(PALE)) defineField(type, pale);
 }
 
