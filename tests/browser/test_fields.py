@@ -196,6 +196,12 @@ def test_a_unit_is_in_the_singular_beside_a_one(pupil):
     expect(words).to_have_text(["wait", "seconds"])
 
 
+def test_a_yes_or_no_of_a_block_is_a_box_to_tick(pupil):
+    pupil.write("blocktext", "main:\n    function.led(True)\nend\n")
+    pupil.blocks("lb_skill_led").locator("> .lb_truth .blocklyCheckboxField").click()
+    pupil.sees("blocktext", "function.led(False)")
+
+
 def menu_of(pupil, kind):
     """The menu in a block."""
     return pupil.blocks(kind).locator(".lb_choice").first

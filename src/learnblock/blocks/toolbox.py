@@ -18,8 +18,8 @@ class Shadow(NamedTuple):
     """The default value of an input, shown until a block is dropped on it.
 
     Args:
-        type: the block's type: math_number, text, logic_boolean, or one of the page's blocks for
-            parameters: lb_slider, lb_angle, lb_choice, lb_colour and lb_tag.
+        type: the block's type: math_number, text, or one of the page's blocks for parameters:
+            lb_slider, lb_angle, lb_choice, lb_colour, lb_tag and lb_truth.
         field: the name of the field for its value.
         value: a number, a string, or ``TRUE`` or ``FALSE``.
     """
@@ -82,14 +82,14 @@ SHADOWS: Mapping[str, Mapping[str, Shadow]] = MappingProxyType(
 
 
 #: What a new block begins with where the skill has no default, so that it does something.
-FIRST_VALUES: Mapping[tuple[str, str], float] = MappingProxyType(
+FIRST_VALUES: Mapping[tuple[str, str], float | str] = MappingProxyType(
     {
         ("drive_distance", "distance"): 200,
         ("drive_arc", "radius"): 200,
         ("go_to", "x"): 200,
         ("play_frequency", "frequency"): 440,
         ("play_frequency", "time"): 500,
-        ("led", "intensity"): 100,
+        ("led", "intensity"): "TRUE",
         ("RGBled", "red"): 255,
     }
 )
@@ -110,7 +110,7 @@ def parameter_shadow(parameter: Parameter) -> Shadow | None:
         case "colour":
             return Shadow("lb_colour", "TEXT", _RED if default is None else str(default))
         case "boolean":
-            return Shadow("logic_boolean", "BOOL", "TRUE" if default else "FALSE")
+            return Shadow("lb_truth", "BOOL", "TRUE" if default else "FALSE")
         case "list":
             return None
 

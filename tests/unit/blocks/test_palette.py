@@ -38,7 +38,7 @@ def test_there_is_a_definition_for_each_block_of_ours_and_each_skill():
     ours = {kind for kind in {*HATS, *STATEMENTS, *VALUES} if kind.startswith("lb_")}
     skills = {f"lb_skill_{name}" for name in builtin()} - {"lb_skill_elapsedTime"}
     # The page creates the fields of parameters itself.
-    fields = {"lb_slider", "lb_angle", "lb_choice", "lb_colour", "lb_tag"}
+    fields = {"lb_slider", "lb_angle", "lb_choice", "lb_colour", "lb_tag", "lb_truth"}
     assert (ours - fields) | skills | {"lb_import", "lb_setup"} == set(defined)
     assert len(defined) == len(set(defined))
 
@@ -209,6 +209,7 @@ def test_every_parameter_but_a_list_has_a_shadow():
         (Parameter("x", "colour", "#00ff00"), None, ("lb_colour", "#00ff00")),
         (Parameter("x", "colour"), None, ("lb_colour", "#ff0000")),
         (Parameter("x", "apriltext"), None, ("lb_tag", "")),
+        (Parameter("x", "boolean", True), None, ("lb_truth", "TRUE")),
     ],
 )
 def test_a_parameter_has_the_field_of_its_type(parameter, field, shadow):
