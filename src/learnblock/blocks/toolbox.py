@@ -94,6 +94,16 @@ FIRST_VALUES: Mapping[tuple[str, str], float | str] = MappingProxyType(
     }
 )
 
+#: The same for texts, in the reader's language: the key of their translation.
+FIRST_TEXTS: Mapping[tuple[str, str], str] = MappingProxyType(
+    {
+        **dict.fromkeys(
+            (("say_Text", "text"), ("show_text", "text"), ("matrix_text", "text")), "LB_FIRST_TEXT"
+        ),
+        **{(one, "message"): "LB_FIRST_MESSAGE" for one in ("send", "received", "message_value")},
+    }
+)
+
 
 def parameter_shadow(parameter: Parameter) -> Shadow | None:
     """The shadow of a skill's parameter: its default, in a block for its type."""
@@ -346,18 +356,26 @@ def _skill_tabs(
             "name": words.get(category_word(category), category),
             "category": category,
             "group": group_of(category),
-            "contents": [skill_block(one, paired.get(one.name)) for one in by_category[category]],
+            "contents": [
+                skill_block(one, paired.get(one.name), words) for one in by_category[category]
+            ],
         }
         for category in order
     ]
 
 
-def skill_block(configuration: BlockConfiguration, pair: Pair | None = None) -> dict[str, Any]:
+def skill_block(
+    configuration: BlockConfiguration,
+    pair: Pair | None = None,
+    words: Mapping[str, str] = MappingProxyType({}),
+) -> dict[str, Any]:
     """A skill's block in the palette, with the shadows of its parameters.
 
     The second block of a `pair` names the first, which also does what it does.
     """
-    shadows = {one.name: _first_shadow(configuration, one) for one in configuration.parameters}
+    shadows = {
+        one.name: _first_shadow(configuration, one, words) for one in configuration.parameters
+    }
     inputs = {name: {"shadow": one.block()} for name, one in shadows.items() if one is not None}
     given = len(list(takewhile(_is_shown, configuration.parameters)))
     return {
@@ -372,9 +390,11 @@ def skill_block(configuration: BlockConfiguration, pair: Pair | None = None) -> 
     }
 
 
-def _first_shadow(configuration: BlockConfiguration, parameter: Parameter) -> Shadow | None:
-    shadow = parameter_shadow(parameter)
-    value = FIRST_VALUES.get((configuration.name, parameter.name))
+def _first_shadow(
+    configuration: BlockConfiguration, parameter: Parameter, words: Mapping[str, str]
+) -> Shadow | None:
+    shadow, place = parameter_shadow(parameter), (configuration.name, parameter.name)
+    value = FIRST_VALUES.get(place, words.get(FIRST_TEXTS.get(place, "")))
     return shadow if shadow is None or value is None else shadow._replace(value=value)
 
 

@@ -172,6 +172,13 @@ def test_an_input_shows_the_default_of_its_parameter(skill, parameter, shown):
     assert shown == found["inputs"][parameter]["shadow"]
 
 
+@pytest.mark.parametrize(("language", "text"), [("en", "hello"), ("es", "hola")])
+def test_a_new_block_begins_with_a_word_of_the_language(language, text):
+    found = {one["type"]: one for one in blocks(palette(builtin(), language))}
+    shadows = [found[f"lb_skill_{name}"]["inputs"]["text"] for name in ("say_Text", "show_text")]
+    assert [one["shadow"]["fields"] for one in shadows] == [{"TEXT": text}] * 2
+
+
 def test_every_parameter_but_a_list_has_a_shadow():
     parameters = [one for block in builtin().values() for one in block.parameters]
     lacking = [one.type for one in parameters if parameter_shadow(one) is None]
