@@ -32,6 +32,7 @@ from learnblock.running.recorded_keys import read_keys
 from learnblock.runtime.ending import How
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.program import Program
+from learnblock.runtime.standby import Standby
 from learnblock.runtime.watcher import Watcher
 
 #: The limit of an endless program at full speed, in seconds of the robot's time.
@@ -132,15 +133,26 @@ def run_and_report(
     picture: Path | None,
     why: Path | None,
     as_json: bool,
+    standby: Standby | None = None,
     **choices: Any,
 ) -> int:
-    """Run a program, print the report, and return the exit code."""
+    """Run a program, print the report, and return the exit code.
+
+    Args:
+        file: the program.
+        trace: the file for its trace.
+        picture: the file for the drawing of the run.
+        why: the file for its log.
+        as_json: print the report as JSON.
+        standby: the process for the program, if it has been started before.
+        choices: the options of the run.
+    """
     with prepared(file, as_json=as_json, **choices) as found:
         if found is None:
             return ExitCode.MISTAKES
         check_picture(picture)
         log = _log(found.program, why) if why else None
-        return _run_found(found, trace, picture, log, as_json=as_json)
+        return _run_found(found, trace, picture, log, standby, as_json=as_json)
 
 
 def _log(program: Program, path: Path) -> RunLog:
@@ -159,6 +171,7 @@ def _run_found(
     trace: Path | None,
     picture: Path | None,
     log: RunLog | None,
+    standby: Standby | None,
     *,
     as_json: bool,
 ) -> int:
@@ -172,6 +185,7 @@ def _run_found(
             watcher=watcher,
             log=log,
             lacking=partial(running.lacking, found.source),
+            standby=standby,
         )
         watcher.session = session
         with stopped_by_signals(session.stop):
