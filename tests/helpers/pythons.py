@@ -30,8 +30,7 @@ def interpreters() -> dict[str, Path]:
 
 def with_learnblock(version: str) -> Path | None:
     """Return an interpreter that has what LearnBlock needs, as made by `scripts/bench hashes`."""
-    python = ROOT / "build" / "pythons" / version / "bin" / "python"
-    return python if python.exists() else None
+    return next((ROOT / "build" / "pythons").glob(f"{version}.*/bin/python"), None)
 
 
 def _candidates(version: str) -> Iterator[Path]:

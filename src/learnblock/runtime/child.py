@@ -16,7 +16,7 @@ from typing import Any, NoReturn
 from learnblock.client import Client
 from learnblock.errors import InputEndedError, LearnBlockError, ProgramStopped
 from learnblock.runtime import remote
-from learnblock.runtime.containment.fence import contain
+from learnblock.runtime.containment.fence import contain, prepare
 from learnblock.runtime.error_phrases import phrase_of
 from learnblock.runtime.failed_code import failed_code
 from learnblock.runtime.gate import Gate, unless_shown
@@ -55,6 +55,8 @@ def main() -> None:
     link: Link[FromHost] = SocketLink(socket.socket(fileno=int(sys.argv[1])), FromHost)
     signal.signal(signal.SIGTERM, _stop_program)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    # Its host may still be loading.
+    prepare()
     run(link, contain)
 
 

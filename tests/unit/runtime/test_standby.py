@@ -64,3 +64,22 @@ def test_starting_a_process_loads_neither_the_language_nor_the_runtime():
     )
     slow = {"learnblock.language", "learnblock.running", "learnblock.runtime.run", "click", "numpy"}
     assert not slow & set(done.stdout.split())
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux has these modules")
+def test_a_process_on_standby_has_loaded_all_that_contains_its_program(tmp_path):
+    program = (
+        "import sys\n"
+        "from learnblock.runtime.containment.fence import contain, prepare\n"
+        "from learnblock.runtime.limits import Limits\n"
+        "from learnblock.runtime.messages import Setup\n"
+        "prepare()\n"
+        "before = set(sys.modules)\n"
+        "contain(Setup('', 'program.py', '/', (), (), None, Limits()))\n"
+        "print([name for name in sys.modules if name not in before and 'learnblock' in name])\n"
+    )
+    variables = {**os.environ, "TMPDIR": str(tmp_path)}
+    done = subprocess.run(
+        [sys.executable, "-c", program], env=variables, capture_output=True, text=True, check=True
+    )
+    assert done.stdout == "[]\n"
