@@ -47,6 +47,8 @@ SHORT = 12
 _NEW_LINE = "\n" + " " * (LABEL + 1)
 #: How a run ended, by the names in the report's words.
 _HOW = {How.FINISHED: "report-ended-finished", How.STOPPED: "report-ended-stopped"}
+#: What became of a goal that has been decided.
+_GOALS = {"reached": "report-goal-reached", "failed": "report-goal-failed"}
 
 EXIT_CODES = {
     How.ERROR: ExitCode.PROGRAM_FAILED,
@@ -298,7 +300,7 @@ class _Terminal(Collector):
         if recorder.emotions:
             parts.append(recorder.emotions[-1])
         speed = recorder.time() / max(now - self._started, 0.001)
-        parts.append(text(Phrase("report-speed", factor=round(speed, 1))))
+        parts.append(text(Phrase("report-speed", factor=decimal(speed))))
         return "  ".join(parts)
 
 
@@ -420,9 +422,14 @@ def effect_rows(report: Report, robot: str) -> Iterator[tuple[str, str]]:
 def goal_row(goal: Goal) -> str:
     """A goal with its state, in words."""
     if goal.time is None:
-        return text(Phrase("report-goal", name=goal.name, state=goal.state))
-    time = round(goal.time, 1)
-    return text(Phrase("report-goal-at", name=goal.name, state=goal.state, time=time))
+        return text(Phrase("report-goal-open", name=goal.name))
+    return text(Phrase(_GOALS[goal.state], name=goal.name, time=decimal(goal.time)))
+
+
+def decimal(number: float) -> Phrase:
+    """A number with one decimal, without Fluent, which takes longer to load than many a run."""
+    whole, _, tenths = f"{number:.1f}".partition(".")
+    return Phrase("report-decimal", whole=whole, tenths=tenths)
 
 
 def _missing_reason(robot: str, device: str) -> Phrase:
