@@ -34,7 +34,7 @@ AIM = 20.0
 #: Runs the child as it is, or without its fence.
 WITHOUT = """
 import learnblock.runtime.child as child
-child.contain = lambda setup: None
+child.fence.contain = lambda setup: None
 child.main()
 """
 
