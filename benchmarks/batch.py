@@ -4,7 +4,8 @@ camera.
     python benchmarks/batch.py [--runs 300] [--seconds 60]
 
 Prints the seconds of the whole batch, its factor of real time, and the same for a part of the runs
-made one after another, each with a process of its own.
+made one after another, each with a process of its own. The seconds of processors are of the warm
+process and all its runs; they hardly depend on what else the computer does.
 """
 
 import argparse
@@ -39,18 +40,25 @@ def jobs(count: int, seconds: float) -> list[Job]:
     return made
 
 
+def _used() -> float:
+    """Seconds of processors that ended children of this process have used."""
+    return os.times().children_user + os.times().children_system
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--runs", type=int, default=300)
     parser.add_argument("--seconds", type=float, default=60.0, help="of the robots' time")
     given = parser.parse_args()
     wanted = jobs(given.runs, given.seconds)
-    began = perf_counter()
+    began, used = perf_counter(), _used()
     results = sorted(Batch(wanted).results(), key=lambda one: one.job)
-    batch = perf_counter() - began
-    together = sum(one.report.time for one in results) / batch
+    batch, used = perf_counter() - began, _used() - used
+    simulated = sum(one.report.time for one in results)
+    together = simulated / batch
     print(f"{os.cpu_count()} processors, {len(results)} runs of {given.seconds:g} s")
     print(f"batch             {batch:8.1f} s, {together:7.1f} times real time")
+    print(f"of processors     {used:8.1f} s, {simulated / used:7.1f} times real time")
 
     few = wanted[: len(CLASS)]
     began = perf_counter()

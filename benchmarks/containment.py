@@ -26,6 +26,7 @@ from attacks import (
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.messages import Printed, Setup
 from learnblock.runtime.process import ProcessWorker
+from learnblock.runtime.standby import Standby
 
 ROUNDS = 25
 #: Milliseconds that the fence may add to the start.
@@ -33,12 +34,12 @@ AIM = 20.0
 #: Runs the child as it is, or without its fence.
 WITHOUT = """
 import learnblock.runtime.child as child
-child.contain = lambda setup: None
+child.fence.contain = lambda setup: None
 child.main()
 """
 
 
-class Uncontained(ProcessWorker):
+class Uncontained(Standby):
     """The same child without its fence, in the host's environment."""
 
     @staticmethod
@@ -53,10 +54,10 @@ class Uncontained(ProcessWorker):
         )
 
 
-def start(kind: type[ProcessWorker]) -> float:
+def start(kind: type[Standby]) -> float:
     """Return the milliseconds from the start of a process to the program's first line."""
     began = perf_counter()
-    worker = kind()
+    worker = ProcessWorker(kind())
     try:
         worker.link.send(Setup("print(1)", "start.py", "", (), (), None, Limits()))
         message = worker.link.receive(30)
@@ -69,7 +70,7 @@ def start(kind: type[ProcessWorker]) -> float:
 
 def cost() -> None:
     """Print the cost of a start with and without the fence."""
-    pairs = [(start(Uncontained), start(ProcessWorker)) for _ in range(ROUNDS)]
+    pairs = [(start(Uncontained), start(Standby)) for _ in range(ROUNDS)]
     # The fastest of each: on a busy machine all else measures the others.
     without, contained = (min(column) for column in zip(*pairs, strict=True))
     added = contained - without

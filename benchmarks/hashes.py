@@ -2,9 +2,10 @@
 
     python benchmarks/hashes.py [seconds of simulated time]
 
-Every version of Python that uv finds on this computer runs every example in each way: in a process
-of its own, in the thread of its host, and in a process forked from a warm one; quiet, and with two
-busy processes for each processor. A row with two values is a failure.
+Every supported Python on this computer runs every example in each way: in a process of its own, in
+the thread of its host, and in a process forked from a warm one; quiet, and with two busy processes
+for each processor. A row with two values is a failure. An example that ended with an error, such as
+one that asks a person for input, has the code of the error, too.
 """
 
 import os
@@ -17,7 +18,7 @@ from pathlib import Path
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT / "tests" / "helpers"))
 
-from pythons import VERSIONS, interpreter  # noqa: E402 - found through the line above
+from pythons import VERSIONS, interpreters  # noqa: E402 - found through the line above
 
 CONDITIONS = ("quiet", "loaded")
 WAYS = ("process", "thread", "warm")
@@ -29,14 +30,14 @@ from learnblock.running.batch import Batch
 from learnblock.running.job import Job
 from learnblock.runtime.inline import InlineWorker
 from learnblock.runtime.process import ProcessWorker
-from runs import EXAMPLES, TWINS, WORLDS
+from runs import EXAMPLES, TASKS, TWINS
 
-def job(path):
-    source = running.read(path)
+def job(name):
+    source = running.read(EXAMPLES / name)
     robot = next(robot for robot in map(robots.find, TWINS) if not [
         one for one in running.check(source, robot) if one.severity == "error"
     ])
-    options = Options(world=WORLDS.get(path.name), seconds=float(sys.argv[1]))
+    options = Options(world=TASKS[name][0], seconds=float(sys.argv[1]))
     return Job(running.program(source, robot), robot, options)
 
 def reports(jobs):
@@ -46,9 +47,9 @@ def reports(jobs):
     runs = (ProgramRun(one.program, one.robot, one.options, worker=worker) for one in jobs)
     return [run.run() for run in runs]
 
-paths = sorted(EXAMPLES.glob("*.bt"))
-for path, report in zip(paths, reports([*map(job, paths)]), strict=True):
-    print(path.name, report.trace_sha256 if report.error is None else report.error["message"])
+names = sorted(TASKS)
+for name, report in zip(names, reports([*map(job, names)]), strict=True):
+    print(name, report.trace_sha256[:12], report.error["message"].code if report.error else "")
 """
 
 
@@ -66,7 +67,8 @@ def traces(python: Path, seconds: str, way: str) -> dict[str, str]:
     variables = {**os.environ, "PYTHONPATH": str(ROOT / "tests" / "helpers")}
     command = [python, "-c", RUN, seconds, way]
     done = subprocess.run(command, env=variables, stdout=subprocess.PIPE, text=True, check=True)
-    return {name: value for name, _, value in (x.partition(" ") for x in done.stdout.splitlines())}
+    lines = (line.partition(" ") for line in done.stdout.splitlines())
+    return {name: value.strip() for name, _, value in lines}
 
 
 @contextmanager
@@ -85,12 +87,12 @@ def machine(condition: str) -> Iterator[None]:
 def main() -> None:
     seconds = sys.argv[1] if len(sys.argv) > 1 else "8"
     columns: dict[str, dict[str, str]] = {}
+    found = interpreters()
     for version in VERSIONS:
-        python = interpreter(version)
-        if python is None:
+        if not any(full.startswith(f"{version}.") for full in found):
             print(f"Python {version} is not on this computer")
-            continue
-        python = installed(version, python)
+    for version, interpreter in found.items():
+        python = installed(version, interpreter)
         for condition in CONDITIONS:
             with machine(condition):
                 for way in WAYS:
@@ -99,16 +101,30 @@ def main() -> None:
 
 
 def report(columns: dict[str, dict[str, str]]) -> None:
-    for part in zip(*(column.split() for column in columns), strict=True):
-        print(f"{'':<16}" + "".join(f"{name:<14}" for name in part))
-    examples = {name for column in columns.values() for name in column}
-    rows = {name: [column.get(name, "-") for column in columns.values()] for name in examples}
-    for name, values in sorted(rows.items()):
-        print(f"{name:<16}" + "".join(f"{value[:12]:<14}" for value in values))
-    different = sorted(name for name, values in rows.items() if len(set(values)) > 1)
-    print(f"{len(rows)} examples, {len(different)} with more than one value")
+    """Print the value of each example, and where others were found.
+
+    Args:
+        columns: the value of every example, by version, condition and way.
+    """
+    print(f"{len(columns)} columns: {', '.join(columns)}")
+    different = []
+    for name in next(iter(columns.values())):
+        value, *others = _places(columns, name).items()
+        print(f"{name:<24}{value[0]:<36}{len(value[1]):>3} the same", flush=True)
+        for other, places in others:
+            different.append(name)
+            print(f"{'':<24}{other:<36}{len(places):>3} OTHERS: {', '.join(places)}")
     if different:
-        sys.exit(f"more than one value: {', '.join(different)}")
+        sys.exit(f"more than one value: {', '.join(dict.fromkeys(different))}")
+    print("one value each")
+
+
+def _places(columns: dict[str, dict[str, str]], name: str) -> dict[str, list[str]]:
+    """The columns with each value of an example."""
+    places: dict[str, list[str]] = {}
+    for column, values in columns.items():
+        places.setdefault(values[name], []).append(column)
+    return places
 
 
 if __name__ == "__main__":

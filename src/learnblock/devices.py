@@ -232,7 +232,7 @@ class JointMotor(Device):
     """A joint that moves to an angle, under a key such as ``CAMERA`` or ``ARM``.
 
     Args:
-        move: `move(degrees)`; for a camera, up is positive.
+        move: `move(degrees)` starts moving; for a camera or an arm, 0 is level and up is positive.
         read: returns the current angle of the joint; None if it cannot be read.
     """
 

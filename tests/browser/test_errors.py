@@ -50,7 +50,7 @@ def test_an_invalid_line_is_underlined_and_listed_and_the_other_views_wait_for_i
 
 def test_a_block_with_an_empty_input_is_marked_until_that_is_undone(pupil):
     first = pupil.blocks("variables_set").first.get_attribute("data-id")
-    pupil.put_below(pupil.take("Variables", "variables_set"), first)
+    pupil.put_below(pupil.take("Control", "controls_forEach"), first)
     expect(pupil.page.locator(".blocks .lbError")).not_to_have_count(0)
     expect(pupil.page.locator(".stale-note")).to_be_visible()
     expect(pupil.tab("Problems").locator(".problem.error")).not_to_have_count(0)

@@ -185,6 +185,23 @@ def test_what_only_says_the_usual_is_behind_dots_until_it_differs(pupil):
     expect(numbers).to_have_text(["9", "70"])
 
 
+def test_a_unit_is_in_the_singular_beside_a_one(pupil):
+    pupil.write("blocktext", "main:\n    function.sleep(1)\nend\n")
+    wait = pupil.blocks("lb_skill_sleep")
+    words = wait.locator("> .blocklyLabelField")
+    expect(words).to_have_text(["wait", "second"])
+    wait.locator(".blocklyNumberField").click()
+    pupil.page.keyboard.type("2")
+    pupil.page.keyboard.press("Enter")
+    expect(words).to_have_text(["wait", "seconds"])
+
+
+def test_a_yes_or_no_of_a_block_is_a_box_to_tick(pupil):
+    pupil.write("blocktext", "main:\n    function.led(True)\nend\n")
+    pupil.blocks("lb_skill_led").locator("> .lb_truth .blocklyCheckboxField").click()
+    pupil.sees("blocktext", "function.led(False)")
+
+
 def menu_of(pupil, kind):
     """The menu in a block."""
     return pupil.blocks(kind).locator(".lb_choice").first

@@ -207,8 +207,7 @@ def build_listing_4(keys):
 def set_variable(keys, name, value):
     keys.take("Variables", "^set Variable")
     keys.choose_in("dropdown: Variable", name)
-    keys.walk("ArrowRight", "^value to set")
-    keys.take("Maths", "^number: 123")
+    keys.walk("ArrowRight", "^Edit value to set, number: 0")
     keys.fill(value)
     keys.walk("ArrowLeft", "^set Variable")
 
@@ -269,4 +268,4 @@ def test_a_when_is_made_with_the_keyboard(pupil):
     keys.walk("ArrowRight", r"yes or no\?$")
     keys.find("obstacle ahead", "^obstacle ahead")
     pupil.picture("built")
-    pupil.sees("blocktext", "when event = function.is_front_obstacle(200):")
+    pupil.sees("blocktext", "when my_event = function.is_front_obstacle(200):")

@@ -3,6 +3,7 @@
 import os
 import shutil
 import subprocess
+from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
@@ -15,16 +16,34 @@ VERSIONS = ("3.11", "3.12", "3.13", "3.14")
 @cache
 def interpreter(version: str) -> Path | None:
     """Return an interpreter of that version: on the path or of pyenv."""
-    on_path = shutil.which(f"python{version}")
-    pyenv = Path(os.environ.get("PYENV_ROOT", Path.home() / ".pyenv")) / "versions"
-    found = [*([Path(on_path)] if on_path else []), *pyenv.glob(f"{version}.*/bin/python")]
-    return next((python for python in found if _works(python)), None)
+    return next(filter(_works, _candidates(version)), None)
+
+
+def interpreters() -> dict[str, Path]:
+    """Return all interpreters of the supported versions, by their full version, such as 3.11.2."""
+    found = {}
+    for version in VERSIONS:
+        for python in filter(_works, _candidates(version)):
+            found.setdefault(_full_version(python), python)
+    return found
 
 
 def with_learnblock(version: str) -> Path | None:
     """Return an interpreter that has what LearnBlock needs, as made by `scripts/bench hashes`."""
-    python = ROOT / "build" / "pythons" / version / "bin" / "python"
-    return python if python.exists() else None
+    return next((ROOT / "build" / "pythons").glob(f"{version}.*/bin/python"), None)
+
+
+def _candidates(version: str) -> Iterator[Path]:
+    for folder in os.get_exec_path():
+        if found := shutil.which(f"python{version}", path=folder):
+            yield Path(found)
+    pyenv = Path(os.environ.get("PYENV_ROOT", Path.home() / ".pyenv")) / "versions"
+    yield from pyenv.glob(f"{version}.*/bin/python")
+
+
+def _full_version(python: Path) -> str:
+    command = [python, "-c", "import platform; print(platform.python_version())"]
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
 
 
 def _works(python: Path) -> bool:

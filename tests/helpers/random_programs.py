@@ -8,7 +8,14 @@ from learnblock.blocks import builtin
 from runs import TWINS
 
 #: Values for parameters without a default, by their type.
-VALUES = {"angle": "20", "float": "40", "int": "3", "string": '"CAMERA"', "apriltext": "1"}
+VALUES = {
+    "angle": "20",
+    "apriltext": "1",
+    "boolean": "True",
+    "float": "40",
+    "int": "3",
+    "string": '"CAMERA"',
+}
 #: Skills that only work together with other robots or a person.
 LEFT_OUT = frozenset(("received", "message_value"))
 WORLDS = ("arena", "faces", "labyrinth", "line", "obstacles", "square", "table", "tags", "walls")

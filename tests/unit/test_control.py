@@ -92,6 +92,7 @@ def play():
             watcher=observer,
             debugger=debugger or Debugger(),
             worker=worker,
+            monitored=True,
         )
         run.set_speed(speed)
         playing.append(Playing(run, observer))
@@ -473,7 +474,7 @@ def hammering(run):
 def test_ten_runs_watched_paused_and_at_any_speed_leave_one_trace(name):
     expected = session_of(name).run()
     for speed in (None, 4.0, 30.0, 10.0, None, 100.0, 20.0, None, 50.0):
-        run = session_of(name, debugger=Debugger())
+        run = session_of(name, debugger=Debugger(), monitored=True)
         run.set_speed(speed)
         run.report_variables(enabled=True)
         with hammering(run):

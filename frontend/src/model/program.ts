@@ -146,6 +146,17 @@ export class Program {
     return this.phase.name === "settled" || this.phase.name === "recovering";
   }
 
+  /** Act once the views show what the server has, which is at once if no edit is on its way. */
+  whenSettled(act: () => void): void {
+    this.flush();
+    if (this.settled) return act();
+    const end = this.state.subscribe(() => {
+      if (!this.settled) return;
+      end();
+      act();
+    });
+  }
+
   /** Report an edit of the workspace; `read` is called at most once per frame. */
   editedBlocks(read: () => Workspace): void {
     this.schedule("blocks", read);

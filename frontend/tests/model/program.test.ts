@@ -107,6 +107,20 @@ test("the answer to the last edit is shown", () => {
   expect(program.state.value).toMatchObject({ blocktext: "x = 12", python: "x = 12", origin: "python" });
 });
 
+test("what depends on the places of steps waits until the views show what the server has", () => {
+  const [program, connection] = opened();
+  const acted: string[] = [];
+  const act = () => acted.push(program.state.value.blocktext);
+  program.whenSettled(act);
+  expect(acted).toEqual([""]);
+  program.editedText("blocktext", () => "main:");
+  program.whenSettled(act);
+  expect(acted).toEqual([""]);
+  connection.tell({ kind: "Document", edit: 1, revision: 2, origin: "blocktext", blocktext: "main:" });
+  connection.tell({ kind: "Document", edit: 1, revision: 3, origin: "blocks", blocktext: "end" });
+  expect(acted).toEqual(["", "main:"]);
+});
+
 test("an answer to an edit of one view does not undo a later edit of another", () => {
   const [program, connection] = opened();
   program.editedText("blocktext", () => "a");

@@ -11,7 +11,7 @@ square brackets is shown only if it says something else than the defaults of its
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from learnblock.blocks.schema.configuration import (
     NEGATIVE,
@@ -23,6 +23,8 @@ from learnblock.blocks.schema.configuration import (
 _OPTIONAL = re.compile(r"\[([^\[\]]+)\]")
 _PLACE = re.compile(r"\{(\w+)(\.direction)?\}")
 _UNIT = re.compile(r"\{(\w+)\} ?(mm/s|mm|°/s|°|%|Hz|ms|seconds|segundos|beats|tiempos)(?!\w)")
+#: The units that change beside a one.
+_SINGULAR = {"beats": "beat", "seconds": "second", "segundos": "segundo", "tiempos": "tiempo"}
 
 
 def translated(texts: Mapping[str, str], language: str, otherwise: str) -> str:
@@ -62,6 +64,8 @@ def spoken(block: BlockConfiguration, language: str, values: Mapping[str, object
     >>> from learnblock.blocks.schema.loading import builtin
     >>> spoken(builtin()["turn"], "en", {"angle": -90})
     'turn left by 90°'
+    >>> spoken(builtin()["sleep"], "en", {"seconds": 1})
+    'wait 1 second'
     """
 
     def value(one: Parameter) -> object:
@@ -76,7 +80,19 @@ def spoken(block: BlockConfiguration, language: str, values: Mapping[str, object
         return words if any(value(one) != one.default for one in parameters) else ""
 
     filling = Filling(field, lambda one: direction(one, value(one), language), unusual)
-    return sentence(block, language, filling)
+    ones = {one.name for one in block.parameters if value(one) == 1}
+    return sentence(_with_singular(block, language, ones), language, filling)
+
+
+def _with_singular(block: BlockConfiguration, language: str, ones: set[str]) -> BlockConfiguration:
+    """The block with a label in which the units of these parameters are in the singular."""
+
+    def unit(found: re.Match[str]) -> str:
+        words = _SINGULAR.get(found[2], found[2]) if found[1] in ones else found[2]
+        return found[0].removesuffix(found[2]) + words
+
+    text = _UNIT.sub(unit, translated(block.languages, language, ""))
+    return replace(block, languages={language.upper(): text}) if text else block
 
 
 def _unmarked(_: Sequence[Parameter], words: str) -> str:

@@ -18,8 +18,8 @@ class Shadow(NamedTuple):
     """The default value of an input, shown until a block is dropped on it.
 
     Args:
-        type: the block's type: math_number, text, logic_boolean, or one of the page's blocks for
-            parameters: lb_slider, lb_angle, lb_choice, lb_colour and lb_tag.
+        type: the block's type: math_number, text, or one of the page's blocks for parameters:
+            lb_slider, lb_angle, lb_choice, lb_colour, lb_tag and lb_truth.
         field: the name of the field for its value.
         value: a number, a string, or ``TRUE`` or ``FALSE``.
     """
@@ -82,15 +82,25 @@ SHADOWS: Mapping[str, Mapping[str, Shadow]] = MappingProxyType(
 
 
 #: What a new block begins with where the skill has no default, so that it does something.
-FIRST_VALUES: Mapping[tuple[str, str], float] = MappingProxyType(
+FIRST_VALUES: Mapping[tuple[str, str], float | str] = MappingProxyType(
     {
         ("drive_distance", "distance"): 200,
         ("drive_arc", "radius"): 200,
         ("go_to", "x"): 200,
         ("play_frequency", "frequency"): 440,
         ("play_frequency", "time"): 500,
-        ("led", "intensity"): 100,
+        ("led", "intensity"): "TRUE",
         ("RGBled", "red"): 255,
+    }
+)
+
+#: The same for texts, in the reader's language: the key of their translation.
+FIRST_TEXTS: Mapping[tuple[str, str], str] = MappingProxyType(
+    {
+        **dict.fromkeys(
+            (("say_Text", "text"), ("show_text", "text"), ("matrix_text", "text")), "LB_FIRST_TEXT"
+        ),
+        **{(one, "message"): "LB_FIRST_MESSAGE" for one in ("send", "received", "message_value")},
     }
 )
 
@@ -110,7 +120,7 @@ def parameter_shadow(parameter: Parameter) -> Shadow | None:
         case "colour":
             return Shadow("lb_colour", "TEXT", _RED if default is None else str(default))
         case "boolean":
-            return Shadow("logic_boolean", "BOOL", "TRUE" if default else "FALSE")
+            return Shadow("lb_truth", "BOOL", "TRUE" if default else "FALSE")
         case "list":
             return None
 
@@ -346,18 +356,26 @@ def _skill_tabs(
             "name": words.get(category_word(category), category),
             "category": category,
             "group": group_of(category),
-            "contents": [skill_block(one, paired.get(one.name)) for one in by_category[category]],
+            "contents": [
+                skill_block(one, paired.get(one.name), words) for one in by_category[category]
+            ],
         }
         for category in order
     ]
 
 
-def skill_block(configuration: BlockConfiguration, pair: Pair | None = None) -> dict[str, Any]:
+def skill_block(
+    configuration: BlockConfiguration,
+    pair: Pair | None = None,
+    words: Mapping[str, str] = MappingProxyType({}),
+) -> dict[str, Any]:
     """A skill's block in the palette, with the shadows of its parameters.
 
     The second block of a `pair` names the first, which also does what it does.
     """
-    shadows = {one.name: _first_shadow(configuration, one) for one in configuration.parameters}
+    shadows = {
+        one.name: _first_shadow(configuration, one, words) for one in configuration.parameters
+    }
     inputs = {name: {"shadow": one.block()} for name, one in shadows.items() if one is not None}
     given = len(list(takewhile(_is_shown, configuration.parameters)))
     return {
@@ -372,9 +390,11 @@ def skill_block(configuration: BlockConfiguration, pair: Pair | None = None) -> 
     }
 
 
-def _first_shadow(configuration: BlockConfiguration, parameter: Parameter) -> Shadow | None:
-    shadow = parameter_shadow(parameter)
-    value = FIRST_VALUES.get((configuration.name, parameter.name))
+def _first_shadow(
+    configuration: BlockConfiguration, parameter: Parameter, words: Mapping[str, str]
+) -> Shadow | None:
+    shadow, place = parameter_shadow(parameter), (configuration.name, parameter.name)
+    value = FIRST_VALUES.get(place, words.get(FIRST_TEXTS.get(place, "")))
     return shadow if shadow is None or value is None else shadow._replace(value=value)
 
 

@@ -1,8 +1,11 @@
 """The commands for programs: run, demo, check, format and convert."""
 
+import gc
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -17,6 +20,9 @@ from learnblock.cli.console import (
     usage_error,
 )
 from learnblock.errors import Diagnostic, FileError, LearnBlockError
+
+if TYPE_CHECKING:
+    from learnblock.runtime.standby import Standby
 
 _NEW_FILE = click.Path(path_type=Path, dir_okay=False)
 #: A file, or a folder for the logs of several robots.
@@ -56,7 +62,7 @@ _ROBOT = click.option("--robot", metavar="NAME", help="The robot: see learnblock
 @click.option("--anyway", is_flag=True, help="Run even if the robot lacks a device it needs.")
 @click.option("--allow-network", is_flag=True, help="Let the program use the network.")
 @json_option
-def run(programs: tuple[Assignment, ...], as_json: bool, **choices: Any) -> None:  # noqa: FBT001
+def run(programs: tuple[Assignment, ...], **choices: Any) -> None:
     """Run programs (.bt, .py or .learnblock) on robots.
 
     \b
@@ -65,25 +71,57 @@ def run(programs: tuple[Assignment, ...], as_json: bool, **choices: Any) -> None
     learnblock run examples/dance.bt@sim-ebo:3 examples/square.bt@sim-ev3
     learnblock run examples/avoid.bt --world arena --for 60 --variants 20
     """  # noqa: D301 - click wants the character itself
-    # Imported here because `--help` needs none of it.
-    from learnblock.cli.project_files import robots_in  # noqa: PLC0415
-    from learnblock.cli.reporting import run_and_report  # noqa: PLC0415
-    from learnblock.cli.team import run_team  # noqa: PLC0415
-    from learnblock.cli.variants import run_variants  # noqa: PLC0415
+    # As little as possible, and none of it for `--help`.
+    from learnblock.runtime.standby import Standby  # noqa: PLC0415
 
-    variants = choices.pop("variants")
+    if choices["variants"] or sum(one.count for one in programs) > 1:
+        sys.exit(_run(programs, None, **choices))
+    # It loads what programs need while we load the rest.
+    with Standby() as standby:
+        sys.exit(_run(programs, standby, **choices))
+
+
+def _run(
+    programs: tuple[Assignment, ...],
+    standby: "Standby | None",
+    *,
+    variants: int | None,
+    robot: str | None,
+    **choices: Any,
+) -> int:
+    """Run programs, and return the exit code."""
+    with _loading():
+        # Imported here because `--help` needs none of it.
+        from learnblock.cli.project_files import robots_in  # noqa: PLC0415
+        from learnblock.cli.reporting import run_and_report  # noqa: PLC0415
+
     count = sum(one.count * robots_in(one.file) for one in programs)
     if variants and count > 1:
         raise usage_error("report-variants-alone")
     if choices["why"] and variants:
         raise usage_error("report-why-alone")
     if count > 1:
-        sys.exit(run_team(programs, as_json=as_json, **choices))
-    choices["robot"] = programs[0].robot or choices["robot"]
+        from learnblock.cli.team import run_team  # noqa: PLC0415 - most runs have one robot
+
+        return run_team(programs, robot=robot, **choices)
+    choices["robot"] = programs[0].robot or robot
     if variants:
+        from learnblock.cli.variants import run_variants  # noqa: PLC0415 - most runs have none
+
         del choices["why"]
-        sys.exit(run_variants(programs[0].file, variants=variants, as_json=as_json, **choices))
-    sys.exit(run_and_report(programs[0].file, as_json=as_json, **choices))
+        return run_variants(programs[0].file, variants=variants, **choices)
+    return run_and_report(programs[0].file, standby=standby, **choices)
+
+
+@contextmanager
+def _loading() -> Iterator[None]:
+    """Look for no garbage meanwhile: it takes a tenth of the time, and modules stay anyway."""
+    gc.disable()
+    try:
+        yield
+    finally:
+        gc.freeze()
+        gc.enable()
 
 
 @click.command()

@@ -32,6 +32,7 @@ from learnblock.running.recorded_keys import read_keys
 from learnblock.runtime.ending import How
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.program import Program
+from learnblock.runtime.standby import Standby
 from learnblock.runtime.watcher import Watcher
 
 #: The limit of an endless program at full speed, in seconds of the robot's time.
@@ -46,6 +47,8 @@ SHORT = 12
 _NEW_LINE = "\n" + " " * (LABEL + 1)
 #: How a run ended, by the names in the report's words.
 _HOW = {How.FINISHED: "report-ended-finished", How.STOPPED: "report-ended-stopped"}
+#: What became of a goal that has been decided.
+_GOALS = {"reached": "report-goal-reached", "failed": "report-goal-failed"}
 
 EXIT_CODES = {
     How.ERROR: ExitCode.PROGRAM_FAILED,
@@ -132,15 +135,26 @@ def run_and_report(
     picture: Path | None,
     why: Path | None,
     as_json: bool,
+    standby: Standby | None = None,
     **choices: Any,
 ) -> int:
-    """Run a program, print the report, and return the exit code."""
+    """Run a program, print the report, and return the exit code.
+
+    Args:
+        file: the program.
+        trace: the file for its trace.
+        picture: the file for the drawing of the run.
+        why: the file for its log.
+        as_json: print the report as JSON.
+        standby: the process for the program, if it has been started before.
+        choices: the options of the run.
+    """
     with prepared(file, as_json=as_json, **choices) as found:
         if found is None:
             return ExitCode.MISTAKES
         check_picture(picture)
         log = _log(found.program, why) if why else None
-        return _run_found(found, trace, picture, log, as_json=as_json)
+        return _run_found(found, trace, picture, log, standby, as_json=as_json)
 
 
 def _log(program: Program, path: Path) -> RunLog:
@@ -159,6 +173,7 @@ def _run_found(
     trace: Path | None,
     picture: Path | None,
     log: RunLog | None,
+    standby: Standby | None,
     *,
     as_json: bool,
 ) -> int:
@@ -172,6 +187,7 @@ def _run_found(
             watcher=watcher,
             log=log,
             lacking=partial(running.lacking, found.source),
+            standby=standby,
         )
         watcher.session = session
         with stopped_by_signals(session.stop):
@@ -284,7 +300,7 @@ class _Terminal(Collector):
         if recorder.emotions:
             parts.append(recorder.emotions[-1])
         speed = recorder.time() / max(now - self._started, 0.001)
-        parts.append(text(Phrase("report-speed", factor=round(speed, 1))))
+        parts.append(text(Phrase("report-speed", factor=decimal(speed))))
         return "  ".join(parts)
 
 
@@ -406,9 +422,14 @@ def effect_rows(report: Report, robot: str) -> Iterator[tuple[str, str]]:
 def goal_row(goal: Goal) -> str:
     """A goal with its state, in words."""
     if goal.time is None:
-        return text(Phrase("report-goal", name=goal.name, state=goal.state))
-    time = round(goal.time, 1)
-    return text(Phrase("report-goal-at", name=goal.name, state=goal.state, time=time))
+        return text(Phrase("report-goal-open", name=goal.name))
+    return text(Phrase(_GOALS[goal.state], name=goal.name, time=decimal(goal.time)))
+
+
+def decimal(number: float) -> Phrase:
+    """A number with one decimal, without Fluent, which takes longer to load than many a run."""
+    whole, _, tenths = f"{number:.1f}".partition(".")
+    return Phrase("report-decimal", whole=whole, tenths=tenths)
 
 
 def _missing_reason(robot: str, device: str) -> Phrase:

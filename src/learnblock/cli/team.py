@@ -27,6 +27,7 @@ from learnblock.cli.reporting import (
     Collector,
     ask,
     check_picture,
+    decimal,
     effect_rows,
     ending_rows,
     goal_row,
@@ -209,8 +210,8 @@ class _Screen:
         running = sum(not session.ended(member) for member in session.members)
         time = session.simulation.time() if session.simulation else now - self._started
         counted = Phrase("report-team-running", count=running, all=len(session.members))
-        factor = round(time / max(now - self._started, 0.001), 1)
-        speed = Phrase("report-speed", factor=factor)
+        factor = time / max(now - self._started, 0.001)
+        speed = Phrase("report-speed", factor=decimal(factor))
         return f"{time:7.1f} s  {text(counted)}  {text(speed)}"
 
 

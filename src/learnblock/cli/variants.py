@@ -12,6 +12,7 @@ from learnblock.cli.interrupts import stopped_by_signals
 from learnblock.cli.reporting import (
     EXIT_CODES,
     Prepared,
+    decimal,
     ending,
     prepared,
 )
@@ -59,7 +60,7 @@ def _row(number: int, report: Report, limit: float | None) -> str:
         variant=number,
         reached=states.count("reached"),
         all=len(states),
-        time=round(report.time, 1),
+        time=decimal(report.time),
     )
     return f"{text(row)}  {ending(report, limit)}" if report.error else text(row)
 

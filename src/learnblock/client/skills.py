@@ -47,9 +47,17 @@ _MODULES = (
     "handling",
     "music",
 )
+#: How many of these nearly every program uses.
+_COMMON = 2
 _OWN_PACKAGE = "learnblock.skills."
 #: The prefix of the modules that Block-Text imports.
 _LIBRARIES = "learnblock.libraries."
+
+
+def prepare() -> None:
+    """Load the skills of nearly every program, before it is known."""
+    for name in _MODULES[:_COMMON]:
+        importlib.import_module(_OWN_PACKAGE + name)
 
 
 def find(names: Collection[str] | None = None) -> dict[str, Skill]:

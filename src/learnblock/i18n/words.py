@@ -20,6 +20,7 @@ _ONE_LINE = re.compile(r"^([a-z][a-z0-9-]*) = (\S.*)$(?!\s*^[ ])", re.MULTILINE)
 #: A place for a value, and what is left of any other.
 _PLACE = re.compile(r"\{ \$([a-z][A-Za-z0-9_-]*) \}")
 _BRACE = re.compile(r"[{}]")
+_THOUSAND = 1000
 
 
 @cache
@@ -42,9 +43,8 @@ def words(code: str, values: dict[str, str | int | float], language: str) -> str
     """
     area = _area(code)
     plain = _plain(language, area).get(code)
-    # Fluent writes numbers as the language does, and reports a missing value.
-    if plain is not None and all(isinstance(values.get(one), str) for one in _PLACE.findall(plain)):
-        return _PLACE.sub(lambda place: str(values[place[1]]), plain)
+    if plain is not None and all(_is_plain(values.get(one)) for one in _PLACE.findall(plain)):
+        return _PLACE.sub(lambda place: _plain_text(values[place[1]]), plain)
     bundle = _bundle(language, area)
     if bundle is None or not bundle.has_message(code):
         return None
@@ -84,6 +84,20 @@ def _plain(language: str, area: str) -> dict[str, str]:
     """By code the words that are text and places for values, which need no Fluent."""
     found = _ONE_LINE.findall(_text(language, area) or "")
     return {code: text.rstrip() for code, text in found if not _BRACE.search(_PLACE.sub("", text))}
+
+
+def _is_plain(value: str | float | None) -> bool:
+    """Whether a value is written alike in every language, unlike parts and thousands.
+
+    Fluent writes the others, and reports a missing one.
+    """
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        return 0 <= value < _THOUSAND and value == int(value)
+    return isinstance(value, str)
+
+
+def _plain_text(value: str | float) -> str:
+    return value if isinstance(value, str) else str(int(value))
 
 
 @cache

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Collection
 from contextlib import nullcontext
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Any, BinaryIO
 
 import msgspec
@@ -22,6 +23,7 @@ from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.process import ProcessWorker, Worker, one_processor
 from learnblock.runtime.program import Program
 from learnblock.runtime.run import Run
+from learnblock.runtime.standby import Standby
 from learnblock.runtime.trace import Recorder, Trace, record
 from learnblock.runtime.values import plain
 from learnblock.runtime.watcher import Watcher
@@ -85,6 +87,8 @@ class ProgramRun:
         debugger: pauses and steps the program, and stops it at breakpoints.
         log: keeps what the program does, for questions about the run; None for no log.
         lacking: refuses a robot whose devices are known only once it is connected.
+        standby: the process for the program, if it has been started before.
+        monitored: whether the robot has a monitor, for a page.
     """
 
     def __init__(
@@ -100,15 +104,18 @@ class ProgramRun:
         debugger: Debugger | None = None,
         log: RunLog | None = None,
         lacking: Lacking | None = None,
+        standby: Standby | None = None,
+        monitored: bool = False,
     ) -> None:
         self.program = program
         self.robot = robot
         self.options = options or Options()
         self.trace = Trace(trace, log)
-        #: The robot as the page shows it, once the program has created it.
+        #: The robot as the page shows it, once the program has created it, if it is monitored.
         self.monitor: Monitor | None = None
         self._debugger = debugger
         self._lacking = lacking
+        self._monitored = monitored
         self._run = Run(
             program,
             self._make_robot,
@@ -116,7 +123,7 @@ class ProgramRun:
             watcher=watcher,
             limits=limits,
             debugger=debugger,
-            worker=worker,
+            worker=partial(ProcessWorker, standby) if standby else worker,
             network=self.options.network,
             anyway=self.options.anyway,
             robots=tuple(entry.module for entry in robots.entries().values()),
@@ -200,7 +207,8 @@ class ProgramRun:
         self._contain()
         client = self.robot.load().hosted(arguments, self.options.wishes)
         self._refuse_lacking(client)
-        self.monitor = monitor_of(client)
+        if self._monitored:
+            self.monitor = monitor_of(client)
         return client
 
     def _refuse_lacking(self, client: Client) -> None:

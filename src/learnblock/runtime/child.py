@@ -13,10 +13,10 @@ from functools import partial
 from types import CodeType, FrameType, SimpleNamespace, TracebackType
 from typing import Any, NoReturn
 
-from learnblock.client import Client
+from learnblock.client import Client, skills
 from learnblock.errors import InputEndedError, LearnBlockError, ProgramStopped
 from learnblock.runtime import remote
-from learnblock.runtime.containment.fence import contain
+from learnblock.runtime.containment import fence
 from learnblock.runtime.error_phrases import phrase_of
 from learnblock.runtime.failed_code import failed_code
 from learnblock.runtime.gate import Gate, unless_shown
@@ -55,24 +55,27 @@ def main() -> None:
     link: Link[FromHost] = SocketLink(socket.socket(fileno=int(sys.argv[1])), FromHost)
     signal.signal(signal.SIGTERM, _stop_program)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    run(link, contain)
+    # Its host may still be loading.
+    fence.prepare()
+    skills.prepare()
+    run(link, fence.contain)
 
 
-def run(link: Link[FromHost], fence: Callable[[Setup], None] | None = None) -> None:
+def run(link: Link[FromHost], contain: Callable[[Setup], None] | None = None) -> None:
     """Receive the setup, run the program, and report how it ended.
 
     Args:
         link: our end of the link.
-        fence: contains this process; None in a thread of the host.
+        contain: contains this process; None in a thread of the host.
     """
     try:
-        link.send(_ended(link, fence))
+        link.send(_ended(link, contain))
     except EOFError:
         # The host has stopped the run or is gone, so there is no recipient.
         return
 
 
-def _ended(link: Link[FromHost], fence: Callable[[Setup], None] | None) -> Ended:
+def _ended(link: Link[FromHost], contain: Callable[[Setup], None] | None) -> Ended:
     """Run the program; return how it ended.
 
     Raises:
@@ -82,9 +85,9 @@ def _ended(link: Link[FromHost], fence: Callable[[Setup], None] | None) -> Ended
         setup = link.receive()
         if not isinstance(setup, Setup):
             raise TypeError(f"expected Setup, got {type(setup).__name__}")
-        if fence:
-            fence(setup)
-        return _Program(link, setup, owns_process=fence is not None).run()
+        if contain:
+            contain(setup)
+        return _Program(link, setup, owns_process=contain is not None).run()
     except ProgramStopped:
         # A signal arrived before the program began, or just as it ended.
         return Ended(stopped=True)

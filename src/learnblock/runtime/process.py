@@ -3,23 +3,21 @@
 import contextlib
 import ctypes
 import os
-import signal
 import socket
 import subprocess
 import sys
 import threading
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Protocol
 
 from learnblock.errors import ProgramStopped
-from learnblock.runtime import child
 from learnblock.runtime.activity import Activity, of_process, of_thread
-from learnblock.runtime.containment.environment import environment
-from learnblock.runtime.containment.scratch import Scratch, Usage
+from learnblock.runtime.containment.scratch import Usage
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.link import Link, SocketLink
 from learnblock.runtime.messages import FromChild, FromHost
+from learnblock.runtime.standby import Standby
 
 
 @contextmanager
@@ -63,62 +61,40 @@ class Worker(Protocol):
 
 
 class ProcessWorker:
-    """A process in a separate session, so that its children can be ended with it."""
+    """A process of its own.
 
-    def __init__(self) -> None:
-        ours, theirs = socket.socketpair()
-        theirs.set_inheritable(True)
-        self._scratch = Scratch()
-        with theirs:
-            self._process = self._start(theirs.fileno(), environment(self._scratch.path))
-        self.link: Link[FromChild] = SocketLink(ours, FromChild)
+    Args:
+        standby: the process, if it has been started before.
+    """
+
+    def __init__(self, standby: Standby | None = None) -> None:
+        self._standby = standby or Standby()
+        if standby:
+            standby.join_processors()
+        self.link: Link[FromChild] = SocketLink(self._standby.connection, FromChild)
+
+    @property
+    def process(self) -> int:
+        """The number of its process."""
+        return self._standby.process.pid
 
     def interrupt(self) -> None:
-        self._process.terminate()
+        self._standby.process.terminate()
 
     def kill(self) -> None:
-        if hasattr(os, "killpg"):
-            # Everything it has started is in its process group.
-            with contextlib.suppress(ProcessLookupError, PermissionError):
-                os.killpg(self._process.pid, signal.SIGKILL)
-        self._process.kill()
-        self._process.wait()
-        self._scratch.remove()
-        self.link.close()
+        self._standby.end()
 
     def wait(self, timeout: float) -> int | None:
         try:
-            return self._process.wait(timeout)
+            return self._standby.process.wait(timeout)
         except subprocess.TimeoutExpired:
             return None
 
     def usage(self, limits: Limits) -> Usage:
-        return self._scratch.usage(self._process.pid, limits)
+        return self._standby.scratch.usage(self.process, limits)
 
     def activity(self) -> Activity | None:
-        return of_process(self._process.pid)
-
-    @staticmethod
-    def _start(handle: int, variables: Mapping[str, str]) -> "subprocess.Popen[bytes]":
-        # -P: a program's folder must not shadow our modules.
-        command = [sys.executable, "-P", "-m", child.__name__, str(handle)]
-        if sys.platform == "win32":
-            return subprocess.Popen(  # noqa: S603 - our own interpreter and module
-                command,
-                env=variables,
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.DEVNULL,
-                close_fds=False,
-            )
-        return subprocess.Popen(  # noqa: S603 - our own interpreter and module
-            command,
-            env=variables,
-            stdin=subprocess.DEVNULL,
-            # A program's prints go over the link; this output is only ours.
-            stdout=subprocess.DEVNULL,
-            pass_fds=(handle,),
-            start_new_session=True,
-        )
+        return of_process(self.process)
 
 
 class ThreadWorker:
@@ -156,5 +132,7 @@ class ThreadWorker:
 
     @staticmethod
     def _run(connection: socket.socket) -> None:
+        from learnblock.runtime import child  # noqa: PLC0415 - the host of a process needs none of it
+
         with connection, contextlib.suppress(ProgramStopped):
             child.run(SocketLink(connection, FromHost))

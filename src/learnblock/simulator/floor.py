@@ -6,18 +6,19 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
-from numpy.typing import NDArray
-
 from learnblock.errors import Diagnostic, WorldError
 from learnblock.i18n import Phrase
 from learnblock.simulator import world_description
 from learnblock.simulator.colours import RGB, reflectance, rgb
-from learnblock.simulator.geometry import Point, Polyline
+from learnblock.simulator.geometry import Point
 from learnblock.simulator.world_description import WorldDescription
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     from learnblock.simulator import textures
+    from learnblock.simulator.polyline import Polyline
 
 MAXIMUM_PIXELS = 4_000_000
 """The limit of the floor's picture in pixels: 12 MB, and 1 mm per pixel on a floor of 2 by 2 m."""
@@ -33,7 +34,7 @@ class PaintedLine:
         colour: the colour of the paint.
     """
 
-    middle: Polyline
+    middle: "Polyline"
     width: float
     colour: RGB
     low: Point
@@ -84,7 +85,7 @@ class Floor:
         return level
 
     @cached_property
-    def image(self) -> NDArray[np.uint8]:
+    def image(self) -> "NDArray[np.uint8]":
         """RGB of shape (height, width, 3), row 0 in the north; drawn when first used."""
         # Imported here because a world without a camera does not need OpenCV.
         from learnblock.simulator import textures  # noqa: PLC0415 - see above
@@ -115,8 +116,9 @@ def _floor_lines(
         yield kind(points, line.width, line.colour)
 
 
-def _read(file: Path) -> NDArray[np.uint8]:
+def _read(file: Path) -> "NDArray[np.uint8]":
     import cv2  # noqa: PLC0415 - as above
+    import numpy as np  # noqa: PLC0415 - as above
 
     # Through the bytes, because cv2.imread cannot open every path on Windows.
     picture = cv2.imdecode(np.frombuffer(file.read_bytes(), np.uint8), cv2.IMREAD_COLOR)

@@ -3,9 +3,9 @@
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
-from learnblock.simulator.geometry import Point, Polyline, Pose, forward, wrapped
+from learnblock.simulator.geometry import Point, Pose, forward, wrapped
 from learnblock.simulator.goal_description import (
     AnyGoal,
     Avoid,
@@ -18,6 +18,9 @@ from learnblock.simulator.goal_description import (
 )
 from learnblock.simulator.physics import Pushed
 from learnblock.simulator.world_description import Tag, WorldDescription
+
+if TYPE_CHECKING:
+    from learnblock.simulator.polyline import Polyline
 
 LINE_PIECE = 10.0
 """The length in mm of the pieces of a line that are checked."""
@@ -201,7 +204,7 @@ class AloneGoal(Goal):
 class FollowGoal(Goal):
     """Drive along enough of a line, piece by piece, in either direction."""
 
-    def __init__(self, described: Follow, line: Polyline) -> None:
+    def __init__(self, described: Follow, line: "Polyline") -> None:
         super().__init__("follow", described)
         self._follow, self._line = described, line
         self._length = line.length

@@ -5,9 +5,6 @@ from collections import deque
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, NamedTuple, Protocol, TypeVar
 
-import numpy as np
-from numpy.typing import NDArray
-
 from learnblock.errors import UnknownNameError
 from learnblock.simulator import robot_description
 from learnblock.simulator.chassis import Chassis
@@ -22,6 +19,9 @@ from learnblock.simulator.range_sensors import Surroundings as RangeSurroundings
 from learnblock.simulator.robot_description import RobotDescription
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     from learnblock.simulator.camera import Surface, View
 
 PartT = TypeVar("PartT")
@@ -311,7 +311,7 @@ class RobotBody:
         """
         return self._camera(key).focal
 
-    def frame(self, key: str = "ROBOT") -> NDArray[np.uint8]:
+    def frame(self, key: str = "ROBOT") -> "NDArray[np.uint8]":
         """A camera's newest frame: RGB, uint8, shape (height, width, 3); do not modify it.
 
         It is taken when it is requested, and stays the newest until the camera's rate allows
@@ -441,9 +441,11 @@ class RobotBody:
 
     def _camera_noise(
         self, camera: robot_description.Camera
-    ) -> tuple[np.random.Generator, float] | None:
+    ) -> "tuple[np.random.Generator, float] | None":
         if not camera.noise:
             return None
+        import numpy as np  # noqa: PLC0415 - a world without a camera does not need it
+
         bits = self._noise.bits(f"camera {camera.key}", self._world.steps)
         return np.random.Generator(np.random.PCG64(bits)), camera.noise * self._noise.factor
 

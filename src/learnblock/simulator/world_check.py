@@ -4,13 +4,16 @@ import math
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from learnblock.errors import UnknownNameError
 from learnblock.i18n import Phrase
-from learnblock.simulator.geometry import Polyline
 from learnblock.simulator.world_description import Box, Cylinder, Face, Tag, WorldFile, thing_name
 from learnblock.storage.struct_types import KeyPath
 from learnblock.storage.toml_source import Finding
+
+if TYPE_CHECKING:
+    from learnblock.simulator.polyline import Polyline
 
 CLOSING_GAP = 5.0
 """The gap in mm between the end and the start of a closed line that is a rounding error."""
@@ -46,7 +49,7 @@ def _check_lines(world: WorldFile) -> Iterator[Finding]:
             yield Finding(("line", index), "wrong-value", message)
 
 
-def _is_closed(line: Polyline) -> bool:
+def _is_closed(line: "Polyline") -> bool:
     (start_x, start_y), (end_x, end_y) = line.points[0], line.points[-1]
     return math.hypot(end_x - start_x, end_y - start_y) <= CLOSING_GAP
 

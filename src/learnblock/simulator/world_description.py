@@ -6,7 +6,7 @@ middle of the floor; headings are degrees clockwise, 0 is east.
 """
 
 from collections.abc import Iterable
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from msgspec import Meta, Struct
 
@@ -26,8 +26,11 @@ from learnblock.simulator.description_types import (
     X,
     Y,
 )
-from learnblock.simulator.geometry import Point, Polyline, Pose, arc
+from learnblock.simulator.geometry import Point, Pose, arc
 from learnblock.simulator.goal_description import Goals
+
+if TYPE_CHECKING:
+    from learnblock.simulator.polyline import Polyline
 
 #: What is around the floor when the page draws the world; robots and their cameras don't notice.
 Theme = Literal["playground", "city", "space", "warehouse", "garden", "night", "maze"]
@@ -119,8 +122,11 @@ class Line(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
         if len(self.polyline().points) < 2:
             raise ValueError("world-line-empty")
 
-    def polyline(self) -> Polyline:
+    def polyline(self) -> "Polyline":
         """Its middle."""
+        # Imported here because a world without a line does not need numpy, which is slow to load.
+        from learnblock.simulator.polyline import Polyline  # noqa: PLC0415 - see above
+
         if self.points:
             return Polyline.through([*self.points, *self.points[: 1 if self.closed else 0]])
         return Polyline.through(_walk(Pose(*self.start), self.path))

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def get_image(robot: "Client") -> "Frame | None":
-    """The camera's picture: uint8 RGB, shape (height, width, 3)."""
+    """The camera's picture: uint8 RGB, shape (height, width, 3); None before the first one."""
     return robot.read(Camera)
 
 

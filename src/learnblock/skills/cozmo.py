@@ -1,4 +1,7 @@
-"""Cozmo's behaviours; on other robots they have no effect."""
+"""Cozmo's behaviours; on other robots they have no effect.
+
+The program continues while Cozmo acts; a behaviour begins after those started before it.
+"""
 
 from typing import TYPE_CHECKING
 
@@ -9,62 +12,62 @@ if TYPE_CHECKING:
 
 
 def cozmoBored(robot: "Client") -> None:
-    """Be bored: look around and sigh."""
+    """Start acting bored; the program continues meanwhile."""
     _play(robot, "Bored")
 
 
 def cozmoCat(robot: "Client") -> None:
-    """Be a cat."""
+    """Start acting like a cat; the program continues meanwhile."""
     _play(robot, "Cat")
 
 
 def cozmoDances(robot: "Client") -> None:
-    """Dance."""
+    """Start dancing; the program continues meanwhile."""
     _play(robot, "Dances")
 
 
 def cozmoDog(robot: "Client") -> None:
-    """Be a dog."""
+    """Start acting like a dog; the program continues meanwhile."""
     _play(robot, "Dog")
 
 
 def cozmoDuck(robot: "Client") -> None:
-    """Be a duck."""
+    """Start acting like a duck; the program continues meanwhile."""
     _play(robot, "Duck")
 
 
 def cozmoElephant(robot: "Client") -> None:
-    """Be an elephant."""
+    """Start acting like an elephant; the program continues meanwhile."""
     _play(robot, "Elephant")
 
 
 def cozmoIdle(robot: "Client") -> None:
-    """Look around and move a little while waiting."""
+    """Start looking around and moving a little; the program continues meanwhile."""
     _play(robot, "Idle")
 
 
 def cozmoSheep(robot: "Client") -> None:
-    """Be a sheep."""
+    """Start acting like a sheep; the program continues meanwhile."""
     _play(robot, "Sheep")
 
 
 def cozmoSleep(robot: "Client") -> None:
-    """Fall asleep."""
+    """Start falling asleep; the program continues meanwhile."""
     _play(robot, "Sleep")
 
 
 def cozmoSneezes(robot: "Client") -> None:
-    """Sneeze."""
+    """Start sneezing; the program continues meanwhile."""
     _play(robot, "Sneezes")
 
 
 def cozmoVampire(robot: "Client") -> None:
-    """Be a vampire."""
+    """Start acting like a vampire; the program continues meanwhile."""
     _play(robot, "Vampire")
 
 
 def cozmoZombie(robot: "Client") -> None:
-    """Be a zombie."""
+    """Start acting like a zombie; the program continues meanwhile."""
     _play(robot, "Zombie")
 
 

@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 
 
 def get_IR(robot: "Client") -> int | None:
-    """Which code did the remote control send last?"""
+    """Which code did the remote control send last? None before the first one."""
     return robot.read(Infrared)
 
 

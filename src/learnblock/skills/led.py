@@ -8,14 +8,14 @@ if TYPE_CHECKING:
     from learnblock.client import Client
 
 
-def led(robot: "Client", intensity: float, slot: str = FIRST_KEY) -> None:
+def led(robot: "Client", intensity: "bool | float", slot: str = FIRST_KEY) -> None:
     """Switch an LED on or off; a coloured one is white when it is on.
 
     Args:
-        intensity: 0 switches it off, anything above switches it on.
+        intensity: False switches it off and True on; so do 0 and any number above.
         slot: which LED, by its position, such as ``Left``; ``first`` is any robot's first.
     """
-    on = number("intensity", intensity) > 0
+    on = intensity if isinstance(intensity, bool) else number("intensity", intensity) > 0
     kinds = {type(device) for _, device in robot.devices()}
     if RGBLed in kinds and Led not in kinds:
         level = 255 if on else 0

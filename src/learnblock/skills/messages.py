@@ -28,7 +28,7 @@ def received(robot: "Client", message: str = "go") -> bool:
 
 
 def message_value(robot: "Client", message: str = "go") -> Any:
-    """What came with the message that was received last.
+    """What came with the message that was received last; None before the first one.
 
     Args:
         message: the name of the message.

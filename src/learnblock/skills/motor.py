@@ -44,11 +44,11 @@ def setAngleCamera(robot: "Client", angle: float) -> None:
 
 
 def setAngleMotor(robot: "Client", key: str, angle: float) -> None:
-    """Move a joint to an angle.
+    """Start moving a joint to an angle; the program continues meanwhile.
 
     Args:
         key: which joint, such as ``CAMERA`` or ``ARM``.
-        angle: degrees.
+        angle: degrees; 0 is level, positive is up.
     """
     joint = robot.device(JointMotor, key)
     if joint is not None:

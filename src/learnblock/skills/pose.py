@@ -20,7 +20,10 @@ _ARRIVING = 40.0
 
 
 def get_pose(robot: "Client") -> Pose | None:
-    """Where is the robot? Its x and y in mm and its heading in degrees."""
+    """Where is the robot? Its x and y in mm and its heading in degrees.
+
+    x is ahead of the robot's start, y to the left of it; the heading is positive to the right.
+    """
     base = robot.device(Base)
     return None if base is None else base.pose()
 

@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 
 
 def say_Text(robot: "Client", text: str) -> None:
-    """Say something aloud.
+    """Start saying something aloud; the program continues meanwhile.
 
     Args:
         text: what to say.
@@ -20,7 +20,7 @@ def say_Text(robot: "Client", text: str) -> None:
 
 
 def play_audio(robot: "Client", audio: str = "Do") -> None:
-    """Play one of the robot's sounds.
+    """Start one of the robot's sounds; the program continues meanwhile.
 
     Args:
         audio: the sound's name.
@@ -31,7 +31,7 @@ def play_audio(robot: "Client", audio: str = "Do") -> None:
 
 
 def play_frequency(robot: "Client", frequency: float, time: float) -> None:
-    """Play a tone.
+    """Start a tone; the program continues meanwhile.
 
     Args:
         frequency: hertz; 440 is the note A.

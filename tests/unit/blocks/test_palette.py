@@ -38,7 +38,7 @@ def test_there_is_a_definition_for_each_block_of_ours_and_each_skill():
     ours = {kind for kind in {*HATS, *STATEMENTS, *VALUES} if kind.startswith("lb_")}
     skills = {f"lb_skill_{name}" for name in builtin()} - {"lb_skill_elapsedTime"}
     # The page creates the fields of parameters itself.
-    fields = {"lb_slider", "lb_angle", "lb_choice", "lb_colour", "lb_tag"}
+    fields = {"lb_slider", "lb_angle", "lb_choice", "lb_colour", "lb_tag", "lb_truth"}
     assert (ours - fields) | skills | {"lb_import", "lb_setup"} == set(defined)
     assert len(defined) == len(set(defined))
 
@@ -172,6 +172,13 @@ def test_an_input_shows_the_default_of_its_parameter(skill, parameter, shown):
     assert shown == found["inputs"][parameter]["shadow"]
 
 
+@pytest.mark.parametrize(("language", "text"), [("en", "hello"), ("es", "hola")])
+def test_a_new_block_begins_with_a_word_of_the_language(language, text):
+    found = {one["type"]: one for one in blocks(palette(builtin(), language))}
+    shadows = [found[f"lb_skill_{name}"]["inputs"]["text"] for name in ("say_Text", "show_text")]
+    assert [one["shadow"]["fields"] for one in shadows] == [{"TEXT": text}] * 2
+
+
 def test_every_parameter_but_a_list_has_a_shadow():
     parameters = [one for block in builtin().values() for one in block.parameters]
     lacking = [one.type for one in parameters if parameter_shadow(one) is None]
@@ -209,6 +216,7 @@ def test_every_parameter_but_a_list_has_a_shadow():
         (Parameter("x", "colour", "#00ff00"), None, ("lb_colour", "#00ff00")),
         (Parameter("x", "colour"), None, ("lb_colour", "#ff0000")),
         (Parameter("x", "apriltext"), None, ("lb_tag", "")),
+        (Parameter("x", "boolean", True), None, ("lb_truth", "TRUE")),
     ],
 )
 def test_a_parameter_has_the_field_of_its_type(parameter, field, shadow):

@@ -14,6 +14,7 @@ from click.testing import CliRunner
 
 from learnblock.cli import main
 from learnblock.cli.commands import COMMANDS, load
+from learnblock.runtime import standby
 from runs import EXAMPLES, TWINS
 from terminals import shown_on_a_terminal
 
@@ -173,6 +174,19 @@ def test_a_program_with_mistakes_is_not_run(write):
     result = call("run", program)
     assert result.exit_code == 1
     assert "Did you mean 'move_straight'?" in result.stderr
+
+
+def test_a_program_that_is_not_run_leaves_no_process(write, monkeypatch):
+    started = []
+
+    class Noted(standby.Standby):
+        def __init__(self):
+            super().__init__()
+            started.append(self.process)
+
+    monkeypatch.setattr(standby, "Standby", Noted)
+    assert call("run", write("typo.bt", "function.move_strait()\n")).exit_code == 1
+    assert [one.returncode is None for one in started] == [False]
 
 
 def test_a_query_without_a_sensor_is_refused_unless_run_anyway():

@@ -1,6 +1,7 @@
 """Claims about every skill, by its block configuration."""
 
 import inspect
+import subprocess
 import sys
 from itertools import product
 
@@ -221,3 +222,18 @@ def test_skills_are_found_while_another_thread_imports(monkeypatch):
         assert "move_straight" in skills.find()
     finally:
         sys.modules.pop("learnblock_imported_meanwhile", None)
+
+
+def test_after_preparing_most_programs_load_no_skills():
+    program = (
+        "import sys\n"
+        "from learnblock.client import skills\n"
+        "skills.prepare()\n"
+        "before = set(sys.modules)\n"
+        "skills.find({'move_straight', 'drive_distance', 'turn'})\n"
+        "print(sorted(set(sys.modules) - before))\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True
+    )
+    assert done.stdout == "[]\n"

@@ -42,15 +42,32 @@ def test_a_number_is_written_as_the_language_writes_it():
     assert "1.234,5" in words(code, values, "es")
 
 
-def test_a_run_that_shows_only_plain_words_does_not_load_fluent():
+@pytest.mark.parametrize("language", languages())
+@pytest.mark.parametrize("number", [0, 7, 60.0, 999, 1000, 1000.0, 0.5, -3, 999.5, True])
+def test_a_number_is_written_as_fluent_writes_it(language, number):
+    code, values = "report-ended-time-limit", {"seconds": number}
+    bundle = FluentBundle([language], use_isolating=False)
+    bundle.add_resource(FluentResource((WORDS / language / "report.ftl").read_text("utf-8")))
+    expected, _ = bundle.format_pattern(bundle.get_message(code).value, values)
+    assert words(code, values, language) == expected
+
+
+@pytest.mark.parametrize(
+    ("arguments", "row"),
+    [
+        (["examples/square.bt"], "ended      finished"),
+        (["examples/square.bt", "--for", "2"], "ended      at the time limit of 2 s"),
+        (["examples/square.bt", "--world", "square"], "goal       four corners: reached at "),
+    ],
+)
+def test_a_run_does_not_load_fluent(arguments, row):
     program = (
         "import sys; from learnblock.cli import main\n"
-        "try: main(['run', 'examples/square.bt'])\n"
+        "try: main(['run', *sys.argv[1:]])\n"
         "except SystemExit: pass\n"
         "print('fluent.runtime' in sys.modules)"
     )
-    done = subprocess.run(
-        [sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True, check=True
-    )
-    assert "ended      finished" in done.stderr
+    command = [sys.executable, "-c", program, *arguments]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+    assert row in done.stderr
     assert done.stdout == "False\n"

@@ -195,7 +195,7 @@ class Stage:
 
     def results(self):
         groups = tuple(
-            worker._process.pid for worker in self.workers if isinstance(worker, ProcessWorker)
+            worker.process for worker in self.workers if isinstance(worker, ProcessWorker)
         )
         return [
             Result(run, "".join(listener.text), file.getvalue(), listener.numbers, groups)

@@ -117,7 +117,7 @@ def test_a_process_dies_with_its_host():
         "w = ProcessWorker()\n"
         "w.link.send(Setup('print(1)\\nwhile True: pass', 'p', '', (), (), None, Limits()))\n"
         "w.link.receive(10)\n"
-        "print(w._process.pid, flush=True)\n"
+        "print(w.process, flush=True)\n"
         "os.kill(os.getpid(), 9)\n"
     )
     done = subprocess.run(

@@ -5,8 +5,11 @@ from learnblock.devices import RGBLed
 from learnblock.testing import FakeRobot
 
 
-@pytest.mark.parametrize(("intensity", "on"), [(0, False), (1, True), (255, True), (-1, False)])
-def test_a_lamp_is_on_above_zero(robot, intensity, on):
+@pytest.mark.parametrize(
+    ("intensity", "on"),
+    [(0, False), (1, True), (255, True), (-1, False), (False, False), (True, True)],
+)
+def test_a_lamp_is_on_if_true_or_above_zero(robot, intensity, on):
     robot.led(intensity)
 
     assert [("Led:Up.set", on)] == robot.commands

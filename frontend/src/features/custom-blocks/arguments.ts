@@ -31,7 +31,7 @@ const KINDS: Readonly<Record<string, Kind>> = {
   lb_choice: "choice",
   lb_colour: "colour",
   lb_tag: "tag",
-  logic_boolean: "truth",
+  lb_truth: "truth",
 };
 
 /** The parameters in a function's preview; one without a field takes a list. */

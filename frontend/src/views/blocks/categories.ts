@@ -1,4 +1,4 @@
-/** The palette's categories whose blocks depend on the program: `when`s and functions. */
+/** The palette's categories whose blocks depend on the program: `when`s, variables and functions. */
 
 import * as Blockly from "blockly/core";
 
@@ -15,9 +15,11 @@ const NEW_WHEN = "LB_NEW_WHEN";
 const OWN = "LB_OWN";
 const NEW_OWN = "LB_NEW_OWN";
 const ALL_OWN = "LB_ALL_OWN";
+const ZERO = { shadow: { type: "math_number", fields: { NUM: 0 } } };
 
 export function registerCategories(workspace: Blockly.WorkspaceSvg): void {
   workspace.registerToolboxCategoryCallback("WHEN", whenItems);
+  workspace.registerToolboxCategoryCallback("VARIABLE", variableItems);
   workspace.registerToolboxCategoryCallback("PROCEDURE", procedureItems);
   workspace.registerToolboxCategoryCallback(OWN, ownItems);
   workspace.registerButtonCallback(NEW_WHEN, () => askForWhen(workspace));
@@ -63,6 +65,13 @@ function block(type: string, state: object): Item {
 
 function button(callbackkey: string, text: string): Item {
   return { kind: "button", text, callbackkey } as Item;
+}
+
+/** Blockly's blocks; a variable begins with 0, not with nothing. */
+function variableItems(workspace: Blockly.WorkspaceSvg): Items {
+  return Blockly.Variables.flyoutCategory(workspace).map((item) =>
+    "type" in item && item.type === "variables_set" ? { ...item, inputs: { VALUE: ZERO } } : item,
+  );
 }
 
 function procedureItems(workspace: Blockly.WorkspaceSvg): Items {

@@ -87,8 +87,12 @@ export class TextActions {
     return restoring;
   }
 
-  /** Set or clear a breakpoint at the statement that begins on a line. */
+  /** Set or clear a breakpoint at the statement that begins on a line, also on one that has just been typed. */
   toggleBreakpoint(view: EditorView, line: number): void {
+    this.context.program.whenSettled(() => this.toggleBreakpointNow(view, line));
+  }
+
+  private toggleBreakpointNow(view: EditorView, line: number): void {
     const block = this.outline.value.beginningAt(line);
     if (!block) return say(view, t("page-text-no-statement", { line }));
     const { running } = this.context;

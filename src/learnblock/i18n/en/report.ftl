@@ -16,13 +16,13 @@ report-ended-stopped = stopped
 report-ended-otherwise = ended
 report-ended-time-limit = at the time limit of { $seconds } s (change it with --for SECONDS)
 
-# $state is reached, failed or open; $time is seconds of the robot's time.
-report-goal = { $name }: { $state ->
-    [reached] reached
-    [failed] failed
-   *[other] not reached
-}
-report-goal-at = { report-goal } at { NUMBER($time, minimumFractionDigits: 1) } s
+# A number with one decimal.
+report-decimal = { $whole }.{ $tenths }
+
+# $time is seconds of the robot's time.
+report-goal-reached = { $name }: reached at { $time } s
+report-goal-failed = { $name }: failed at { $time } s
+report-goal-open = { $name }: not reached
 
 report-no-device = { $robot } has no { $device }
 report-emotions-off = { $robot }'s camera does not recognise emotions. See: learnblock perception
@@ -33,7 +33,7 @@ report-no-picture = There is nothing to draw: the program did not use a robot.
 report-demo = A simulated EBO looks for tags, drives up to each one and shows a feeling.
 report-connecting = connecting
 # $factor: how many times faster than real time.
-report-speed = { NUMBER($factor, minimumFractionDigits: 1) } x real time
+report-speed = { $factor } x real time
 
 # Runs with several robots.
 report-team-too-many = { $count } robots are too many for one run: at most { $limit } can take part.
@@ -41,7 +41,7 @@ report-team-running = { $count } of { $all } running
 report-team-not-deterministic = differs with each run, since a real robot took part
 
 # Runs in many variants of a world. $reached of $all goals were reached; $time is in seconds.
-report-variant = variant { $variant }: { $reached } of { $all } goals, { NUMBER($time, minimumFractionDigits: 1) } s
+report-variant = variant { $variant }: { $reached } of { $all } goals, { $time } s
 report-replay-true = The poses and goals are true: { $count } were repeated.
 report-replay-false = The trace is not true: it differs from the repeated run after { $seconds } s.
 report-variants-reached = { $reached } of { $all } variants: every goal reached.

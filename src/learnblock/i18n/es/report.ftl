@@ -15,12 +15,12 @@ report-ended-stopped = detenido
 report-ended-otherwise = acabado
 report-ended-time-limit = en el límite de { $seconds } s (cámbialo con --for SEGUNDOS)
 
-report-goal = { $name }: { $state ->
-    [reached] logrado
-    [failed] fallado
-   *[other] no logrado
-}
-report-goal-at = { report-goal } a los { NUMBER($time, minimumFractionDigits: 1) } s
+# Un número con un decimal.
+report-decimal = { $whole },{ $tenths }
+
+report-goal-reached = { $name }: logrado a los { $time } s
+report-goal-failed = { $name }: fallado a los { $time } s
+report-goal-open = { $name }: no logrado
 
 report-no-device = { $robot } no tiene { $device }
 report-emotions-off = La cámara de { $robot } no reconoce emociones. Mira: learnblock perception
@@ -30,7 +30,7 @@ report-no-picture = No hay nada que dibujar: el programa no ha usado ningún rob
 
 report-demo = Un EBO simulado busca etiquetas, se acerca a cada una y muestra un sentimiento.
 report-connecting = conectando
-report-speed = { NUMBER($factor, minimumFractionDigits: 1) } x tiempo real
+report-speed = { $factor } x tiempo real
 
 # Ejecuciones con varios robots.
 report-team-too-many = { $count } robots son demasiados para una ejecución: pueden participar { $limit } como máximo.
@@ -38,7 +38,7 @@ report-team-running = { $count } de { $all } en marcha
 report-team-not-deterministic = distinta en cada ejecución, porque participa un robot real
 
 # Ejecuciones en muchas variantes de un mundo. Se alcanzaron $reached de $all objetivos; $time está en segundos.
-report-variant = variante { $variant }: { $reached } de { $all } objetivos, { NUMBER($time, minimumFractionDigits: 1) } s
+report-variant = variante { $variant }: { $reached } de { $all } objetivos, { $time } s
 report-replay-true = Las posiciones y los objetivos son ciertos: se han repetido { $count }.
 report-replay-false = La traza no es cierta: difiere de la ejecución repetida a partir de los { $seconds } s.
 report-variants-reached = { $reached } de { $all } variantes: todos los objetivos alcanzados.

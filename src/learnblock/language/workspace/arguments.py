@@ -23,6 +23,7 @@ _PLAIN = {
     "lb_choice": "text",
     "lb_colour": "text",
     "lb_tag": "text",
+    "lb_truth": "logic_boolean",
 }
 
 

@@ -246,6 +246,10 @@ def _skill(reader: ValueReader, block: Block) -> Expression:
     return reader.skill(block)
 
 
+def _truth(reader: ValueReader, block: Block) -> Expression:
+    return Constant(reader.choice(block, "BOOL", _CONSTANTS))
+
+
 def _number(reader: ValueReader, block: Block) -> Expression:
     found = literals.number(block.fields.get("NUM"), notes_of(block))
     if found is None:
@@ -359,7 +363,7 @@ VALUES: dict[str, Handler] = {
     "math_single": _single,
     **dict.fromkeys(("math_number", "lb_slider", "lb_angle"), _number),
     **dict.fromkeys(("text", "lb_choice", "lb_colour", "lb_tag"), _text),
-    "logic_boolean": lambda reader, block: Constant(reader.choice(block, "BOOL", _CONSTANTS)),
+    **dict.fromkeys(("logic_boolean", "lb_truth"), _truth),
     "logic_null": lambda _reader, _block: Constant(None),
     "variables_get": lambda reader, block: reader.variable(block),
     "lb_state": _when_word("state_"),

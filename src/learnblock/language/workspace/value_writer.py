@@ -202,8 +202,11 @@ class ValueWriter:
         """
         inner = None if old is None else old.block
         under = None if old is None else old.shadow
+        if shadow is None and under is not None:
+            # The page has shadows of its own, such as that of a variable's first value.
+            shadow = Shadow(under.type, "", ""), None
         if shadow is None:
-            return Input(self.value(node, inner or wrapped), under)
+            return Input(self.value(node, inner or wrapped))
         found = shadow_literal(node, *shadow)
         if found is not None and inner is None:
             block = self.shadow(found.type, {found.field: found.value}, found.notes, under)

@@ -3,6 +3,7 @@
 import os
 import signal
 import sys
+from importlib import import_module
 from pathlib import Path
 
 import msgspec
@@ -11,6 +12,14 @@ from learnblock.errors import LearnBlockError
 from learnblock.runtime.containment import hook, resources
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.messages import Setup
+
+
+def prepare() -> None:
+    """Load what `contain` needs, before there is a program."""
+    if sys.platform == "linux":
+        # These modules take time to load, and only Linux needs them.
+        for name in ("kernel", "landlock", "paths", "seccomp"):
+            import_module(f"learnblock.runtime.containment.{name}")
 
 
 def contain(setup: Setup) -> None:

@@ -32,6 +32,7 @@ from learnblock.server.program.problems import owners, problem, problems
 from learnblock.server.program.renames import rename_between
 
 VIEWS: tuple[View, ...] = ("blocks", "blocktext", "python")
+BYTE_ORDER_MARK = "\ufeff"
 
 
 @dataclass(frozen=True)
@@ -103,7 +104,7 @@ class Document:
 
     def with_text(self, notation: Notation, text: str) -> "Document":
         """Edit one of the texts."""
-        text = text.removeprefix("\ufeff")
+        text = text.removeprefix(BYTE_ORDER_MARK)
         try:
             good = self._read(notation, text)
         except ProgramError as error:
@@ -203,9 +204,9 @@ class Document:
         return unread.text if unread and shown else self.good.python.text
 
     def text_of(self, view: View) -> str:
-        """The text of a view; for blocks, the Block-Text of the last valid program."""
+        """The text of a view; for blocks, `Notations.canonical` of the last valid program."""
         if view == "blocks":
-            return self.good.blocktext.text
+            return self.good.canonical
         return self.blocktext if view == "blocktext" else self.python
 
     @property

@@ -6,6 +6,7 @@ from functools import cached_property
 
 from learnblock.blocks import BlockConfiguration
 from learnblock.blocks.importable import Importable
+from learnblock.language import format as format_program
 from learnblock.language import from_python, to_python, to_workspace
 from learnblock.language.blocktext.format import format_with_extents
 from learnblock.language.python.generation import DEFAULT_ROBOT, ROBOT_IMPORT
@@ -87,6 +88,12 @@ class Notations:
     def by_hand(self) -> bool:
         """Whether the Python differs from the generated one; it is run and saved unchanged."""
         return self.python.tree is not None and self.python.tree.python is not None
+
+    @cached_property
+    def canonical(self) -> str:
+        """The program in the canonical form of Block-Text, by which blocks are merged."""
+        is_generated = self.blocktext.tree is None
+        return self.blocktext.text if is_generated else format_program(self.tree)
 
     def statement_blocks(self) -> list[str | None]:
         """The block of `every` statement."""

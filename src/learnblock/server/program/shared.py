@@ -2,15 +2,13 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cached_property
 
-from learnblock.language import format as format_program
-from learnblock.language import recover
 from learnblock.language.edit.merge import merge
 from learnblock.language.workspace.blocks import Workspace
 from learnblock.server import messages
 from learnblock.server.messages import View
-from learnblock.server.program.document import Document
-from learnblock.server.program.notations import Written, derive
+from learnblock.server.program.document import BYTE_ORDER_MARK, Document
 from learnblock.server.program.revisions import Revisions
 from learnblock.server.program.shown import Shown
 
@@ -48,12 +46,13 @@ class Merged:
 
     Args:
         document: the program.
-        alone: the program with the edit, but without what others have changed since.
+        left: the text that the edit alone has left in its view, see `Document.text_of`; None for
+            blocks that can't be parsed.
         lost: a program with a change that `document` lacks, so it must be kept elsewhere.
     """
 
     document: Document
-    alone: Document
+    left: str | None
     lost: Document | None = None
 
 
@@ -66,56 +65,78 @@ def merged(now: Document, edit: Edit, *, keeps_unread: bool = False) -> Merged:
         keeps_unread: whether a text that can't be parsed yet is kept if another view is edited,
             because another user is writing it.
     """
-    found = _merged(now, edit)
+    found = _Merging(now, edit).merged()
     return _with_unread_text(now, found) if keeps_unread else found
 
 
 def base_of(now: Document, content: Content) -> str | None:
     """What to give as the base of an edit of `content`; None for blocks that can't be parsed."""
-    if isinstance(content, str):
-        return content
-    document = now.with_blocks(content)
+    return content if isinstance(content, str) else _text_of_blocks(now.with_blocks(content))
+
+
+@dataclass(frozen=True)
+class _Merging:
+    """An edit, and the program as others have left it."""
+
+    now: Document
+    edit: Edit
+
+    def merged(self) -> Merged:
+        base, ours = self.edit.base, self.ours
+        if self.theirs in (base, ours):
+            return Merged(self.alone, ours)
+        both = None if base is None or ours is None else self._both(base, ours)
+        return both or self._preferred()
+
+    @property
+    def theirs(self) -> str:
+        """The text that others have left in its view."""
+        return self.now.text_of(self.edit.view)
+
+    @cached_property
+    def alone(self) -> Document:
+        """The program with the edit, but without what others have changed since.
+
+        Of a text that is merged it is seldom needed, and slow: the text has to be parsed.
+        """
+        return self.edit.made_on(self.now)
+
+    @property
+    def ours(self) -> str | None:
+        """The text that the edit has left in its view; None for blocks that can't be parsed."""
+        content = self.edit.content
+        if isinstance(content, str):
+            return content.removeprefix(BYTE_ORDER_MARK)
+        return _text_of_blocks(self.alone)
+
+    def _both(self, base: str, ours: str) -> Merged | None:
+        """Both changes; None if each gives a valid program, but both together do not."""
+        view, wins = self.edit.view, self.edit.wins
+        found = merge(base, *((self.theirs, ours) if wins else (ours, self.theirs)))
+        both = self._with(found.text)
+        if both.unread and not any(_is_unread(one, view) for one in (self.now, self.alone)):
+            return None
+        lost = self._overruled if found.is_conflict else None
+        return Merged(both, ours, lost)
+
+    def _with(self, text: str) -> Document:
+        """The program with a merged text in the edited view."""
+        if self.edit.view != "blocks":
+            return self.now.with_text(self.edit.view, text)
+        both = self.alone.with_text("blocktext", text)
+        return both if both.unread else replace(self.alone, good=both.good)
+
+    def _preferred(self) -> Merged:
+        preferred = self.alone if self.edit.wins else self.now
+        return Merged(preferred, self.ours, self._overruled)
+
+    @property
+    def _overruled(self) -> Document:
+        return self.now if self.edit.wins else self.alone
+
+
+def _text_of_blocks(document: Document) -> str | None:
     return None if _is_unread(document, "blocks") else document.text_of("blocks")
-
-
-def _merged(now: Document, edit: Edit) -> Merged:
-    alone = edit.made_on(now)
-    if edit.base == now.text_of(edit.view):
-        return Merged(alone, alone)
-    if edit.base is None or _is_unread(alone, "blocks"):
-        return _preferred(now, alone, edit)
-    if edit.view == "blocks":
-        base, theirs, ours = (_program(one) for one in (edit.base, now, alone))
-    else:
-        base, theirs, ours = edit.base, now.text_of(edit.view), alone.text_of(edit.view)
-    found = merge(base, *((theirs, ours) if edit.wins else (ours, theirs)))
-    both = _rewritten(alone if edit.view == "blocks" else now, edit, found.text)
-    if both.unread and not (_is_unread(alone, edit.view) or _is_unread(now, edit.view)):
-        # Each edit gives a valid program, but both together do not.
-        return _preferred(now, alone, edit)
-    lost = now if edit.wins else alone
-    return Merged(both, alone, lost if found.is_conflict else None)
-
-
-def _preferred(now: Document, alone: Document, edit: Edit) -> Merged:
-    return Merged(alone, alone, lost=now) if edit.wins else Merged(now, alone, lost=alone)
-
-
-def _program(written: str | Document) -> str:
-    """A program in the canonical form of Block-Text."""
-    tree = recover(written)[0] if isinstance(written, str) else written.good.tree
-    return format_program(tree)
-
-
-def _rewritten(document: Document, edit: Edit, text: str) -> Document:
-    """The document with a merged text in the edited view."""
-    if not isinstance(edit.content, Workspace):
-        return replace(edit, content=text).made_on(document)
-    tree, mistakes = recover(text)
-    if mistakes:
-        return document.with_text("blocktext", text)
-    written = Written.by_author(text, tree)
-    return replace(document, good=derive(tree, document.target, document.good, blocktext=written))
 
 
 def _with_unread_text(now: Document, after: Merged) -> Merged:
@@ -168,9 +189,9 @@ class SharedProgram:
         unread = found.document.unread
         if unread is None or unread.view == edit.view:
             self._unread_by = by
-        if by and not (edit.view == "blocks" and found.alone.unread):
+        if by and found.left is not None:
             # An edit of blocks that can't be parsed has no text; the next one has the same base.
-            by.left(edit.view, found.alone.text_of(edit.view))
+            by.left(edit.view, found.left)
         return found
 
     def change(self, edit: Callable[[Document], Document]) -> None:

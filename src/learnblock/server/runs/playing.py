@@ -223,6 +223,7 @@ def prepared(
         debugger=Debugger(lines(played, setting.breakpoints), paused=paused),
         log=log,
         lacking=played.lacking,
+        monitored=True,
     )
     return Playing(played, run, watcher, looking_at(played, log))
 

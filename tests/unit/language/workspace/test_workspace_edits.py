@@ -244,6 +244,19 @@ def test_a_name_typed_letter_by_letter_leaves_no_variables_behind():
     assert 1 == len(workspace.stacks)
 
 
+def test_a_shadow_of_the_page_shows_another_number_of_the_text():
+    zero = Input(shadow=Block("math_number", "zero", fields={"NUM": 0}))
+    change = Block("variables_set", "set", fields={"VAR": {"id": "x"}}, inputs={"VALUE": zero})
+    start = Block("lb_start", "start", inputs={"DO": Input(stack=[change])})
+    before = Workspace([[start]], [Variable("x", "x")])
+    text = format_program(from_workspace(before, CONFIGURATIONS).program)
+
+    after = to_workspace(parse(text.replace("0", "5")), CONFIGURATIONS, before).workspace
+
+    shown = only(after, "variables_set").inputs["VALUE"]
+    assert (None, "zero", {"NUM": 5}) == (shown.block, shown.shadow.id, shown.shadow.fields)
+
+
 def test_a_state_block_comes_with_its_when():
     before = to_workspace(parse("x = state_seen\n"), CONFIGURATIONS).workspace
     assert {"variables_set", "variables_get", "lb_start"} == {one.type for one in blocks(before)}

@@ -3,6 +3,7 @@
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 from learnblock.blocks import builtin
 from learnblock.language.workspace.blocks import Block, Input, Workspace
@@ -106,6 +107,31 @@ def test_blocks_that_are_no_program_are_shown_over_the_program_of_others():
     found = merged(document(FASTER), Edit("blocks", incomplete, PROGRAM))
     assert found.document.workspace is incomplete
     assert found.document.good.blocktext.text == FASTER
+
+
+def test_moving_a_block_while_others_write_a_line_loses_nothing():
+    now = document(FASTER).with_text("blocktext", HALF.replace("50", "60"))
+    moved = Workspace([[replace(blocks(FASTER).stacks[0][0], x=300)]])
+    found = merged(now, Edit("blocks", moved, PROGRAM))
+    assert (found.lost, found.document.blocktext) == (None, now.blocktext)
+    assert found.document.workspace == moved
+
+
+def test_blocks_are_merged_with_a_text_that_others_have_only_spaced_differently():
+    now = document(PROGRAM.replace("50", " 50 "))
+    found = merged(now, Edit("blocks", blocks(LEFT), PROGRAM))
+    assert (found.document.blocktext, found.lost) == (LEFT, None)
+
+
+@pytest.mark.parametrize("view", ["blocktext", "python"])
+def test_a_text_that_is_merged_is_read_only_once(view, monkeypatch):
+    now, edit = document(FASTER), Edit(view, document(LEFT).text_of(view), document().text_of(view))
+    read, with_text = [], Document.with_text
+    monkeypatch.setattr(
+        Document, "with_text", lambda *given: read.append(given[2]) or with_text(*given)
+    )
+    assert merged(now, edit).document.text_of(view) == document(BOTH).text_of(view)
+    assert read == [document(BOTH).text_of(view)]
 
 
 def test_the_base_of_blocks_is_their_program():

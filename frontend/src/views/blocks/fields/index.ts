@@ -6,6 +6,8 @@ import "./fields.css";
 import { registerDirections } from "./direction";
 import { FieldAngle, FieldSlider } from "./numbers";
 import { FieldChoice, FieldColour } from "./texts";
+import { FieldTick } from "./tick";
+import { registerUnits } from "./unit";
 
 export { type Allowed, type Definition, learnAllowed } from "./allowed";
 
@@ -21,12 +23,14 @@ const PALE: Readonly<Record<string, Pale>> = {
   lb_slider: { style: "math_blocks", output: "Number", name: "NUM", field: () => new FieldSlider() },
   lb_angle: { style: "math_blocks", output: "Number", name: "NUM", field: () => new FieldAngle() },
   lb_choice: { style: "text_blocks", output: "String", name: "TEXT", field: () => new FieldChoice() },
+  lb_truth: { style: "logic_blocks", output: "Boolean", name: "BOOL", field: () => new FieldTick() },
   lb_colour: { style: "text_blocks", output: "String", name: "TEXT", field: () => new FieldColour() },
 };
 
 /** Define these blocks, once for the whole page. */
 export function defineFields(): void {
   registerDirections();
+  registerUnits();
   for (const [type, pale] of Object.entries(PALE)) defineField(type, pale);
 }
 

@@ -1,0 +1,86 @@
+"""A process that waits for a program, and meanwhile loads what programs need.
+
+This module imports little, so that a command can start such a process before it loads the rest.
+"""
+
+import os
+import signal
+import socket
+import subprocess
+import sys
+from collections.abc import Mapping
+from contextlib import suppress
+from types import TracebackType
+from typing import Self
+
+from learnblock.runtime.containment.environment import environment
+from learnblock.runtime.containment.scratch import Scratch
+
+_CHILD = "learnblock.runtime.child"
+
+
+class Standby:
+    """A process in a separate session, so that its children can be ended with it.
+
+    It ends with its context, and when the other end of its link is closed.
+    """
+
+    def __init__(self) -> None:
+        #: Our end of the link.
+        self.connection, theirs = socket.socketpair()
+        theirs.set_inheritable(True)
+        self.scratch = Scratch()
+        with theirs:
+            self.process = self._start(theirs.fileno(), environment(self.scratch.path))
+        self._is_ended = False
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: object, error: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        self.end()
+
+    def join_processors(self) -> None:
+        """Move it to the processors of this thread, as if this thread had started it."""
+        if sys.platform == "linux":
+            # It may have ended.
+            with suppress(ProcessLookupError):
+                os.sched_setaffinity(self.process.pid, os.sched_getaffinity(0))
+
+    def end(self) -> None:
+        """Kill it with everything it has started; calling it twice is harmless."""
+        if self._is_ended:
+            return
+        self._is_ended = True
+        if hasattr(os, "killpg"):
+            # Everything it has started is in its process group.
+            with suppress(ProcessLookupError, PermissionError):
+                os.killpg(self.process.pid, signal.SIGKILL)
+        self.process.kill()
+        self.process.wait()
+        self.scratch.remove()
+        self.connection.close()
+
+    @staticmethod
+    def _start(handle: int, variables: Mapping[str, str]) -> "subprocess.Popen[bytes]":
+        # -P: a program's folder must not shadow our modules.
+        command = [sys.executable, "-P", "-m", _CHILD, str(handle)]
+        if sys.platform == "win32":
+            return subprocess.Popen(  # noqa: S603 - our own interpreter and module
+                command,
+                env=variables,
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                close_fds=False,
+            )
+        return subprocess.Popen(  # noqa: S603 - our own interpreter and module
+            command,
+            env=variables,
+            stdin=subprocess.DEVNULL,
+            # A program's prints go over the link; this output is only ours.
+            stdout=subprocess.DEVNULL,
+            pass_fds=(handle,),
+            start_new_session=True,
+        )

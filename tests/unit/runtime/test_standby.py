@@ -1,0 +1,85 @@
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from learnblock.runtime.limits import Limits
+from learnblock.runtime.messages import Ended, Printed, Setup
+from learnblock.runtime.process import ProcessWorker, one_processor
+from learnblock.runtime.standby import Standby
+
+pytestmark = pytest.mark.realtime
+
+
+def setup(source):
+    return Setup(source, "program.py", "", (), (), None, Limits())
+
+
+def test_a_process_on_standby_runs_the_program_that_it_is_given():
+    with Standby() as standby:
+        worker = ProcessWorker(standby)
+        worker.link.send(setup("print('hello')"))
+        assert [worker.link.receive(10), worker.link.receive(10)] == [Printed("hello\n"), Ended()]
+        assert worker.process == standby.process.pid
+
+
+def test_a_process_on_standby_ends_with_its_context_and_leaves_no_folder():
+    with Standby() as standby:
+        folder = Path(standby.scratch.path)
+        assert folder.is_dir()
+    assert standby.process.returncode is not None
+    assert not folder.exists()
+
+
+def test_a_worker_ends_its_process_before_the_context_does():
+    with Standby() as standby:
+        ProcessWorker(standby).kill()
+        assert standby.process.returncode is not None
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux chooses processors")
+def test_a_process_on_standby_joins_its_host_on_one_processor():
+    with Standby() as standby, one_processor():
+        worker = ProcessWorker(standby)
+        assert os.sched_getaffinity(worker.process) == os.sched_getaffinity(0)
+        assert len(os.sched_getaffinity(worker.process)) == 1
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux chooses processors")
+def test_a_process_on_standby_that_has_died_ends_the_run_and_not_its_host():
+    with Standby() as standby:
+        standby.process.kill()
+        standby.process.wait()
+        worker = ProcessWorker(standby)
+        with pytest.raises(EOFError):
+            worker.link.receive(10)
+
+
+def test_starting_a_process_loads_neither_the_language_nor_the_runtime():
+    program = "import sys, learnblock.runtime.standby; print(*sys.modules)"
+    done = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True
+    )
+    slow = {"learnblock.language", "learnblock.running", "learnblock.runtime.run", "click", "numpy"}
+    assert not slow & set(done.stdout.split())
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux has these modules")
+def test_a_process_on_standby_has_loaded_all_that_contains_its_program(tmp_path):
+    program = (
+        "import sys\n"
+        "from learnblock.runtime.containment.fence import contain, prepare\n"
+        "from learnblock.runtime.limits import Limits\n"
+        "from learnblock.runtime.messages import Setup\n"
+        "prepare()\n"
+        "before = set(sys.modules)\n"
+        "contain(Setup('', 'program.py', '/', (), (), None, Limits()))\n"
+        "print([name for name in sys.modules if name not in before and 'learnblock' in name])\n"
+    )
+    variables = {**os.environ, "TMPDIR": str(tmp_path)}
+    done = subprocess.run(
+        [sys.executable, "-c", program], env=variables, capture_output=True, text=True, check=True
+    )
+    assert done.stdout == "[]\n"
