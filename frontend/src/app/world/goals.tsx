@@ -17,8 +17,7 @@ export function Goals() {
   const inside = (
     <>
       <Icon name={done ? "check" : "star"} />
-      {goal && t("page-world-goal", { goal: worldName(goal.name) })}{" "}
-      {goals.length > 1 && <b>{t("page-problems-goals-reached", { reached, all: goals.length })}</b>}
+      {goal && goalInWords(worldName(goal.name), reached, goals.length)}
     </>
   );
   if (!goal || !askingWhy.isPossible) {
@@ -51,6 +50,13 @@ function FreePlay() {
       {t("page-world-free-play")}
     </p>
   );
+}
+
+/** A single goal has no number; once all are reached, none is named. */
+function goalInWords(goal: string, reached: number, all: number): string {
+  if (all === 1) return t("page-world-goal", { goal });
+  if (reached === all) return t("page-problems-goals-reached", { reached, all });
+  return t("page-world-goal-of", { number: reached + 1, all, goal });
 }
 
 /** The goal to reach now; once there is none left, the first one. */

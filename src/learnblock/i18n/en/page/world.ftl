@@ -31,6 +31,7 @@ page-world-measure = { $device ->
 page-world-plot = Plot these values
 # $thing is such as "a wall".
 page-world-goal = Goal: { $goal }
+page-world-goal-of = Goal { $number } of { $all }: { $goal }
 page-world-free-play = Free play
 page-world-free-play-help = This world has no goal: make the robot do what you like. The worlds of the menu above have goals.
 page-world-bumped = Bump: { $thing }

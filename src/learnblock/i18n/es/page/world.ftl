@@ -30,6 +30,7 @@ page-world-measure = { $device ->
 }
 page-world-plot = Ver la gráfica de estos valores
 page-world-goal = Objetivo: { $goal }
+page-world-goal-of = Objetivo { $number } de { $all }: { $goal }
 page-world-free-play = Juego libre
 page-world-free-play-help = Este mundo no tiene objetivo: haz con el robot lo que quieras. Los mundos del menú de arriba tienen objetivos.
 page-world-bumped = Choque: { $thing }
