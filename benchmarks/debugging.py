@@ -7,12 +7,12 @@ twice the time of another one, and a pause less than 100 ms, whatever the progra
 import queue
 import threading
 from collections.abc import Callable
+from itertools import count
 from statistics import median
 from time import perf_counter
 
-from learnblock.monitor.stage import make_stage
-
 from learnblock import robots, running
+from learnblock.monitor.making import make_monitor
 from learnblock.running import ProgramRun
 from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.program import Program
@@ -91,14 +91,13 @@ def pause_once(source: str) -> float:
 
 
 def looks() -> None:
-    stage = make_stage(robots.find("sim-ebo"), "tags")
-    if stage is None:
-        raise TypeError("EBO's twin has a stage")
-    print(f"{'the state of a world':28} {best(stage.state) * 1000:6.2f} ms")
+    monitor = make_monitor(robots.find("sim-ebo"), "tags")
+    print(f"{'the state of a world':28} {best(monitor.state) * 1000:6.2f} ms")
+    heading = count()
 
     def look() -> None:
-        stage.place(0, 0, stage.state().robots[0].heading + 1)
-        stage.camera()
+        monitor.place(0, 0, next(heading))
+        monitor.camera()
 
     print(f"{'a picture, and what is in it':28} {best(look) * 1000:6.2f} ms")
 
