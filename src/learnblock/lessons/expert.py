@@ -4,9 +4,6 @@ A process of its own gets the run as JSON, puts itself behind the fence of progr
 answer as JSON. Whatever is no clear yes counts as a no.
 """
 
-import contextlib
-import os
-import signal
 import subprocess
 import sys
 from collections.abc import Mapping, Sequence
@@ -21,6 +18,7 @@ from learnblock.lessons.checks import Expert
 from learnblock.lessons.evidence import Evidence, Noted
 from learnblock.lessons.judging import Finding
 from learnblock.lessons.opened import EXPERTS, OpenLesson
+from learnblock.runtime import process_group
 from learnblock.runtime.containment.environment import environment
 from learnblock.runtime.containment.scratch import Scratch
 
@@ -123,12 +121,7 @@ def _wait(process: "subprocess.Popen[bytes]", seconds: float) -> int | None:
     except subprocess.TimeoutExpired:
         return None
     finally:
-        if hasattr(os, "killpg"):
-            # Everything it has started is in its process group.
-            with contextlib.suppress(ProcessLookupError, PermissionError):
-                os.killpg(process.pid, signal.SIGKILL)
-        process.kill()
-        process.wait()
+        process_group.kill(process)
 
 
 def _plain(evidence: Evidence) -> dict[str, Any]:

@@ -22,6 +22,7 @@ from learnblock.running import warm
 from learnblock.running.job import Job, Order
 from learnblock.running.program_run import ProgramRun
 from learnblock.running.report import Report
+from learnblock.runtime import process_group
 from learnblock.runtime.containment.environment import harmless
 from learnblock.runtime.ending import How
 from learnblock.runtime.limits import Limits
@@ -205,9 +206,7 @@ class WarmProcess:
             self._connection.shutdown(socket.SHUT_RDWR)
         with suppress(subprocess.TimeoutExpired):
             self._process.wait(GRACE)
-        with suppress(ProcessLookupError, PermissionError):
-            os.killpg(self._process.pid, signal.SIGKILL)
-        self._process.wait()
+        process_group.kill(self._process)
         self._stream.close()
         self._connection.close()
 

@@ -4,7 +4,6 @@ This module imports little, so that a command can start such a process before it
 """
 
 import os
-import signal
 import socket
 import subprocess
 import sys
@@ -13,6 +12,7 @@ from contextlib import suppress
 from types import TracebackType
 from typing import Self
 
+from learnblock.runtime import process_group
 from learnblock.runtime.containment.environment import environment
 from learnblock.runtime.containment.scratch import Scratch
 
@@ -54,12 +54,7 @@ class Standby:
         if self._is_ended:
             return
         self._is_ended = True
-        if hasattr(os, "killpg"):
-            # Everything it has started is in its process group.
-            with suppress(ProcessLookupError, PermissionError):
-                os.killpg(self.process.pid, signal.SIGKILL)
-        self.process.kill()
-        self.process.wait()
+        process_group.kill(self.process)
         self.scratch.remove()
         self.connection.close()
 
