@@ -13,7 +13,7 @@ export const INNER = 0.8;
 /** The robot's part of the picture's height: the least, and the most beside its goal. */
 const LEAST = 0.14;
 const MOST = 0.3;
-/** Without a goal: its most of the height and of the width, and how far from the middle it is, with room ahead of it. */
+/** Without a goal: its largest part of the height and of the width, and how far it is from the middle, to leave room ahead. */
 const ALONE = { height: 0.42, width: 0.28, aside: 0.38, below: 0.2 };
 /** What a turn from the south by 90 degrees costs, and what a robot that looks into the camera is worth. */
 const SIDEWAYS = 0.05;
@@ -89,9 +89,10 @@ function nearest(subject: Subject, steepness: number, turn: number, part: number
   const eye = new Eye(x, y, steepness, turn, aspect);
   for (let distance = NEAREST; distance < FARTHEST; distance *= STEP) {
     eye.distance = distance;
-    if (!eye.shows(subject)) continue;
-    if (subject.goal && eye.share(subject) <= MOST) return eye;
-    if (!subject.goal && eye.isFarFrom(subject)) return eye.leaveRoom(subject.heading);
+    const isFar = subject.goal ? eye.share(subject) <= MOST : eye.isFarFrom(subject);
+    if (!isFar || !eye.shows(subject)) continue;
+    if (!subject.goal) eye.leaveRoom(subject.heading);
+    return eye;
   }
   return null;
 }
@@ -136,15 +137,14 @@ class Eye {
     return this.share(subject) <= ALONE.height && reach <= ALONE.width * this.depth(x, y, 0) * this.aspect;
   }
 
-  /** Move along, so that a robot in the middle leaves room ahead of it: it looks to the right at the left. */
-  leaveRoom(heading: number): Eye {
+  /** Move aside from a robot in the middle, so that there is room ahead of it: one that looks right is at the left. */
+  leaveRoom(heading: number): void {
     const half = TAN * this.distance;
     const [forward, left] = [Math.cos(radians(heading)), Math.sin(radians(heading))];
     const right = ALONE.aside * half * this.aspect * (this.east * left - this.north * forward);
     const away = (ALONE.below * half) / this.rise;
     this.x -= right * this.north + away * this.east;
     this.y += right * this.east - away * this.north;
-    return this;
   }
 
   shows({ x, y, reach, height, goal }: Subject): boolean {

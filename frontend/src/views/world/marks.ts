@@ -188,7 +188,7 @@ export function firstGoal({ goal, tag }: WorldValues): XY | null {
   return first ? [first.x, first.y] : null;
 }
 
-/** mm: how far a robot sees what is drawn on the floor before it. */
+/** mm: to show a line farther away, the picture would make the robot too small. */
 const NEAR = 1300;
 
 /** The middle of the farthest line that is near a place: what a world without goals is about. */
