@@ -23,8 +23,8 @@ from learnblock.blocks.schema.configuration import (
 _OPTIONAL = re.compile(r"\[([^\[\]]+)\]")
 _PLACE = re.compile(r"\{(\w+)(\.direction)?\}")
 _UNIT = re.compile(r"\{(\w+)\} ?(mm/s|mm|°/s|°|%|Hz|ms|seconds|segundos|beats|tiempos)(?!\w)")
-#: The units that change beside a one.
-_SINGULAR = {"beats": "beat", "seconds": "second", "segundos": "segundo", "tiempos": "tiempo"}
+#: The units that change beside a one; the page has the same, in `fields/unit.ts`.
+SINGULAR = {"beats": "beat", "seconds": "second", "segundos": "segundo", "tiempos": "tiempo"}
 
 
 def translated(texts: Mapping[str, str], language: str, otherwise: str) -> str:
@@ -88,7 +88,7 @@ def _with_singular(block: BlockConfiguration, language: str, ones: set[str]) -> 
     """The block with a label in which the units of these parameters are in the singular."""
 
     def unit(found: re.Match[str]) -> str:
-        words = _SINGULAR.get(found[2], found[2]) if found[1] in ones else found[2]
+        words = SINGULAR.get(found[2], found[2]) if found[1] in ones else found[2]
         return found[0].removesuffix(found[2]) + words
 
     text = _UNIT.sub(unit, translated(block.languages, language, ""))

@@ -1,10 +1,14 @@
 """Every number in a block shows its unit."""
 
 import re
+from pathlib import Path
 
 import pytest
 
+from learnblock.blocks.labels import SINGULAR
 from learnblock.blocks.schema.loading import builtin
+
+ROOT = Path(__file__).parents[3]
 
 UNIT = re.compile(
     r"\s*(mm/s|mm|°/s|°|%|seconds|segundos|Hz|ms|beats|tiempos|of 7|de 7)(?!\w)",
@@ -54,3 +58,10 @@ def test_a_menu_has_words_in_both_languages_for_what_is_no_word(block, parameter
     assert [
         one for one in codes if not {"EN", "ES"} <= found.choice_names.get(one, {}).keys()
     ] == []
+
+
+def test_a_unit_beside_a_one_is_the_same_on_the_block_as_in_a_sentence_about_it():
+    source = (ROOT / "frontend/src/views/blocks/fields/unit.ts").read_text(encoding="utf-8")
+    shown = dict(re.findall(r'^  (\w+): "(\w+)",', source, re.MULTILINE))
+
+    assert SINGULAR.items() <= shown.items()
