@@ -49,7 +49,7 @@ export function LessonCards() {
             </button>
           ))}
         </div>
-        {!isReadOnly && lessons.teaches.value && <OpenLesson />}
+        {!isReadOnly && lessons.teaches.value && <AddLesson />}
       </div>
       {lessons.choices.value && shown.length === 0 && <p class="dim">{t("page-lesson-cards-none")}</p>}
       <ul class="start-cards">
@@ -65,25 +65,25 @@ function isDone({ earned = 0, stars, project = "" }: LessonChoice): boolean {
   return stars > 0 ? earned >= stars : project !== "";
 }
 
-/** A lesson of one's own: from its file, or from the folder it is written in. */
-function OpenLesson() {
+/** Adds a lesson from its file or its folder. */
+function AddLesson() {
   const { lessons } = usePage();
   const items: readonly MenuItem[] = [
     {
-      text: t("page-lesson-open-file"),
+      text: t("page-lesson-add-file"),
       icon: "upload",
       run: () => chooseFile(`${LESSON_FILE},${LESSON_ZIP}`, (file) => void lessons.import(file)),
     },
     {
-      text: t("page-lesson-open-folder"),
+      text: t("page-lesson-add-folder"),
       icon: "projects",
       run: () => chooseFolder((files) => lessons.takeFolder(files)),
     },
   ];
   return (
-    <div class="lesson-import">
-      <Menu label={t("page-lesson-open")} icon="upload" groups={[{ items }]} look="bordered" side="right">
-        {t("page-lesson-open")}
+    <div class="lesson-add">
+      <Menu label={t("page-lesson-add")} icon="upload" groups={[{ items }]} look="bordered" side="right">
+        {t("page-lesson-add")}
       </Menu>
     </div>
   );

@@ -19,7 +19,7 @@ VARIABLE = "LEARNBLOCK_TOKEN"
 _TOKEN = re.compile(r"[\w.~-]+", re.ASCII)
 #: The maximum number of characters, more than any token that we create has.
 _LONGEST = 200
-#: An address for documentation (RFC 5737), which is in no one's own network.
+#: An address for documentation (RFC 5737), which no network uses.
 _ELSEWHERE = ("192.0.2.1", 9)
 
 

@@ -36,7 +36,7 @@ class _Trial(Generic[Told]):
         self.told: Told = told
 
     def stop(self) -> None:
-        """Stop; runs that go on end at once."""
+        """Stop; runs that have not ended are ended at once."""
         self._switch.stop()
 
     def _begin(self, told: Told) -> None:
@@ -78,7 +78,7 @@ class LessonCheck(_Trial[messages.LessonChecked]):
             on_passed: called if it passes all.
 
         Raises:
-            LearnBlockError: a check goes on.
+            LearnBlockError: a check is already running.
         """
         waiting = tuple(messages.LessonAttempt(one.robot, one.variant) for one in attempts)
         self._begin(messages.LessonChecked(waiting, running=True))
@@ -153,7 +153,7 @@ class LessonTrial(_Trial[messages.LessonTried]):
         """Begin to try a lesson.
 
         Raises:
-            LearnBlockError: a trial goes on.
+            LearnBlockError: a trial is already running.
         """
         self._begin(messages.LessonTried(count=count_attempts(opened), running=True))
         self._task = asyncio.create_task(self._run(opened))
