@@ -138,7 +138,11 @@ class Visitor:
     def hear(self, kind, **values):
         """Return the next message of that kind with these values."""
         while True:
-            message = self.next()
+            try:
+                message = self.next()
+            except TimeoutError:
+                heard = {name: self.last[name] for name in (kind, "Failed") if name in self.last}
+                raise AssertionError(f"in vain: {kind} {values}; heard {heard}") from None
             if message["kind"] == kind and values.items() <= message.items():
                 return message
             assert message["kind"] != "Failed" or kind == "Failed", message
