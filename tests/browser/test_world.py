@@ -253,7 +253,7 @@ def test_every_kind_of_goal_is_added_saved_and_counted(own_server, sit_down):
     expect(editor.get_by_role("status").filter(has_text="Saved. Now using Tasks")).to_be_visible()
     pupil.page.keyboard.press("Escape")
     pupil.expect_chosen("World", "Tasks")
-    expect(pupil.page.get_by_text("of 5 goals")).to_be_visible()
+    expect(pupil.page.get_by_text("Goal 1 of 5: reach")).to_be_visible()
     pupil.picture("tasks")
 
 
