@@ -6,6 +6,7 @@ RESERVED = frozenset(
     [
         "abilities",
         "add",
+        "await_reading",
         "battery_range",
         "body",
         "calibration",

@@ -1,7 +1,7 @@
 """The generic client: base class of every robot."""
 
 import threading
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Hashable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from enum import Enum, auto
 from types import TracebackType
@@ -17,7 +17,7 @@ from learnblock.client.keyboard import Keyboard
 from learnblock.client.mailbox import Mailbox
 from learnblock.client.observers import Observer, Outcome, Witness
 from learnblock.client.operations import Operations
-from learnblock.client.readings import SENSORS, Glance, PolledReadings, Readings
+from learnblock.client.readings import SENSORS, Glance, PolledReadings, Readings, SteppedReadings
 from learnblock.client.reckoning import Reckoning
 from learnblock.client.senses import Senses
 from learnblock.client.status import RobotStatus
@@ -268,7 +268,9 @@ class Client(Announced, Events):
         sensor = self.device(kind, key)
         if sensor is None:
             return None
-        reading: Reading = self._readings.latest((kind, key), sensor.read, _pace(kind, key))
+        pace = _pace(kind, key)
+        self.await_reading((kind, key), pace)
+        reading: Reading = self._readings.latest((kind, key), sensor.read, pace)
         return reading
 
     def detect(self, name: str, key: str = DEFAULT_KEY) -> Any:
@@ -285,6 +287,17 @@ class Client(Announced, Events):
         else:
             self.detected[name] = found
         return found
+
+    def await_reading(self, subject: Hashable, pace: str = SENSORS) -> None:
+        """Wait for a new reading if the present one has already answered this question.
+
+        The question is the skill in use with its arguments; only a simulated robot waits.
+
+        Args:
+            subject: what is asked about, for a program that asks without a skill.
+            pace: that of what is read, see `Readings.latest`.
+        """
+        self._readings.ask(self._question or (subject,), pace)
 
     def forget_readings(self) -> None:
         """Read the sensors again at the next query, for example after a gyroscope reset."""
@@ -369,7 +382,9 @@ class Client(Announced, Events):
     # Helpers of the methods above.
 
     def _make_readings(self) -> Readings:
-        if self.sensing_period is None or self.clock.instant is not None:
+        if self.clock.instant is not None:
+            return SteppedReadings(self.clock)
+        if self.sensing_period is None:
             return Readings(self.clock)
         return PolledReadings(self.clock, self.sensing_period)
 
@@ -439,9 +454,11 @@ class Client(Announced, Events):
 
     def _seen(self, key: tuple[object, ...], detect: Callable[[], Any]) -> Any:
         """The detector's result for the newest picture, or that of the previous query."""
+        pace = _pace(Camera, key[1])
 
         def look() -> Any:
-            return self._readings.latest(key, detect, _pace(Camera, key[1]))
+            self.await_reading(key, pace)
+            return self._readings.latest(key, detect, pace)
 
         if self.clock.instant is not None or self._readings.frozen:
             return look()
@@ -462,6 +479,9 @@ class Client(Announced, Events):
     def _snapshot(self) -> Iterator[None]:
         with self._readings.snapshot(), self.mailbox.snapshot():
             yield
+
+    def _begin_pass(self) -> None:
+        self._readings.forget_questions()
 
 
 def _pace(kind: type[Device], key: object) -> str:

@@ -158,6 +158,7 @@ class Events:
         for when in self._whens:
             if self.stopped:
                 return
+            self._begin_pass()
             when.run()
         if self.stopped:
             return
@@ -169,3 +170,6 @@ class Events:
     def _snapshot(self) -> AbstractContextManager[None]:
         """Answer all sensor queries from the same readings while the context is open."""
         return nullcontext()
+
+    def _begin_pass(self) -> None:
+        """Begin a pass of a body, whose questions are as new as those of its `when`."""

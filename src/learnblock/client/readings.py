@@ -1,8 +1,9 @@
-"""The three ways a client reads its sensors: on demand, once per instant, or by polling."""
+"""The three ways a client reads its sensors: on demand, in step with its world, or by polling."""
 
 import threading
 from collections.abc import Callable, Hashable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass, field
 from typing import Any
 
 from learnblock.client.clock import Clock
@@ -16,12 +17,16 @@ SENSORS = "sensors"
 WATCHED = "watched"
 #: Seconds between readings of a watched sensor; the page does not update more often.
 WATCHED_PERIOD = 0.05
+#: Seconds between two readings of a sensor, in a world that waits for the program.
+READING = 0.02
+#: Seconds between two pictures: a camera with 30 a second takes one or two in this time.
+PICTURE = 0.05
 
 
 class Readings:
     """The latest reading of each sensor in use.
 
-    With a clock that only moves while the program waits, a sensor is read once per instant; with
+    With a clock that stands still while the program runs, a sensor is read once per instant; with
     a wall clock, every query reads again. Inside `snapshot` every sensor is read once.
 
     Args:
@@ -34,6 +39,15 @@ class Readings:
         self._read: dict[Key, Any] = {}
         #: Whether a snapshot is being taken.
         self.frozen = False
+
+    def ask(self, question: Key, pace: str = SENSORS) -> None:
+        """Begin a question of the program, before the sensors that answer it are read.
+
+        Args:
+            question: what is asked, and about what. The very same object is the same question, for
+                which a skill may read several sensors; an equal one is the question repeated.
+            pace: that of the sensors.
+        """
 
     def latest(self, key: Key, read: Read, pace: str = SENSORS) -> Any:
         """The latest reading of a sensor, which is read if necessary.
@@ -63,6 +77,9 @@ class Readings:
         """Read again at the next query, for example after a command that changes a sensor."""
         if not self.frozen:
             self._read.clear()
+
+    def forget_questions(self) -> None:
+        """Answer each question once more without waiting."""
 
     def watch(self, key: Key, read: Read) -> None:
         """Keep a sensor's reading up to date for an observer, in the background if possible.
@@ -97,30 +114,96 @@ class Readings:
         return read()
 
 
+@dataclass(slots=True)
+class _Interval:
+    """The time between two readings of the sensors of one pace.
+
+    Args:
+        end: the robot's time in s at which it is over.
+    """
+
+    end: float
+    #: The questions that have been answered in it.
+    answered: set[str] = field(default_factory=set)
+    #: The pictures that were taken in it, or what was found in them.
+    pictures: dict[Key, Any] = field(default_factory=dict)
+
+
+class SteppedReadings(Readings):
+    """Readings of a program in a world that waits for it.
+
+    A picture lasts until the next one. A question that is repeated before there is something new
+    to see waits for that: so a loop that asks and never sleeps turns as often as its sensors are
+    read, and not as often as the computer can.
+
+    Args:
+        clock: the robot's clock, which moves only while the program waits.
+    """
+
+    def __init__(self, clock: Clock) -> None:
+        super().__init__(clock)
+        self._asking: Key = None
+        self._intervals: dict[str, _Interval] = {}
+
+    def ask(self, question: Key, pace: str = SENSORS) -> None:
+        if self.frozen or question is self._asking:
+            return
+        self._asking = question
+        # As text, since a question's arguments may not be comparable.
+        asked = repr(question)
+        interval = self._interval(pace)
+        if asked in interval.answered:
+            self._clock.sleep(interval.end - self._clock.time())
+            interval = self._interval(pace)
+        interval.answered.add(asked)
+
+    def forget_questions(self) -> None:
+        for interval in self._intervals.values():
+            interval.answered.clear()
+
+    def latest(self, key: Key, read: Read, pace: str = SENSORS) -> Any:
+        if pace == SENSORS:
+            return super().latest(key, read, pace)
+        pictures = self._interval(pace).pictures
+        if key not in pictures:
+            pictures[key] = read()
+        return pictures[key]
+
+    def forget(self) -> None:
+        super().forget()
+        self._intervals.clear()
+
+    def _interval(self, pace: str) -> _Interval:
+        """The present interval of a pace, which begins with the first question after the last."""
+        now = self._clock.time()
+        interval = self._intervals.get(pace)
+        if interval is None or now >= interval.end:
+            length = READING if pace == SENSORS else PICTURE
+            interval = self._intervals[pace] = _Interval(round(now + length, 9))
+        return interval
+
+
 class Glance:
     """Answers queries in quick succession from the same picture.
 
     "Line on the left?", "in the middle?" and "on the right?" are three queries. With a real
     camera they could be answered from different pictures, all with no. A glance ends when a
-    query is repeated, or after `LASTS` seconds.
+    query is repeated, or after `PICTURE` seconds.
 
     Args:
         clock: the robot's wall clock.
     """
 
-    #: Seconds; a camera with 30 frames per second takes one or two frames in this time.
-    LASTS = 0.05
-
     def __init__(self, clock: Clock) -> None:
         self._clock = clock
-        self._began = -self.LASTS
+        self._began = -PICTURE
         self._asked: set[str] = set()
         self._seen: dict[Key, Any] = {}
 
     def see(self, question: str, key: Key, look: Read) -> Any:
         """The result of `look`, called once per glance and `key`."""
         now = self._clock.time()
-        if question in self._asked or now - self._began >= self.LASTS:
+        if question in self._asked or now - self._began >= PICTURE:
             self._asked.clear()
             self._seen.clear()
             self._began = now

@@ -20,9 +20,10 @@ from learnblock.runtime.log.sensing import keep_operations, keep_readings
 from learnblock.runtime.turns import CountedSteps
 from learnblock.runtime.values import is_small, plain
 
-#: The version of the trace format: since 2 a line is a statement that begins. In that of a real
-#: robot, turns of a loop that are alike are counted.
-VERSION, VERSION_WITH_TURNS = 2, 3
+#: The version of the trace: since 2 a line is a statement that begins, and since 4 a repeated
+#: question waits for the next reading. In that of a real robot, 3, turns of a loop that are alike
+#: are counted.
+VERSION, VERSION_WITH_TURNS = 4, 3
 #: The most pieces of a trace that wait to be hashed together.
 _HASHED_TOGETHER = 1000
 #: The most steps of a program that wait to be written together.

@@ -15,7 +15,6 @@ def is_key_pressed(robot: "Client", key: str = "space") -> bool:
     Raises:
         UnknownNameError: there is no such key.
     """
-    if not robot.readings.frozen:
-        # In a program that only asks, time must pass too, so that a key can be pressed.
-        robot.clock.charge()
+    # In a program that only asks, time must pass too, so that a key can be pressed.
+    robot.await_reading("keys")
     return robot.keyboard.is_pressed(key)

@@ -25,6 +25,7 @@ def get_pose(robot: "Client") -> Pose | None:
     x is ahead of the robot's start, y to the left of it; the heading is positive to the right.
     """
     base = robot.device(Base)
+    robot.await_reading(Base)
     return None if base is None else base.pose()
 
 

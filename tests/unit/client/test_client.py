@@ -507,6 +507,59 @@ def test_time_stops_within_a_snapshot():
         assert clock.charges == 0
 
 
+class Watchful(Client):
+    """A robot whose front is free, and whose camera sees nothing."""
+
+    def connect(self):
+        self.add(Base(move=lambda adv, rot: None))
+        self.add(DistanceSensors(read=lambda: {"front": [500.0], "left": [500.0]}))
+        self.add(Camera(read=lambda: None, detect=lambda _: ()))
+
+
+@pytest.mark.parametrize(
+    ("ask", "turns"),
+    [
+        (lambda robot: robot.is_front_obstacle(), 50),
+        (lambda robot: robot.is_front_obstacle(1) or robot.is_left_obstacle(), 50),
+        (lambda robot: robot.read(DistanceSensors), 50),
+        (lambda robot: robot.get_pose(), 50),
+        (lambda robot: robot.get_heading(), 50),
+        (lambda robot: robot.is_any_tag(), 20),
+        (lambda robot: robot.is_key_pressed("up"), 50),
+    ],
+)
+def test_a_loop_that_only_asks_turns_as_often_as_there_is_something_new(ask, turns):
+    with Watchful(clock=VirtualClock()) as robot:
+        for _ in range(turns):
+            ask(robot)
+        assert robot.time() == pytest.approx(1 - 1 / turns)
+
+
+def test_a_skill_that_reads_several_times_is_one_question():
+    def look_around(robot):
+        return [robot.is_front_obstacle() for _ in range(3)]
+
+    with Watchful(clock=VirtualClock()) as robot:
+        robot.learn(look_around)
+        robot.look_around()
+        assert robot.time() == 0
+
+
+def test_the_body_of_a_when_may_ask_what_its_condition_has_asked():
+    times = []
+    with Watchful(clock=VirtualClock()) as robot:
+
+        @robot.when(lambda: not robot.is_any_tag())
+        def count():
+            times.append(robot.time())
+            robot.is_any_tag()
+            if len(times) == 3:
+                robot.stop()
+
+        robot.run()
+    assert times == pytest.approx([0, 0.02, 0.04])
+
+
 def test_a_robot_describes_itself():
     with Logging() as robot:
         assert repr(robot).endswith("Logging connected: Base:0>")

@@ -3,7 +3,16 @@ import threading
 import pytest
 
 from learnblock.client.clock import WallClock
-from learnblock.client.readings import SENSORS, WATCHED, Glance, PolledReadings, Readings
+from learnblock.client.readings import (
+    PICTURE,
+    READING,
+    SENSORS,
+    WATCHED,
+    Glance,
+    PolledReadings,
+    Readings,
+    SteppedReadings,
+)
 from learnblock.testing import VirtualClock
 
 pytestmark = pytest.mark.realtime
@@ -31,12 +40,12 @@ def sensor():
 
 
 def test_a_sensor_is_read_once_at_one_instant(clock, sensor):
-    readings = Readings(clock)
+    readings = SteppedReadings(clock)
     assert [readings.latest("a", sensor) for _ in range(3)] == [1, 1, 1]
 
 
 def test_a_sensor_is_read_again_at_the_next_instant(clock, sensor):
-    readings = Readings(clock)
+    readings = SteppedReadings(clock)
     readings.latest("a", sensor)
     clock.sleep(0.01)
     assert readings.latest("a", sensor) == 2
@@ -53,11 +62,70 @@ def test_sensors_are_independent(clock):
     assert readings.latest("b", lambda: 2) == 2
 
 
-def test_after_forgetting_sensors_are_read_again(clock, sensor):
-    readings = Readings(clock)
-    readings.latest("a", sensor)
+@pytest.mark.parametrize("pace", [SENSORS, "camera"])
+def test_after_forgetting_sensors_are_read_again(clock, sensor, pace):
+    readings = SteppedReadings(clock)
+    readings.latest("a", sensor, pace)
     readings.forget()
-    assert readings.latest("a", sensor) == 2
+    assert readings.latest("a", sensor, pace) == 2
+
+
+def test_a_picture_lasts_until_the_next_one(clock, sensor):
+    readings = SteppedReadings(clock)
+    readings.latest("lines", sensor, "camera")
+    clock.sleep(PICTURE - 0.01)
+    assert readings.latest("lines", sensor, "camera") == 1
+    clock.sleep(0.01)
+    assert readings.latest("lines", sensor, "camera") == 2
+
+
+@pytest.mark.parametrize(("pace", "period"), [(SENSORS, READING), ("camera", PICTURE)])
+def test_a_repeated_question_waits_for_something_new(clock, pace, period):
+    readings = SteppedReadings(clock)
+    clock.sleep(0.01)
+    for question in ("left", "right", "left", "right", "left"):
+        readings.ask((question,), pace)
+    assert clock.time() == pytest.approx(0.01 + 2 * period)
+
+
+def test_a_question_that_was_answered_long_ago_does_not_wait(clock):
+    readings = SteppedReadings(clock)
+    readings.ask(("left",))
+    clock.sleep(READING)
+    readings.ask(("left",))
+    assert clock.time() == READING
+
+
+def test_one_question_may_read_several_sensors(clock):
+    readings, question = SteppedReadings(clock), ("is_line",)
+    for _ in range(3):
+        readings.ask(question)
+    assert clock.time() == 0
+
+
+def test_a_snapshot_asks_without_waiting_and_its_questions_are_not_counted(clock):
+    readings = SteppedReadings(clock)
+    readings.ask(("left",))
+    with readings.snapshot():
+        readings.ask(("left",))
+        readings.ask(("right",))
+    readings.ask(("right",))
+    assert clock.time() == 0
+
+
+def test_a_question_with_arguments_of_any_kind_is_recognized(clock):
+    readings = SteppedReadings(clock)
+    for place in ([1], [2], [1]):
+        readings.ask(("near", place))
+    assert clock.time() == READING
+
+
+def test_after_forgetting_its_questions_each_is_answered_at_once(clock):
+    readings = SteppedReadings(clock)
+    readings.ask(("left",))
+    readings.forget_questions()
+    readings.ask(("left",))
+    assert clock.time() == 0
 
 
 def test_within_a_snapshot_every_sensor_is_read_once_with_any_clock(sensor):
@@ -83,7 +151,7 @@ def test_a_repeated_query_starts_a_new_glance(clock, sensor):
 def test_a_glance_is_short(clock, sensor):
     glance = Glance(clock)
     glance.see("a", "lines", sensor)
-    clock.sleep(Glance.LASTS)
+    clock.sleep(PICTURE)
     assert glance.see("b", "lines", sensor) == 2
 
 

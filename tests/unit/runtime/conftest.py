@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 import pytest
 
 from learnblock.client import Client
+from learnblock.client.readings import Readings
 from learnblock.devices import Base, Display, DistanceSensors, Gyroscope
 from learnblock.runtime.ending import Ending
 from learnblock.runtime.host import Host
@@ -62,6 +63,10 @@ class TinyRobot(Client):
         self.simulation = simulation
         self.log, self.broken, self.zero = [], broken, 0
         super().__init__(skills=[], clock=WorldClock(simulation) if simulation else None)
+
+    def _make_readings(self):
+        # As of a simulated robot in a host: what its program asks waits in another process.
+        return Readings(self.clock) if self.simulation else super()._make_readings()
 
     def connect(self):
         self.add(Base(move=self.note("move")))

@@ -30,6 +30,7 @@ class Heading:
         if self._robot.has(Gyroscope, UPRIGHT):
             return self._robot.read(Gyroscope, UPRIGHT) or 0.0
         base = self._robot.device(Base)
+        self._robot.await_reading(Base)
         direction = 0.0 if base is None else base.pose()[2]
         self._turned += (direction - self._direction + 180) % 360 - 180
         self._direction = direction

@@ -11,6 +11,7 @@ from typing import Any, ClassVar, Self
 
 from learnblock.client import Client, Goal, Outcome, Witness
 from learnblock.client.clock import Clock
+from learnblock.client.readings import Readings
 from learnblock.devices import Pose
 from learnblock.robots.simulated.devices import WORLD_DEVICES, make_device
 from learnblock.robots.simulated.options import (
@@ -190,6 +191,12 @@ class SimulatedRobot(Client):
                 report_main_program(self, self._program)
         if self._end_trace:
             self._end_trace()
+
+    def _make_readings(self) -> Readings:
+        if isinstance(self.clock, WorldClock):
+            # What waits for something new to see is the program's robot, in its process.
+            return Readings(self.clock)
+        return super()._make_readings()
 
     def _own_clock(self) -> LockStepClock:
         simulation = self.simulation
