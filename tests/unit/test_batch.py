@@ -99,6 +99,15 @@ def test_a_kept_process_ends_with_a_batch_that_is_stopped():
     assert not kept.is_running
 
 
+def test_a_batch_whose_kept_process_has_ended_starts_one_of_its_own():
+    kept = WarmProcess()
+    kept.end()
+    [result] = Batch([job(in_python("robot.sleep(1)"))], kept=kept).results()
+
+    assert result.report.ended == How.FINISHED
+    assert result.report.time == 1
+
+
 def test_a_plain_program_that_is_to_be_isolated_has_the_same_result():
     program = running.program(running.read(EXAMPLES / "square.bt"), EBO)
     jobs = [job(program), replace(job(program), isolated=True)]

@@ -69,7 +69,7 @@ class Batch:
         at_once: how many are made at the same time; by default one for each processor.
         limits: the resources that each program may use.
         kept: the process that forks the runs, kept for further batches; it ends if this batch is
-            stopped. Without it, the batch starts one and ends it.
+            stopped. Without it, or if it has ended, the batch starts one and ends it.
     """
 
     def __init__(
@@ -130,6 +130,8 @@ class Batch:
     def _forked(self) -> Iterator[JobResult]:
         left = [*range(len(self.jobs))]
         for kept in (self._kept, None):
+            if kept and not kept.is_running:
+                continue
             for result in self._made_by(kept, left):
                 left.remove(result.job)
                 if result.report.ended != How.STOPPED:
