@@ -47,11 +47,12 @@ def pytest_configure(config):
 
 
 def pytest_xdist_auto_num_workers(config):
-    """One worker per core; none for a single file or test, which then starts at once."""
+    """The number of workers; none for a single file or test, which then starts at once."""
     if config.args != config.getini("testpaths"):
         return 0
-    # A browser without a graphics card keeps a core busy, so more workers are no faster.
-    return os.cpu_count() or 1
+    # With one worker per core a fifth of the processors' time is idle, as tests wait for processes
+    # and wires. A browser without a graphics card keeps a core busy, so many more are no faster.
+    return (os.cpu_count() or 1) + 1
 
 
 @pytest.hookimpl(tryfirst=True)

@@ -29,7 +29,7 @@ def refusal(name, robot):
     return [one for one in found if one.severity == "error"]
 
 
-@pytest.mark.sample(48)
+@pytest.mark.sample(24)
 @pytest.mark.parametrize(("name", "robot"), PAIRS)
 def test_an_example_runs_on_a_twin_or_is_refused_by_naming_the_missing_device(name, robot):
     errors = refusal(name, robot)
@@ -54,7 +54,7 @@ def test_an_example_keeps_its_form_and_comes_back_from_python_unchanged(name):
     assert language.format(again) == source.text
 
 
-@pytest.mark.sample(18)
+@pytest.mark.sample(9)
 @pytest.mark.parametrize("name", NAMES)
 def test_block_text_and_python_of_an_example_leave_the_same_trace(name, tmp_path):
     robot = next(robot for robot in TWINS if not refusal(name, robot))
@@ -119,7 +119,7 @@ def test_all_seven_faces_are_found_and_imitated(robot):
     assert ["neutral", *SEVEN] == list(report.emotions)
 
 
-@pytest.mark.sample(18)
+@pytest.mark.sample(9)
 @pytest.mark.parametrize("name", NAMES)
 def test_an_example_reaches_all_goals_of_its_world_and_an_idle_program_none(name, tmp_path):
     page = (EXAMPLES / "README.md").read_text(encoding="utf-8")

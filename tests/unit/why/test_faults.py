@@ -53,7 +53,7 @@ def test_there_are_enough_faults_on_all_twins():
     assert names_of_twins() == {"sim-ebo", "sim-cozmo", "sim-thymio", "sim-ev3"}
 
 
-@pytest.mark.sample(50)
+@pytest.mark.sample(25)
 @pytest.mark.parametrize("fault", FAULTS, ids=lambda fault: fault["name"].replace(" ", "-"))
 def test_the_line_of_a_fault_is_named_among_the_first_three(fault, answered):
     given = answered(fault)

@@ -40,7 +40,7 @@ def cameras(robot):
     return robot.body.description.camera
 
 
-@pytest.mark.sample(9)
+@pytest.mark.sample(6)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_a_log_leaves_the_trace_as_it_is(name):
@@ -50,7 +50,7 @@ def test_a_log_leaves_the_trace_as_it_is(name):
     assert logged.trace_sha256 == plain.trace_sha256
 
 
-@pytest.mark.sample(9)
+@pytest.mark.sample(6)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_any_moment_of_a_world_is_shown_again_exactly(name, monkeypatch):
