@@ -5,13 +5,16 @@ Each exception belongs to the family `LearnBlockError` and to a builtin exceptio
 """
 
 import difflib
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
 from learnblock.i18n import Phrase, Value
 
 Severity = Literal["error", "warning"]
+
+#: How many mistakes in a file its phrase tells; the diagnostics are all there.
+_MOST_IN_SUMMARY = 20
 
 
 @dataclass(frozen=True, slots=True)
@@ -304,9 +307,14 @@ class ProgramStopped(BaseException):
     """
 
 
-def _summary(diagnostics: Iterable[Diagnostic]) -> Phrase:
-    """Combine all mistakes in a file into one phrase."""
-    sentences = list(map(_at_line, diagnostics))
+def _summary(diagnostics: Sequence[Diagnostic]) -> Phrase:
+    """Combine the first mistakes in a file into one phrase, which ends with how many more it has.
+
+    Phrases are nested, so one for each of some thousand mistakes could not be sent.
+    """
+    sentences = list(map(_at_line, diagnostics[:_MOST_IN_SUMMARY]))
+    if left := len(diagnostics) - len(sentences):
+        sentences.append(Phrase("file-more-mistakes", count=left))
     summary = sentences.pop() if sentences else Phrase("")
     for sentence in reversed(sentences):
         summary = Phrase("file-mistakes", first=sentence, rest=summary)

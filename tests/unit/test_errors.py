@@ -1,9 +1,11 @@
 import pickle
 
+import msgspec
 import pytest
 
 from learnblock import errors
 from learnblock.errors import Diagnostic, FileError, ProgramError, UnknownNameError, nearest
+from learnblock.i18n import Phrase
 
 FAMILY = [
     value
@@ -30,6 +32,14 @@ def test_a_file_error_has_file_line_column_code_and_message():
 def test_a_file_error_reports_every_mistake():
     first, second = Diagnostic("one", "first", 1), Diagnostic("two", "second", 2)
     assert str(FileError("x", [first, second])) == "x:1:0: one first\nx:2:0: two second"
+
+
+def test_a_file_with_many_mistakes_has_a_phrase_that_can_be_sent():
+    wrong = [Diagnostic("wrong", Phrase("It is wrong."), line) for line in range(1, 40_001)]
+    error = FileError("x", wrong)
+    assert msgspec.json.encode(error.phrase)
+    assert str(error.phrase).endswith("Line 20: It is wrong. There are 39,980 more mistakes.")
+    assert len(error.diagnostics) == 40_000
 
 
 @pytest.mark.parametrize(

@@ -24,3 +24,7 @@ file-missing-key = The key '{ $key }' is missing from { $place }.
 # Several mistakes in one file: each a sentence, with its line where it has one.
 file-at-line = Line { $line }: { $problem }
 file-mistakes = { $first } { $rest }
+file-more-mistakes = { $count ->
+    [one] There is one more mistake.
+   *[other] There are { $count } more mistakes.
+}

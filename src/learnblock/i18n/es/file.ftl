@@ -18,3 +18,7 @@ file-missing-key = Falta la clave '{ $key }' en { $place }.
 
 file-at-line = Línea { $line }: { $problem }
 file-mistakes = { $first } { $rest }
+file-more-mistakes = { $count ->
+    [one] Hay un error más.
+   *[other] Hay { $count } errores más.
+}
