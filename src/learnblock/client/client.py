@@ -17,7 +17,14 @@ from learnblock.client.keyboard import Keyboard
 from learnblock.client.mailbox import Mailbox
 from learnblock.client.observers import Observer, Outcome, Witness
 from learnblock.client.operations import Operations
-from learnblock.client.readings import SENSORS, Glance, PolledReadings, Readings, SteppedReadings
+from learnblock.client.readings import (
+    READING,
+    SENSORS,
+    Glance,
+    PolledReadings,
+    Readings,
+    SteppedReadings,
+)
 from learnblock.client.reckoning import Reckoning
 from learnblock.client.senses import Senses
 from learnblock.client.status import RobotStatus
@@ -80,7 +87,7 @@ class Client(Announced, Events):
     #: Whether the robot's world waits for the program; True for simulated robots only.
     lockstep: ClassVar[bool] = False
     #: Seconds between readings of a sensor in use; if None, it is read whenever the program asks.
-    sensing_period: ClassVar[float | None] = 0.02
+    sensing_period: ClassVar[float | None] = READING
     #: The simulated robot whose picture is used for it, such as ``ebo``; "" for a plain body.
     model: ClassVar[str] = ""
 
@@ -295,7 +302,7 @@ class Client(Announced, Events):
 
         Args:
             subject: what is asked about, for a program that asks without a skill.
-            pace: that of what is read, see `Readings.latest`.
+            pace: the pace of the sensor, see `Readings.latest`.
         """
         self._readings.ask(self._question or (subject,), pace)
 
