@@ -50,8 +50,8 @@ def pytest_xdist_auto_num_workers(config):
     """The number of workers; none for a single file or test, which then starts at once."""
     if config.args != config.getini("testpaths"):
         return 0
-    # With one worker per core a fifth of the processors' time is idle, as tests wait for processes
-    # and wires. A browser without a graphics card keeps a core busy, so many more are no faster.
+    # With one worker per core, a fifth of the processor time is idle, because tests wait for
+    # processes and wires. A browser without a graphics card keeps a core busy: one more is enough.
     return (os.cpu_count() or 1) + 1
 
 

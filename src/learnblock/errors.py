@@ -13,7 +13,7 @@ from learnblock.i18n import Phrase, Value
 
 Severity = Literal["error", "warning"]
 
-#: How many mistakes in a file its phrase tells; the diagnostics are all there.
+#: The most mistakes that a file's phrase describes; its diagnostics have all of them.
 _MOST_IN_SUMMARY = 20
 
 
@@ -308,9 +308,9 @@ class ProgramStopped(BaseException):
 
 
 def _summary(diagnostics: Sequence[Diagnostic]) -> Phrase:
-    """Combine the first mistakes in a file into one phrase, which ends with how many more it has.
+    """Combine the first mistakes in a file into one phrase, which says how many more there are.
 
-    Phrases are nested, so one for each of some thousand mistakes could not be sent.
+    Each sentence is nested in the one before, so thousands of them would be too deep to encode.
     """
     sentences = list(map(_at_line, diagnostics[:_MOST_IN_SUMMARY]))
     if left := len(diagnostics) - len(sentences):

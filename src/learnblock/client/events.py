@@ -172,4 +172,4 @@ class Events:
         return nullcontext()
 
     def _begin_pass(self) -> None:
-        """Begin a pass of a body, whose questions are as new as those of its `when`."""
+        """Prepare for a pass of a body, which may repeat earlier questions without waiting."""

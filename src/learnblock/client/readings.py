@@ -17,17 +17,17 @@ SENSORS = "sensors"
 WATCHED = "watched"
 #: Seconds between readings of a watched sensor; the page does not update more often.
 WATCHED_PERIOD = 0.05
-#: Seconds between two readings of a sensor, in a world that waits for the program.
+#: Seconds between two readings of a sensor.
 READING = 0.02
-#: Seconds between two pictures: a camera with 30 a second takes one or two in this time.
+#: Seconds for which a picture is used; a camera with 30 a second takes one or two in this time.
 PICTURE = 0.05
 
 
 class Readings:
     """The latest reading of each sensor in use.
 
-    With a clock that stands still while the program runs, a sensor is read once per instant; with
-    a wall clock, every query reads again. Inside `snapshot` every sensor is read once.
+    In a simulated world, a sensor is read at most once per time step; with a wall clock, it is read
+    at every query. Inside `snapshot` every sensor is read once.
 
     Args:
         clock: the robot's clock.
@@ -44,9 +44,9 @@ class Readings:
         """Begin a question of the program, before the sensors that answer it are read.
 
         Args:
-            question: what is asked, and about what. The very same object is the same question, for
-                which a skill may read several sensors; an equal one is the question repeated.
-            pace: that of the sensors.
+            question: the question with its arguments. The same object again continues the question,
+                since a skill may read several sensors; an equal object repeats it.
+            pace: the pace of these sensors.
         """
 
     def latest(self, key: Key, read: Read, pace: str = SENSORS) -> Any:
@@ -79,7 +79,7 @@ class Readings:
             self._read.clear()
 
     def forget_questions(self) -> None:
-        """Answer each question once more without waiting."""
+        """Let each question be asked once more without waiting."""
 
     def watch(self, key: Key, read: Read) -> None:
         """Keep a sensor's reading up to date for an observer, in the background if possible.
@@ -132,9 +132,9 @@ class _Interval:
 class SteppedReadings(Readings):
     """Readings of a program in a world that waits for it.
 
-    A picture lasts until the next one. A question that is repeated before there is something new
-    to see waits for that: so a loop that asks and never sleeps turns as often as its sensors are
-    read, and not as often as the computer can.
+    A picture is kept until the next one is due. A repeated question waits for a new reading, so a
+    loop that polls without sleeping runs as often as its sensors are read, not as often as the
+    computer can run it.
 
     Args:
         clock: the robot's clock, which moves only while the program waits.
@@ -174,7 +174,7 @@ class SteppedReadings(Readings):
         self._intervals.clear()
 
     def _interval(self, pace: str) -> _Interval:
-        """The present interval of a pace, which begins with the first question after the last."""
+        """The current interval of a pace; if the last one is over, a new one begins now."""
         now = self._clock.time()
         interval = self._intervals.get(pace)
         if interval is None or now >= interval.end:

@@ -21,8 +21,8 @@ from learnblock.runtime.turns import CountedSteps
 from learnblock.runtime.values import is_small, plain
 
 #: The version of the trace: since 2 a line is a statement that begins, and since 4 a repeated
-#: question waits for the next reading. In that of a real robot, 3, turns of a loop that are alike
-#: are counted.
+#: question waits for the next reading. Version 3 is that of a real robot, in which turns of a loop
+#: that are alike are counted.
 VERSION, VERSION_WITH_TURNS = 4, 3
 #: The most pieces of a trace that wait to be hashed together.
 _HASHED_TOGETHER = 1000

@@ -65,7 +65,7 @@ class TinyRobot(Client):
         super().__init__(skills=[], clock=WorldClock(simulation) if simulation else None)
 
     def _make_readings(self):
-        # As of a simulated robot in a host: what its program asks waits in another process.
+        # Like a simulated robot in a host: the program's own robot waits for new readings.
         return Readings(self.clock) if self.simulation else super()._make_readings()
 
     def connect(self):

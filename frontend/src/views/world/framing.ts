@@ -137,7 +137,7 @@ class Eye {
     return this.share(subject) <= ALONE.height && reach <= ALONE.width * this.depth(x, y, 0) * this.aspect;
   }
 
-  /** Move aside from a robot in the middle, so that there is room ahead of it: one that looks right is at the left. */
+  /** Move aside to leave room ahead of a robot in the middle: one that faces right is then on the left. */
   leaveRoom(heading: number): void {
     const half = TAN * this.distance;
     const [forward, left] = [Math.cos(radians(heading)), Math.sin(radians(heading))];

@@ -188,7 +188,7 @@ export function firstGoal({ goal, tag }: WorldValues): XY | null {
   return first ? [first.x, first.y] : null;
 }
 
-/** mm: to show a line farther away, the picture would make the robot too small. */
+/** mm: showing a line farther away would make the robot too small. */
 const NEAR = 1300;
 
 /** The middle of the farthest line that is near a place: what a world without goals is about. */

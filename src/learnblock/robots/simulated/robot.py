@@ -194,7 +194,7 @@ class SimulatedRobot(Client):
 
     def _make_readings(self) -> Readings:
         if isinstance(self.clock, WorldClock):
-            # What waits for something new to see is the program's robot, in its process.
+            # The program has a robot of its own, elsewhere, which waits for new readings.
             return Readings(self.clock)
         return super()._make_readings()
 
