@@ -1,11 +1,14 @@
 """The installed files include the built page, without Node."""
 
+import csv
 import os
 import shutil
 import subprocess
 import sys
+import sysconfig
 import tarfile
 import zipfile
+from pathlib import Path
 
 import pytest
 
@@ -39,10 +42,66 @@ def sdist(tmp_path_factory):
     return out / file.name.removesuffix(".tar.gz")
 
 
-def test_a_wheel_is_made_from_the_sdist_without_node(sdist, tmp_path):
-    without_node = tmp_path / "bin"
+@pytest.fixture(scope="module")
+def wheel(sdist, tmp_path_factory):
+    """Return a wheel made from the sdist, without Node."""
+    out = tmp_path_factory.mktemp("wheel")
+    without_node = out / "bin"
     without_node.mkdir()
-    wheel = build(sdist, "wheel", tmp_path / "out", without_node)
+    return build(sdist, "wheel", out, without_node)
+
+
+@pytest.fixture(scope="module")
+def installed(wheel, tmp_path_factory):
+    """Return the command of the wheel, installed by pip in a plain environment.
+
+    What LearnBlock requires comes from the environment of the tests, since only the installation of
+    LearnBlock itself is claimed. Like any pip, this one compiles what it installs.
+    """
+    place = tmp_path_factory.mktemp("plain")
+    base = Path(sys.base_prefix, "bin", f"python{sys.version_info.major}")
+    subprocess.run([base, "-m", "venv", place], check=True, timeout=60)
+    scheme = sysconfig.get_paths("venv", {"base": str(place), "platbase": str(place)})
+    others = Path(scheme["purelib"], "required.pth")
+    others.write_text(sysconfig.get_path("purelib"), encoding="utf-8")
+    pip = [place / "bin" / "python", "-m", "pip", "install", "--quiet", "--no-deps", "--no-index"]
+    subprocess.run([*pip, wheel], check=True, timeout=120, capture_output=True)
+    return place / "bin" / "learnblock"
+
+
+def ask(installed, folder, *arguments):
+    """Return what a command printed."""
+    done = subprocess.run(
+        [installed, *arguments],
+        cwd=folder,
+        env={"PATH": os.environ["PATH"], "LEARNBLOCK_HOME": str(folder / "home")},
+        check=False,
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def test_a_wheel_installed_by_pip_lists_and_tries_its_lessons_and_grades_by_them(
+    installed, tmp_path
+):
+    names = sorted(path.parent.name for path in (ROOT / "lessons").glob("*/lesson.toml"))
+    listed = ask(installed, tmp_path, "lesson", "list").splitlines()
+    assert [line.split()[0] for line in listed] == names
+    lesson, step = "2-01-avoid-a-box", "4"
+    solution = ROOT / "lessons" / lesson / "teacher" / "solutions" / f"step-{step}.bt"
+    (tmp_path / "class").mkdir()
+    shutil.copy(solution, tmp_path / "class" / "ana.bt")
+    ask(installed, tmp_path, "lesson", "try", lesson, step, "class/ana.bt")
+    graded = ("class", "--lesson", lesson, "--step", step, "--robots", "sim-ebo")
+    ask(installed, tmp_path, "grade", *graded, "--variants", "0", "--out", "out")
+    with (tmp_path / "out" / "results.csv").open(encoding="utf-8-sig") as table:
+        assert [row["pupil"] for row in csv.DictReader(table)] == ["ana"]
+
+
+def test_a_wheel_made_from_the_sdist_without_node_has_the_page_and_the_weights(wheel):
     with zipfile.ZipFile(wheel) as files:
         names = files.namelist()
     assert {"learnblock/server/static/index.html", "learnblock_home/__init__.py"} <= set(names)

@@ -74,7 +74,9 @@ def _open(
         if not writer.claim():
             raise LearnBlockError("class-already-open", title=name)
         roster = Roster(folder, name)
-        choices, _ = lesson_choices()
+        choices, problems = lesson_choices()
+        for problem in problems:
+            click.echo(text(problem), err=True)
         service = ClassService(
             roster,
             _announce,

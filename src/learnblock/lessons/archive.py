@@ -30,8 +30,9 @@ _KNOWN = re.compile(
     rf"|worlds/[\w -]{{1,60}}\.(?:toml|png)"
     rf"|teacher/(?:teacher\.toml|notes(?:\.[a-z]{{2,3}})?\.md|(?:solutions|wrong)/{_PROGRAM})"
 )
-#: What file managers add.
-IGNORED = re.compile(r"(?:^|/)(?:__MACOSX(?:/|$)|\.|Thumbs\.db$|desktop\.ini$)")
+#: What file managers add, and the folder where Python keeps compiled modules: pip makes one for
+#: the checks of a lesson that it installs.
+IGNORED = re.compile(r"(?:^|/)(?:(?:__MACOSX|__pycache__)(?:/|$)|\.|Thumbs\.db$|desktop\.ini$)")
 _METHODS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}
 #: As in the other zips that we make: the same files give the same bytes.
 _TIME = (1980, 1, 1, 0, 0, 0)

@@ -2,6 +2,7 @@
 
 import io
 import os
+import py_compile
 import struct
 import sys
 import zipfile
@@ -92,6 +93,14 @@ class TestReading:
     def test_what_file_managers_add_is_ignored(self):
         extra = [("__MACOSX/._lesson.toml", b"x"), (".DS_Store", b"x"), ("programs/.x", b"x")]
         assert "programs/.x" not in of_zip(*files().items(), *extra).files
+
+    def test_what_python_adds_beside_the_checks_is_ignored(self, tmp_path):
+        for path, content in files(checks_py="").items():
+            (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+            (tmp_path / path).write_bytes(content)
+        py_compile.compile(str(tmp_path / "checks.py"))
+        assert (tmp_path / "__pycache__").is_dir()
+        assert set(open_lesson(tmp_path).files) == {*files(checks_py="")}
 
     def test_a_step_goes_on_with_the_world_of_the_step_before(self):
         more = '[[step]]\ntitle = "Again"\nphase = "make"\ntext = "Go on."\n'

@@ -98,7 +98,7 @@ server-dev-started = The page with hot reload: { $address }
 ## Lessons
 
 # $problem is a sentence.
-server-lesson-file = The file '{ $name }' is not a lesson. { $problem }
+server-lesson-file = The lesson '{ $name }' can't be read. { $problem }
 server-lesson-name = A lesson can't be called '{ $name }'. Rename the file, with letters, digits and hyphens.
 # $problem is a sentence.
 server-lesson-missing = The lesson '{ $name }' of this project can't be opened. { $problem }

@@ -80,7 +80,7 @@ server-dev-started = La página, que se recarga sola: { $address }
 
 ## Lecciones
 
-server-lesson-file = El archivo «{ $name }» no es una lección. { $problem }
+server-lesson-file = No se puede leer la lección «{ $name }». { $problem }
 server-lesson-name = Una lección no puede llamarse «{ $name }». Cambia el nombre del archivo, con letras, cifras y guiones.
 server-lesson-missing = No se puede abrir la lección «{ $name }» de este proyecto. { $problem }
 server-lesson-none = Este proyecto no tiene lección.

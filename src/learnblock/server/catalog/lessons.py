@@ -3,8 +3,7 @@
 import re
 import unicodedata
 from collections.abc import Iterator, Mapping
-from contextlib import suppress
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 
 from learnblock.errors import Diagnostic, FileError, LearnBlockError, UnknownNameError
@@ -25,19 +24,17 @@ _NAME = re.compile(r"\w[\w .-]{0,78}\w")
 
 
 def lesson_choices() -> tuple[tuple[LessonChoice, ...], tuple[Phrase, ...]]:
-    """The lessons by level, and the errors in files of the user's folder."""
+    """The lessons by level, ours and the user's, and the errors in those that can't be read."""
     choices, problems = [], []
-    for name in reading.shipped():
-        # A test reads all of ours.
-        with suppress(LearnBlockError, OSError):
-            choices.append(_choice(_shipped(name)))
-    for file in own_files():
+    ours = ((name, False, partial(_shipped, name)) for name in reading.shipped())
+    own = ((file.name, True, partial(reading.open_lesson, file)) for file in own_files())
+    for name, is_own, read in (*ours, *own):
         try:
-            choices.append(_choice(reading.open_lesson(file), own=True))
+            choices.append(_choice(read(), own=is_own))
         except (LearnBlockError, OSError) as error:
             problem = error.phrase if isinstance(error, LearnBlockError) else str(error)
-            problems.append(Phrase("server-lesson-file", name=file.name, problem=problem))
-    return tuple(sorted(choices, key=lambda one: one.level)), tuple(problems)
+            problems.append(Phrase("server-lesson-file", name=name, problem=problem))
+    return tuple(sorted(choices, key=lambda choice: choice.level)), tuple(problems)
 
 
 def find_lesson(name: str) -> OpenLesson:
