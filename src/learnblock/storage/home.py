@@ -2,9 +2,14 @@
 
 import os
 import sys
+import threading
 from contextlib import suppress
 from pathlib import Path
 from types import ModuleType
+
+#: Held while a file is imported, so that another thread never gets half of it. As with Python's own
+#: locks of imports, a file may import others.
+_IMPORTING = threading.RLock()
 
 
 def home() -> Path:
@@ -49,19 +54,20 @@ def import_file(path: Path) -> ModuleType:
     import importlib.util  # noqa: PLC0415 - most programs never need it
 
     name = f"learnblock_home.{path.parent.name}.{path.stem}"
-    version = (str(path), path.stat().st_mtime_ns)
-    loaded = sys.modules.get(name)
-    if loaded and loaded.__spec__ and loaded.__spec__.loader_state == version:
-        return loaded
-    spec = importlib.util.spec_from_file_location(name, path)
-    if spec is None or spec.loader is None:
-        raise ImportError(f"{path} is not a Python file")
-    spec.loader_state = version
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[name] = module
-    try:
-        spec.loader.exec_module(module)
-    except BaseException:
-        del sys.modules[name]
-        raise
-    return module
+    with _IMPORTING:
+        version = (str(path), path.stat().st_mtime_ns)
+        loaded = sys.modules.get(name)
+        if loaded and loaded.__spec__ and loaded.__spec__.loader_state == version:
+            return loaded
+        spec = importlib.util.spec_from_file_location(name, path)
+        if spec is None or spec.loader is None:
+            raise ImportError(f"{path} is not a Python file")
+        spec.loader_state = version
+        module = importlib.util.module_from_spec(spec)
+        sys.modules[name] = module
+        try:
+            spec.loader.exec_module(module)
+        except BaseException:
+            del sys.modules[name]
+            raise
+        return module
