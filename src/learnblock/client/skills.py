@@ -117,9 +117,10 @@ def _ours(names: Collection[str] | None) -> dict[str, Skill]:
 
 
 def _imported(names: Collection[str] | None) -> dict[str, Skill]:
-    # Copied at once, because other threads of a server import modules meanwhile.
-    modules = tuple(sys.modules.items())
-    loaded = [module for name, module in modules if name.startswith(_LIBRARIES)]
+    # Other threads of a server import modules meanwhile. `copy` is atomic; `tuple(items())` is not,
+    # because it allocates, which may collect garbage and let another thread run.
+    modules = sys.modules.copy()
+    loaded = [module for name, module in modules.items() if name.startswith(_LIBRARIES)]
     return _of_modules(iter(loaded), names)
 
 
