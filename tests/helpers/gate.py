@@ -2,9 +2,10 @@
 
 The gate is what ``pytest`` runs without arguments: all unit tests, and of those that need a browser
 or the other end of a robot's wire the ones in ``tests/smoke.txt``. Of a test with the marker
-``sample(n)`` it runs n of the cases, evenly spread, and Hypothesis tries the same examples each
-time, so that a red gate is the fault of the change. With ``--all`` everything runs, with new
-examples; of a file or folder that is named, all tests run too.
+``sample(n)`` it runs n of the cases, evenly spread, one with the marker ``exhaustive`` it leaves to
+``--all``, and Hypothesis tries the same examples each time, so that a red gate is the fault of the
+change. With ``--all`` everything runs, with new examples; of a file or folder that is named, all
+tests run too.
 """
 
 from collections import defaultdict
@@ -19,6 +20,14 @@ LIST = TESTS / "smoke.txt"
 #: The folders of which the gate runs only the listed tests.
 FOLDERS = ("browser", "wire")
 IS_GATE = pytest.StashKey[bool]()
+
+
+def examples(everything, gate):
+    """Return how many examples Hypothesis tries of a test, with ``--all`` and in the gate.
+
+    The gate's are the same each time: those that found nothing yesterday find nothing today.
+    """
+    return gate if settings.default.derandomize else everything
 
 
 def pytest_addoption(parser):
@@ -53,7 +62,7 @@ def pytest_report_header(config):
 def pytest_collection_modifyitems(config, items):
     if not config.stash[IS_GATE]:
         return
-    kept = set(_smoke(items)) & set(_samples(items))
+    kept = set(_smoke(items)) & set(_samples(items)) - set(_exhaustive(items))
     config.hook.pytest_deselected(items=[item for item in items if item not in kept])
     items[:] = [item for item in items if item in kept]
 
@@ -64,6 +73,10 @@ def _smoke(items):
     if missing := names - {name_of(item) for item in items}:
         raise pytest.UsageError(f"{LIST} lists tests that do not exist: {sorted(missing)}")
     return [item for item in items if folder_of(item) not in FOLDERS or name_of(item) in names]
+
+
+def _exhaustive(items):
+    return [item for item in items if item.get_closest_marker("exhaustive")]
 
 
 def _samples(items):

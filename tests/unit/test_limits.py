@@ -85,6 +85,7 @@ def test_a_test_that_hangs_leaves_its_stacks_and_processes_and_the_run_goes_on(r
     assert "2 failed, 1 passed, 1 error" in said
 
 
+@pytest.mark.exhaustive
 def test_a_test_of_real_time_runs_again_and_is_listed_and_one_of_containment_is_not(run):
     said = run(FAILS_TWICE)
     assert "FLAKY test_it.py::test_late (again: 2) - AssertionError: too late" in said
@@ -92,10 +93,12 @@ def test_a_test_of_real_time_runs_again_and_is_listed_and_one_of_containment_is_
     assert "1 failed, 1 passed, 2 rerun" in said
 
 
+@pytest.mark.exhaustive
 def test_a_strict_run_runs_nothing_again(run):
     assert "2 failed" in run(FAILS_TWICE, "--force-reruns=0")
 
 
+@pytest.mark.exhaustive
 def test_a_run_ends_with_its_seconds_by_folder_and_its_longest_tests(run):
     said = run("def test_it():\n    pass\n")
     assert "all, set-up and clean-up too" in said

@@ -256,6 +256,7 @@ def test_a_closed_class_lets_only_known_pupils_in(room, ana):
         wall.hear("Wall", open=True)
 
 
+@pytest.mark.exhaustive
 def test_everything_is_there_when_the_class_opens_again(own_room):
     ana = own_room.pupil("Ana")
     with ana.page() as page:
@@ -281,6 +282,7 @@ def test_a_killed_class_goes_on_after_a_restart_and_nothing_saved_is_lost(own_ro
         assert page.hear("Document")["blocktext"] == DRIVE
 
 
+@pytest.mark.exhaustive
 def test_a_second_command_does_not_open_the_same_class(own_room):
     again = subprocess.run(
         [sys.executable, "-m", "learnblock", "class", "7b", "--no-browser"],

@@ -9,6 +9,7 @@ from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.lark import from_lark
 
+from gate import examples
 from learnblock.language import (
     check,
     from_python,
@@ -90,7 +91,7 @@ def is_all_raw(program):
 
 
 @pytest.mark.slow
-@settings(many, max_examples=2000)
+@settings(many, max_examples=examples(2000, gate=300))
 @given(seeds)
 def test_a_random_program_survives_every_round_trip(trees):
     program = trees.program()
@@ -132,7 +133,7 @@ TERMINALS = {
 
 
 @pytest.mark.slow
-@settings(many, max_examples=120)
+@settings(many, max_examples=examples(120, gate=30))
 @given(from_lark(GRAMMAR, start="program", explicit=TERMINALS))
 def test_a_program_of_the_grammar_survives_every_round_trip(text):
     program, diagnostics = recover(text)
@@ -151,7 +152,7 @@ JUNK += ["”", "import", "repeat", "for", "in", "from", "to", "not", "and", "\\
 JUNK += ["\n", "\n\n", "\t", "\r", "\f", "\0", "\ud800"]
 
 
-@settings(many, max_examples=300)
+@settings(many, max_examples=examples(300, gate=100))
 @given(st.text() | st.lists(st.sampled_from(JUNK)).map(" ".join))
 def test_junk_never_crashes_the_language(text):
     program, _ = recover(text)

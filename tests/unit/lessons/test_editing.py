@@ -52,6 +52,7 @@ def test_a_lesson_that_is_edited_without_a_change_stays_the_same(name):
     assert [again.solution(n) for n in numbers] == [opened.solution(n) for n in numbers]
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("name", shipped())
 def test_a_copy_of_any_lesson_has_all_of_it_under_a_title_that_says_so(name):
     opened = find_lesson(name)

@@ -97,6 +97,7 @@ def test_a_program_for_the_twin_runs_by_itself_with_the_same_trace(home, tmp_pat
 
 
 @pytest.mark.slow
+@pytest.mark.exhaustive
 def test_a_separate_package_passes_its_test_after_installation(tmp_path):
     package = tmp_path / "package"
     write_new(files_of_package(plan(tmp_path, guide(), "pathfinder"), package))

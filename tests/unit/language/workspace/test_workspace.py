@@ -7,6 +7,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from gate import examples
 from learnblock.blocks.palette import palette
 from learnblock.blocks.schema.configuration import BlockConfiguration, Parameter
 from learnblock.blocks.toolbox import SKILL
@@ -67,25 +68,26 @@ def test_python_survives_as_blocks(path):
 
 
 @pytest.mark.slow
-@settings(many, max_examples=2000)
+@settings(many, max_examples=examples(2000, gate=300))
 @given(seeds)
 def test_a_random_program_survives_as_blocks(trees):
     assert_survives(trees.program())
 
 
 def test_the_random_programs_have_every_block_of_the_language_and_every_skill():
-    found = set()
-    for seed in range(2000):
-        found.update(block.type for block in blocks(written(BlockTrees(seed).program())))
     tabs = palette(CONFIGURATIONS, "en")["toolbox"]["contents"]
     offered = {one["type"] for tab in tabs for one in tab.get("contents", ()) if "type" in one}
     of_language = {one for one in offered if not one.startswith(SKILL)}
     # Time has a block of the language.
-    skills = {SKILL + one for one in CONFIGURATIONS if one != "elapsedTime"}
-    assert (of_language | skills) - found == set()
+    missing = of_language | {SKILL + skill for skill in CONFIGURATIONS if skill != "elapsedTime"}
+    for seed in range(2000):
+        if not missing:
+            break
+        missing -= {block.type for block in blocks(written(BlockTrees(seed).program()))}
+    assert missing == set()
 
 
-@settings(many, max_examples=300)
+@settings(many, max_examples=examples(300, gate=50))
 @given(seeds, seeds)
 def test_a_random_program_survives_after_any_other(trees, others):
     program = trees.program()
@@ -95,7 +97,7 @@ def test_a_random_program_survives_after_any_other(trees, others):
     assert len(set(ids)) == len(ids)
 
 
-@settings(many, max_examples=100)
+@settings(many, max_examples=examples(100, gate=30))
 @given(seeds)
 def test_everything_in_a_program_has_a_block(trees):
     program = trees.program()
@@ -110,7 +112,7 @@ def test_everything_in_a_program_has_a_block(trees):
         assert not [node for node in nodes_of(tree) if id(node) not in ids]
 
 
-@settings(many, max_examples=100)
+@settings(many, max_examples=examples(100, gate=30))
 @given(seeds)
 def test_both_directions_use_the_same_block_ids(trees):
     program = trees.program()
