@@ -57,6 +57,16 @@ FIRST_IN_HAT = (16, 66)
 FIRST_IN_LOOP = (38, 56)
 
 
+def box_of(part):
+    """Return where a part of the page is, once it is drawn.
+
+    A block is taken out and drawn again when the other views follow, and has no box meanwhile.
+    """
+    while (box := part.bounding_box()) is None:
+        expect(part).to_be_visible()
+    return box
+
+
 class Pupil:
     """A user with their own browser, in which the page is open.
 
@@ -233,7 +243,7 @@ class Pupil:
         """Choose a thing in the world editor, and click on its plan, pixels from the middle."""
         editor = self.page.get_by_role("dialog")
         editor.get_by_role("button", name=thing, exact=True).click()
-        box = editor.locator("svg.plan").bounding_box()
+        box = box_of(editor.locator("svg.plan"))
         x, y = box["x"] + box["width"] / 2 + right, box["y"] + box["height"] / 2 - up
         self.page.mouse.click(x, y)
 
@@ -379,7 +389,7 @@ class Pupil:
             self.show_more_blocks()
         self.scroll_to_offered(offered)
         known = self.block_ids()
-        ground = self.page.locator(f"{WORKSPACE} .blocklyMainBackground").bounding_box()
+        ground = box_of(self.page.locator(f"{WORKSPACE} .blocklyMainBackground"))
         self._drag(offered, (ground["x"] + 0.62 * ground["width"], ground["y"] + 60))
         expect(self.page.locator(f"{WORKSPACE} .blocklyDragging")).to_have_count(0)
         return next(one for one in self.block_ids() if one not in known)
@@ -415,9 +425,9 @@ class Pupil:
     def scroll_to_offered(self, offered):
         """Scroll the palette until one of its blocks is visible."""
         offered.wait_for()
-        palette = self.page.locator(".blocklyFlyout:visible").bounding_box()
+        palette = box_of(self.page.locator(".blocklyFlyout:visible"))
         self.page.mouse.move(palette["x"] + 20, palette["y"] + 20)
-        beyond = offered.bounding_box()["y"] - palette["y"] - 0.5 * palette["height"]
+        beyond = box_of(offered)["y"] - palette["y"] - 0.5 * palette["height"]
         self.page.mouse.wheel(0, max(0, beyond))
         self.page.wait_for_function(
             "([block, low]) => block.getBoundingClientRect().bottom < low",
@@ -442,12 +452,12 @@ class Pupil:
 
     def put_below(self, block, above):
         """Put a statement below another."""
-        path = self.block(above).locator("> .blocklyPath").first.bounding_box()
+        path = box_of(self.block(above).locator("> .blocklyPath").first)
         self._drag(self.block(block), (path["x"], path["y"] + path["height"] - 8 * SCALE))
 
     def put_on(self, block, value):
         """Plug in a value in place of another value or into an empty input."""
-        box = value.bounding_box()
+        box = box_of(value)
         self._drag(self.block(block), (box["x"] + 4, box["y"] + 4))
 
     def fill(self, field, text):
@@ -469,9 +479,9 @@ class Pupil:
 
     def _scroll_program_to(self, element):
         """Scroll the program to the right and down until one of its elements is visible."""
-        ground = self.page.locator(f"{WORKSPACE} .blocklyMainBackground").bounding_box()
+        ground = box_of(self.page.locator(f"{WORKSPACE} .blocklyMainBackground"))
         right, bottom = (ground["x"] + ground["width"] - 40, ground["y"] + ground["height"] - 40)
-        box = element.bounding_box()
+        box = box_of(element)
         across, down = box["x"] + box["width"] - right, box["y"] + box["height"] - bottom
         if across > 0 or down > 0:
             self.page.mouse.move(right, ground["y"] + 20)
@@ -510,7 +520,7 @@ class Pupil:
         )
 
     def _corner(self, block, right, down):
-        box = block.locator("> .blocklyPath").first.bounding_box()
+        box = box_of(block.locator("> .blocklyPath").first)
         return box["x"] + right * SCALE, box["y"] + down * SCALE
 
     def _drag(self, block, to):
@@ -521,7 +531,7 @@ class Pupil:
     @contextmanager
     def dragging(self, block, to):
         """Hold a block with its corner at `to` during the with statement."""
-        box = block.locator("> .blocklyPath").first.bounding_box()
+        box = box_of(block.locator("> .blocklyPath").first)
         grip = (6 * SCALE, min(20 * SCALE, box["height"] / 2))
         mouse = self.page.mouse
         mouse.move(box["x"] + grip[0], box["y"] + grip[1])
@@ -562,7 +572,7 @@ class Pupil:
 
     def carry_robot(self, right, down):
         """Drag the robot from the middle of the floor, seen from above, by pixels."""
-        picture = self.page.locator(".world-view canvas").bounding_box()
+        picture = box_of(self.page.locator(".world-view canvas"))
         x = picture["x"] + picture["width"] / 2
         y = picture["y"] + (OVERLAY + picture["height"]) / 2
         self.page.mouse.move(x, y)
