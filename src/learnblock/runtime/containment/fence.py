@@ -18,7 +18,7 @@ def prepare() -> None:
     """Load what `contain` needs, before there is a program."""
     if sys.platform == "linux":
         # These modules take time to load, and only Linux needs them.
-        for name in ("kernel", "landlock", "paths", "seccomp"):
+        for name in ("beside", "kernel", "landlock", "paths", "seccomp"):
             import_module(f"learnblock.runtime.containment.{name}")
 
 
@@ -110,9 +110,12 @@ def _let_go_of_terminal() -> None:
 
 def _contain_files(setup: Setup) -> None:
     # These modules take time to load, and only Linux needs them.
-    from learnblock.runtime.containment import kernel, landlock, paths  # noqa: PLC0415
+    from learnblock.runtime.containment import beside, kernel, landlock, paths  # noqa: PLC0415
 
     kernel.die_with_parent(signal.SIGKILL)
+    folder = Path(setup.folder).resolve()
+    if setup.folder and paths.is_shared(folder):
+        beside.make_importable(setup.folder, beside.files_beside(folder))
     allowed = paths.allowed(setup.folder, network=setup.network)
     landlock.restrict(allowed, network=setup.network)
 
