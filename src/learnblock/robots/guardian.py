@@ -19,6 +19,8 @@ import subprocess
 import sys
 import threading
 from collections.abc import Callable
+from functools import partial
+from pathlib import Path
 from time import monotonic
 from typing import Any
 
@@ -38,6 +40,9 @@ PERIOD = 0.1
 #: many steps without any: half a second. A step counts as one however long it took, so that a
 #: guardian that was frozen itself, as by a suspended computer, hears its driver first.
 STEP, SILENT_STEPS = 0.05, 10
+#: As many for a driver that computes: the thread that gives the signs of life may have to wait for
+#: the others. A driver that is stuck for so long is no better than a frozen one.
+BUSY_STEPS = 40
 #: Seconds to wait for the thread that gives the signs of life.
 PATIENCE = 1.0
 
@@ -109,10 +114,15 @@ class Guardian:
                 return
 
 
-def wait_for_silence(hear: Hear) -> None:
-    """Return when a driver has ended, or has given no sign of life for half a second."""
+def wait_for_silence(hear: Hear, is_busy: Callable[[], bool]) -> None:
+    """Return when a driver has ended, or has given no sign of life for half a second.
+
+    Args:
+        hear: waits for signs of life.
+        is_busy: whether the driver computes; it may then be silent for two seconds.
+    """
     silent = 0
-    while silent < SILENT_STEPS:
+    while silent < SILENT_STEPS or (silent < BUSY_STEPS and is_busy()):
         heard = hear(STEP)
         if heard == b"":
             return
@@ -140,6 +150,20 @@ def _hearing(stream: int) -> Hear:
     return hear
 
 
+def is_busy(process: int) -> bool:
+    """Whether a thread of a process computes or could; False where the system doesn't tell.
+
+    A process that was stopped has none, nor has one that waits for its memory to be swapped in.
+    """
+    try:
+        states = [file.read_text() for file in Path(f"/proc/{process}/task").glob("*/stat")]
+    except OSError:
+        # It, or one of its threads, has just ended.
+        return False
+    # The state follows the name in brackets.
+    return any(text.rpartition(")")[2].split()[0] == "R" for text in states)
+
+
 def _guard(module: str) -> bool:
     """Wait until the driver is silent, then stop the motors; return whether they were stopped."""
     # Ctrl-C is meant for the program; the guardian starts working when the program ends.
@@ -149,7 +173,7 @@ def _guard(module: str) -> bool:
     with open(sys.stdin.fileno(), "rb", buffering=0, closefd=False) as stream:
         settings = msgspec.json.decode(stream.readline(), type=robot.settings_type)
     # The driver alone has the other end, so it closes with the driver.
-    wait_for_silence(_hearing(sys.stdin.fileno()))
+    wait_for_silence(_hearing(sys.stdin.fileno()), partial(is_busy, os.getppid()))
     deadline = monotonic() + TRIES_FOR
     while monotonic() < deadline:
         try:
