@@ -115,7 +115,8 @@ def unpacked(file: Path, folder: Path) -> Unpacked:
 
 def _write_all(file: Path, folder: Path) -> list[str]:
     """Write the programs of a zip; return the names of the entries that are left out."""
-    left_out, programs, damaged = [], 0, 0
+    left_out: list[str] = []
+    programs = damaged = 0
     for number, entry in enumerate(_entries(file)):
         damaged += entry.is_damaged
         if entry.is_damaged or not _write(folder, number, entry):
