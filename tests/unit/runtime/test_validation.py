@@ -98,7 +98,6 @@ def said(stage):
 
 
 @pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.__name__)
-@pytest.mark.sample(8)
 def test_no_field_of_a_message_stops_its_host_or_makes_it_grow(said, kind):
     said()
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
