@@ -4,6 +4,7 @@ import os
 import signal
 import sys
 from importlib import import_module
+from itertools import chain
 from pathlib import Path
 
 import msgspec
@@ -52,13 +53,14 @@ def contain_host(limits: Limits, world: str | None) -> None:
         raise LearnBlockError("run-not-contained", reason=str(error)) from error
 
 
-def contain_server(folder: Path) -> None:
+def contain_server(folder: Path, *read: Path) -> None:
     """Contain this process permanently; it serves one pupil of a class, and starts programs.
 
     It may use the network, because the classroom reaches it there; its programs may not.
 
     Args:
         folder: the pupil's folder, the only one that it may write to.
+        read: more folders that it may read.
 
     Raises:
         LearnBlockError: the system refused something that it claims to support.
@@ -69,7 +71,8 @@ def contain_server(folder: Path) -> None:
     from learnblock.runtime.containment import landlock, paths  # noqa: PLC0415
 
     try:
-        landlock.restrict(paths.allowed_to_server(folder), network=True)
+        more = ((str(path), landlock.READ) for path in read)
+        landlock.restrict(chain(paths.allowed_to_server(folder), more), network=True)
     except OSError as error:
         raise LearnBlockError("run-not-contained", reason=str(error)) from error
 
