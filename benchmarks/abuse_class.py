@@ -48,11 +48,11 @@ class Child:
         self._pupil = pupil
         self._context = context
         self._over = threading.Event()
+        self._questions = (self._on_its_page, self._with_its_badge, self._without_a_badge)
 
     @contextmanager
     def asking(self) -> Iterator[None]:
-        questions = [self._on_its_page, self._with_its_badge, self._without_a_badge]
-        threads = [threading.Thread(target=self._repeat, args=(one,)) for one in questions]
+        threads = [threading.Thread(target=self._repeat, args=(one,)) for one in self._questions]
         for thread in threads:
             thread.start()
         try:
@@ -61,6 +61,11 @@ class Child:
             self._over.set()
             for thread in threads:
                 thread.join()
+
+    def wait(self) -> None:
+        """Wait until each question has been answered."""
+        while len(self.longest) < len(self._questions):
+            sleep(PERIOD)
 
     def _repeat(self, question: Callable[[], Iterator[None]]) -> None:
         name = question.__name__.strip("_").replace("_", " ")
@@ -255,6 +260,9 @@ def measure(attack: Attack, options: tuple[str, ...]) -> None:
             child, attacker = joined(room, "Ana", context), joined(room, "Leo", context)
             watched = Child(room, child, context)
             with watched.asking():
+                # The first answer starts the child's server.
+                watched.wait()
+                watched.longest = {}
                 sleep(3)
                 quiet, watched.longest = watched.longest, {}
                 outcome = attack(room, attacker)

@@ -2,7 +2,7 @@
 
 import asyncio
 from collections.abc import AsyncIterator, Awaitable, Callable, Iterable
-from contextlib import asynccontextmanager, nullcontext
+from contextlib import asynccontextmanager, nullcontext, suppress
 from functools import partial
 from http import HTTPStatus
 from pathlib import Path
@@ -15,7 +15,7 @@ from starlette.middleware.gzip import GZipMiddleware
 from starlette.requests import HTTPConnection, Request
 from starlette.responses import HTMLResponse, PlainTextResponse, RedirectResponse, Response
 from starlette.routing import Mount, Route, WebSocketRoute
-from starlette.websockets import WebSocket
+from starlette.websockets import WebSocket, WebSocketDisconnect
 from websockets.exceptions import InvalidHandshake, InvalidMessage
 
 from learnblock.classroom import messages as ours
@@ -30,6 +30,7 @@ from learnblock.classroom.roster import AsksTeacherError, Pupil, checked_name
 from learnblock.classroom.servers import Place
 from learnblock.classroom.wall import Board, ProjectorView, View, WallView
 from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase
 from learnblock.server.http import static_files
 from learnblock.server.http.connections import network_of
 from learnblock.server.http.protection import SUBPROTOCOL, Guard, Protection
@@ -232,7 +233,7 @@ class _Door:
         # Always accept, because a browser doesn't tell its page why a handshake failed.
         await socket.accept(SUBPROTOCOL if socket.scope["subprotocols"] else None)
         if shown is None:
-            await socket.close(_FORBIDDEN)
+            await _close(socket, _FORBIDDEN)
             return
         pupil, is_teacher = shown
         desk = self._room.desk(pupil)
@@ -241,11 +242,10 @@ class _Door:
                 place = await self._room.place(pupil)
                 await Relay(socket, desk, is_teacher=is_teacher).serve(place)
         except TooManyPagesError as error:
-            await socket.send_text(msgspec.json.encode(Failed(error.phrase)).decode())
-            await socket.close(_TOO_MANY)
+            await _close(socket, _TOO_MANY, error.phrase)
         except (LearnBlockError, OSError, InvalidHandshake, InvalidMessage):
             # Its server has just ended, or is too busy to start: the page tries again by itself.
-            await socket.close(_TRY_LATER)
+            await _close(socket, _TRY_LATER)
         finally:
             self._room.left(pupil)
 
@@ -253,7 +253,7 @@ class _Door:
         """Show the class to the teacher."""
         await socket.accept()
         if not self._visitors.is_teacher(socket):
-            await socket.close(_FORBIDDEN)
+            await _close(socket, _FORBIDDEN)
             return
         await Board(socket, self._room, view()).serve()
 
@@ -269,6 +269,14 @@ class _Door:
         return Response(
             content, media_type="application/zip", headers={"content-disposition": disposition}
         )
+
+
+async def _close(socket: WebSocket, code: int, reason: Phrase | None = None) -> None:
+    """Close a page's connection, and say why; the page may have gone already."""
+    with suppress(RuntimeError, WebSocketDisconnect):
+        if reason:
+            await socket.send_text(msgspec.json.encode(Failed(reason)).decode())
+        await socket.close(code)
 
 
 def _json(message: msgspec.Struct, status: int = HTTPStatus.OK) -> Response:

@@ -38,6 +38,8 @@ _EVERYWHERE = {"0.0.0.0", "::"}  # noqa: S104 - only if the user chooses it
 _FAREWELL = 1
 #: Seconds between two checks for a server that wants to take over.
 _LOOK_FOR_OTHERS = 0.5
+#: The connections that the system keeps until they are accepted.
+_BACKLOG = 128
 #: Drivers wait for their robots with `select`, which knows 1,024 descriptors only.
 _MOST_CONNECTIONS = 500
 #: Bytes; twice the limit of a message, so that the page receives an error and stays connected.
@@ -299,6 +301,8 @@ def configured(
         access_log=False,
         server_header=False,
         timeout_graceful_shutdown=_FAREWELL,
+        # So many are accepted at a time, before those that have come are read.
+        backlog=_BACKLOG,
         **others,
     )
 
@@ -355,7 +359,7 @@ def tcp_socket(host: str, port: int | None) -> socket.socket:
 def _bound(host: str, port: int) -> socket.socket:
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
     try:
-        return socket.create_server((host, port), family=family, backlog=128)
+        return socket.create_server((host, port), family=family, backlog=_BACKLOG)
     except OSError as error:
         reason = error.strerror or str(error)
         raise LearnBlockError(
@@ -376,7 +380,7 @@ def _unix_socket(path: Path) -> Iterator[socket.socket]:
             ) from error
         # The proxy may be another user of the same group; no one else may connect.
         path.chmod(0o660)
-        listening.listen(128)
+        listening.listen(_BACKLOG)
         try:
             yield listening
         finally:

@@ -18,13 +18,15 @@ from typing import Any
 
 #: The connections of one address, and of one known person, that may wait for their browser.
 MOST_UNKNOWN, MOST_KNOWN = 20, 60
+#: Those of one owner that may wait even for a moment: a request is usually on its way.
+MOST_YOUNG = 200
 #: The connections of all together.
 MOST = 2000
 #: Descriptors that the server needs for other things.
 _RESERVE = 100
 #: The descriptors to ask for where there is no limit; macOS refuses more.
 _MOST_DESCRIPTORS = 10_240
-#: Seconds that a connection has before it can be closed for one more: a request is on its way.
+#: The length of that moment in seconds.
 _GRACE = 1.0
 
 
@@ -54,7 +56,7 @@ class Connections:
         self._open[connection.number] = connection
         self.waits(connection)
         if len(self._open) > self._most:
-            self._close_oldest(max(self._waiting.values(), key=len), young=True)
+            self._close_oldest(max(self._waiting.values(), key=len), 0.0)
 
     def waits(self, connection: "Connection") -> None:
         """A connection waits for its browser from now on."""
@@ -63,7 +65,7 @@ class Connections:
         waiting = self._waiting[connection.owner]
         waiting[connection.number] = connection
         if len(waiting) > (MOST_KNOWN if connection.is_known else MOST_UNKNOWN):
-            self._close_oldest(waiting, young=False)
+            self._close_oldest(waiting, _GRACE if len(waiting) <= MOST_YOUNG else 0.0)
 
     def works(self, connection: "Connection") -> None:
         """A connection does not wait for its browser any more."""
@@ -83,11 +85,16 @@ class Connections:
             self.works(connection)
             del self._open[connection.number]
 
-    def _close_oldest(self, waiting: "dict[int, Connection]", *, young: bool) -> None:
-        oldest = next(iter(waiting.values()))
-        if young or self._now() - oldest.since >= _GRACE:
-            self.works(oldest)
-            oldest.cut()
+    def _close_oldest(self, waiting: "dict[int, Connection]", age: float) -> None:
+        """Close the one that has waited longest, if that is so many seconds."""
+        latest = self._now() - age
+        for connection in waiting.values():
+            if connection.since > latest:
+                return
+            if not connection.has_sent:
+                self.works(connection)
+                connection.cut()
+                return
 
 
 class Connection(socket.socket):
@@ -105,7 +112,16 @@ class Connection(socket.socket):
         self.owner, self.is_known = f"address {network_of(address)}", False
         self.since = 0.0
         self._connections = connections
+        self.settimeout(0)
         connections.opened(self)
+
+    @property
+    def has_sent(self) -> bool:
+        """Whether the browser has sent something that is not read yet: then it does not wait."""
+        try:
+            return bool(self.recv(1, socket.MSG_PEEK))
+        except OSError:
+            return False
 
     def cut(self) -> None:
         """End the connection; who reads or writes it notices."""

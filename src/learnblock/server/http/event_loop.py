@@ -9,7 +9,7 @@ from learnblock.server.http.requests import PATIENCE
 class EventLoop(asyncio.SelectorEventLoop):
     """Gives a browser as long for its handshake as for a request; asyncio gives it a minute."""
 
-    async def create_server(self, *args: Any, **options: Any) -> asyncio.Server:  # type: ignore[override]
+    async def create_server(self, *args: Any, **options: Any) -> asyncio.Server:
         """As in asyncio."""
         if options.get("ssl"):
             options = {"ssl_handshake_timeout": PATIENCE, **options}

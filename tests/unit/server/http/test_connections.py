@@ -8,6 +8,7 @@ import pytest
 from learnblock.server.http.connections import (
     MOST_KNOWN,
     MOST_UNKNOWN,
+    MOST_YOUNG,
     Connection,
     Connections,
     network_of,
@@ -28,7 +29,7 @@ def clock():
 
 @pytest.fixture
 def connections(clock):
-    return Connections(most=100, now=clock)
+    return Connections(most=300, now=clock)
 
 
 @pytest.fixture
@@ -65,6 +66,21 @@ def test_one_too_many_of_an_address_closes_its_oldest(arrive, clock):
 def test_a_connection_that_has_just_come_is_not_closed(arrive):
     ends = [arrive()[1] for _ in range(3 * MOST_UNKNOWN)]
     assert not any(map(is_cut, ends))
+
+
+def test_of_very_many_at_once_the_oldest_is_closed(arrive):
+    ends = [arrive()[1] for _ in range(MOST_YOUNG + 1)]
+    assert [is_cut(end) for end in ends] == [True] + [False] * MOST_YOUNG
+
+
+def test_a_request_that_is_not_read_yet_keeps_its_connection(arrive, clock):
+    asking = arrive()[1]
+    asking.sendall(b"GET / HTTP/1.1\r\n")
+    ends = [arrive()[1] for _ in range(MOST_UNKNOWN - 1)]
+    clock.time += 2
+    arrive()
+    assert not is_cut(asking)
+    assert is_cut(ends[0])
 
 
 def test_what_is_being_answered_is_neither_counted_nor_closed(arrive, connections, clock):
@@ -104,8 +120,8 @@ def test_a_known_person_does_not_suffer_from_others_at_the_same_address(arrive, 
 
 
 def test_when_all_are_taken_the_address_with_the_most_loses_one(arrive, clock):
-    few = [arrive("10.0.0.2")[1] for _ in range(3)]
-    many = [arrive()[1] for _ in range(98)]
+    few = [arrive(f"10.0.1.{number}")[1] for number in range(150)]
+    many = [arrive()[1] for _ in range(151)]
     assert is_cut(many[0])
     assert not any(map(is_cut, [*few, *many[1:]]))
 
