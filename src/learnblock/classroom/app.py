@@ -279,7 +279,7 @@ async def _close(socket: WebSocket, code: int, reason: Phrase | None = None) -> 
         await socket.close(code)
 
 
-def _json(message: msgspec.Struct, status: int = HTTPStatus.OK) -> Response:
+def _json(message: msgspec.Struct | Phrase, status: int = HTTPStatus.OK) -> Response:
     headers = {"cache-control": "no-store"}
     return Response(msgspec.json.encode(message), status, headers, "application/json")
 
