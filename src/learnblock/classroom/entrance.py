@@ -2,8 +2,9 @@
 
 import asyncio
 import math
+import time
 from collections import Counter
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from dataclasses import dataclass, field
 
@@ -21,34 +22,29 @@ from learnblock.errors import LearnBlockError
 _MOST_WAITING = 5
 
 
-def _attempts_by_name() -> Attempts:
-    return Attempts(*limits.WRONG_BY_NAME)
-
-
-def _attempts_by_address() -> Attempts:
-    # A whole class may come from one address, and children mistype.
-    return Attempts(*limits.WRONG_BY_ADDRESS)
-
-
-def _new_by_address() -> Buckets:
-    return Buckets(limits.JOINING)
-
-
 @dataclass
 class Entrance:
     """Lets pupils in.
 
     Args:
         roster: the class.
+        now: returns the time of a monotonic clock in seconds.
     """
 
     roster: Roster
-    _names: Attempts = field(default_factory=_attempts_by_name)
-    _addresses: Attempts = field(default_factory=_attempts_by_address)
-    _new: Buckets = field(default_factory=_new_by_address)
+    now: Callable[[], float] = time.monotonic
+    _names: Attempts = field(init=False)
+    #: A whole class may come from one address, and children mistype.
+    _addresses: Attempts = field(init=False)
+    _new: Buckets = field(init=False)
     #: One try at a time, because each takes a processor for a while.
     _turn: asyncio.Lock = field(default_factory=asyncio.Lock)
     _waiting: Counter[str] = field(default_factory=Counter)
+
+    def __post_init__(self) -> None:
+        self._names = Attempts(*limits.WRONG_BY_NAME, now=self.now)
+        self._addresses = Attempts(*limits.WRONG_BY_ADDRESS, now=self.now)
+        self._new = Buckets(limits.JOINING, self.now)
 
     async def join(self, message: ours.Join, address: str) -> tuple[Pupil, tuple[Picture, ...]]:
         """Let a pupil in; return the pupil, and the pictures of a new one.

@@ -12,9 +12,21 @@ from learnblock.errors import LearnBlockError
 WRONG = ("apple", "apple", "apple", "apple")
 
 
+class Clock:
+    time = 100.0
+
+    def __call__(self):
+        return self.time
+
+
 @pytest.fixture
-def entrance(tmp_path):
-    return Entrance(Roster(tmp_path, "7b"))
+def clock():
+    return Clock()
+
+
+@pytest.fixture
+def entrance(tmp_path, clock):
+    return Entrance(Roster(tmp_path, "7b"), clock)
 
 
 async def joined(entrance, name, pictures=None, address="10.0.0.1"):
@@ -40,10 +52,12 @@ def test_spellings_of_a_name_share_its_tries(entrance):
     assert codes == ["class-wrong-pictures"] * 6 + ["class-wait"] * 2
 
 
-def test_new_pupils_of_one_address_come_slowly(entrance):
+def test_new_pupils_of_one_address_come_slowly(entrance, clock):
     codes = all_joined(entrance, [(f"{'abcdefgh'[i]}na",) for i in range(8)])
     assert codes == ["joined"] * 5 + ["class-join-wait"] * 3
     assert all_joined(entrance, [("Leo", None, "10.0.0.2")]) == ["joined"]
+    clock.time += 10
+    assert all_joined(entrance, [("Mia",), ("Noa",)]) == ["joined", "class-join-wait"]
 
 
 def test_a_name_that_is_refused_takes_nothing_from_the_others(entrance):
