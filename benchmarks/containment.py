@@ -17,6 +17,7 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "helpers"))
 
 from attacks import (
     GROUPS,
+    IN_SHARED_FOLDER,
     NOT_CONTAINED,
     Targets,
     prepare,
@@ -97,6 +98,10 @@ def attacks() -> None:
                 for attack in members:
                     found = (result(each[attack.name]) for each in (alone, shared))
                     print(f"  {attack.name:44} {' '.join(found)} {attack.by}")
+            print("\nin a folder with folders of others, such as the home folder")
+            alone = try_contained(IN_SHARED_FOLDER, targets.in_shared_folder)
+            for attack in IN_SHARED_FOLDER:
+                print(f"  {attack.name:44} {result(alone[attack.name])} {attack.by}")
             victim.communicate(b"\n")
 
 

@@ -9,7 +9,7 @@ import os
 import subprocess
 import sys
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 from unittest.mock import patch
@@ -63,6 +63,11 @@ class Targets:
     folder: Path
     project: Path
     victim: int
+
+    @property
+    def in_shared_folder(self) -> "Targets":
+        """The same for a program whose folder has those of others in it, as a home folder has."""
+        return replace(self, project=self.folder.parent)
 
 
 _PRELUDE = """
@@ -159,8 +164,10 @@ def prepare(folder: Path) -> tuple[Path, Path]:
     (others / "empty").mkdir(exist_ok=True)
     project.mkdir(exist_ok=True)
     (project / "data.txt").write_text("1 2 3")
-    with suppress(FileExistsError):
-        (project / "link").symlink_to(others / "secret.txt")
+    (folder / ".hidden").write_text("secret")
+    for own in (project, folder):
+        with suppress(FileExistsError):
+            (own / "link").symlink_to(others / "secret.txt")
     home = Path(os.environ["LEARNBLOCK_HOME"])
     for name in ("settings.toml", "projects/ana.learnblock", "robots/mine.py", "skills/mine.py"):
         (home / name).parent.mkdir(parents=True, exist_ok=True)
@@ -226,6 +233,20 @@ READING = _group(
     open_the_terminal="os.open('/dev/ptmx', os.O_RDWR)",
     list_terminals="os.listdir('/dev/pts')",
     list_devices="os.listdir('/dev')",
+)
+#: For a program that is directly in a folder with folders of others.
+IN_SHARED_FOLDER = _group(
+    LANDLOCK,
+    list_the_names_in_a_folder_below="os.listdir(FOLDER)",
+    look_for_names_everywhere_below=(
+        "if not [name for _, folders, names in os.walk(PROJECT) for name in folders + names]:\n"
+        "    raise PermissionError(13, 'nothing found')"
+    ),
+    list_the_names_beside_it="os.listdir(PROJECT)",
+    list_them_by_its_descriptor="os.listdir(os.open(PROJECT, os.O_RDONLY | os.O_DIRECTORY))",
+    read_a_file_in_a_folder_below="open(FOLDER + '/secret.txt').read()",
+    read_a_hidden_file_beside_it="open(PROJECT + '/.hidden').read()",
+    follow_a_link_beside_it="open(PROJECT + '/link').read()",
 )
 WRITING = _group(
     LANDLOCK,

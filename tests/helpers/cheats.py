@@ -1,5 +1,13 @@
 """Programs that cheat when they are graded."""
 
+#: Sends a fault, and leaves.
+FORGED = (
+    "import gc, os\n"
+    "from learnblock.runtime import messages as m\n"
+    "[link] = [one for one in gc.get_objects() if type(one).__name__ == 'SocketLink']\n"
+    "link.send(m.Ended(m.Fault({})))\n"
+    "os._exit(0)"
+)
 #: By name, as docs/grading.md lists them: how the run ends, and the cheat. They know the best
 #: case for them: where the results are, and the names of what judges them.
 CHEATS = {
@@ -41,6 +49,15 @@ CHEATS = {
         "for one in gc.get_objects():\n"
         "    if type(one).__name__ == 'SocketLink':\n"
         "        one.send(messages.Ended('finished'))",
+    ),
+    "names a file as its error": ("error", FORGED.format("m.Phrase('x'), (1,), '/dev/ptmx', 2")),
+    "forges an error of its host": (
+        "error",
+        FORGED.format("m.Phrase('run-not-contained', reason='x'), ()"),
+    ),
+    "forges an error without its values": (
+        "error",
+        FORGED.format("m.Phrase('run-value-too-large'), ()"),
     ),
     "exits early": ("finished", "raise SystemExit(0)"),
     "ends its process": ("killed", "import os\nos._exit(0)"),

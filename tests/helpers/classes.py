@@ -1,6 +1,7 @@
 """A class in another process, as `learnblock class` opens it, and pupils who talk to it."""
 
 import http.client
+import itertools
 import json
 import os
 import re
@@ -39,22 +40,30 @@ class Class:
     Args:
         home: the teacher's folder LEARNBLOCK_HOME.
         options: of the command line.
+        name: of the class.
+        errors: where the class prints what goes wrong; a file.
     """
 
-    def __init__(self, home, *options, name="7b"):
+    def __init__(self, home, *options, name="7b", errors=None):
         self.home = home
         self.name = name
         self.options = options
+        self.errors = errors
         self.port = 0
         self.folder = home / "classes" / name
+        self._devices = itertools.count(1)
         self.open()
 
     def open(self):
+        self.home.mkdir(parents=True, exist_ok=True)
         command = [sys.executable, "-m", "learnblock", "class", self.name, "--no-browser"]
         self.process = subprocess.Popen(
             [*command, "--host", "127.0.0.1", "--port", str(self.port), *self.options],
             env={**os.environ, "LEARNBLOCK_HOME": str(self.home)},
+            # As a teacher does: not from where this checkout is.
+            cwd=self.home,
             stdout=subprocess.PIPE,
+            stderr=self.errors,
             text=True,
         )
         said = ""
@@ -80,9 +89,11 @@ class Class:
         self.process.stdout.close()
         return status
 
-    def ask(self, path, body=None, *, cookie="", method=None, **headers):
-        """Return the answer to a request."""
-        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=TIMEOUT)
+    def ask(self, path, body=None, *, cookie="", method=None, device=None, **headers):
+        """Return the answer to a request, which may come from another device in the room."""
+        connection = http.client.HTTPConnection(
+            "127.0.0.1", self.port, TIMEOUT, source_address=device
+        )
         headers = {**headers, **({"Cookie": cookie} if cookie else {})}
         connection.request(method or ("GET" if body is None else "POST"), path, body, headers)
         response = connection.getresponse()
@@ -92,14 +103,17 @@ class Class:
         connection.close()
         return answer
 
-    def join(self, name, pictures=None, word=None):
+    def join(self, name, pictures=None, word=None, device=None):
         """Come in as a child does; return the answer."""
         said = {"word": word or self.word, "name": name, "pictures": pictures}
-        return self.ask("/join", json.dumps(said))
+        return self.ask("/join", json.dumps(said), device=device)
 
     def pupil(self, name):
-        """Join as a new pupil."""
-        answer = self.join(name)
+        """Join as a new pupil, on a device of its own."""
+        # Only Linux has all of these addresses.
+        number = next(self._devices)
+        device = (f"127.0.1.{number}", 0) if sys.platform == "linux" else None
+        answer = self.join(name, device=device)
         assert answer.status == 200, answer
         return Joined(self, name, answer.json["address"], answer.cookie, answer.json["pictures"])
 

@@ -8,10 +8,11 @@ import msgspec
 import pytest
 
 from learnblock import robots, running
-from learnblock.running import Options, ProgramRun
-from learnblock.running.batch import Batch, WarmProcess
+from learnblock.i18n import Phrase, translate
+from learnblock.running import Options, ProgramRun, Report
+from learnblock.running.batch import Batch, WarmProcess, _result
 from learnblock.running.job import Job
-from learnblock.running.warm import Prints
+from learnblock.running.warm import Prints, Sent
 from learnblock.runtime.ending import How
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.program import Program
@@ -141,3 +142,28 @@ def test_a_program_that_is_not_python_is_refused_as_alone():
     [result] = Batch([job(broken)]).results()
 
     assert result.report == alone(job(broken))
+
+
+def test_a_program_that_prints_too_much_ends_alike_in_every_process_and_at_its_line():
+    one = job(in_python("for i in range(10**6):\n    print(i)"))
+    shared, apart = sorted(
+        Batch([one, replace(one, isolated=True)], limits=Limits(output=5000)).results(),
+        key=lambda result: result.isolated,
+    )
+    assert shared.report == apart.report
+    assert ("output limit", 5) == (apart.report.ended, apart.report.error["line"])
+
+
+@pytest.mark.parametrize(
+    ("sent", "ended", "lost"),
+    [
+        (Sent(Report("finished"), Phrase(""), isolated=True, lost="mine"), "finished", ""),
+        (Sent(Report("error"), Phrase("run-too-much-output"), isolated=True), "error", ""),
+    ],
+)
+def test_a_shared_process_is_believed_neither_a_lost_run_nor_an_error_without_words(
+    sent, ended, lost
+):
+    made = _result(0, msgspec.msgpack.encode(sent), isolated=False)
+    assert (made.report.ended, made.lost, made.isolated) == (ended, lost, False)
+    translate((made.report.error or {}).get("message", Phrase("")), "en")

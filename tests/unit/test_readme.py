@@ -19,7 +19,7 @@ DOCS = ROOT / "docs"
 PACKAGE = ROOT / "src/learnblock"
 #: All pages that link to others.
 PAGES = [
-    *(ROOT / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md")),
+    *(ROOT / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md")),
     ROOT / "examples/README.md",
     *sorted(DOCS.rglob("*.md")),
 ]

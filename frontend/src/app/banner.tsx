@@ -1,5 +1,13 @@
 import { say, t } from "../i18n";
 import { usePage } from "../model/page";
+import type { ConnectionState } from "../protocol/connection";
+
+/** What the banner says of a connection that is not open. */
+const WORDS: Readonly<Partial<Record<ConnectionState, string>>> = {
+  lost: "page-shell-lost",
+  refused: "page-shell-refused",
+  crowded: "page-shell-crowded",
+};
 
 /** A banner while nothing can be changed here. */
 export function ReadOnlyBanner() {
@@ -15,10 +23,10 @@ export function ReadOnlyBanner() {
 export function ConnectionBanner() {
   const { connection } = usePage().context;
   const state = connection.state.value;
-  const lost = state === "lost" || state === "refused";
+  const words = WORDS[state];
   return (
-    <div role="alert" class={lost ? "banner" : "hidden"}>
-      {lost && t(state === "lost" ? "page-shell-lost" : "page-shell-refused")}
+    <div role="alert" class={words ? "banner" : "hidden"}>
+      {words && t(words)}
     </div>
   );
 }

@@ -2,8 +2,11 @@
 
 import { signal } from "@preact/signals";
 
-/** `refused` is final: the server has a different token, for example after a restart. */
-export type ConnectionState = "connecting" | "open" | "lost" | "refused";
+/**
+ * Two are final: `refused`, since the server has a different token, for example after a restart, and `crowded`, since
+ * this person has too many pages open.
+ */
+export type ConnectionState = "connecting" | "open" | "lost" | "refused" | "crowded";
 
 interface Kind {
   readonly kind: string;
@@ -13,8 +16,8 @@ type Listener = (message: never) => void;
 
 const FIRST_DELAY = 250;
 const LONGEST_DELAY = 4000;
-/** The server closes the websocket with this code if the token is wrong; retrying would not help. */
-const FORBIDDEN = 4403;
+/** The codes with which the server closes the websocket if retrying would not help. */
+const FINAL: Readonly<Record<number, ConnectionState>> = { 4403: "refused", 4429: "crowded" };
 
 export class Channel<Sent extends Kind, Received extends Kind> {
   readonly state = signal<ConnectionState>("connecting");
@@ -63,8 +66,8 @@ export class Channel<Sent extends Kind, Received extends Kind> {
   }
 
   private closed(code: number): void {
-    this.state.value = code === FORBIDDEN ? "refused" : "lost";
-    if (code === FORBIDDEN) return;
+    this.state.value = FINAL[code] ?? "lost";
+    if (code in FINAL) return;
     setTimeout(() => this.open(), this.delay);
     this.delay = Math.min(this.delay * 2, LONGEST_DELAY);
   }

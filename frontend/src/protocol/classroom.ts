@@ -14,6 +14,11 @@ export interface AboutClass {
   address: string;
 }
 
+export interface AnswerKnocking {
+  kind: "AnswerKnocking";
+  on: boolean;
+}
+
 export interface AskForHelp {
   kind: "AskForHelp";
   on: boolean;
@@ -100,9 +105,9 @@ export interface Refused {
   message: Phrase;
 }
 
-export interface RemovePupil {
-  kind: "RemovePupil";
-  pupil: string;
+export interface RemovePupils {
+  kind: "RemovePupils";
+  pupils: string[];
 }
 
 export interface RenewPin {
@@ -163,9 +168,11 @@ export interface Wall {
   address: string;
   open: boolean;
   eyes_up: boolean;
+  more: number;
   projected?: string;
   pupils?: string[];
   lessons?: ([string, string | Record<string, string>])[];
+  knocking?: string[];
 }
 
 export type FromPupil =
@@ -182,8 +189,9 @@ export type FromTeacher =
   | SendHint
   | HandOut
   | RenewPin
-  | RemovePupil
+  | RemovePupils
   | LetJoin
+  | AnswerKnocking
   | RenewWord
   | ShowOnProjector;
 

@@ -195,11 +195,14 @@ describe("reconnecting", () => {
     states.push(connection.state.value);
     expect(states).toEqual(["connecting", "open", "lost"]);
   });
+});
 
-  test("is not tried when the server refuses the token", () => {
-    const [connection, socket] = opened();
-    socket.close(4403);
-    expect(connection.state.value).toBe("refused");
-    expect(vi.getTimerCount()).toBe(0);
-  });
+test.each([
+  [4403, "refused"],
+  [4429, "crowded"],
+])("a connection that the server closes with %i is not tried again", (code, state) => {
+  const [connection, socket] = opened();
+  socket.close(code);
+  expect(connection.state.value).toBe(state);
+  expect(vi.getTimerCount()).toBe(0);
 });

@@ -2,7 +2,7 @@
 
 import asyncio
 from collections.abc import AsyncIterator, Awaitable, Callable, Iterable
-from contextlib import asynccontextmanager
+from contextlib import asynccontextmanager, nullcontext, suppress
 from functools import partial
 from http import HTTPStatus
 from pathlib import Path
@@ -15,25 +15,31 @@ from starlette.middleware.gzip import GZipMiddleware
 from starlette.requests import HTTPConnection, Request
 from starlette.responses import HTMLResponse, PlainTextResponse, RedirectResponse, Response
 from starlette.routing import Mount, Route, WebSocketRoute
-from starlette.websockets import WebSocket
+from starlette.websockets import WebSocket, WebSocketDisconnect
 from websockets.exceptions import InvalidHandshake, InvalidMessage
 
 from learnblock.classroom import messages as ours
 from learnblock.classroom.archive import export
-from learnblock.classroom.badges import Badges
+from learnblock.classroom.badges import Visitors
+from learnblock.classroom.desk import Desk, TooManyPagesError
 from learnblock.classroom.entrance import Entrance
 from learnblock.classroom.forward import Forwarder
 from learnblock.classroom.relay import Relay
 from learnblock.classroom.room import Room
-from learnblock.classroom.roster import Pupil
+from learnblock.classroom.roster import AsksTeacherError, Pupil, checked_name
+from learnblock.classroom.servers import Place
 from learnblock.classroom.wall import Board, ProjectorView, View, WallView
 from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase
 from learnblock.server.http import static_files
+from learnblock.server.http.connections import network_of
 from learnblock.server.http.protection import SUBPROTOCOL, Guard, Protection
+from learnblock.server.messages import Failed
 from learnblock.server.messages.base import phrase_of
 
-#: Close codes: this browser may not be here; the pupil's server is not ready yet.
-_FORBIDDEN, _TRY_LATER = 4403, 1013
+#: Close codes: this browser may not be here; it has too many pages; the pupil's server is not ready
+#: yet.
+_FORBIDDEN, _TOO_MANY, _TRY_LATER = 4403, 4429, 1013
 #: The limit of what a pupil types to join, in bytes.
 _LONGEST_JOIN = 2000
 #: Seconds for which a browser keeps a badge: a school year.
@@ -46,8 +52,8 @@ Endpoint = Callable[[Request], Awaitable[Response]]
 
 def create_app(
     room: Room,
+    visitors: Visitors,
     *,
-    port: int,
     hosts: Iterable[str] = (),
     tls: bool = False,
     static: Path = static_files.BUILT,
@@ -56,12 +62,12 @@ def create_app(
 
     Args:
         room: the class.
-        port: where it listens; browsers keep one badge for each port.
+        visitors: tells who asks.
         hosts: allowed names of this computer besides its own.
         tls: whether browsers come by HTTPS only.
         static: the folder of the built page.
     """
-    door = _Door(room, f"learnblock_class_{port}", tls=tls)
+    door = _Door(room, visitors, tls=tls)
     # The page's own guard, against pages of other servers; badges take the token's place.
     protection = Protection.of("", ("*", *hosts))
     files = static_files.PageFiles(directory=static, check_dir=False)
@@ -105,16 +111,16 @@ class _Door:
 
     Args:
         room: the class.
-        cookie: the name under which browsers keep their badge.
+        visitors: tells who asks.
         tls: whether browsers come by HTTPS only.
     """
 
-    def __init__(self, room: Room, cookie: str, *, tls: bool) -> None:
+    def __init__(self, room: Room, visitors: Visitors, *, tls: bool) -> None:
         self._room = room
-        self._badges = Badges(room.roster)
+        self._visitors = visitors
+        self._badges = visitors.badges
         self._entrance = Entrance(room.roster)
         self._forwarder = Forwarder()
-        self._cookie = cookie
         self._tls = tls
 
     @asynccontextmanager
@@ -127,20 +133,14 @@ class _Door:
 
     # Who is asking.
 
-    def _is_teacher(self, request: HTTPConnection) -> bool:
-        return self._badges.is_teacher(request.cookies.get(f"{self._cookie}_teacher", ""))
-
-    def _pupil(self, request: HTTPConnection) -> Pupil | None:
-        return self._badges.pupil(request.cookies.get(self._cookie, ""))
-
     def _shown(self, request: HTTPConnection) -> tuple[Pupil, bool] | None:
         """The pupil of an address, and whether the teacher asks; None for everybody else."""
         pupil = self._room.roster.find(request.path_params["pupil"])
         if pupil is None:
             return None
-        if self._pupil(request) == pupil:
+        if self._visitors.pupil(request) == pupil:
             return pupil, False
-        return (pupil, True) if self._is_teacher(request) else None
+        return (pupil, True) if self._visitors.is_teacher(request) else None
 
     def _give(self, response: Response, name: str, badge: str) -> None:
         response.set_cookie(
@@ -155,23 +155,23 @@ class _Door:
         async def answer(request: Request) -> Response:
             key = request.query_params.get("key")
             if key is None:
-                return await page(request) if self._is_teacher(request) else _forbidden()
+                return await page(request) if self._visitors.is_teacher(request) else _forbidden()
             if not self._badges.is_key(key):
                 return _forbidden()
             response = RedirectResponse(request.url.replace(query=""))
-            self._give(response, f"{self._cookie}_teacher", self._badges.of_teacher())
+            self._give(response, self._visitors.teachers_cookie, self._badges.of_teacher())
             return response
 
         return answer
 
     async def about(self, request: Request) -> Response:
         """What the class's page shows before anybody has joined."""
-        roster, pupil = self._room.roster, self._pupil(request)
+        roster, pupil = self._room.roster, self._visitors.pupil(request)
         return _json(
             ours.AboutClass(
                 roster.title,
                 roster.is_open,
-                self._is_teacher(request),
+                self._visitors.is_teacher(request),
                 pupil.name if pupil else "",
                 f"p/{pupil.id}/" if pupil else "",
             )
@@ -179,22 +179,25 @@ class _Door:
 
     async def join(self, request: Request) -> Response:
         """Let a pupil in."""
-        address = request.client.host if request.client else ""
+        address = network_of(request.client.host) if request.client else ""
         try:
             message = _join.decode(await _short_body(request))
             pupil, pictures = await self._entrance.join(message, address)
+        except AsksTeacherError as error:
+            self._room.knock(checked_name(message.name))
+            return _json(ours.NotJoined(error.phrase), HTTPStatus.FORBIDDEN)
         except (LearnBlockError, OSError, ValueError) as error:
             return _json(ours.NotJoined(phrase_of(error)), HTTPStatus.FORBIDDEN)
         self._room.desk(pupil)
         self._room.changed()
         response = _json(ours.Joined(f"p/{pupil.id}/", pictures))
-        self._give(response, self._cookie, self._badges.of_pupil(pupil))
+        self._give(response, self._visitors.cookie, self._badges.of_pupil(pupil))
         return response
 
     async def leave(self, _: Request) -> Response:
         """Forget the pupil in this browser, so that another one can join."""
         response = Response(status_code=HTTPStatus.NO_CONTENT)
-        response.delete_cookie(self._cookie)
+        response.delete_cookie(self._visitors.cookie)
         return response
 
     # What is a pupil's, and what is the teacher's.
@@ -204,13 +207,25 @@ class _Door:
         shown = self._shown(request)
         if shown is None:
             return _forbidden() if request.path_params["path"] else RedirectResponse("/")
-        if request.method == "POST" and shown[1]:
+        pupil, is_teacher = shown
+        if request.method == "POST" and is_teacher:
             return _forbidden()
         try:
-            place = await self._room.place(shown[0])
-            return await self._forwarder.forward(request, place)
+            place = await self._room.place(pupil)
+            if request.method == "POST":
+                return await self._upload(request, self._room.desk(pupil), place)
+            return await self._forwarder.ask(request, place)
+        except httpx.InvalidURL:
+            return Response(status_code=HTTPStatus.NOT_FOUND)
         except (LearnBlockError, httpx.HTTPError) as error:
             return PlainTextResponse(f"{error}\n", HTTPStatus.SERVICE_UNAVAILABLE)
+
+    async def _upload(self, request: Request, desk: Desk, place: Place) -> Response:
+        try:
+            with desk.uploading():
+                return await self._forwarder.upload(request, place)
+        except LearnBlockError as error:
+            return _json(error.phrase, HTTPStatus.BAD_REQUEST)
 
     async def websocket(self, socket: WebSocket) -> None:
         """Connect a page with a pupil's server."""
@@ -218,29 +233,33 @@ class _Door:
         # Always accept, because a browser doesn't tell its page why a handshake failed.
         await socket.accept(SUBPROTOCOL if socket.scope["subprotocols"] else None)
         if shown is None:
-            await socket.close(_FORBIDDEN)
+            await _close(socket, _FORBIDDEN)
             return
         pupil, is_teacher = shown
+        desk = self._room.desk(pupil)
         try:
-            place = await self._room.place(pupil)
-            await Relay(socket, self._room.desk(pupil), is_teacher=is_teacher).serve(place)
+            with nullcontext() if is_teacher else desk.opening():
+                place = await self._room.place(pupil)
+                await Relay(socket, desk, is_teacher=is_teacher).serve(place)
+        except TooManyPagesError as error:
+            await _close(socket, _TOO_MANY, error.phrase)
         except (LearnBlockError, OSError, InvalidHandshake, InvalidMessage):
             # Its server has just ended, or is too busy to start: the page tries again by itself.
-            await socket.close(_TRY_LATER)
+            await _close(socket, _TRY_LATER)
         finally:
             self._room.left(pupil)
 
     async def board(self, view: type[View], socket: WebSocket) -> None:
         """Show the class to the teacher."""
         await socket.accept()
-        if not self._is_teacher(socket):
-            await socket.close(_FORBIDDEN)
+        if not self._visitors.is_teacher(socket):
+            await _close(socket, _FORBIDDEN)
             return
         await Board(socket, self._room, view()).serve()
 
     async def export(self, request: Request) -> Response:
         """Everything that is kept about a pupil, or about all of them."""
-        if not self._is_teacher(request):
+        if not self._visitors.is_teacher(request):
             return _forbidden()
         roster = self._room.roster
         one = request.query_params.get("pupil")
@@ -252,7 +271,15 @@ class _Door:
         )
 
 
-def _json(message: msgspec.Struct, status: int = HTTPStatus.OK) -> Response:
+async def _close(socket: WebSocket, code: int, reason: Phrase | None = None) -> None:
+    """Close a page's connection, and say why; the page may have gone already."""
+    with suppress(RuntimeError, WebSocketDisconnect):
+        if reason:
+            await socket.send_text(msgspec.json.encode(Failed(reason)).decode())
+        await socket.close(code)
+
+
+def _json(message: msgspec.Struct | Phrase, status: int = HTTPStatus.OK) -> Response:
     headers = {"cache-control": "no-store"}
     return Response(msgspec.json.encode(message), status, headers, "application/json")
 

@@ -2,7 +2,10 @@
 
 import hashlib
 import hmac
+from collections.abc import Iterable
 from dataclasses import dataclass
+
+from starlette.requests import HTTPConnection
 
 from learnblock.classroom.roster import Pupil, Roster
 
@@ -43,6 +46,40 @@ class Badges:
     def _signed(self, text: str) -> str:
         signature = hmac.digest(self.roster.secret.encode(), text.encode(), hashlib.sha256)
         return f"{text}.{signature.hex()}"
+
+
+@dataclass(frozen=True)
+class Visitors:
+    """Who sends a request, by the badges that its browser keeps.
+
+    Args:
+        badges: those of the class.
+        cookie: the name under which browsers keep a pupil's badge.
+    """
+
+    badges: Badges
+    cookie: str
+
+    @property
+    def teachers_cookie(self) -> str:
+        """The name under which a browser keeps the teacher's badge."""
+        return f"{self.cookie}_teacher"
+
+    def is_teacher(self, request: HTTPConnection) -> bool:
+        """Whether the teacher asks."""
+        return self.badges.is_teacher(request.cookies.get(self.teachers_cookie, ""))
+
+    def pupil(self, request: HTTPConnection) -> Pupil | None:
+        """The pupil who asks; None if no pupil does."""
+        return self.badges.pupil(request.cookies.get(self.cookie, ""))
+
+    def person(self, headers: Iterable[tuple[bytes, bytes]]) -> str:
+        """Who sends these headers; "" for a stranger."""
+        request = HTTPConnection({"type": "http", "headers": list(headers)})
+        if self.is_teacher(request):
+            return _TEACHER
+        pupil = self.pupil(request)
+        return pupil.id if pupil else ""
 
 
 def _same(one: str, other: str) -> bool:

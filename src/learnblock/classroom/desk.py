@@ -1,14 +1,22 @@
 """A pupil's desk: the pages that show the program, and what the teacher sees of it."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import assert_never
 
 from learnblock.classroom import messages as ours
+from learnblock.classroom.limits import OPEN_PAGES
 from learnblock.classroom.messages import InClass, Seat, Writing
 from learnblock.classroom.progress import Progress
+from learnblock.classroom.quota import Paces
 from learnblock.classroom.relay import Relay
 from learnblock.classroom.roster import Pupil
+from learnblock.errors import LearnBlockError
 from learnblock.server import messages
+
+
+class TooManyPagesError(LearnBlockError):
+    """A pupil has too many pages open."""
 
 
 class Desk:
@@ -27,6 +35,9 @@ class Desk:
         self.eyes_up = False
         self.hint = ""
         self.pages: list[Relay] = []
+        self.paces = Paces()
+        self._opening = 0
+        self._uploading = False
         self._changed = changed
 
     @property
@@ -42,6 +53,36 @@ class Desk:
             hand=self.hand,
             writing=self.writing,
         )
+
+    @contextmanager
+    def opening(self) -> Iterator[None]:
+        """Open a page of the pupil, until it is closed.
+
+        Raises:
+            TooManyPagesError: too many are open.
+        """
+        if self._opening >= OPEN_PAGES:
+            raise TooManyPagesError("class-too-many-pages", most=OPEN_PAGES)
+        self._opening += 1
+        try:
+            yield
+        finally:
+            self._opening -= 1
+
+    @contextmanager
+    def uploading(self) -> Iterator[None]:
+        """Upload a file for the pupil.
+
+        Raises:
+            LearnBlockError: another one is being uploaded.
+        """
+        if self._uploading:
+            raise LearnBlockError("class-uploading")
+        self._uploading = True
+        try:
+            yield
+        finally:
+            self._uploading = False
 
     def joined(self, page: Relay) -> None:
         """A page is connected to the pupil's server."""

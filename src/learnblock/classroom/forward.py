@@ -1,17 +1,17 @@
 """Passes the requests of a pupil's page on to the pupil's server."""
 
-from collections.abc import Iterable
+import asyncio
+from collections.abc import AsyncIterator, Iterable
 
 import httpx
 from starlette.background import BackgroundTask
-from starlette.exceptions import HTTPException
 from starlette.requests import Request
 from starlette.responses import Response, StreamingResponse
 
+from learnblock.classroom.limits import LARGEST_UPLOAD, UPLOAD_PATIENCE
 from learnblock.classroom.servers import Place
+from learnblock.errors import LearnBlockError
 
-#: The limit of a request's body in bytes: a kept run that is brought along.
-LARGEST_BODY = 40_000_000
 #: Seconds within which a pupil's server answers.
 _PATIENCE = 20.0
 #: The headers that matter to the server, and to the page.
@@ -26,21 +26,48 @@ class Forwarder:
     """The connections to pupils' servers."""
 
     def __init__(self) -> None:
-        self._client = httpx.AsyncClient(timeout=_PATIENCE, trust_env=False)
+        # As many as browsers have: with fewer, some that read slowly would keep all others waiting.
+        limits = httpx.Limits(max_connections=None, max_keepalive_connections=20)
+        self._client = httpx.AsyncClient(timeout=_PATIENCE, limits=limits, trust_env=False)
 
     async def close(self) -> None:
         """Close all connections."""
         await self._client.aclose()
 
-    async def forward(self, request: Request, place: Place) -> Response:
-        """Pass a request on, and return the answer."""
+    async def ask(self, request: Request, place: Place) -> Response:
+        """Pass a request without a body on, and return the answer.
+
+        Raises:
+            httpx.HTTPError: the server does not answer.
+            httpx.InvalidURL: there can be no such address.
+        """
+        return await self._send(request, place, None)
+
+    async def upload(self, request: Request, place: Place) -> Response:
+        """Pass a request on while its body arrives, and return the answer.
+
+        Raises:
+            LearnBlockError: the body is too large, or takes too long.
+            ClientDisconnect: the browser has gone.
+            httpx.HTTPError: the server does not answer.
+            httpx.InvalidURL: there can be no such address.
+        """
+        try:
+            async with asyncio.timeout(UPLOAD_PATIENCE):
+                return await self._send(request, place, _body(request))
+        except TimeoutError:
+            raise LearnBlockError("kept-upload-slow") from None
+
+    async def _send(
+        self, request: Request, place: Place, body: AsyncIterator[bytes] | None
+    ) -> Response:
         asked = self._client.build_request(
             request.method,
             f"http://{place.host}{request.url.path}",
             params=request.query_params,
             headers={**_chosen(request.headers.items(), _ASKED), "x-forwarded-for": "class"},
             cookies={"learnblock_token": place.token},
-            content=await _body(request) if request.method == "POST" else None,
+            content=body,
         )
         answer = await self._client.send(asked, stream=True)
         return StreamingResponse(
@@ -51,13 +78,14 @@ class Forwarder:
         )
 
 
-async def _body(request: Request) -> bytes:
-    body = bytearray()
+async def _body(request: Request) -> AsyncIterator[bytes]:
+    """The body as it arrives, so that no more than a part of it is kept here."""
+    size = 0
     async for chunk in request.stream():
-        body += chunk
-        if len(body) > LARGEST_BODY:
-            raise HTTPException(413)
-    return bytes(body)
+        size += len(chunk)
+        if size > LARGEST_UPLOAD:
+            raise LearnBlockError("log-file-too-large", most=LARGEST_UPLOAD // 1_000_000)
+        yield chunk
 
 
 def _chosen(headers: Iterable[tuple[str, str]], names: Iterable[str]) -> dict[str, str]:

@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 from msgspec import Meta, Struct
 
 from learnblock.classroom.pins import Picture, Pictures
-from learnblock.classroom.roster import PupilId
+from learnblock.classroom.roster import MOST_PUPILS, PupilId
 from learnblock.i18n import Phrase
 from learnblock.server.messages.base import Message, Name, StateName
 from learnblock.server.messages.lessons import LessonName, LessonText
@@ -29,7 +29,7 @@ class Join(Struct, frozen=True):
     """
 
     word: Annotated[str, Meta(max_length=60)]
-    name: Annotated[str, Meta(max_length=60)]
+    name: Annotated[str, Meta(max_length=200)]
     pictures: Pictures | None = None
 
 
@@ -151,14 +151,20 @@ class RenewPin(Message, frozen=True):
     pupil: PupilId
 
 
-class RemovePupil(Message, frozen=True):
-    """Delete a pupil with everything that the pupil has made."""
+class RemovePupils(Message, frozen=True):
+    """Delete pupils with everything that they have made."""
 
-    pupil: PupilId
+    pupils: Annotated[tuple[PupilId, ...], Meta(max_length=MOST_PUPILS)]
 
 
 class LetJoin(Message, frozen=True):
     """Let new pupils join, or no more."""
+
+    on: bool
+
+
+class AnswerKnocking(Message, frozen=True):
+    """Let a few more new pupils join, or not those who have asked; see `Wall`."""
 
     on: bool
 
@@ -252,9 +258,11 @@ class Wall(Message, frozen=True):
         address: by which pupils reach the class.
         open: whether new pupils can join.
         eyes_up: whether all pages rest.
+        more: how many can join if the teacher lets more in.
         projected: the pupil on the projector; empty for the join word.
         pupils: the ids of all, in the order in which they joined.
         lessons: those that can be handed out: name and title.
+        knocking: the first names of new pupils whom the teacher has to let in.
     """
 
     title: str
@@ -262,9 +270,11 @@ class Wall(Message, frozen=True):
     address: str
     open: bool
     eyes_up: bool
+    more: int
     projected: str = ""
     pupils: tuple[str, ...] = ()
     lessons: tuple[tuple[str, LessonText], ...] = ()
+    knocking: tuple[str, ...] = ()
 
 
 class Seats(Message, frozen=True):
@@ -316,8 +326,9 @@ FromTeacher = (
     | SendHint
     | HandOut
     | RenewPin
-    | RemovePupil
+    | RemovePupils
     | LetJoin
+    | AnswerKnocking
     | RenewWord
     | ShowOnProjector
 )

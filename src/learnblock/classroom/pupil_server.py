@@ -12,16 +12,18 @@ from urllib.parse import urlsplit
 
 import msgspec
 
+from learnblock.classroom import limits
+from learnblock.classroom.memory import watch_programs
 from learnblock.classroom.pupil_folder import HOME, PROJECTS, TEMPORARY
+from learnblock.lessons.reading import shipped_folder
+from learnblock.running.examples import examples_folder
 from learnblock.runtime.containment import kernel
 from learnblock.runtime.containment.fence import contain_server
 from learnblock.server import serve
 from learnblock.server.http.address import VARIABLE
 from learnblock.server.projects.writer import Access, Writer
+from learnblock.storage import quota
 
-_MEGABYTE = 1024 * 1024
-#: What a pupil's server may use, in bytes: data in memory, and the largest file.
-_MEMORY, _LARGEST_FILE = 1500 * _MEGABYTE, 64 * _MEGABYTE
 #: A pupil's server gives way to the classroom, which everybody waits for.
 _NICENESS = 5
 
@@ -56,12 +58,14 @@ def run(order: Order, started: Callable[[int], object]) -> None:
         "LEARNBLOCK_HOME": str(folder / HOME),
         "LEARNBLOCK_ROBOTS": "simulated",
         "TMPDIR": str(folder / TEMPORARY),
+        quota.VARIABLE: quota.setting(limits.DISK, folder),
         VARIABLE: order.token,
     }
     kernel.die_with_parent(signal.SIGTERM)
     os.nice(_NICENESS)
     _limit()
-    contain_server(folder)
+    contain_server(folder, examples_folder(), shipped_folder())
+    watch_programs(limits.PROGRAMS_MEMORY)
     with Writer(folder / PROJECTS) as writer:
         # The classroom has waited for the last server of this folder.
         writer.claim(patience=10.0)
@@ -77,8 +81,8 @@ def run(order: Order, started: Callable[[int], object]) -> None:
 
 
 def _limit() -> None:
-    resource.setrlimit(resource.RLIMIT_DATA, (_MEMORY, _MEMORY))
-    resource.setrlimit(resource.RLIMIT_FSIZE, (_LARGEST_FILE, _LARGEST_FILE))
+    resource.setrlimit(resource.RLIMIT_DATA, (limits.SERVER_MEMORY, limits.SERVER_MEMORY))
+    resource.setrlimit(resource.RLIMIT_FSIZE, (limits.LARGEST_FILE, limits.LARGEST_FILE))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 

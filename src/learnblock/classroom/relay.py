@@ -10,8 +10,9 @@ from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed
 
 from learnblock.classroom import messages as ours
-from learnblock.classroom.quota import Bucket
-from learnblock.classroom.rights import PACE, PACES, Role, may
+from learnblock.classroom.limits import WEIGHT
+from learnblock.classroom.quota import Paces
+from learnblock.classroom.rights import Role, may
 from learnblock.i18n import Phrase
 from learnblock.server import messages
 from learnblock.server.http.protection import SUBPROTOCOL
@@ -47,8 +48,8 @@ class Relay:
         self.is_teacher = is_teacher
         self._page = page
         self._desk = desk
-        self._pace = Bucket(PACE)
-        self._paces = {kind: Bucket(pace) for kind, pace in PACES.items()}
+        # All pages of a pupil share theirs.
+        self._paces = Paces() if is_teacher else desk.paces
         self._outbox: asyncio.Queue[str] = asyncio.Queue(maxsize=100)
         self._server: ClientConnection | None = None
 
@@ -111,7 +112,7 @@ class Relay:
         with suppress(ConnectionClosed):
             while (received := await self._page.receive())["type"] == "websocket.receive":
                 text = received.get("text") or ""
-                await asyncio.sleep(self._pace.take())
+                await asyncio.sleep(self._paces.take(1 + len(text) // WEIGHT))
                 head = messages.head_of(text)
                 if refusal := self._refusal(head.kind):
                     self.tell(messages.Failed(refusal, head.kind, head.request))
@@ -135,10 +136,7 @@ class Relay:
         if not may(self.role, kind):
             code = "class-only-look" if self.is_teacher else "class-not-yours"
             return Phrase(code)
-        bucket = self._paces.get(kind)
-        if bucket and not bucket.try_take():
-            return Phrase("class-too-fast")
-        return None
+        return Phrase("class-too-fast") if self._paces.wait_for(kind) else None
 
     async def _to_page(self, server: ClientConnection) -> None:
         with suppress(WebSocketDisconnect, RuntimeError):

@@ -5,7 +5,6 @@ What is not in it is refused, so a new kind of message is refused until its role
 
 from collections.abc import Iterable, Iterator, Mapping
 from enum import StrEnum
-from typing import NamedTuple
 
 from learnblock.classroom import messages as ours
 from learnblock.server import messages
@@ -20,13 +19,6 @@ class Role(StrEnum):
     WATCHER = "watcher"
     #: The teacher, whom the pupil lets write.
     HELPER = "helper"
-
-
-class Pace(NamedTuple):
-    """How often one page may do something: on average in a minute, and at once."""
-
-    minute: float
-    burst: int
 
 
 #: Everybody who sees the program.
@@ -90,14 +82,6 @@ _NOBODY = (
     messages.ExamineLesson, messages.SaveLesson, messages.TryLesson, messages.StopTrying,
     messages.ExportLesson,
 )  # fmt: skip
-
-#: The pace of everything a page sends, and of what costs the computer more.
-PACE = Pace(minute=2400, burst=200)
-PACES: Mapping[str, Pace] = {
-    messages.Run.__name__: Pace(minute=30, burst=10),
-    messages.CheckStep.__name__: Pace(minute=6, burst=3),
-    messages.TryCustomBlock.__name__: Pace(minute=20, burst=5),
-}
 
 
 def _table() -> Iterator[tuple[str, frozenset[Role]]]:

@@ -15,6 +15,8 @@ from learnblock.server.messages.lessons import LessonText
 if TYPE_CHECKING:
     from learnblock.classroom.wall import Board
 
+#: The most names of new pupils who have asked to be let in; there are not that many children.
+_MOST_KNOCKING = 10
 #: Seconds after which the server of a pupil without pages is stopped.
 _GRACE = 120.0
 
@@ -36,6 +38,8 @@ class Room:
         self.lessons = tuple(lessons)
         self.eyes_up = False
         self.projected: str | None = None
+        #: The first names of new pupils whom the teacher has to let in.
+        self.knocking: list[str] = []
         #: The walls and projectors that are open.
         self.boards: set[Board] = set()
         self.desks: dict[str, Desk] = {}
@@ -58,6 +62,12 @@ class Room:
         """Have the walls look at the class again."""
         for board in self.boards:
             board.wake()
+
+    def knock(self, name: str) -> None:
+        """A new pupil has asked to be let in."""
+        if name not in self.knocking and len(self.knocking) < _MOST_KNOCKING:
+            self.knocking.append(name)
+            self.changed()
 
     def desk(self, pupil: Pupil) -> Desk:
         """The desk of a pupil; a new pupil gets one."""

@@ -5,13 +5,13 @@ import secrets
 import shutil
 import threading
 import time
-import unicodedata
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
 
 import msgspec
 
+from learnblock import names
 from learnblock.classroom.join_words import new_join_word
 from learnblock.classroom.pins import Picture, Pin, new_pictures
 from learnblock.errors import LearnBlockError
@@ -20,15 +20,22 @@ from learnblock.storage.home import home
 
 #: The most pupils of a class.
 MOST_PUPILS = 60
+#: The pupils who join without the teacher's consent, and for how many more it is given.
+EXPECTED, MORE = 34, 5
+#: The most pupils with one name: each of them makes it slower to recognise the others.
+MOST_ALIKE = 4
 FILE = "class.json"
 _VERSION = 1
 #: A larger file is not ours.
 _LARGEST = 1_000_000
-_NAME = re.compile(r"[^\W\d_](?:[\w .'’-]{0,28}[\w.])?")
 #: The name of a class.
 _TITLE = re.compile(r"\w(?:[\w .-]{0,38}\w)?")
 
 PupilId = Annotated[str, msgspec.Meta(pattern="^[a-z0-9]{10}$")]
+
+
+class AsksTeacherError(LearnBlockError):
+    """So many pupils have joined that the teacher has to let a new one in."""
 
 
 class Pupil(msgspec.Struct, frozen=True):
@@ -59,6 +66,7 @@ class ClassFile(msgspec.Struct, frozen=True):
         key: gives access to the teacher's wall; only the teacher has it.
         secret: signs what browsers keep.
         open: whether new pupils can join.
+        expected: how many pupils may join before the teacher is asked.
         pupils: in the order in which they joined.
     """
 
@@ -68,6 +76,7 @@ class ClassFile(msgspec.Struct, frozen=True):
     key: str
     secret: str
     open: bool = True
+    expected: int = EXPECTED
     pupils: tuple[Pupil, ...] = ()
 
 
@@ -135,14 +144,11 @@ class Roster:
         """Add a pupil, and return it with the pictures, which are kept nowhere.
 
         Raises:
-            LearnBlockError: the class is closed or full, or this is not a name.
+            LearnBlockError: this is not a name, or see `require_place`.
         """
         name = checked_name(name)
         with self._lock:
-            if not self.is_open:
-                raise LearnBlockError("class-closed")
-            if len(self.pupils) >= MOST_PUPILS:
-                raise LearnBlockError("class-full", most=MOST_PUPILS)
+            self.require_place(name)
             pictures = self._free_pictures(name)
             id = secrets.token_hex(5)  # noqa: A001 - as in `Pupil`
             pupil = Pupil(id, name, Pin.of(pictures), time.time())
@@ -154,11 +160,32 @@ class Roster:
 
         It takes as long for a name that is not in the class.
         """
-        alike = [pupil for pupil in self.pupils if _plain(pupil.name) == _plain(name)]
+        alike = self._alike(name)
         fits = [pupil for pupil in alike if pupil.pin.fits(pictures)]
         if not alike:
             self._unused_pin.fits(pictures)
         return fits[0] if fits else None
+
+    def require_place(self, name: str) -> None:
+        """Check that a new pupil can join.
+
+        Raises:
+            LearnBlockError: the class is closed or full, the teacher has to be asked, or there are
+                too many of this name.
+        """
+        if not self.is_open:
+            raise LearnBlockError("class-closed")
+        if len(self.pupils) >= MOST_PUPILS:
+            raise LearnBlockError("class-full", most=MOST_PUPILS)
+        if len(self.pupils) >= self._file.expected:
+            raise AsksTeacherError("class-asks-teacher")
+        if len(self._alike(name)) >= MOST_ALIKE:
+            raise LearnBlockError("class-name-taken", name=name, most=MOST_ALIKE)
+
+    def _alike(self, name: str) -> list[Pupil]:
+        """The pupils whose names are the same but for spelling."""
+        wanted = names.folded(name)
+        return [pupil for pupil in self.pupils if names.folded(pupil.name) == wanted]
 
     def renew_pin(self, pupil: Pupil) -> tuple[Picture, ...]:
         """Give a pupil other pictures, and return them; browsers ask for them again."""
@@ -167,6 +194,11 @@ class Roster:
             renewed = msgspec.structs.replace(pupil, pin=Pin.of(pictures), badges=pupil.badges + 1)
             self._replace(pupil, renewed)
         return pictures
+
+    def expect_more(self) -> None:
+        """Let a few more new pupils join than so far."""
+        with self._lock:
+            self._change(expected=max(self._file.expected, len(self.pupils)) + MORE)
 
     def remove(self, pupil: Pupil) -> None:
         """Delete a pupil with everything that the pupil has made.
@@ -238,16 +270,13 @@ def checked_name(name: str) -> str:
     Raises:
         LearnBlockError: it is empty, too long, or no name.
     """
-    name = " ".join(unicodedata.normalize("NFC", name).split())
-    if not _NAME.fullmatch(name):
-        raise LearnBlockError("class-no-name")
+    name = names.normalized(name)
+    flaw = names.flaw_of_first_name(name)
+    if flaw and flaw.hidden:
+        raise LearnBlockError("class-hidden-character", character=flaw.hidden)
+    if flaw:
+        raise LearnBlockError("class-no-name", most=names.LONGEST)
     return name
-
-
-def _plain(name: str) -> str:
-    """A name without what children type differently the next day."""
-    decomposed = unicodedata.normalize("NFKD", name.casefold())
-    return " ".join("".join(c for c in decomposed if not unicodedata.combining(c)).split())
 
 
 def _new_class(title: str) -> ClassFile:

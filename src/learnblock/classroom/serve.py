@@ -6,16 +6,20 @@ import socket
 import threading
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from pathlib import Path
+from typing import Any
 
 import uvicorn
 
 from learnblock.classroom.app import create_app
+from learnblock.classroom.badges import Badges, Visitors
 from learnblock.classroom.certificate import Certificate
 from learnblock.classroom.room import Room
 from learnblock.classroom.roster import Roster
 from learnblock.i18n import Phrase
 from learnblock.server.http.address import own_address
+from learnblock.server.http.connections import Connections, Listening, most_connections
+from learnblock.server.http.event_loop import EventLoop
+from learnblock.server.http.faults import faults_said_once
 from learnblock.server.messages.lessons import LessonText
 from learnblock.server.serve import collect_rarely, configured, tcp_socket
 
@@ -55,18 +59,27 @@ def serve_class(service: ClassService, *, show: Callable[[str], object] | None =
     Raises:
         LearnBlockError: the address is not free.
     """
-    with tcp_socket(service.host, service.port) as listening:
+    connections = Connections(most_connections())
+    plain = tcp_socket(service.host, service.port)
+    with Listening(plain, connections) as listening, faults_said_once():
         address = _address(service, listening)
         room = Room(service.roster, address, service.lessons)
+        # Browsers keep one badge for each port.
+        cookie = f"learnblock_class_{listening.getsockname()[1]}"
+        visitors = Visitors(Badges(service.roster), cookie)
         app = create_app(
             room,
-            port=listening.getsockname()[1],
+            visitors,
             hosts=(socket.gethostname(), *service.allowed_hosts),
             tls=service.certificate is not None,
         )
-        server = _Server(
-            configured(app, **_tls(service.certificate)), _opened(service, address, show)
+        config = configured(
+            app,
+            connections=connections,
+            identify=visitors.person,
+            **_tls(service.certificate),
         )
+        server = _Server(config, _opened(service, address, show))
         collect_rarely()
         # Uvicorn stops the server, then raises the signal again.
         signal.signal(signal.SIGTERM, signal.default_int_handler)
@@ -109,10 +122,14 @@ def _opened(
     return opened
 
 
-def _tls(certificate: Certificate | None) -> dict[str, Path]:
+def _tls(certificate: Certificate | None) -> dict[str, Any]:
     if certificate is None:
         return {}
-    return {"ssl_certfile": certificate.file, "ssl_keyfile": certificate.key}
+    return {
+        "ssl_certfile": certificate.file,
+        "ssl_keyfile": certificate.key,
+        "loop": f"{EventLoop.__module__}:{EventLoop.__qualname__}",
+    }
 
 
 def _address(service: ClassService, listening: socket.socket) -> str:

@@ -46,12 +46,19 @@ async def _renew_pin(room: Room, message: ours.RenewPin) -> ours.NewPin:
     return ours.NewPin(pupil.name, await room.renew_pin(pupil))
 
 
-async def _remove(room: Room, message: ours.RemovePupil) -> None:
-    await room.remove(room.known(message.pupil))
+async def _remove(room: Room, message: ours.RemovePupils) -> None:
+    for pupil in [room.known(one) for one in message.pupils]:
+        await room.remove(pupil)
 
 
 async def _let_join(room: Room, message: ours.LetJoin) -> None:
     await asyncio.to_thread(room.roster.let_join, open=message.on)
+
+
+async def _answer_knocking(room: Room, message: ours.AnswerKnocking) -> None:
+    if message.on:
+        await asyncio.to_thread(room.roster.expect_more)
+    room.knocking.clear()
 
 
 async def _renew_word(room: Room, _: ours.RenewWord) -> None:
@@ -68,8 +75,9 @@ _HANDLERS: Mapping[type, Handler] = {
     ours.SendHint: _send_hint,
     ours.HandOut: _hand_out,
     ours.RenewPin: _renew_pin,
-    ours.RemovePupil: _remove,
+    ours.RemovePupils: _remove,
     ours.LetJoin: _let_join,
+    ours.AnswerKnocking: _answer_knocking,
     ours.RenewWord: _renew_word,
     ours.ShowOnProjector: _project,
 }

@@ -10,6 +10,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from learnblock.classroom import messages as ours
 from learnblock.classroom.room import Room
+from learnblock.classroom.roster import MORE
 from learnblock.classroom.teaching import do
 from learnblock.errors import LearnBlockError
 from learnblock.server.messages.base import phrase_of
@@ -56,8 +57,8 @@ class Board:
         showing = asyncio.create_task(self._show())
         try:
             with suppress(WebSocketDisconnect):
-                async for text in self._socket.iter_text():
-                    await self._do(text)
+                while (received := await self._socket.receive())["type"] == "websocket.receive":
+                    await self._do(received.get("text") or "")
         finally:
             self._room.boards.discard(self)
             showing.cancel()
@@ -134,9 +135,11 @@ def _wall(room: Room) -> ours.Wall:
         address=room.address,
         open=roster.is_open,
         eyes_up=room.eyes_up,
+        more=MORE,
         projected=room.projected or "",
         pupils=tuple(pupil.id for pupil in roster.pupils),
         lessons=room.lessons,
+        knocking=tuple(room.knocking),
     )
 
 

@@ -15,6 +15,15 @@ if TYPE_CHECKING:
     from learnblock.i18n import Phrase
     from learnblock.storage.settings import Described
 
+#: A symbol for each control character; those from 0x80 on are an Esc and a letter.
+_SYMBOLS = {
+    **{code: chr(0x2400 + code) for code in range(0x20) if chr(code) not in "\n\t"},
+    0x7F: "\u2421",
+    **{code: "\u241b" + chr(code - 0x40) for code in range(0x80, 0xA0)},
+}
+#: The same in JSON, where those below 0x20 are escaped already.
+_ESCAPES = {code: f"\\u{code:04x}" for code in range(0x7F, 0xA0)}
+
 EXISTING_FILE = click.Path(exists=True, dir_okay=False, path_type=Path)
 json_option = click.option("--json", "as_json", is_flag=True, help="Print JSON, for tools.")
 
@@ -36,10 +45,21 @@ class ExitCode(IntEnum):
 
 
 def text(phrase: "Phrase | str") -> str:
-    """A phrase in the reader's language; other text unchanged."""
+    """A phrase in the reader's language, or other text; both as `visible`."""
     from learnblock.i18n import Phrase, translate  # noqa: PLC0415 - `--help` needs none of it
 
-    return translate(phrase, language()) if isinstance(phrase, Phrase) else phrase
+    return visible(translate(phrase, language()) if isinstance(phrase, Phrase) else phrase)
+
+
+def visible(text: str) -> str:
+    r"""A text whose control characters are symbols, so that a program can't command a terminal.
+
+    New lines and tabs stay.
+
+    >>> visible("red \x1b[31m alarm \x07")
+    'red ␛[31m alarm ␇'
+    """
+    return text if text.isprintable() else text.translate(_SYMBOLS)
 
 
 def say(code: str, /, *, err: bool = False, **values: Any) -> None:
@@ -66,7 +86,9 @@ def print_json(value: object) -> None:
     """Print a value as indented JSON; phrases in it are English."""
     import msgspec  # noqa: PLC0415 - `--help` needs none of it
 
-    click.echo(msgspec.json.format(msgspec.json.encode(_with_texts(value)), indent=2))
+    # Below 0x20 they are escaped in JSON.
+    formatted = msgspec.json.format(msgspec.json.encode(_with_texts(value)), indent=2).decode()
+    click.echo(formatted if formatted.isascii() else formatted.translate(_ESCAPES))
 
 
 def _with_texts(value: object) -> object:
@@ -106,7 +128,7 @@ def print_diagnostics(
     for diagnostic in diagnostics:
         click.echo(located(filename, diagnostic), err=err)
         if pointed := diagnostic.pointed(source):
-            click.echo("    " + pointed.replace("\n", "\n    "), err=err)
+            click.echo("    " + visible(pointed).replace("\n", "\n    "), err=err)
 
 
 def located(filename: str, one: "Diagnostic") -> str:

@@ -75,9 +75,12 @@ def grade(handed_in: Sequence[Path], wish: Wish) -> bool:
         raise usage_error("grade-nothing-handed-in")
     with opened_journal(wish.out) as journal:
         grading = Grading(plan, journal)
-        with stopped_by_signals(grading.stop):
-            _show(grading, _workers(wish))
-        write_results(grading, wish.out, language(), lesson=wish.lesson)
+        try:
+            with stopped_by_signals(grading.stop):
+                _show(grading, _workers(wish))
+        finally:
+            # Also of what was made until the workers were lost.
+            write_results(grading, wish.out, language(), lesson=wish.lesson)
     say("grade-written", file=str(wish.out / "results.html"), err=True)
     return _say_what_is_missing(grading)
 
@@ -126,7 +129,9 @@ def _check_simulated(name: str) -> None:
 
 
 def _handed_in(paths: Sequence[Path], wish: Wish, step: int) -> Iterator[HandedIn]:
-    return _read_class(wish, step) if wish.class_name else read_all(paths, wish.out / HANDED_IN)
+    if wish.class_name:
+        return _read_class(wish, step)
+    return read_all(paths, wish.out / HANDED_IN, lambda left: click.echo(text(left), err=True))
 
 
 def _read_class(wish: Wish, step: int) -> Iterator[HandedIn]:
@@ -142,8 +147,11 @@ def _read_class(wish: Wish, step: int) -> Iterator[HandedIn]:
     assert wish.class_name  # noqa: S101 - the caller has looked
     for work in collect(known_class(wish.class_name), find_lesson(wish.lesson).name, step):
         project, file = work.project, str(work.file)
-        if project is None:
-            yield HandedIn(work.pupil, file, reason=Phrase("grade-no-program"))
+        if work.problem is not None:
+            yield HandedIn(work.pupil, file, reason=work.problem)
+        elif project is None:
+            reason = Phrase("grade-not-begun")
+            yield HandedIn(work.pupil, file, reason=reason, absence="not begun")
         else:
             is_python = project.python is not None
             text = project.blocktext if project.python is None else project.python

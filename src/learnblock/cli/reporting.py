@@ -12,7 +12,7 @@ from typing import Any, BinaryIO
 import click
 
 from learnblock import running
-from learnblock.cli.console import ExitCode, located, print_json, say, text
+from learnblock.cli.console import ExitCode, located, print_json, say, text, visible
 from learnblock.cli.interrupts import stopped_by_signals
 from learnblock.cli.keyboard import (
     Keyboard,
@@ -233,7 +233,7 @@ def demonstrate(picture: Path) -> int:
 
 def ask(prompt: str) -> str | None:
     """Ask the person for a line; None if there will be no more."""
-    click.echo(prompt, nl=False)
+    click.echo(text(prompt), nl=False)
     line = sys.stdin.readline()
     return line.removesuffix("\n") if line else None
 
@@ -249,14 +249,19 @@ class Collector(Watcher):
     session: ProgramRun | None = None
 
     def __init__(self, keyboard: Keyboard | None = None) -> None:
-        self.output = ""
+        self._parts: list[str] = []
         self.keyboard = keyboard or NoKeys()
+
+    @property
+    def output(self) -> str:
+        """All that the program has printed."""
+        return "".join(self._parts)
 
     def held_keys(self, time: float) -> Collection[str]:
         return self.keyboard.held(time)
 
     def printed(self, text: str) -> None:
-        self.output += text
+        self._parts.append(text)
 
     def clear(self) -> None:
         """Leave the terminal as it is."""
@@ -273,7 +278,7 @@ class _Terminal(Collector):
 
     def printed(self, text: str) -> None:
         self.clear()
-        click.echo(text, nl=False)
+        click.echo(visible(text), nl=False)
 
     def input(self, prompt: str) -> str | None:
         self.clear()
@@ -301,7 +306,7 @@ class _Terminal(Collector):
             parts.append(recorder.emotions[-1])
         speed = recorder.time() / max(now - self._started, 0.001)
         parts.append(text(Phrase("report-speed", factor=decimal(speed))))
-        return "  ".join(parts)
+        return visible("  ".join(parts))
 
 
 def mistakes(source: Source, entry: RobotEntry, *, anyway: bool, quiet: bool) -> list[Diagnostic]:
@@ -390,7 +395,7 @@ def short(trace_sha256: str) -> str:
 
 def print_row(label: str, value: str) -> None:
     """Print a row of the report: the code of its label, and its value."""
-    click.echo(f"{text(Phrase(label)):<{LABEL}} {value}", err=True)
+    click.echo(f"{text(Phrase(label)):<{LABEL}} {text(value)}", err=True)
 
 
 def _rows(report: Report, session: ProgramRun) -> Iterator[tuple[str, str]]:
@@ -454,7 +459,7 @@ def ending(report: Report, limit: float | None) -> str:
     place = f"{error['file']}:{error['line']}: " if error["line"] else ""
     message = error["message"]
     shown = text(message) if isinstance(message, Phrase) else str(message)
-    return f"{place}{shown}{_quoted(error)}{_within(error.get('within'))}"
+    return text(f"{place}{shown}{_quoted(error)}{_within(error.get('within'))}")
 
 
 def _within(place: object) -> str:

@@ -173,7 +173,7 @@ class _Screen:
         """Print a line of a program."""
         if not self._quiet:
             self.clear()
-            click.echo(line)
+            click.echo(text(line))
 
     def ask(self, prompt: str) -> str | None:
         """Ask the person for a line."""
@@ -193,7 +193,7 @@ class _Screen:
         if self._live and self.session and now - self._drawn > STATUS_PERIOD:
             self._drawn = now
             state = self._state(self.session, now)
-            click.echo(f"\r\x1b[K{state}", nl=False, err=True)
+            click.echo(f"\r\x1b[K{text(state)}", nl=False, err=True)
 
     def clear(self) -> None:
         """Remove the line with the state."""

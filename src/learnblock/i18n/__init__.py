@@ -8,7 +8,16 @@ files.
     'square.bt is too large: the limit is 4 MB.'
 """
 
-from learnblock.i18n.phrase import Multilingual, Phrase, Value, translate
+from learnblock.i18n.phrase import Multilingual, Phrase, Value, can_be_said, parts, translate
 from learnblock.i18n.words import ENGLISH, languages
 
-__all__ = ["ENGLISH", "Multilingual", "Phrase", "Value", "languages", "translate"]
+__all__ = [
+    "ENGLISH",
+    "Multilingual",
+    "Phrase",
+    "Value",
+    "can_be_said",
+    "languages",
+    "parts",
+    "translate",
+]

@@ -1,10 +1,10 @@
 """A message for a person: a code and named values."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Self, Union
 
-from learnblock.i18n.words import ENGLISH, is_code, words
+from learnblock.i18n.words import ENGLISH, is_code, is_known, languages, words
 
 #: The values of a phrase. Numbers are formatted for the language, so a number used as a name
 #: (a port, an identifier) is passed as a string; a tuple is shown as a list with commas.
@@ -79,6 +79,27 @@ def translate(phrase: Phrase, language: str) -> str:
         if text is not None:
             return text
     return phrase.code
+
+
+def can_be_said(phrase: Phrase) -> bool:
+    """Whether the words of a phrase are known and have all their values, in every language."""
+    codes = (part.code for part in parts(phrase) if isinstance(part, Phrase))
+    if not all(is_known(code) for code in codes if is_code(code)):
+        return False
+    try:
+        for language in languages():
+            translate(phrase, language)
+    except (ValueError, TypeError, ArithmeticError):
+        return False
+    return True
+
+
+def parts(value: Value | None, levels: int = 1000) -> Iterator[Value | None]:
+    """A phrase, its values and theirs; None for what is nested deeper than that."""
+    yield value if levels else None
+    if levels and isinstance(value, Phrase | tuple):
+        for one in value.values.values() if isinstance(value, Phrase) else value:
+            yield from parts(one, levels - 1)
 
 
 def _shown(value: Value, language: str) -> str | int | float:

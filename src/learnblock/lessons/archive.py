@@ -11,6 +11,7 @@ from typing import NoReturn
 from learnblock.errors import Diagnostic, LessonError
 from learnblock.i18n import Phrase
 from learnblock.runtime.limits import MEGABYTE
+from learnblock.storage import zip_names
 
 SUFFIX = ".lblesson"
 #: The largest zip, and the largest sum of the files in it, in bytes.
@@ -125,7 +126,7 @@ def _paths(folder: Path, name: str) -> Iterator[Path]:
 
 
 def _contents(archive: zipfile.ZipFile, filename: str) -> dict[str, bytes]:
-    entries = [one for one in archive.infolist() if not IGNORED.search(one.filename)]
+    entries = [one for one in zip_names.entries(archive) if not IGNORED.search(one.filename)]
     _check_count(filename, len(entries))
     files = [entry for entry in entries if not entry.is_dir()]
     outer = _outer_folder([entry.filename for entry in files])

@@ -92,7 +92,7 @@ def for_pupils(opened: OpenLesson) -> OpenLesson:
 
 def shipped() -> tuple[str, ...]:
     """The names of the lessons that come with LearnBlock, by level and name."""
-    return tuple(sorted(path.parent.name for path in _shipped_folder().glob(f"*/{MAIN}")))
+    return tuple(sorted(path.parent.name for path in shipped_folder().glob(f"*/{MAIN}")))
 
 
 def shipped_lesson(name: str) -> OpenLesson:
@@ -107,7 +107,7 @@ def shipped_lesson(name: str) -> OpenLesson:
         LessonError: it is invalid.
         OSError: it cannot be read.
     """
-    files = MappingProxyType(dict(folder_files(_shipped_folder() / name)))
+    files = MappingProxyType(dict(folder_files(shipped_folder() / name)))
     lesson = _parsed(name, files, MAIN, Lesson, lambda _: ())
     return for_pupils(OpenLesson(name, lesson, None, files))
 
@@ -122,14 +122,15 @@ def find_lesson(name_or_path: str) -> OpenLesson:
     """
     names = shipped()
     if name_or_path in names:
-        return open_lesson(_shipped_folder() / name_or_path)
+        return open_lesson(shipped_folder() / name_or_path)
     path = Path(name_or_path)
     if path.is_dir() or path.is_file():
         return open_lesson(path)
     raise UnknownNameError("lesson", name_or_path, names)
 
 
-def _shipped_folder() -> Path:
+def shipped_folder() -> Path:
+    """Where the lessons that come with LearnBlock are."""
     # In the package in an installation, beside `src` in a checkout.
     folder = Path(__file__).parent / "shipped"
     return folder if folder.is_dir() else Path(__file__).parents[3] / "lessons"

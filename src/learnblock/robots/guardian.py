@@ -1,33 +1,57 @@
-"""Stops a robot whose program was killed.
+"""Stops a robot whose program was killed, or whose computer froze the program.
 
 Some robots have no watchdog: they keep driving after their last command, even when the program is
-gone. The driver of such a robot starts a guardian, a small process that waits for the driver's end:
+gone. The driver of such a robot starts a guardian, a small process that stops the motors when the
+driver ends, or gives no sign of life for half a second:
 
     self.guardian = Guardian(type(self), self.settings)      in `connect`
+    self.guardian.check()                                    in `check_link`, and before driving
     self.guardian.dismiss()                                  in `disconnect`, after the motors stop
+
+A guardian that has stopped the motors ends. A driver that wakes up again is told by `check`: its
+run ends with an error, because where the robot stands is not where the program expects it.
 """
 
+import os
+import queue
 import signal
 import subprocess
 import sys
 import threading
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
 from time import monotonic
 from typing import Any
 
 import msgspec
 
 from learnblock import robots
-from learnblock.errors import LearnBlockError
+from learnblock.errors import LearnBlockError, RobotConnectionError
 from learnblock.robots.real import RealRobot
 from learnblock.robots.settings import RobotSettings
 
 #: Seconds for which to retry a robot that does not respond, and seconds between attempts.
 #: It must not retry longer, because another program may be using the robot by then.
 TRIES_FOR, PAUSE = 5.0, 0.1
+#: Seconds between two signs of life of a driver.
+PERIOD = 0.1
+#: The guardian waits for signs of life in steps of so many seconds, and stops the motors after so
+#: many steps without any: half a second. A step counts as one however long it took, so that a
+#: guardian that was frozen itself, as by a suspended computer, hears its driver first.
+STEP, SILENT_STEPS = 0.05, 10
+#: As many for a driver that computes: the thread that gives the signs of life may have to wait for
+#: the others. A driver that is stuck for so long is no better than a frozen one.
+BUSY_STEPS = 40
+#: Seconds to wait for the thread that gives the signs of life.
+PATIENCE = 1.0
+
+#: Waits so many seconds for signs of life; None if there are none, b"" if the driver has ended.
+Hear = Callable[[float], bytes | None]
 
 
 class Guardian:
-    """A process that stops the robot's motors when this process exits for any reason.
+    """A process that stops the robot's motors when this process exits for any reason, or freezes.
 
     Args:
         robot: the class whose `halt` stops the motors.
@@ -36,8 +60,10 @@ class Guardian:
 
     def __init__(self, robot: type[RealRobot[Any]], settings: RobotSettings) -> None:
         command = [sys.executable, "-P", "-m", __name__, robot.__module__]
+        self._robot = robot.name()
         self._process = subprocess.Popen(  # noqa: S603 - our own interpreter and module
             command,
+            bufsize=0,
             stdin=subprocess.PIPE,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
@@ -47,27 +73,107 @@ class Guardian:
         assert self._process.stdin is not None  # noqa: S101 - for the type checker
         self._pipe = self._process.stdin
         self._pipe.write(msgspec.json.encode(settings) + b"\n")
-        self._pipe.flush()
+        self._over = threading.Event()
+        self._beating = threading.Thread(target=self._beat, name="signs of life", daemon=True)
+        self._beating.start()
+
+    def check(self) -> None:
+        """Check that the guardian is watching, and has not stopped the motors.
+
+        Raises:
+            RobotConnectionError: it has stopped them, because this process was frozen for half a
+                second, or it has ended by itself.
+        """
+        ended = None if self._over.is_set() else self._process.poll()
+        if ended is not None:
+            code = "robot-computer-froze" if ended == 0 else "robot-guardian-ended"
+            raise RobotConnectionError(code, robot=self._robot)
 
     def dismiss(self) -> None:
         """End the guardian because the motors have stopped; calling it twice is harmless."""
         self._process.kill()
         self._process.wait()
-        self._pipe.close()
+        self._hang_up()
 
     def leave_in_charge(self) -> None:
         """Let the guardian stop the motors; it retries for some seconds and then exits."""
-        self._pipe.close()
+        self._hang_up()
         threading.Thread(target=self._process.wait, name="guardian", daemon=True).start()
 
+    def _hang_up(self) -> None:
+        self._over.set()
+        self._beating.join(PATIENCE)
+        self._pipe.close()
 
-def _guard(module: str) -> None:
+    def _beat(self) -> None:
+        while not self._over.wait(PERIOD):
+            try:
+                self._pipe.write(b".")
+            except OSError:
+                # The guardian has ended; `check` says so.
+                return
+
+
+def wait_for_silence(hear: Hear, is_busy: Callable[[], bool]) -> None:
+    """Return when a driver has ended, or has given no sign of life for half a second.
+
+    Args:
+        hear: waits for signs of life.
+        is_busy: whether the driver computes; it may then be silent for two seconds.
+    """
+    silent = 0
+    while silent < SILENT_STEPS or (silent < BUSY_STEPS and is_busy()):
+        heard = hear(STEP)
+        if heard == b"":
+            return
+        silent = 0 if heard else silent + 1
+
+
+def _hearing(stream: int) -> Hear:
+    """Hear what arrives from a descriptor; a thread reads it, as Windows can't wait for pipes."""
+    arrived: queue.SimpleQueue[bytes] = queue.SimpleQueue()
+
+    def read() -> None:
+        data = b"."
+        while data:
+            data = os.read(stream, 1024)
+            arrived.put(data)
+
+    threading.Thread(target=read, name="hearing", daemon=True).start()
+
+    def hear(seconds: float) -> bytes | None:
+        try:
+            return arrived.get(timeout=seconds)
+        except queue.Empty:
+            return None
+
+    return hear
+
+
+def is_busy(process: int) -> bool:
+    """Whether a thread of a process computes or could; False where the system doesn't tell.
+
+    A process that was stopped has none, nor has one that waits for its memory to be swapped in.
+    """
+    try:
+        states = [file.read_text() for file in Path(f"/proc/{process}/task").glob("*/stat")]
+    except OSError:
+        # It, or one of its threads, has just ended.
+        return False
+    # The state follows the name in brackets.
+    return any(text.rpartition(")")[2].split()[0] == "R" for text in states)
+
+
+def _guard(module: str) -> bool:
+    """Wait until the driver is silent, then stop the motors; return whether they were stopped."""
     # Ctrl-C is meant for the program; the guardian starts working when the program ends.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     robot: Any = robots.find(module).load()
-    settings = msgspec.json.decode(sys.stdin.buffer.readline(), type=robot.settings_type)
-    # Returns when the other end closes; only the driver has it, so it closes with the driver.
-    sys.stdin.buffer.read()
+    # Unbuffered, so that nothing is read ahead of the signs of life.
+    with open(sys.stdin.fileno(), "rb", buffering=0, closefd=False) as stream:
+        settings = msgspec.json.decode(stream.readline(), type=robot.settings_type)
+    # The driver alone has the other end, so it closes with the driver.
+    wait_for_silence(_hearing(sys.stdin.fileno()), partial(is_busy, os.getppid()))
     deadline = monotonic() + TRIES_FOR
     while monotonic() < deadline:
         try:
@@ -75,8 +181,9 @@ def _guard(module: str) -> None:
         except LearnBlockError:
             threading.Event().wait(PAUSE)
         else:
-            return
+            return True
+    return False
 
 
 if __name__ == "__main__":
-    _guard(sys.argv[1])
+    sys.exit(0 if _guard(sys.argv[1]) else 1)

@@ -26,6 +26,7 @@ from learnblock.runtime import process_group
 from learnblock.runtime.containment.environment import harmless
 from learnblock.runtime.ending import How
 from learnblock.runtime.limits import Limits
+from learnblock.runtime.validation import is_sayable, refused
 from learnblock.storage.home import home
 
 #: Seconds in which stopped runs have to end.
@@ -139,7 +140,7 @@ class Batch:
             if self._is_stopped or not left:
                 return
         for number in left:
-            yield _result(number, msgspec.msgpack.encode(warm.lost(_PROCESS_ENDED)))
+            yield _result(number, msgspec.msgpack.encode(warm.lost(_PROCESS_ENDED)), isolated=True)
 
     def _made_by(self, kept: "WarmProcess | None", numbers: Sequence[int]) -> Iterator[JobResult]:
         """Make some of the runs; fewer have a result if the process that forks them dies."""
@@ -151,24 +152,24 @@ class Batch:
             if self._is_stopped:
                 return
             process.send(Order(jobs, self._at_once, self._limits).packed())
-            for index, data in self._received(process, len(numbers)):
+            for index, isolated, data in self._received(process, len(numbers)):
                 made += 1
-                yield _result(numbers[index], data)
+                yield _result(numbers[index], data, isolated=isolated)
         finally:
             # One that was left in the middle of a batch can't be given another.
             if kept is None or self._is_stopped or made < len(numbers):
                 process.end()
 
-    def _received(self, process: "WarmProcess", count: int) -> Iterator[tuple[int, bytes]]:
+    def _received(self, process: "WarmProcess", count: int) -> Iterator[tuple[int, bool, bytes]]:
         for _ in range(count):
             head = process.read(warm.HEAD.size)
             if self._is_stopped or len(head) < warm.HEAD.size:
                 return
-            index, length = warm.HEAD.unpack(head)
+            index, isolated, length = warm.HEAD.unpack(head)
             data = process.read(length)
             if len(data) < length:
                 return
-            yield index, data
+            yield index, isolated, data
 
 
 class WarmProcess:
@@ -244,15 +245,22 @@ def _start(handle: int) -> "subprocess.Popen[bytes]":
     )
 
 
-def _result(number: int, data: bytes) -> JobResult:
-    """The result that a child has sent; its program may have had a part in it."""
+def _result(number: int, data: bytes, *, isolated: bool) -> JobResult:
+    """The result that a child has sent; a program that was not isolated may have had a part."""
     try:
         sent = msgspec.msgpack.decode(data, type=warm.Sent)
         How(sent.report.ended)
     except (msgspec.MsgspecError, ValueError):
-        error = {"message": Phrase("run-link-closed"), "file": "", "line": 0, "text": ""}
-        return JobResult(number, Report(ended=How.KILLED, error=error), isolated=True)
+        return JobResult(number, _failed(How.KILLED, Phrase("run-link-closed")), isolated=True)
+    if not is_sayable(sent.message):
+        reason = refused("an error that is not known").phrase
+        return JobResult(number, _failed(How.ERROR, reason), isolated=isolated)
     report = sent.report
     if report.error is not None:
         report = replace(report, error={**report.error, "message": sent.message})
-    return JobResult(number, report, sent.isolated, sent.trace, sent.lost)
+    # Only a host that no program shares can say that a run is lost.
+    return JobResult(number, report, isolated, sent.trace, sent.lost if isolated else "")
+
+
+def _failed(how: How, message: Phrase) -> Report:
+    return Report(ended=how, error={"message": message, "file": "", "line": 0, "text": ""})

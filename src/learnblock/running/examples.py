@@ -5,18 +5,21 @@ from pathlib import Path
 from learnblock.errors import UnknownNameError
 
 
+def examples_folder() -> Path:
+    """Where the examples are: beside the modules in an installation, beside `src` in a checkout."""
+    package = Path(__file__).parents[1]
+    installed = package / "examples"
+    return installed if installed.is_dir() else package.parents[1] / "examples"
+
+
 def example(name: str) -> Path:
     """Find an example by its file name, with its folder if it is in one: ``several/sumo.bt``.
 
     Raises:
         UnknownNameError: there is no example with this name.
     """
-    # Beside the modules in an installation, beside `src` in a checkout.
-    package = Path(__file__).parents[1]
-    for folder in (package / "examples", package.parents[1] / "examples"):
-        if folder.is_dir():
-            known = {path.relative_to(folder).as_posix(): path for path in folder.rglob("*.*")}
-            if name in known:
-                return known[name]
-            raise UnknownNameError("example", name, known)
-    raise UnknownNameError("example", name, ())
+    folder = examples_folder()
+    known = {path.relative_to(folder).as_posix(): path for path in folder.rglob("*.*")}
+    if name in known:
+        return known[name]
+    raise UnknownNameError("example", name, known)

@@ -1,19 +1,16 @@
 """The report of a run, for its callers."""
 
 from collections.abc import Mapping
-from contextlib import suppress
 from dataclasses import dataclass
-from pathlib import Path
 
 from learnblock.client import Goal, Outcome
 from learnblock.devices import Pose
-from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.runtime.ending import Ending, How
+from learnblock.runtime.own_files import quoted
 from learnblock.runtime.program import Program
 from learnblock.runtime.run import Run
 from learnblock.runtime.trace import Collision, Recorder
-from learnblock.storage import skill_files
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,11 +88,7 @@ def _error(program: Program, ending: Ending) -> Mapping[str, object]:
 
 def _within(ending: Ending) -> Mapping[str, object]:
     """The position of an error in a file of the user's folder."""
-    text = ""
-    # The file may have been deleted since.
-    with suppress(OSError, LearnBlockError):
-        lines = skill_files.read(Path(ending.file)).splitlines()
-        text = "".join(lines[ending.file_line - 1 : ending.file_line]).strip()
+    text = quoted(ending.file, ending.file_line)
     return {"file": ending.file, "line": ending.file_line, "text": text}
 
 

@@ -30,6 +30,7 @@ from learnblock.running.plain import is_plain
 from learnblock.running.program_run import ProgramRun
 from learnblock.running.recorded_keys import RecordedKeys
 from learnblock.running.report import Report
+from learnblock.runtime import validation
 from learnblock.runtime.containment import kernel
 from learnblock.runtime.containment.fence import contain_host
 from learnblock.runtime.ending import How
@@ -38,8 +39,8 @@ from learnblock.runtime.limits import MEGABYTE, Limits
 from learnblock.runtime.process import ProcessWorker, Worker
 from learnblock.runtime.watcher import Watcher
 
-#: Before each result: the index of its job, and its length.
-HEAD = struct.Struct(">II")
+#: Before each result: the index of its job, whether its program was isolated, and its length.
+HEAD = struct.Struct(">I?I")
 #: The largest result, in bytes.
 LARGEST = 256 * MEGABYTE
 _CHUNK = MEGABYTE
@@ -48,7 +49,7 @@ WATCHING = 0.5
 #: The status of a child that has said why it failed, and the most bytes of that.
 _FAILED, _LONGEST_CAUSE = 2, 1000
 #: The code of the error of a system that refuses to contain a program.
-_NOT_CONTAINED = "run-not-contained"
+_NOT_CONTAINED = validation.NOT_CONTAINED
 #: What runs on simulated robots load when they need it, besides our skills.
 _PRELOADED = (
     "email.parser",
@@ -95,14 +96,19 @@ class Prints(Watcher):
     """
 
     def __init__(self, keys: RecordedKeys | None = None) -> None:
-        self.text = ""
+        self._parts: list[str] = []
         self._keys = keys
+
+    @property
+    def text(self) -> str:
+        """All that it has printed."""
+        return "".join(self._parts)
 
     def held_keys(self, time: float) -> Collection[str]:
         return self._keys.held(time) if self._keys else ()
 
     def printed(self, text: str) -> None:
-        self.text += text
+        self._parts.append(text)
 
 
 @dataclass(slots=True)
@@ -231,18 +237,18 @@ class _Warm:
             os.kill(child.process, signal.SIGKILL)
         status = os.waitstatus_to_exitcode(os.waitpid(child.process, 0)[1])
         if status == 0:
-            self._send(child.job, child.received)
+            self._send(child, child.received)
         elif not self._at_once:
             return
         elif is_too_large and child.isolated:
-            self._send(child.job, b"")
+            self._send(child, b"")
         elif self._deserves_another(child, status):
             self._waiting.appendleft((child.job, child.isolated))
         elif not child.isolated:
             # It did not let its host run, or took too much: see how it ends in its own process.
             self._waiting.appendleft((child.job, True))
         else:
-            self._send(child.job, msgspec.msgpack.encode(lost(_cause(status, child.received))))
+            self._send(child, msgspec.msgpack.encode(lost(_cause(status, child.received))))
 
     def _deserves_another(self, child: _Child, status: int) -> bool:
         """Whether a run is made again as it was, because its program may not be to blame."""
@@ -253,8 +259,9 @@ class _Warm:
         # In a process of its own, a program can't end that of its host.
         return child.isolated or status == -signal.SIGKILL
 
-    def _send(self, job: int, result: bytes | bytearray) -> None:
-        self._connection.sendall(HEAD.pack(job, len(result)) + result)
+    def _send(self, child: _Child, result: bytes | bytearray) -> None:
+        head = HEAD.pack(child.job, child.isolated, len(result))
+        self._connection.sendall(head + result)
 
 
 def lost(reason: str) -> Sent:

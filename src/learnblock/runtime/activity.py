@@ -40,21 +40,25 @@ class Silence:
         self.computing = self.waiting = 0.0
         self._before = activity
 
-    def look(self, seconds: float, activity: Activity | None) -> None:
+    def look(self, seconds: float, activity: Activity | None, handling: float = 0.0) -> None:
         """Look again after some seconds of the wall clock, without a call in between.
 
         Args:
             seconds: since the last look.
             activity: what the program does; None on a system that does not say, where all time
                 counts as computing.
+            handling: seconds of processor time that its host has spent on its messages, which
+                count as if the program had computed: it may send more than it computes.
         """
         passed = min(seconds, LONGEST_LOOK)
         if activity is None or self._before is None:
             self.computing += passed if activity is None else 0.0
-        elif activity.processor > self._before.processor:
-            self.computing += activity.processor - self._before.processor
-        elif activity.waits:
-            self.waiting += passed
+        else:
+            self.computing += handling
+            if activity.processor > self._before.processor:
+                self.computing += activity.processor - self._before.processor
+            elif activity.waits:
+                self.waiting += passed
         self._before = activity
 
 

@@ -30,6 +30,10 @@ from learnblock.runtime.lockstep import LockStepClock
 from learnblock.runtime.log.instrumenting import instrument
 from learnblock.runtime.log.noting import Noting
 from learnblock.runtime.messages import (
+    LONGEST_NAME,
+    LONGEST_PROMPT,
+    MOST_NUMBERS,
+    Contained,
     Control,
     Ended,
     Fault,
@@ -43,11 +47,14 @@ from learnblock.runtime.output import LineWriter
 from learnblock.runtime.own_files import own_frame, own_place
 from learnblock.runtime.userrandom import use_own_random
 from learnblock.runtime.usertime import use_robot_time
-from learnblock.runtime.values import described, encodable
+from learnblock.runtime.validation import last_line
+from learnblock.runtime.values import described, encodable, shortened
 from learnblock.runtime.wire import Wire
 
 #: The modules of the built-in robots.
 _ROBOTS = "learnblock.robots."
+#: The most bytes of a function's variables, and of the program's, that are described.
+_MOST_DESCRIBED = 24 * 1024
 
 
 def main() -> None:
@@ -87,6 +94,7 @@ def _ended(link: Link[FromHost], contain: Callable[[Setup], None] | None) -> End
             raise TypeError(f"expected Setup, got {type(setup).__name__}")
         if contain:
             contain(setup)
+        link.send(Contained())
         return _Program(link, setup, owns_process=contain is not None).run()
     except ProgramStopped:
         # A signal arrived before the program began, or just as it ended.
@@ -115,6 +123,8 @@ class _Program:
         self._gate: Gate | None = None
         self._noting: Noting | None = None
         self._output = LineWriter(self._printed, self._wire.flush)
+        #: The characters that it may still print.
+        self._unprinted = setup.limits.output
 
     def run(self) -> Ended:
         try:
@@ -215,6 +225,9 @@ class _Program:
     def _connect(self, module: str, **arguments: Any) -> Client:
         if self._robot and not self._robot.stopped:
             raise LearnBlockError("run-second-robot")
+        if self._noting:
+            # Each robot has a time of its own.
+            self._noting.flush()
         robot = remote.connect(
             self._wire,
             self._setup.skills,
@@ -248,7 +261,7 @@ class _Program:
 
     def _input(self, prompt: object = "") -> str:
         self._output.finish()
-        answer, steps = self._wire.input(str(prompt))
+        answer, steps = self._wire.input(shortened(encodable(str(prompt)), LONGEST_PROMPT - 3))
         if self._robot and isinstance(self._robot.clock, LockStepClock) and steps is not None:
             self._robot.clock.instant = steps
             if self._noting:
@@ -263,7 +276,14 @@ class _Program:
         self._wire.note(Logged(first, last, events))
 
     def _printed(self, text: str) -> None:
-        self._wire.note_soon(Printed(encodable(text)))
+        if self._unprinted < 0:
+            return
+        shown = encodable(text)
+        self._wire.note_soon(Printed(shown))
+        self._unprinted -= len(shown)
+        if self._unprinted < 0:
+            # Here, however far ahead of its host it is.
+            self._wire.await_stop()
 
     def _variables(self) -> Variables:
         whens = self._robot.when_states() if self._robot else {}
@@ -279,19 +299,20 @@ class _Program:
         return Fault(phrase_of(error, failed), self._lines(error), *own_place(error))
 
     def _lines(self, error: BaseException) -> tuple[int, ...]:
+        last = last_line(self._setup.source)
         if isinstance(error, SyntaxError) and error.filename == self._setup.filename:
-            return (error.lineno or 0,)
+            return (min(max(0, error.lineno or 0), last),)
         steps = [
             (code, number)
             for code, number in _walk(error.__traceback__)
-            if code.co_filename == self._setup.filename
+            if code.co_filename == self._setup.filename and number <= last
         ]
         if isinstance(error, RecursionError) and len(steps) > 1:
             code, number = steps[-1]
             # The stack may be full before a function has begun: then the call is to blame.
             if number == code.co_firstlineno:
                 steps.pop()
-        return tuple(number for _, number in steps)
+        return tuple(number for _, number in steps[-MOST_NUMBERS:])
 
     def _left(self, leaving: SystemExit) -> Ended:
         """`sys.exit()` ends a program normally; with a message or a status it is an error."""
@@ -315,11 +336,18 @@ def _print_to(output: LineWriter, *values: object, **options: Any) -> None:
 
 
 def _described(variables: Any) -> dict[str, str]:
-    return {
-        encodable(name): described(value)
-        for name, value in list(variables.items())
-        if not name.startswith("__") and not isinstance(value, Client) and not callable(value)
-    }
+    """The variables as text, as many as fit into a message."""
+    found: dict[str, str] = {}
+    left = _MOST_DESCRIBED
+    for name, value in list(variables.items()):
+        if name.startswith("__") or isinstance(value, Client) or callable(value):
+            continue
+        shown, text = shortened(encodable(name), LONGEST_NAME - 3), described(value)
+        left -= len(shown.encode()) + len(text.encode())
+        if left < 0:
+            break
+        found[shown] = text
+    return found
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 """The host's side of the conversation with the child that runs a program."""
 
+from collections.abc import Callable
 from contextlib import suppress
 from typing import Any
 
@@ -19,10 +20,17 @@ class Conversation:
     Args:
         worker: runs the program.
         debugger: the debugger whose breakpoints are sent to the child whenever they change.
+        check: checks what the child says.
     """
 
-    def __init__(self, worker: Worker, debugger: Debugger | None) -> None:
+    def __init__(
+        self,
+        worker: Worker,
+        debugger: Debugger | None,
+        check: Callable[[Any], object] = lambda _: None,
+    ) -> None:
         self.worker = worker
+        self._check = check
         self._link = worker.link
         self._debugger = debugger
         self._control = debugger.control if debugger else None
@@ -94,20 +102,27 @@ class Conversation:
 
         Raises:
             EOFError: the program is gone.
+            RobotConnectionError: the program has sent what cannot be true.
         """
-        return self._link.receive(timeout)
+        return self._checked(self._link.receive(timeout))
 
     def receive_last(self) -> Any:
         """The next message of an ended process; None while the process runs.
 
         Raises:
             EOFError: it has ended, and there is no further message.
+            RobotConnectionError: as above.
         """
         if self.worker.wait(0) is None:
             return None
         message = self._link.receive_now()
         if message is None:
             raise EOFError("the program's process has ended")
+        return self._checked(message)
+
+    def _checked(self, message: Any) -> Any:
+        if message is not None:
+            self._check(message)
         return message
 
 

@@ -51,6 +51,7 @@ def dismiss(
                     | messages.Input()
                     | messages.Line()
                     | messages.Collect()
+                    | messages.Keys()
                 ):
                     conversation.send(messages.Stop())
                 case messages.Connect() | messages.Disconnect() | None:

@@ -10,6 +10,7 @@ from learnblock.errors import LearnBlockError, nearest
 from learnblock.i18n import Phrase, Value
 from learnblock.runtime.explanations import explanation
 from learnblock.runtime.failed_code import UNKNOWN, FailedCode
+from learnblock.runtime.validation import is_of_program
 from learnblock.runtime.values import encodable, shortened
 
 #: The maximum length of a string in a phrase; longer ones are cut.
@@ -26,7 +27,11 @@ def phrase_of(error: BaseException, failed: FailedCode = UNKNOWN) -> Phrase:
         failed: the code of the program that raised it.
     """
     if isinstance(error, LearnBlockError):
-        return _sendable(error.phrase)
+        phrase = _sendable(error.phrase)
+        # A program may raise our errors with words that we lack.
+        return (
+            phrase if is_of_program(phrase) else Phrase(_text(f"{type(error).__name__}: {error}"))
+        )
     if isinstance(error, PermissionError) and isinstance(error.filename, str):
         return _sendable(Phrase("run-no-access", file=error.filename))
     kind = type(error).__name__

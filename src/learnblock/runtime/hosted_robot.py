@@ -63,6 +63,10 @@ class HostedRobot:
         ]
         return self._offer(self.client)
 
+    def offers(self, device: int, function: str) -> bool:
+        """Whether the robot has a device of this number with this function."""
+        return 0 <= device < len(self._functions) and function in self._functions[device]
+
     def call(self, device: int, function: str, args: tuple[Any, ...]) -> Any:
         """Call a function of a device.
 

@@ -5,12 +5,20 @@ import socket
 import struct
 from collections import deque
 from time import monotonic
-from typing import Any, Generic, Protocol, TypeVar
+from typing import Any, Generic, Protocol, TypeVar, cast, get_args
 
 import msgspec
 
 from learnblock.errors import DeviceValueError, RobotConnectionError
-from learnblock.runtime.messages import Message
+from learnblock.runtime.messages import (
+    LARGEST,
+    LARGEST_LOGGED,
+    Command,
+    FromHost,
+    Logged,
+    Message,
+    Picture,
+)
 from learnblock.runtime.values import described
 
 Incoming = TypeVar("Incoming")
@@ -25,11 +33,25 @@ POLLS = 30
 #: up to 20 ms, while a sleeping process is woken before them.
 POLLING = 0.001
 _CAN_POLL = hasattr(socket, "MSG_DONTWAIT") and hasattr(os, "sched_yield")
-#: The largest message either side accepts: a frame of 1920 by 1080 pixels and its envelope.
+#: The largest message: a frame of 1920 by 1080 pixels and its envelope.
 MAX_MESSAGE = 8 * 1024 * 1024
+#: By its tag, how large a message of more than `LARGEST` bytes may be. A `Command` has to be a
+#: `Picture` then.
+_LARGER = {
+    **{kind.__name__.encode(): MAX_MESSAGE for kind in get_args(FromHost)},
+    Command.__name__.encode(): MAX_MESSAGE,
+    Logged.__name__.encode(): LARGEST_LOGGED + 1024,
+}
+#: The bytes of a message that have its tag.
+_HEAD = 20
 #: msgpack's extension code for a frame: height, width and channels as 32 bit, then its bytes.
 _FRAME = 1
 _SHAPE = struct.Struct(">III")
+_DIMENSIONS = 3
+#: msgpack's codes for short texts, such as a tag: the first, and how many there are.
+_SHORT_TEXT, _SHORT_TEXTS = 0xA0, 32
+
+_decode_picture = msgspec.msgpack.Decoder(Picture).decode
 
 
 class AtOnce(Protocol):
@@ -85,8 +107,8 @@ class Link(Generic[Incoming]):
             outgoing += b"\0\0\0\0"
             self._encoder.encode_into(message, outgoing, start + LENGTH)
             length = len(outgoing) - start - LENGTH
-            if length > MAX_MESSAGE:
-                raise DeviceValueError("run-value-too-large", size=length, limit=MAX_MESSAGE)
+            if length > LARGEST and length > (limit := _limit(message)):
+                raise DeviceValueError("run-value-too-large", size=length, limit=limit)
             outgoing[start : start + LENGTH] = length.to_bytes(LENGTH)
         except (OverflowError, RecursionError, TypeError, UnicodeEncodeError) as error:
             del outgoing[start:]
@@ -150,6 +172,8 @@ class Link(Generic[Incoming]):
             RobotConnectionError: it is not a message of this conversation.
         """
         try:
+            if len(message) > LARGEST and _tag(message) == Command.__name__.encode():
+                return cast("Incoming", _command(_decode_picture(message)))
             return self._decoder.decode(message)
         except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError, TypeError) as error:
             raise RobotConnectionError("run-not-a-message", reason=str(error)) from error
@@ -237,14 +261,48 @@ class SocketLink(Link[Incoming]):
         received, start = self._received, 0
         while len(received) - start >= LENGTH:
             body = start + LENGTH
-            end = body + int.from_bytes(received[start:body])
-            if end - body > MAX_MESSAGE:
-                raise RobotConnectionError("run-message-too-long", size=end - body)
+            size = int.from_bytes(received[start:body])
+            end = body + size
+            if size > LARGEST and not self._may_be_larger(received[body : body + _HEAD], size):
+                raise RobotConnectionError("run-not-a-message", reason=f"{size:,} bytes")
             if end > len(received):
                 break
             self._messages.append(self.decode(received[body:end]))
             start = end
         del received[:start]
+
+    @staticmethod
+    def _may_be_larger(head: bytearray, size: int) -> bool:
+        """Whether a message that begins so may have so many bytes."""
+        limit = MAX_MESSAGE if len(head) < _HEAD else _LARGER.get(_tag(head), LARGEST)
+        return size <= limit
+
+
+def _tag(message: bytearray) -> bytes:
+    """The name of a message, with which it begins; "" if it has none."""
+    length = message[1] - _SHORT_TEXT
+    return bytes(message[2 : 2 + length]) if 0 <= length < _SHORT_TEXTS else b""
+
+
+def _limit(message: Message) -> int:
+    """How many bytes a message of more than `LARGEST` may have."""
+    if isinstance(message, Command) and not _is_picture(message):
+        return LARGEST
+    return _LARGER.get(type(message).__name__.encode(), LARGEST)
+
+
+def _is_picture(command: Command) -> bool:
+    return len(command.args) == 1 and _is_frame(command.args[0])
+
+
+def _is_frame(value: Any) -> bool:
+    return getattr(value, "dtype", None) == "uint8" and value.ndim == _DIMENSIONS
+
+
+def _command(picture: Picture) -> Command:
+    (frame,) = picture.args
+    shown = _from_extension(frame.code, memoryview(frame.data))
+    return Command(picture.device, picture.function, (shown,))
 
 
 def _as_plain(value: Any) -> Any:
@@ -253,7 +311,7 @@ def _as_plain(value: Any) -> Any:
         return described(value)
     if value.ndim == 0:
         return value.item()
-    if value.dtype == "uint8" and value.ndim == 3:
+    if _is_frame(value):
         return msgspec.msgpack.Ext(_FRAME, _SHAPE.pack(*value.shape) + value.tobytes())
     return value.tolist()
 

@@ -3,15 +3,47 @@
 The child speaks first and the host answers only where the message says so, so the two can never
 wait for each other. Messages stay in order, so the host can put a program's prints, lines and calls
 at the right place in the trace.
+
+The types of the child's messages say how large each field may be; whether it makes sense is checked
+by `learnblock.runtime.validation`.
 """
 
 from enum import IntEnum
-from typing import Any
+from typing import Annotated, Any
 
 import msgspec
+from msgspec import Meta
 
 from learnblock.i18n import Phrase
 from learnblock.runtime.limits import Limits
+
+#: The largest message of a child, in bytes; `Logged` and pictures may be larger.
+LARGEST = 64 * 1024
+#: The largest `Logged`: more events are sent in several.
+LARGEST_LOGGED = 256 * 1024
+#: The most steps in a message, arguments of a call, and devices and lines in a list.
+MOST_STEPS, MOST_ARGUMENTS, MOST_NUMBERS = 2000, 100, 1000
+#: The most characters of a name, of a prompt, and of a part of a printed line. A character that
+#: UTF-8 cannot encode takes six.
+LONGEST_NAME, LONGEST_PROMPT, LONGEST_PRINT = 1000, 2000, 6 * 8192
+#: The most bytes of a value that is sent to other robots. A number takes at most 9 bytes here, and
+#: at least 2 as JSON, in which its size is limited.
+LARGEST_SENT = 32 * 1024
+#: The largest number of a tick, of a line and of a call's depth.
+LAST_TICK = LAST_NUMBER = 2**32 - 1
+#: The most steps of a world that a program may wait.
+MOST_WAITED = 2**53
+
+Name = Annotated[str, Meta(max_length=LONGEST_NAME)]
+Index = Annotated[int, Meta(ge=0, le=LAST_NUMBER)]
+Indexes = Annotated[tuple[Index, ...], Meta(max_length=MOST_NUMBERS)]
+Tick = Annotated[int, Meta(ge=0, le=LAST_TICK)]
+Seconds = Annotated[float, Meta(ge=0, le=LAST_TICK)]
+Arguments = Annotated[tuple[Any, ...], Meta(max_length=MOST_ARGUMENTS)]
+NamedArguments = Annotated[dict[Name, Any], Meta(max_length=MOST_ARGUMENTS)]
+#: The name of a file is checked against those that the host knows.
+FileName = Annotated[str, Meta(max_length=4096)]
+Described = dict[Name, Annotated[str, Meta(max_length=LONGEST_PROMPT)]]
 
 
 class Message(msgspec.Struct, frozen=True, array_like=True, tag=True):
@@ -139,27 +171,31 @@ class ShowVariables(Message, frozen=True):
 # Messages of the child.
 
 
+class Contained(Message, frozen=True):
+    """The child has given up its rights, and begins with the program."""
+
+
 class Connect(Message, frozen=True):
     """The program creates its robot; answered by `Connected` or `Failed`."""
 
-    module: str
-    arguments: dict[str, Any]
+    module: Name
+    arguments: NamedArguments
 
 
 class Ask(Message, frozen=True):
     """Call a device's function; the `Answer` is its value."""
 
-    device: int
-    function: str
-    args: tuple[Any, ...]
+    device: Index
+    function: Name
+    args: Arguments
 
 
 class Command(Message, frozen=True):
     """Call a device's function without waiting for an answer."""
 
-    device: int
-    function: str
-    args: tuple[Any, ...]
+    device: Index
+    function: Name
+    args: Arguments
 
 
 class Sleep(Message, frozen=True):
@@ -169,15 +205,20 @@ class Sleep(Message, frozen=True):
     which the program has read since it last slept and will probably read again.
     """
 
-    steps: int
-    reads: tuple[int, ...] = ()
+    steps: Annotated[int, Meta(ge=1, le=MOST_WAITED)]
+    reads: Indexes = ()
 
 
 class Send(Message, frozen=True):
-    """Send a message to the other robots of the run."""
+    """Send a message to the other robots of the run.
 
-    name: str
-    value: Any
+    Args:
+        name: the name of the message.
+        value: its value; it arrives encoded, because its size is checked before it is decoded.
+    """
+
+    name: Name
+    value: msgspec.Raw
 
 
 class Collect(Message, frozen=True):
@@ -195,9 +236,9 @@ class Disconnect(Message, frozen=True):
 class Called(Message, frozen=True):
     """The program called a skill with arguments."""
 
-    skill: str
-    args: tuple[Any, ...]
-    kwargs: dict[str, Any]
+    skill: Name
+    args: Arguments
+    kwargs: NamedArguments
 
 
 class Steps(Message, frozen=True):
@@ -209,20 +250,20 @@ class Steps(Message, frozen=True):
             robot's world.
     """
 
-    steps: tuple[int | str | Called | Command, ...]
+    steps: Annotated[tuple[Index | Name | Called | Command, ...], Meta(max_length=MOST_STEPS)]
 
 
 class Missing(Message, frozen=True):
     """A skill had no effect because the robot lacks a device."""
 
-    skill: str
-    device: str
+    skill: Name
+    device: Name
 
 
 class Printed(Message, frozen=True):
     """A line that the program printed, with its line end if there is one yet."""
 
-    text: str
+    text: Annotated[str, Meta(max_length=LONGEST_PRINT)]
 
 
 class Logged(Message, frozen=True):
@@ -234,15 +275,15 @@ class Logged(Message, frozen=True):
         events: the events (`learnblock.runtime.log.events`), encoded with msgpack.
     """
 
-    first: int
-    last: int
-    events: bytes
+    first: Tick
+    last: Tick
+    events: Annotated[bytes, Meta(max_length=LARGEST_LOGGED)]
 
 
 class Input(Message, frozen=True):
     """The program waits for a line of input, which is the answer."""
 
-    prompt: str
+    prompt: Annotated[str, Meta(max_length=LONGEST_PROMPT)]
 
 
 class Variables(Message, frozen=True):
@@ -254,9 +295,9 @@ class Variables(Message, frozen=True):
         whens: whether each `when` is active, and for how many seconds.
     """
 
-    local: dict[str, str]
-    shared: dict[str, str]
-    whens: dict[str, tuple[bool, float]] = {}
+    local: Described
+    shared: Described
+    whens: dict[Name, tuple[bool, Seconds]] = {}
 
 
 class Line(Message, frozen=True):
@@ -268,8 +309,8 @@ class Line(Message, frozen=True):
         variables: the variables at that point.
     """
 
-    number: int
-    depth: int
+    number: Index
+    depth: Index
     variables: Variables
 
 
@@ -278,15 +319,16 @@ class Fault(msgspec.Struct, frozen=True, array_like=True):
 
     Args:
         phrase: the message for a person.
-        lines: the program's own lines on the way to the error, outermost first.
+        lines: the program's own lines on the way to the error, outermost first; the innermost
+            `MOST_NUMBERS`.
         file: the file in the user's folder where it happened; "" if it was in none.
         file_line: the line of that file, from 1.
     """
 
     phrase: Phrase
-    lines: tuple[int, ...]
-    file: str = ""
-    file_line: int = 0
+    lines: Indexes
+    file: FileName = ""
+    file_line: Index = 0
 
 
 class Interrupted(Message, frozen=True):
@@ -298,9 +340,9 @@ class Interrupted(Message, frozen=True):
         file_line: see `Fault`.
     """
 
-    line: int
-    file: str = ""
-    file_line: int = 0
+    line: Index
+    file: FileName = ""
+    file_line: Index = 0
 
 
 class Ended(Message, frozen=True):
@@ -308,12 +350,21 @@ class Ended(Message, frozen=True):
 
     fault: Fault | None = None
     stopped: bool = False
-    lines: tuple[int, ...] = ()
+    lines: Indexes = ()
+
+
+class Picture(msgspec.Struct, frozen=True, array_like=True, tag="Command"):
+    """A `Command` that may be larger than others, because its only argument is a frame."""
+
+    device: Index
+    function: Name
+    args: tuple[msgspec.msgpack.Ext]
 
 
 FromHost = Setup | Connected | Answer | Failed | Stop | Control | Continue | ShowVariables
 FromChild = (
-    Connect
+    Contained
+    | Connect
     | Ask
     | Command
     | Sleep

@@ -13,7 +13,12 @@ from learnblock.client.clock import Clock, WallClock
 from learnblock.client.keyboard import Keyboard
 from learnblock.client.mailbox import Mailbox
 from learnblock.devices import DEVICE_TYPES, Device, Function
-from learnblock.errors import MissingDeviceError, ProgramStopped, RobotConnectionError
+from learnblock.errors import (
+    DeviceValueError,
+    MissingDeviceError,
+    ProgramStopped,
+    RobotConnectionError,
+)
 from learnblock.i18n import Phrase
 from learnblock.runtime.lines import without_line_events
 from learnblock.runtime.lockstep import LockStepClock
@@ -29,7 +34,8 @@ from learnblock.runtime.messages import (
     Missing,
     Send,
 )
-from learnblock.runtime.values import plain
+from learnblock.runtime.validation import is_need
+from learnblock.runtime.values import described, plain
 from learnblock.runtime.wire import LONGEST_WAIT, Wire
 from learnblock.senses import is_decoration
 
@@ -140,11 +146,25 @@ class _Notes:
         if not args and not kwargs:
             self._wire.note_skill(skill)
             return
-        named = {name: plain(value) for name, value in kwargs.items()}
-        self._wire.note_call(skill, tuple(map(plain, args)), named)
+        try:
+            self._note_call(skill, args, kwargs, plain)
+        except DeviceValueError:
+            # Too much for a message.
+            self._note_call(skill, args, kwargs, described)
+
+    def _note_call(
+        self,
+        skill: str,
+        args: tuple[Any, ...],
+        kwargs: dict[str, Any],
+        convert: Callable[[Any], Any],
+    ) -> None:
+        named = {name: convert(value) for name, value in kwargs.items()}
+        self._wire.note_call(skill, tuple(map(convert, args)), named)
 
     def missing(self, skill: str, device: str) -> None:
-        self._wire.note(Missing(skill, device))
+        if is_need(device):
+            self._wire.note(Missing(skill, device))
         if self._noting:
             self._noting.missing(skill, device)
 

@@ -2,12 +2,15 @@
 
 from collections.abc import Callable, Mapping
 from functools import partial
+from time import thread_time
 from typing import Any
+
+import msgspec
 
 from learnblock.client import Client
 from learnblock.client.keyboard import KEYS
 from learnblock.client.mailbox import checked
-from learnblock.errors import LearnBlockError, RobotConnectionError
+from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.runtime import messages
 from learnblock.runtime.conversation import Conversation
@@ -25,6 +28,7 @@ from learnblock.runtime.program import Program
 from learnblock.runtime.status import State
 from learnblock.runtime.supervision import Supervision
 from learnblock.runtime.trace import Recorder
+from learnblock.runtime.validation import Validator, refused
 from learnblock.runtime.variables import VariableReports
 from learnblock.runtime.watcher import Watcher
 from learnblock.runtime.world import Simulation, World
@@ -80,13 +84,20 @@ class Run:
         self.supervision = Supervision(limits, self.robot)
         self.variables = VariableReports(self.watcher)
         self._pauses = Pauses(self.watcher, debugger)
+        validator = Validator(
+            program,
+            robots,
+            self.robot,
+            self.variables,
+            pauses=debugger is not None,
+            log=log is not None,
+        )
         self._begin = partial(
             _begin,
             program,
             limits,
             robots,
-            worker,
-            debugger,
+            lambda: Conversation(worker(), debugger, validator.check),
             network=network,
             anyway=anyway,
             log=log is not None,
@@ -124,7 +135,7 @@ class Run:
 
     def serve(self) -> None:
         """Serve the program's requests until it ends or waits for simulated time to pass."""
-        self.supervision.note_call()
+        self.supervision.note_time()
         with self._talking() as conversation:
             while self.wake is None and self.ending is None:
                 message = self._next(conversation)
@@ -244,6 +255,7 @@ class Run:
 
     def _make_handlers(self, events: Events) -> Mapping[type, Callable[[Any], object]]:
         return {
+            messages.Contained: lambda _: None,
             messages.Ask: self._on_ask,
             messages.Command: self._on_tell,
             messages.Sleep: self._on_sleep,
@@ -300,14 +312,12 @@ class Run:
         self.supervision.note_call()
 
     def _on_sleep(self, message: messages.Sleep) -> None:
-        if self.simulation is None:
-            reason = "only the program of a simulated robot waits for its world"
-            raise RobotConnectionError("run-not-a-message", reason=reason)
-        self.wake = self.simulation.steps + max(1, message.steps)
+        assert self.simulation is not None  # noqa: S101 - see `validation`
+        self.wake = self.simulation.steps + message.steps
         self._reads = message.reads
 
     def _on_send(self, message: messages.Send) -> None:
-        name, value = checked(message.name, message.value)
+        name, value = checked(message.name, _decoded(message.value))
         self._box.send(name, value, self._step)
         if recorder := self.robot.active_recorder:
             recorder.sent(name, value)
@@ -337,7 +347,8 @@ class Run:
     def _on_input(self, message: messages.Input) -> None:
         with self.world.running_by_itself(self.supervision.seconds):
             answer = self._pauses.input(message.prompt, stopping=self.stopping is not None)
-        self.supervision.note_call()
+        if answer is not None:
+            self.supervision.note_time()
         self._continue(messages.Answer((answer, self._step)))
 
     def _continue(self, message: messages.Message) -> None:
@@ -351,10 +362,16 @@ class Run:
         self._end_soon(excess)
         if excess is None:
             events.printed(message)
+            # So that it ends in the same way however it is run and however fast.
+            self.supervision.note_output()
 
     def _on_logged(self, message: messages.Logged) -> None:
-        if self._log:
+        if self._log and self._conversation:
+            began = thread_time()
             self._log.noted(message.first, message.last, message.events)
+            self.supervision.note_log(thread_time() - began)
+            if not self.supervision.allows_log(self._conversation.worker.activity):
+                raise refused("more events than a program can cause")
 
     def _on_ended(self, message: messages.Ended) -> None:
         if message.fault:
@@ -422,17 +439,23 @@ def _begin(
     program: Program,
     limits: Limits,
     robots: tuple[str, ...],
-    worker: Callable[[], Worker],
-    debugger: Debugger | None,
+    converse: Callable[[], Conversation],
     *,
     network: bool,
     anyway: bool,
     log: bool,
 ) -> Conversation:
     # The worker first: while it starts, we look for the skills.
-    conversation = Conversation(worker(), debugger)
+    conversation = converse()
     conversation.begin(program, limits, robots, network=network, anyway=anyway, log=log)
     return conversation
+
+
+def _decoded(value: msgspec.Raw) -> Any:
+    try:
+        return msgspec.msgpack.decode(value)
+    except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError, TypeError) as error:
+        raise refused(str(error)) from error
 
 
 def _failed(fault: messages.Fault) -> Ending:

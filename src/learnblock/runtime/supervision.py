@@ -1,7 +1,7 @@
 """Supervision of a running program: its silence, its output and its time."""
 
 from collections.abc import Callable
-from time import monotonic
+from time import monotonic, thread_time
 
 from learnblock.i18n import Phrase
 from learnblock.runtime.activity import Activity, Silence
@@ -14,6 +14,8 @@ from learnblock.runtime.limits import MEGABYTE, Limits
 PERIOD = 0.05
 #: Seconds of the wall clock between two checks of resources, which take longer.
 USAGE_PERIOD = 0.1
+#: Calls of a program at one moment of its world that count: honest ones make time pass.
+MOST_CALLS_AT_ONE_TIME = 1000
 
 
 class Supervision:
@@ -32,11 +34,42 @@ class Supervision:
         self._printed = 0
         self._last_check = self._last_usage = 0.0
         self._called = True
+        self._calls = 0
         self._silence = Silence()
+        #: The processor time of this thread at the last check, and what of it the log has taken.
+        self._worked = self._logging = 0.0
+        self._began = monotonic()
+
+    def note_time(self) -> None:
+        """Record that the program waited, and time passed."""
+        self._calls = 0
+        self._called = True
 
     def note_call(self) -> None:
-        """Record that the program made a call."""
+        """Record that the program made a call, in which no time passes."""
+        self._calls += 1
+        if self._calls <= MOST_CALLS_AT_ONE_TIME:
+            self._called = True
+
+    def note_output(self) -> None:
+        """Record that the program printed; how much is limited."""
         self._called = True
+
+    def note_log(self, seconds: float) -> None:
+        """Record that this thread has spent so much processor time on the program's log."""
+        self._logging += seconds
+
+    def allows_log(self, activity: Callable[[], Activity | None]) -> bool:
+        """Whether the program's log takes no longer to keep than the program itself takes.
+
+        Args:
+            activity: says what the program has done.
+        """
+        if self._logging <= self.limits.silence:
+            return True
+        done = activity()
+        own = monotonic() - self._began if done is None else done.processor
+        return self._logging <= self.limits.silence + own
 
     @property
     def is_due(self) -> bool:
@@ -53,6 +86,7 @@ class Supervision:
             RobotConnectionError: the link to a real robot is gone.
         """
         before, self._last_check = self._last_check, monotonic()
+        worked, self._worked = self._worked, thread_time()
         if self._robot.client is not None and self._robot.world.simulation is None:
             # A real robot does not wait for its program, so long silence is not an error there.
             self._robot.check_link()
@@ -61,12 +95,13 @@ class Supervision:
             self._called = False
             self._silence.begin(activity())
         else:
-            self._silence.look(self._last_check - before, activity())
+            handling = self._worked - worked
+            self._silence.look(self._last_check - before, activity(), handling)
         return self._check_silence()
 
     def check_output(self, characters: int) -> Ending | None:
         """Count printed characters; return how the run has to end if there are too many."""
-        self._printed += characters
+        self._printed += max(1, characters)
         if self._printed <= self.limits.output:
             return None
         return Ending(

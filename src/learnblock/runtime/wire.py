@@ -1,18 +1,25 @@
 """The child's side of the conversation with the host."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from threading import get_ident
 from time import monotonic
 from typing import Any
 
 from learnblock import errors
-from learnblock.errors import LearnBlockError, ProgramStopped, RobotConnectionError
+from learnblock.errors import (
+    DeviceValueError,
+    LearnBlockError,
+    ProgramStopped,
+    RobotConnectionError,
+)
 from learnblock.runtime.link import AtOnce, Link
 from learnblock.runtime.messages import (
+    MOST_WAITED,
     Answer,
     Ask,
     Called,
+    Collect,
     Command,
     Continue,
     Control,
@@ -85,7 +92,7 @@ class Wire:
     def sleep(self, steps: int) -> int:
         """Park for that many steps; return the world's step counter on waking."""
         reads, self._used = tuple(self._used), {}
-        woke, readings = self.ask(Sleep(steps, reads))
+        woke, readings = self.ask(Sleep(min(steps, MOST_WAITED), reads))
         self._fresh = dict(zip(reads, readings, strict=True))
         return int(woke)
 
@@ -203,6 +210,11 @@ class Wire:
                 # A paused program receives nothing else.
                 continue
 
+    def await_stop(self) -> None:
+        """Wait until the host stops the program, because it has exceeded a limit."""
+        self.flush()
+        self.ask(Collect())
+
     def listen(self) -> None:
         """Accept unsolicited messages from the host, without waiting for any."""
         if self.turn.take(wait=False):
@@ -232,7 +244,18 @@ class Wire:
 
     def _put_steps(self) -> None:
         steps, self._steps = self._steps, []
-        self._link.put(Steps(tuple(steps)))
+        self._put_some(steps)
+
+    def _put_some(self, steps: Sequence[int | str | Called | Command]) -> None:
+        try:
+            self._link.put(Steps(tuple(steps)))
+        except DeviceValueError:
+            # Long texts: in two messages.
+            half = len(steps) // 2
+            if not half:
+                raise
+            self._put_some(steps[:half])
+            self._put_some(steps[half:])
 
     def _receive(self) -> FromHost:
         """The answer to a request."""

@@ -10,6 +10,7 @@ import webbrowser
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -17,13 +18,16 @@ from urllib.parse import quote
 
 import click
 import uvicorn
+from starlette.requests import HTTPConnection
 
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.server.app import create_app
 from learnblock.server.http.address import token as the_token
-from learnblock.server.http.protection import is_loopback
-from learnblock.server.http.requests import TimedRequests
+from learnblock.server.http.connections import Connections, Listening, most_connections
+from learnblock.server.http.faults import faults_said_once
+from learnblock.server.http.protection import Protection, is_loopback, offered_token
+from learnblock.server.http.requests import Headers, Identify, TimedRequests
 from learnblock.server.projects.writer import Access
 
 DEFAULT_HOST = "127.0.0.1"
@@ -34,6 +38,10 @@ _EVERYWHERE = {"0.0.0.0", "::"}  # noqa: S104 - only if the user chooses it
 _FAREWELL = 1
 #: Seconds between two checks for a server that wants to take over.
 _LOOK_FOR_OTHERS = 0.5
+#: The connections that the system keeps until they are accepted.
+_BACKLOG = 128
+#: Drivers wait for their robots with `select`, which knows 1,024 descriptors only.
+_MOST_CONNECTIONS = 500
 #: Bytes; twice the limit of a message, so that the page receives an error and stays connected.
 _LONGEST_FRAME = 8 * 1024 * 1024
 
@@ -84,8 +92,16 @@ class Service:
     @property
     def is_for_others(self) -> bool:
         """Whether other computers can connect, directly or through a proxy."""
-        proxied = self.unix_socket or self.allowed_hosts or self.proxy_sends_token
-        return bool(proxied) or not is_loopback(self.host)
+        return self._is_behind_proxy or not is_loopback(self.host)
+
+    @property
+    def is_reached_directly(self) -> bool:
+        """Whether other computers connect themselves: a proxy's connections are everybody's."""
+        return self.is_for_others and not self._is_behind_proxy
+
+    @property
+    def _is_behind_proxy(self) -> bool:
+        return bool(self.unix_socket or self.allowed_hosts or self.proxy_sends_token)
 
 
 def serve(service: Service, *, show: Callable[[str], object] | None = None) -> None:
@@ -206,7 +222,10 @@ def _server(
         for_others=service.is_for_others,
         for_one=service.is_for_one,
     )
-    with _listening(service) as listening:
+    connections = Connections(min(most_connections(), _MOST_CONNECTIONS))
+    with _listening(service) as plain, faults_said_once():
+        counts = service.is_reached_directly
+        listening = Listening(plain, connections) if counts else plain
 
         def answers() -> None:
             address = _page_address(service, listening)
@@ -223,7 +242,17 @@ def _server(
                 threading.Thread(target=show, args=(address,), daemon=True).start()
 
         collect_rarely()
-        yield _Server(configured(app), service, answers), listening
+        identify = partial(_person, Protection.of(token))
+        config = configured(app, connections=connections if counts else None, identify=identify)
+        yield _Server(config, service, answers), listening
+
+
+def _person(protection: Protection, headers: Headers) -> str:
+    """Who sends these headers: with the token everybody is one person, "" without it."""
+    request = HTTPConnection({"type": "http", "headers": list(headers), "query_string": b""})
+    subprotocols = request.headers.get("sec-websocket-protocol", "").split(", ")
+    knows = protection.knows(offered_token(subprotocols)) or protection.trusts(request)
+    return "with the token" if knows else ""
 
 
 def _warn(service: Service) -> None:
@@ -242,12 +271,27 @@ def collect_rarely() -> None:
     gc.set_threshold(50_000, 20, 50)
 
 
-def configured(app: object, **others: Any) -> uvicorn.Config:
-    """Uvicorn's settings for an application of ours; `others` are more of them."""
+def configured(
+    app: object,
+    *,
+    connections: Connections | None = None,
+    identify: Identify = lambda _: "",
+    loop: str = "asyncio",
+    **others: Any,
+) -> uvicorn.Config:
+    """Uvicorn's settings for an application of ours.
+
+    Args:
+        app: the application.
+        connections: counts the connections that wait for their browser; None if none are counted.
+        identify: finds out whose a request is.
+        loop: the event loop, as uvicorn names it.
+        others: more settings of uvicorn.
+    """
     return uvicorn.Config(
         app,  # type: ignore[arg-type]
-        loop="asyncio",
-        http=TimedRequests,
+        loop=loop,
+        http=partial(TimedRequests, connections=connections, identify=identify),  # type: ignore[arg-type]
         ws="websockets-sansio",
         ws_max_size=_LONGEST_FRAME,
         # The page is mostly on the same computer, where compression costs more than it saves.
@@ -257,6 +301,8 @@ def configured(app: object, **others: Any) -> uvicorn.Config:
         access_log=False,
         server_header=False,
         timeout_graceful_shutdown=_FAREWELL,
+        # So many are accepted at a time, before those that have come are read.
+        backlog=_BACKLOG,
         **others,
     )
 
@@ -313,7 +359,7 @@ def tcp_socket(host: str, port: int | None) -> socket.socket:
 def _bound(host: str, port: int) -> socket.socket:
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
     try:
-        return socket.create_server((host, port), family=family, backlog=128)
+        return socket.create_server((host, port), family=family, backlog=_BACKLOG)
     except OSError as error:
         reason = error.strerror or str(error)
         raise LearnBlockError(
@@ -334,7 +380,7 @@ def _unix_socket(path: Path) -> Iterator[socket.socket]:
             ) from error
         # The proxy may be another user of the same group; no one else may connect.
         path.chmod(0o660)
-        listening.listen(128)
+        listening.listen(_BACKLOG)
         try:
             yield listening
         finally:

@@ -6,6 +6,8 @@ from collections.abc import Callable
 from pathlib import Path
 from uuid import uuid4
 
+from learnblock.storage import quota
+
 _DEVICE = re.compile(r"(?:con|prn|aux|nul|com\d|lpt\d)(?:\..*)?", re.IGNORECASE)
 
 
@@ -35,8 +37,9 @@ def save(
         The status of the new file; None if it was not wanted any more.
 
     Raises:
-        OSError: it cannot be written; the old file is unchanged.
+        OSError: it cannot be written, or there is no room; the old file is unchanged.
     """
+    quota.require_room(path, len(data))
     path.parent.mkdir(parents=True, exist_ok=True)
     # Hidden, and with a suffix that is never listed, until it is complete.
     unfinished = path.with_name(f".{uuid4().hex}.new")

@@ -208,7 +208,7 @@ def test_a_deleted_pupil_leaves_nothing(room, ana):
             page.open("mine", DRIVE)
             page.pulse()
             assert ana.folder.is_dir()
-            wall.say("RemovePupil", pupil=ana.id)
+            wall.say("RemovePupils", pupils=[ana.id])
             wall.hear("Wall")
             while ana.id in wall.last["Wall"].get("pupils", []):
                 wall.hear("Wall")

@@ -2,8 +2,8 @@
 
 import pytest
 
-from learnblock.classroom.quota import Bucket
-from learnblock.classroom.rights import Pace
+from learnblock.classroom.limits import Pace
+from learnblock.classroom.quota import Bucket, Buckets
 
 
 class Clock:
@@ -30,7 +30,21 @@ def test_time_refills_it_but_not_beyond_the_burst():
 def test_a_try_that_fails_costs_nothing():
     clock = Clock()
     bucket = Bucket(Pace(minute=60, burst=1), clock)
-    assert bucket.try_take()
-    assert not any(bucket.try_take() for _ in range(10))
+    assert bucket.try_take() == 0.0
+    assert [bucket.try_take() for _ in range(10)] == pytest.approx([1.0] * 10)
     clock.time = 1.0
-    assert bucket.try_take()
+    assert bucket.try_take() == 0.0
+
+
+def test_each_key_has_a_bucket_of_its_own():
+    buckets = Buckets(Pace(minute=60, burst=1), Clock())
+    assert buckets.try_take("10.0.0.1") == 0.0
+    assert buckets.try_take("10.0.0.1") == pytest.approx(1.0)
+    assert buckets.try_take("10.0.0.2") == 0.0
+
+
+def test_memory_for_keys_is_bounded():
+    buckets = Buckets(Pace(minute=60, burst=1), Clock())
+    for number in range(3000):
+        buckets.try_take(str(number))
+    assert len(buckets._buckets) == 1000

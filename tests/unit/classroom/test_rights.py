@@ -5,7 +5,8 @@ import typing
 import pytest
 
 from learnblock.classroom import messages as ours
-from learnblock.classroom.rights import PACES, RIGHTS, Role, may
+from learnblock.classroom.limits import PACES
+from learnblock.classroom.rights import RIGHTS, Role, may
 from learnblock.server import messages
 
 pytestmark = [pytest.mark.certain, pytest.mark.realtime]

@@ -2,6 +2,7 @@
 
 import json
 import stat
+import unicodedata
 
 import pytest
 
@@ -97,16 +98,40 @@ def test_the_join_word_can_be_changed(roster, monkeypatch):
     assert roster.word == "koala 99"
 
 
-@pytest.mark.parametrize("name", ["Ana", "Ñusta", "Ana M.", "Anne-Marie", "O'Neill", "李", "Jo 2"])
-def test_first_names_of_all_kinds_are_names(name):
-    assert checked_name(name) == name
-
-
 @pytest.mark.parametrize(
-    "name", ["", "  ", "1", "../x", "a/b", "a" * 40, "<b>", "a\x00b", ".", "_"]
+    "name", ["Ana", "Ana M.", "O'Neill", "李", "Jo 2", "नेहा", "ณัฐ", "مُحَمَّد", "Gal·la"]
 )
+def test_first_names_of_all_kinds_are_names(name):
+    """`test_names.py` has more scripts."""
+    assert checked_name(name) == unicodedata.normalize("NFC", name)
+
+
+@pytest.mark.parametrize("name", ["", "  ", "1", "../x", "a/b", "a" * 40, "<b>", ".", "_"])
 def test_other_texts_are_no_names(name):
     assert code_of(lambda: checked_name(name)) == "class-no-name"
+
+
+@pytest.mark.parametrize("name", ["a\x00b", "a\u202eb", "\u200fAna"])
+def test_a_name_with_a_hidden_character_is_refused(name):
+    assert code_of(lambda: checked_name(name)) == "class-hidden-character"
+
+
+def test_the_teacher_is_asked_when_more_join_than_expected(roster, monkeypatch):
+    monkeypatch.setattr("learnblock.classroom.roster.MORE", 1)
+    roster._change(expected=2)
+    roster.add("Ana")
+    roster.add("Leo")
+    assert code_of(lambda: roster.add("Mia")) == "class-asks-teacher"
+    roster.expect_more()
+    roster.add("Mia")
+    assert code_of(lambda: roster.add("Zoe")) == "class-asks-teacher"
+
+
+def test_few_pupils_have_one_name_however_it_is_spelled(roster):
+    for name in ("Zoe", "Zoë", "ZOE", "zoé"):
+        roster.add(name)
+    assert code_of(lambda: roster.add("Zòe")) == "class-name-taken"
+    roster.add("Zoe M.")
 
 
 def test_a_damaged_file_is_reported_with_its_path(tmp_path):

@@ -169,6 +169,7 @@ class Stage:
         folder="",
         robots=(),
         network=False,
+        log=None,
     ):
         text = header + source
         file = io.BytesIO()
@@ -191,6 +192,7 @@ class Stage:
             worker=make_worker,
             robots=robots,
             network=network,
+            log=log,
         )
         self.parts.append((run, listener, file))
         return run

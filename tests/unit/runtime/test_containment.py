@@ -14,6 +14,7 @@ from attacks import (
     BESIDE,
     COMPLETE,
     GROUPS,
+    IN_SHARED_FOLDER,
     NOT_CONTAINED,
     NOT_CONTAINED_IF_SHARED,
     Targets,
@@ -57,6 +58,15 @@ def test_every_attack_of_the_group_is_refused(targets, group):
         if not results[attack.name].startswith(ANSWERS[attack.by])
     ]
     assert got_in == []
+
+
+@complete
+def test_a_program_beside_folders_of_others_learns_no_name_there(targets):
+    results = try_contained(IN_SHARED_FOLDER, targets.in_shared_folder)
+    assert [attack.name for attack in IN_SHARED_FOLDER] == list(results)
+    assert {answer[: len(ANSWERS["Landlock"])] for answer in results.values()} == {
+        ANSWERS["Landlock"]
+    }
 
 
 @complete
@@ -130,13 +140,21 @@ def test_a_refused_file_is_named_with_what_is_allowed(run):
     assert result.ending.phrase == Phrase("run-no-access", file="/etc/passwd")
 
 
-def test_a_program_may_read_its_project_and_import_from_it(run, tmp_path, monkeypatch):
+@pytest.mark.parametrize("shared", [False, True], ids=["a folder of its own", "a home folder"])
+def test_a_program_may_read_its_project_and_import_from_it(run, tmp_path, monkeypatch, shared):
     project = tmp_path / "project"
+    # A folder with the user's own folder in it has things of others.
+    monkeypatch.setenv("LEARNBLOCK_HOME", str((project if shared else tmp_path) / "home"))
+    monkeypatch.chdir(tmp_path)
     project.mkdir()
     (project / "helper.py").write_text("def greet(): print('hello')\n")
     (project / "map.txt").write_text("a map")
-    source = f"import helper\nhelper.greet()\nprint(open({str(project / 'map.txt')!r}).read())"
-    assert run(source, folder=str(project)).output == "hello\na map\n"
+    source = (
+        f"import helper\nhelper.greet()\nprint(open({str(project / 'map.txt')!r}).read())\n"
+        "print(open('project/map.txt').read(), helper.__file__)"
+    )
+    expected = f"hello\na map\na map {project / 'helper.py'}\n"
+    assert run(source, folder=str(project)).output == expected
 
 
 def test_a_program_may_use_numpy_threads_and_an_event_loop(run):

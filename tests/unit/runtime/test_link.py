@@ -7,13 +7,14 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from msgspec import inspect
 
 from learnblock.errors import DeviceValueError, RobotConnectionError
 from learnblock.i18n import Phrase
 from learnblock.runtime import link, messages
-from learnblock.runtime.limits import Limits
 from learnblock.runtime.link import MAX_MESSAGE, SocketLink
 from learnblock.runtime.messages import (
+    LARGEST,
     Answer,
     Ask,
     Command,
@@ -65,59 +66,42 @@ phrases = st.recursive(
 
 
 def of(kind):
-    fields = {field.name: values_of(field.type) for field in msgspec.structs.fields(kind)}
+    fields = {one.name: values_of(one.type) for one in inspect.type_info(kind).fields}
     return st.builds(kind, **fields)
 
 
-def values_of(kind):
-    special = {
-        str: texts,
-        Phrase: phrases,
-        int: integers,
-        bool: st.booleans(),
-        float: st.floats(allow_nan=False),
-        bytes: st.binary(max_size=99),
-        int | None: st.none() | integers,
-        messages.Any: values,
-        tuple[int, ...]: st.lists(integers, max_size=9).map(tuple),
-        tuple[str, ...]: st.lists(texts, max_size=9).map(tuple),
-        tuple[int | str | messages.Called | messages.Command, ...]: st.lists(
-            integers
-            | texts
-            | st.builds(messages.Called, texts, st.just((1.5, "x")), st.just({}))
-            | st.builds(messages.Command, integers, texts, st.just((1.5, "x"))),
-            max_size=9,
-        ).map(tuple),
-        dict[str, str]: described,
-        Limits: of_limits,
-        frozenset[int]: st.frozensets(integers, max_size=9),
-        frozenset[str]: st.frozensets(texts, max_size=9),
-        messages.Mode: st.sampled_from(messages.Mode),
-        messages.Control | None: st.none() | controls,
-        dict[str, tuple[bool, float]]: whens,
-        messages.Variables: st.builds(messages.Variables, described, described, whens),
-        tuple[messages.Any, ...]: st.lists(values, max_size=3).map(tuple),
-        dict[str, messages.Any]: st.dictionaries(texts, values, max_size=3),
-        dict[str, int]: st.dictionaries(texts, integers, max_size=3),
-        messages.Fault | None: st.none() | st.builds(
-            messages.Fault, phrases, st.lists(integers, max_size=3).map(tuple)
-        ),
-        tuple[messages.DeviceOffer, ...]: st.lists(
-            st.builds(messages.DeviceOffer, texts, texts, st.lists(texts).map(tuple)), max_size=3
-        ).map(tuple),
-    }  # fmt: skip
-    return special[kind]
+def values_of(info):  # noqa: PLR0911 - one for each type
+    match info:
+        case inspect.IntType(ge=least, le=most):
+            return st.integers(-(2**63) if least is None else least, most or 2**63 - 1)
+        case inspect.FloatType(ge=least, le=most):
+            return st.floats(least, most, allow_nan=False)
+        case inspect.VarTupleType(item_type=item):
+            return st.lists(values_of(item), max_size=9).map(tuple)
+        case inspect.TupleType(item_types=items):
+            return st.tuples(*map(values_of, items))
+        case inspect.FrozenSetType(item_type=item):
+            return st.frozensets(values_of(item), max_size=9)
+        case inspect.DictType(key_type=key, value_type=value):
+            return st.dictionaries(values_of(key), values_of(value), max_size=3)
+        case inspect.UnionType(types=types):
+            return st.one_of(*map(values_of, types))
+        case inspect.EnumType(cls=cls):
+            return st.sampled_from(cls)
+        case inspect.StructType(cls=cls):
+            return of(cls)
+    return PLAIN[type(info)]
 
 
-described = st.dictionaries(texts, texts, max_size=3)
-whens = st.dictionaries(texts, st.tuples(st.booleans(), st.floats(allow_nan=False)), max_size=3)
-controls = st.builds(
-    messages.Control,
-    st.frozensets(integers, max_size=9),
-    st.sampled_from(messages.Mode),
-    integers,
-)
-of_limits = st.builds(Limits, memory=integers, silence=st.floats(0, 100))
+PLAIN = {
+    inspect.AnyType: values,
+    inspect.BoolType: st.booleans(),
+    inspect.BytesType: st.binary(max_size=99),
+    inspect.DataclassType: phrases,
+    inspect.NoneType: st.none(),
+    inspect.RawType: values.map(msgspec.msgpack.encode).map(msgspec.Raw),
+    inspect.StrType: texts,
+}
 EVERY_KIND = [
     kind
     for kind in vars(messages).values()
@@ -217,9 +201,24 @@ def test_a_cyclic_list_cannot_be_sent(ends):
 
 def test_a_message_that_is_too_long_is_refused_before_it_is_sent(ends):
     with pytest.raises(DeviceValueError) as refused:
-        ends[0].put(Printed("x" * (MAX_MESSAGE + 1)))
+        ends[0].put(Printed("x" * (LARGEST + 1)))
     assert refused.value.phrase.code == "run-value-too-large"
-    assert refused.value.phrase.values["limit"] == MAX_MESSAGE
+    assert refused.value.phrase.values["limit"] == LARGEST
+
+
+def test_a_program_may_show_a_picture_as_large_as_a_frame_and_nothing_else(ends):
+    here, there = ends
+    frame = np.full((300, 400, 3), 7, np.uint8)
+    with pytest.raises(DeviceValueError):
+        here.put(Command(0, "show_image", (frame, frame)))
+    # No socket buffers it all at once.
+    here.put(Command(0, "show_image", (frame,)))
+    there._received += here._outgoing
+    there._split()
+    assert np.array_equal(frame, there.receive(1).args[0])
+    there._received += _framed(msgspec.msgpack.encode(["Command", 0, "say", ["x" * LARGEST]]))
+    with pytest.raises(RobotConnectionError):
+        there._split()
 
 
 def test_the_largest_frame_passes(ends):
@@ -256,7 +255,7 @@ def test_a_closed_link_ends_the_conversation_for_both(ends):
     with pytest.raises(EOFError):
         here.receive(1)
     with pytest.raises(EOFError):
-        there.send(Printed("x" * 10**6))
+        there.send(Answer("x" * 10**6))
 
 
 def _framed(body):

@@ -13,7 +13,8 @@ import pytest
 from websockets.sync.client import connect, unix_connect
 
 from learnblock.errors import LearnBlockError
-from learnblock.server.serve import Service, _bound, _listening, _warn, serve
+from learnblock.server.http.protection import Protection
+from learnblock.server.serve import Service, _bound, _listening, _person, _warn, serve
 from pages import TIMEOUT, TOKEN, Visitor
 from waiting import wait_for
 
@@ -66,6 +67,35 @@ def test_the_address_contains_the_token():
     with learnblock("--port", "0") as (_, address):
         assert address.startswith("http://127.0.0.1:")
         assert address.endswith(f"/?token={TOKEN}")
+
+
+@pytest.mark.parametrize(
+    ("choices", "directly"),
+    [
+        ({}, False),
+        ({"host": "192.168.1.20"}, True),
+        ({"host": "192.168.1.20", "allowed_hosts": ("school.example",)}, False),
+        ({"unix_socket": Path("socket")}, False),
+        ({"proxy_sends_token": True}, False),
+    ],
+)
+def test_connections_are_counted_only_where_others_connect_themselves(tmp_path, choices, directly):
+    assert Service(tmp_path, **choices).is_reached_directly == directly
+
+
+@pytest.mark.parametrize(
+    ("headers", "person"),
+    [
+        ([], ""),
+        ([(b"cookie", b"learnblock_token_80=" + TOKEN.encode())], "with the token"),
+        ([(b"cookie", b"learnblock_token_80=other")], ""),
+        ([(b"sec-websocket-protocol", b"learnblock, " + TOKEN.encode())], "with the token"),
+        ([(b"sec-websocket-protocol", b"learnblock, other")], ""),
+        ([(b"cookie", b"\xff=\xff")], ""),
+    ],
+)
+def test_whoever_has_the_token_is_known(headers, person):
+    assert _person(Protection.of(TOKEN), headers) == person
 
 
 @pytest.mark.certain

@@ -1,6 +1,7 @@
 """The emulated EV3: its files as seen by the real python-ev3dev2, and its firmware's byte code."""
 
 import json
+import socket
 import struct
 import subprocess
 import sys
@@ -12,6 +13,7 @@ from hypothesis import strategies as st
 from bricks import brick
 from learnblock.devices import Base
 from learnblock.emulators import emulate
+from learnblock.emulators.ev3 import firmware
 from learnblock.emulators.ev3.bytecode import ByteCodeError, Code, Machine
 from learnblock.emulators.ev3.ev3dev import RPYC
 from learnblock.emulators.ev3.sysfs import Attribute
@@ -224,6 +226,14 @@ def test_a_command_without_a_reply_gets_none(vehicle):
 @given(st.binary(max_size=60) | st.binary(max_size=60).map(lambda code: b"\1\0\0\x10\0" + code))
 def test_no_message_upsets_the_firmware(code):
     assert isinstance(Machine(FakeVehicle()).execute(code), bytes)
+
+
+def test_a_stranger_that_says_nothing_leaves_the_firmwares_only_place(monkeypatch):
+    monkeypatch.setattr(firmware, "GREETING", 0.2)
+    with brick("direct") as emulation:
+        place = ("127.0.0.1", emulation.settings["direct_port"])
+        with socket.create_connection(place), connect("ev3", **emulation.settings) as robot:
+            robot.check_link()
 
 
 def test_constants_are_decoded():

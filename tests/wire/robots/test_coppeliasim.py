@@ -2,6 +2,7 @@
 
 import math
 import re
+import signal
 import socket
 import subprocess
 import sys
@@ -275,15 +276,17 @@ def test_a_program_that_only_sleeps_keeps_driving(place):
 
 
 @pytest.mark.parametrize("scene", ["script", "paper", "names"])
-def test_the_motors_stop_in_time_when_a_program_is_killed(place, scene, tmp_path, own_home):
+@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGSTOP], ids=["killed", "frozen"])
+def test_the_motors_stop_in_time_when_a_program_is(place, scene, number, tmp_path, own_home):
     place.save_settings(scene)
     program = tmp_path / "drive.py"
     program.write_text(DRIVE)
     with subprocess.Popen([sys.executable, program], stdin=subprocess.PIPE) as process:
         wait_for(lambda: place.speed() > 80, "it drives")
         killed = place.twin.time
-        process.kill()
+        process.send_signal(number)
         let_pass(place.twin, 1.5)
+        process.kill()
     # Half a second, plus some time for a busy machine.
     after = [pose for time, pose in place.twin.path if time >= killed + 0.5 + 0.5]
     assert math.dist(after[0][:2], after[-1][:2]) < 2

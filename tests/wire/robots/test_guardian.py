@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from emulated import LONG, reachable
+from learnblock.errors import RobotConnectionError
 from learnblock.ice import Adapter, Servant
 from learnblock.ice.robocomp import Layout, interfaces
 from learnblock.robots.guardian import Guardian
@@ -29,7 +30,9 @@ robot.set_move(60, 0)
 print(robot._guardian._process.pid, flush=True)
 if "--at-once" in sys.argv:
     os.kill(os.getpid(), signal.SIGKILL)
-robot.sleep(60)
+for _ in range(600):
+    robot.sleep(0.1)
+    robot.set_move(60, 0)
 """
 #: Seconds within which the motors must stop, and the mm that count as standing still.
 LIMIT, STILL = 0.5, 1.0
@@ -58,7 +61,8 @@ def begin(tmp_path):
         program = tmp_path / "drive.py"
         program.write_text(PROGRAM)
         command = [sys.executable, program, *options]
-        begun.append(subprocess.Popen(command, stdout=subprocess.PIPE, text=True))
+        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+        begun.append(subprocess.Popen(command, text=True, **pipes))
         return begun[-1], int(begun[-1].stdout.readline())
 
     yield begin
@@ -66,6 +70,7 @@ def begin(tmp_path):
         process.kill()
         process.wait()
         process.stdout.close()
+        process.stderr.close()
 
 
 def test_a_killed_program_leaves_neither_a_driving_robot_nor_a_process(begin):
@@ -93,6 +98,32 @@ def test_a_guardian_that_has_just_started_stops_the_robot(begin):
         there = x_of(twin)
         let_pass(twin, LIMIT)
         assert abs(x_of(twin) - there) < STILL
+
+
+def test_a_frozen_program_leaves_no_driving_robot_and_is_told_when_it_wakes(begin):
+    with reachable("rcis") as twin:
+        process, guardian = begin()
+        start = x_of(twin)
+        wait_for(lambda: x_of(twin) >= start + 20, "it drives")
+        process.send_signal(signal.SIGSTOP)
+        wait_until_gone(guardian)
+        let_pass(twin, 0.2)
+        there = x_of(twin)
+        let_pass(twin, LIMIT)
+        assert abs(x_of(twin) - there) < STILL
+        process.send_signal(signal.SIGCONT)
+        assert "This computer was frozen" in process.stderr.read()
+
+
+def test_a_guardian_that_has_ended_by_itself_is_reported():
+    with guarded(Wheels()) as guardian:
+        guardian.check()
+        os.kill(guardian._process.pid, signal.SIGKILL)
+        wait_until_gone(guardian._process.pid)
+        with pytest.raises(RobotConnectionError) as error:
+            guardian.check()
+        guardian.dismiss()
+    assert error.value.phrase.code == "robot-guardian-ended"
 
 
 def test_ctrl_c_does_not_end_a_guardian():

@@ -99,6 +99,12 @@ def test_a_moving_base_distinguishes_the_other_two_layouts(tmp_path, layout):
     assert found(tmp_path, layout, MOVING) == (layout,)
 
 
+@pytest.mark.parametrize("turned", [1e-7, 1e-17, -1e-30])
+@pytest.mark.parametrize("layout", [TOOL, SINCE_2020])
+def test_a_base_that_has_driven_straight_does_too(tmp_path, layout, turned):
+    assert found(tmp_path, layout, {**MOVING, "alpha": turned}) == (layout,)
+
+
 @pytest.mark.parametrize("layout", [TOOL, SINCE_2020])
 def test_a_laser_with_a_name_distinguishes_the_other_two_layouts(tmp_path, layout):
     assert found(tmp_path, layout, laser={"driver": "Gazebo"}) == (layout,)

@@ -12,7 +12,7 @@ import pytest
 
 from emulated import reachable
 from learnblock.emulators import TWINS
-from twins import let_pass
+from twins import let_pass, stands_after
 from waiting import wait_for
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
@@ -110,6 +110,16 @@ def test_it_stops_when_its_runner_gets_a_signal(emulation, begin, number, hosted
     assert_stands(twin)
     process.wait()
     wait_for(lambda: is_alone(process), "none of its processes is left")
+
+
+@pytest.mark.parametrize("hosted", [True, False], ids=["learnblock run", "python"])
+def test_it_stops_when_its_runner_freezes(emulation, begin, hosted):
+    name, twin = emulation
+    process = begin(name, LONG, hosted=hosted)
+    wait_for(lambda: driven(twin, twin.time) > 5, "it drives")
+    process.send_signal(signal.SIGSTOP)
+    # Half a second, plus some time for a busy machine.
+    assert stands_after(twin) < LIMIT + 0.5
 
 
 def is_alone(process):

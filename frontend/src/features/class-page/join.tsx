@@ -11,6 +11,14 @@ import { ALL, PictureRow, PinPicture, pictureName } from "./pictures";
 
 type Step = "word" | "who" | "pictures";
 
+/** Where to put right what was typed. */
+const WRONG: Readonly<Partial<Record<string, Step>>> = {
+  "class-wrong-word": "word",
+  "class-no-name": "who",
+  "class-hidden-character": "who",
+  "class-name-taken": "who",
+};
+
 export function JoinPage({ joining }: { joining: Joining }) {
   const about = joining.about.value;
   useEffect(() => void joining.load(), []);
@@ -49,7 +57,7 @@ function Door({ joining, open }: { joining: Joining; open: boolean }) {
   const step = useSignal<Step>("word");
   const problem = joining.problem.value;
   // A wrong word or name is put right where it was typed.
-  const shown = problem?.code === "class-wrong-word" ? "word" : problem?.code === "class-no-name" ? "who" : step.value;
+  const shown = (problem && WRONG[problem.code]) || step.value;
   const go = (next: Step) => {
     joining.problem.value = null;
     step.value = next;
@@ -117,7 +125,7 @@ function Who({ joining, open, next, back }: WhoProps) {
           required
           autocomplete="off"
           spellcheck={false}
-          maxLength={30}
+          maxLength={200}
           value={joining.name.value}
           onInput={({ currentTarget }) => (joining.name.value = currentTarget.value)}
         />

@@ -20,7 +20,8 @@ type Hinted = Seat | "all" | null;
 
 export function WallPage({ stream }: { stream: ClassStream }) {
   const hinted = useSignal<Hinted>(null);
-  const leaving = useSignal<Seat | null>(null);
+  const leaving = useSignal<readonly Seat[]>([]);
+  const choosing = useSignal(false);
   useEffect(() => stream.open(), []);
   const wall = stream.wall.value;
   if (!wall) return <Frame>{stream.state.value === "refused" && <p>{t("page-class-no-key")}</p>}</Frame>;
@@ -31,7 +32,13 @@ export function WallPage({ stream }: { stream: ClassStream }) {
       tools={<Tools stream={stream} wall={wall} hintAll={() => (hinted.value = "all")} />}
     >
       <Lost stream={stream} />
-      <HowToJoin stream={stream} wall={wall} count={seats.filter(({ here }) => here).length} />
+      <Knocking stream={stream} wall={wall} />
+      <HowToJoin
+        stream={stream}
+        wall={wall}
+        count={seats.filter(({ here }) => here).length}
+        remove={() => (choosing.value = true)}
+      />
       <ul class="tiles" aria-label={t("page-class-pupils")}>
         {seats.map((seat) => (
           <Tile
@@ -40,12 +47,21 @@ export function WallPage({ stream }: { stream: ClassStream }) {
             seat={seat}
             isProjected={wall.projected === seat.id}
             hint={() => (hinted.value = seat)}
-            remove={() => (leaving.value = seat)}
+            remove={() => (leaving.value = [seat])}
           />
         ))}
       </ul>
       {hinted.value && <HintDialog stream={stream} to={hinted.value} close={() => (hinted.value = null)} />}
-      {leaving.value && <RemoveDialog stream={stream} seat={leaving.value} close={() => (leaving.value = null)} />}
+      {choosing.value && (
+        <RemovedDialog
+          seats={wall.pupils?.map((id) => stream.seats.value.get(id)) ?? []}
+          remove={(chosen) => (leaving.value = chosen)}
+          close={() => (choosing.value = false)}
+        />
+      )}
+      {leaving.value.length > 0 && (
+        <RemoveDialog stream={stream} seats={leaving.value} close={() => (leaving.value = [])} />
+      )}
       <PinDialog stream={stream} />
     </Frame>
   );
@@ -99,15 +115,44 @@ function Tools({ stream, wall, hintAll }: { stream: ClassStream; wall: Wall; hin
   );
 }
 
+/** New pupils whom the teacher has to let in, because so many have joined. */
+function Knocking({ stream, wall }: { stream: ClassStream; wall: Wall }) {
+  const { knocking = [], pupils = [], more } = wall;
+  const answer = (on: boolean) => stream.send({ kind: "AnswerKnocking", on });
+  return (
+    <div role="status" class={knocking.length ? "class-knocking" : "hidden"}>
+      {knocking.length > 0 && (
+        <>
+          <p>{t("page-class-knocking", { count: pupils.length, names: knocking.join(", ") })}</p>
+          <div class="class-tools">
+            <button type="button" class="button filled" onClick={() => answer(true)}>
+              {t("page-class-let-in", { count: more })}
+            </button>
+            <button type="button" class="button bordered" onClick={() => answer(false)}>
+              {t("page-class-let-in-not")}
+            </button>
+          </div>
+        </>
+      )}
+    </div>
+  );
+}
+
+interface Joining {
+  readonly stream: ClassStream;
+  readonly wall: Wall;
+  readonly remove: () => void;
+}
+
 /** Open until the first pupil has joined. */
-function HowToJoin({ stream, wall, count }: { stream: ClassStream; wall: Wall; count: number }) {
+function HowToJoin({ stream, wall, count, remove }: Joining & { count: number }) {
   return (
     <details class="class-joining" open={count === 0}>
       <summary>
         {t("page-class-here", { count })} · {t("page-class-word-is", { word: wall.word })}
       </summary>
       <JoinSign address={wall.address} word={wall.word} />
-      <JoinRights stream={stream} wall={wall} />
+      <JoinRights stream={stream} wall={wall} remove={remove} />
     </details>
   );
 }
@@ -127,8 +172,8 @@ export function JoinSign({ address, word }: { address: string; word: string }) {
   );
 }
 
-/** Whether new pupils can join, and another word. */
-function JoinRights({ stream, wall }: { stream: ClassStream; wall: Wall }) {
+/** Whether new pupils can join, another word, and who is to leave. */
+function JoinRights({ stream, wall, remove }: Joining) {
   return (
     <div class="class-tools">
       <label>
@@ -141,6 +186,9 @@ function JoinRights({ stream, wall }: { stream: ClassStream; wall: Wall }) {
       </label>
       <button type="button" class="button bordered" onClick={() => stream.send({ kind: "RenewWord" })}>
         {t("page-class-renew-word")}
+      </button>
+      <button type="button" class="button bordered" disabled={!wall.pupils?.length} onClick={remove}>
+        {t("page-class-remove-several")}
       </button>
     </div>
   );
@@ -175,10 +223,60 @@ function HintDialog({ stream, to, close }: { stream: ClassStream; to: Seat | "al
   );
 }
 
-function RemoveDialog({ stream, seat, close }: { stream: ClassStream; seat: Seat; close: () => void }) {
-  const name = seat.name ?? "";
+interface Removed {
+  /** In the order in which they joined. */
+  readonly seats: readonly (Seat | undefined)[];
+  readonly remove: (chosen: readonly Seat[]) => void;
+  readonly close: () => void;
+}
+
+/** Choose several pupils to delete: the last ones to join come first. */
+function RemovedDialog({ seats, remove, close }: Removed) {
+  const chosen = useSignal<ReadonlySet<string>>(new Set());
+  const known = seats.filter((seat) => seat !== undefined).reverse();
+  const tick = (id: string, on: boolean) => {
+    const ids = new Set(chosen.peek());
+    if (on) ids.add(id);
+    else ids.delete(id);
+    chosen.value = ids;
+  };
+  const next = () => {
+    remove(known.filter(({ id }) => chosen.peek().has(id)));
+    close();
+  };
+  return (
+    <Dialog title={t("page-class-remove-several")} close={close}>
+      <p>{t("page-class-remove-which")}</p>
+      <ul class="class-removed">
+        {known.map(({ id, name }) => (
+          <li key={id}>
+            <label>
+              <input
+                type="checkbox"
+                checked={chosen.value.has(id)}
+                onChange={({ currentTarget }) => tick(id, currentTarget.checked)}
+              />
+              <bdi>{name}</bdi>
+            </label>
+          </li>
+        ))}
+      </ul>
+      <div class="dialog-buttons">
+        <button type="button" class="button bordered" onClick={close}>
+          {t("page-class-remove-not")}
+        </button>
+        <button type="button" class="button filled" disabled={!chosen.value.size} onClick={next}>
+          {t("page-class-remove")}
+        </button>
+      </div>
+    </Dialog>
+  );
+}
+
+function RemoveDialog({ stream, seats, close }: { stream: ClassStream; seats: readonly Seat[]; close: () => void }) {
+  const name = seats.map((seat) => seat.name ?? "").join(", ");
   const remove = () => {
-    stream.send({ kind: "RemovePupil", pupil: seat.id });
+    stream.send({ kind: "RemovePupils", pupils: seats.map(({ id }) => id) });
     close();
   };
   return (

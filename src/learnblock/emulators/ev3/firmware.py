@@ -1,10 +1,12 @@
 """Emulates a brick with LEGO's own firmware: it sends beacons and serves one client."""
 
+import math
 import os
 import select
 import socket
 import threading
 from contextlib import suppress
+from time import monotonic
 
 from learnblock.emulators.ev3.bytecode import Machine
 from learnblock.emulators.ev3.vehicle import Vehicle
@@ -12,6 +14,8 @@ from learnblock.emulators.ev3.vehicle import Vehicle
 #: Seconds between two turns of the motors, and between two beacons.
 PERIOD, BEACON = 0.005, 2.0
 REPORT = 1024
+#: Seconds within which a client has to introduce itself.
+GREETING = 3.0
 
 
 class Firmware:
@@ -94,7 +98,8 @@ class Firmware:
 
     def _converse(self, client: socket.socket) -> None:
         client.settimeout(0.1)
-        heard = self._receive(client, 100)
+        # A stranger that says nothing must not keep the only place.
+        heard = self._receive(client, 100, monotonic() + GREETING)
         if b"ET /target?sn=" not in heard:
             return
         client.sendall(b"Accept:EV340\r\n\r\n")
@@ -103,8 +108,8 @@ class Firmware:
             replies, held = self._executed(held + heard)
             client.sendall(replies)
 
-    def _receive(self, client: socket.socket, most: int) -> bytes:
-        while not self._closed.is_set():
+    def _receive(self, client: socket.socket, most: int, until: float = math.inf) -> bytes:
+        while not self._closed.is_set() and monotonic() < until:
             with suppress(TimeoutError):
                 return client.recv(most)
         return b""

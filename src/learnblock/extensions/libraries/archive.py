@@ -12,6 +12,7 @@ from learnblock.blocks.installed_libraries import MANIFEST
 from learnblock.errors import Diagnostic, LibraryError
 from learnblock.extensions.libraries.contents import LARGEST, MOST_FILES, Library, from_files
 from learnblock.i18n import Phrase
+from learnblock.storage import zip_names
 
 ENDING = ".lblib"
 #: The time of every file in it, so that the same library always has the same bytes.
@@ -89,7 +90,7 @@ def _unzipped(content: bytes, where: str) -> dict[str, bytes]:
 
 def _entries(archive: zipfile.ZipFile, where: str) -> Iterator[tuple[str, bytes]]:
     """The files of a zip; they may all be in one folder, as in a zip of a folder."""
-    entries = [entry for entry in archive.infolist() if not entry.is_dir()]
+    entries = [entry for entry in zip_names.entries(archive) if not entry.is_dir()]
     if len(entries) > MOST_FILES:
         raise _too_many(where)
     left = LARGEST

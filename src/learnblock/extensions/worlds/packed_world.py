@@ -17,7 +17,7 @@ from learnblock.errors import Diagnostic, WorldError
 from learnblock.i18n import Phrase
 from learnblock.robots.simulated import check_file_name, find_world
 from learnblock.simulator import WorldDescription
-from learnblock.storage import toml_source
+from learnblock.storage import toml_source, zip_names
 
 _NOT_IN_NAMES = re.compile(r"[^\w -]+")
 _LONGEST_NAME = 40
@@ -162,7 +162,7 @@ def _unzipped(content: bytes, filename: str) -> dict[PurePosixPath, bytes]:
 
 
 def _files(archive: zipfile.ZipFile, filename: str) -> dict[PurePosixPath, bytes]:
-    entries = [entry for entry in archive.infolist() if _is_wanted(entry)]
+    entries = [entry for entry in zip_names.entries(archive) if _is_wanted(entry)]
     if len(entries) > MOST_FILES:
         raise _wrong(filename, "too-large", Phrase("world-zip-too-many", most=MOST_FILES))
     found: dict[PurePosixPath, bytes] = {}

@@ -28,13 +28,23 @@ class-newer = { $file } was made by a newer LearnBlock. Update this one.
 ## Joining
 
 class-wrong-word = That is not the join word. It is on the board.
-class-no-name = Type your first name: 1 to 30 letters.
+class-no-name = Type your first name: 1 to { $most } characters that begin with a letter.
+# $character is the number of a character, such as U+202E.
+class-hidden-character = Your name has a character that can't be seen ({ $character }). Delete it and type it again.
 class-wrong-pictures = The name and the pictures don't belong together. Try again, or ask your teacher for new pictures.
 # $seconds is a number.
 class-wait = That was wrong too often. Wait { $seconds } { $seconds ->
         [one] second
        *[other] seconds
     } and try again.
+# $seconds is a number.
+class-join-wait = Many have just joined from your network. Wait { $seconds } { $seconds ->
+        [one] second
+       *[other] seconds
+    } and try again.
+class-asks-teacher = Your teacher has to let you in. Tell your teacher, who sees a question on the wall, and try again.
+# $most is a number.
+class-name-taken = There are already { $most } with the name { $name }. Add a letter of your surname.
 class-closed = New pupils can't join now. Ask your teacher.
 class-full = The class is full: it has { $most } pupils.
 
@@ -43,6 +53,9 @@ class-full = The class is full: it has { $most } pupils.
 class-not-yours = In class, this is for your teacher.
 class-only-look = You are only looking. Ask the pupil to let you write.
 class-too-fast = That was too often. Wait a moment and try again.
+# $most is a number.
+class-too-many-pages = You have { $most } pages of this class open. Close one of them.
+class-uploading = Another file is still being opened. Wait until it is done.
 class-no-pupil = This pupil is no longer in the class.
 class-server-silent = Your place in class is not ready yet. Try again in a moment.
 class-server-failed = Your place in class could not be prepared: { $reason }

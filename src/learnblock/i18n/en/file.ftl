@@ -4,6 +4,8 @@
 file-wrong-value = { $place }: { $reason }
 file-too-many-statements = The file has { $count } functions and other statements; the limit is { $limit }. Split it into several files.
 file-too-large = { $name } is too large: the limit is { $limit } MB.
+# $most is a number of MB.
+file-quota = Your folder is full: it may hold { $most } MB. Delete runs, projects or other files that you don't need.
 # $size and $limit are numbers of bytes.
 file-too-many-bytes = The file has { $size } bytes, but it can have at most { $limit }.
 # $position counts the bytes of the file from 0.

@@ -12,8 +12,13 @@ grade-jobs-or-scheduler = Use either --jobs or --scheduler.
 grade-nothing-handed-in = There is no program (.bt, .py or .learnblock) in what was handed in.
 grade-no-checks = No step of { $lesson } has checks.
 grade-real-robot = { $robot } is a real robot. Grading needs simulated robots, such as sim-ebo.
-grade-many-programs = There are several programs in the folder: { $files }. Leave only one.
+grade-many-programs = There are more than { $most } programs in the folder: { $files } ... Leave only those to grade.
 grade-no-program = There is no program (.bt, .py or .learnblock) in the folder.
+grade-not-begun = Has not begun this step.
+grade-left-out = { $file } has files that can't be unpacked: { $names }{ $more ->
+    [0] .
+   *[other] { " " }and { $more } more.
+} They are left out; the others are graded.
 grade-zip-damaged = { $file } is damaged or encrypted, or not a zip. Download it again, or unzip it and grade the folder.
 grade-zip-too-large = { $file } has too much in it for one class. Unzip it, and grade a part of it at a time.
 grade-folder-in-use = Another grading is using { $folder }. Wait for its end, or choose another folder.
@@ -32,6 +37,10 @@ grade-page-facts = { $programs ->
         [one] tried once
        *[other] each tried { $tries } times
     }.
+grade-page-absent = { $count ->
+    [one] { $count } pupil has
+   *[other] { $count } pupils have
+} no program.
 grade-page-no-mark = No mark is final: you decide. These results come from fixed rules that only count what a robot did in a simulator and how a program is built. They don't know what a pupil has understood, tried or been told. No artificial intelligence is involved.
 grade-page-overview = Overview
 grade-page-pupil = Pupil

@@ -18,6 +18,9 @@ robot-unknown-skill-like = { robot-unknown-skill } Did you mean '{ $suggestion }
 robot-no-class = The robot's file { $module } needs a class 'Robot' that inherits from 'Client'.
 # $reason is the error of the robot's file, in English.
 robot-not-loaded = The robot '{ $name }' can't be loaded ({ $reason }).
+# The guardian of a robot without a watchdog.
+robot-computer-froze = This computer was frozen or too busy for half a second, so the motors of '{ $robot }' were stopped. Close other programs if this happens often, and run the program again.
+robot-guardian-ended = The process that stops '{ $robot }' in an emergency has ended, so the robot can't be driven safely. Run the program again.
 robot-needs-no-setup = The robot '{ $name }' needs no setup.
 robot-missing-package = The robot '{ $robot }' needs the package { $package }. Install it with: pip install 'learnblock-studio[{ $robot }]'
 # A function that the author of a new robot has to write; $task is its docstring.

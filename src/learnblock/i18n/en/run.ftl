@@ -177,8 +177,7 @@ run-call-failed = The robot did not carry out '{ $function }'. { $reason }
 run-robot-stopped = The robot has been stopped and accepts no more commands.
 # $device is a type of device; $known lists the types there are.
 run-unknown-device = The robot has a device of type { $device }, which programs cannot use. Known types: { $known }.
-run-message-too-long = A message of { $size } bytes on the link between robot and program is too long.
-run-not-a-message = A message on the link between robot and program is damaged: { $reason }.
+run-not-a-message = A message between program and robot makes no sense: { $reason }. Use the robot only through its skills and devices.
 run-no-debugger = This run cannot be paused because it was started without a debugger.
 
 # A program's file.

@@ -65,8 +65,10 @@ server-too-deep = This is nested too deeply.
 server-message-too-long = A message of { $count } characters is too long.
 server-message-unknown = LearnBlock doesn't know this message: { $reason }
 server-text-too-long = This program is too long: the limit is { $limit } characters.
-# $count is how many projects this page has just made.
-server-too-many-projects = This page has just made { $count } projects. Wait { $seconds } seconds before making another.
+# $count is how many projects this page, or this person, has just made.
+server-too-many-projects = You have just made { $count } projects. Wait { $seconds } seconds before making another.
+# $most is a number.
+server-too-many-runs = The programs of { $most } projects are running. Stop one of them first.
 server-message-broken = This message is nested too deeply, or is not text.
 # $problem is a sentence.
 server-block-set-file = The file '{ $name }' is not a block set. { $problem }

@@ -25,12 +25,19 @@ class-newer = { $file } lo creó un LearnBlock más nuevo. Actualiza este.
 ## Entrar
 
 class-wrong-word = Esa no es la palabra para entrar. Está en la pizarra.
-class-no-name = Escribe tu nombre: de 1 a 30 letras.
+class-no-name = Escribe tu nombre: de 1 a { $most } caracteres, y el primero una letra.
+class-hidden-character = Tu nombre tiene un carácter que no se ve ({ $character }). Bórralo y escríbelo de nuevo.
 class-wrong-pictures = El nombre y los dibujos no van juntos. Prueba otra vez o pide dibujos nuevos a tu profe.
 class-wait = Ha fallado demasiadas veces. Espera { $seconds } { $seconds ->
         [one] segundo
        *[other] segundos
     } y prueba otra vez.
+class-join-wait = Acaban de entrar muchas personas desde tu red. Espera { $seconds } { $seconds ->
+        [one] segundo
+       *[other] segundos
+    } y prueba otra vez.
+class-asks-teacher = Tu profe tiene que dejarte entrar. Avísale: verá una pregunta en su panel. Después prueba otra vez.
+class-name-taken = Ya hay { $most } personas que se llaman { $name }. Añade una letra de tu apellido.
 class-closed = Ahora no puede entrar nadie nuevo. Pregunta a tu profe.
 class-full = La clase está llena: tiene { $most } alumnos.
 
@@ -39,6 +46,8 @@ class-full = La clase está llena: tiene { $most } alumnos.
 class-not-yours = En clase, esto es cosa de tu profe.
 class-only-look = Solo estás mirando. Pide a la otra persona que te deje escribir.
 class-too-fast = Demasiado seguido. Espera un momento y prueba otra vez.
+class-too-many-pages = Tienes { $most } páginas de esta clase abiertas. Cierra una.
+class-uploading = Todavía se está abriendo otro archivo. Espera a que termine.
 class-no-pupil = Esta persona ya no está en la clase.
 class-server-silent = Tu sitio en la clase aún no está listo. Prueba otra vez dentro de un momento.
 class-server-failed = No se pudo preparar tu sitio en la clase: { $reason }

@@ -4,6 +4,7 @@
 file-wrong-value = { $place }: { $reason }
 file-too-many-statements = El archivo tiene { $count } funciones y otras instrucciones; el límite es { $limit }. Divídelo en varios archivos.
 file-too-large = { $name } es demasiado grande: el límite es { $limit } MB.
+file-quota = Tu carpeta está llena: caben { $most } MB. Elimina ejecuciones, proyectos u otros archivos que no necesites.
 file-too-many-bytes = El archivo tiene { $size } bytes, pero puede tener como máximo { $limit }.
 file-not-utf-8 = El byte { $position } del archivo no es UTF-8. Guarda el archivo como UTF-8.
 file-not-python = Esto no es Python válido: { $reason }.

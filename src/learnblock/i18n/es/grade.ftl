@@ -12,8 +12,13 @@ grade-jobs-or-scheduler = Usa --jobs o --scheduler, pero no los dos.
 grade-nothing-handed-in = No hay ningún programa (.bt, .py o .learnblock) en lo entregado.
 grade-no-checks = Ningún paso de { $lesson } tiene comprobaciones.
 grade-real-robot = { $robot } es un robot real. Para evaluar hacen falta robots simulados, como sim-ebo.
-grade-many-programs = Hay varios programas en la carpeta: { $files }. Deja solo uno.
+grade-many-programs = Hay más de { $most } programas en la carpeta: { $files } ... Deja solo los que haya que evaluar.
 grade-no-program = No hay ningún programa (.bt, .py o .learnblock) en la carpeta.
+grade-not-begun = No ha empezado este paso.
+grade-left-out = { $file } tiene archivos que no se pueden descomprimir: { $names }{ $more ->
+    [0] .
+   *[other] { " " }y { $more } más.
+} Quedan fuera; los demás se evalúan.
 grade-zip-damaged = { $file } está dañado o cifrado, o no es un zip. Descárgalo de nuevo, o descomprímelo y evalúa la carpeta.
 grade-zip-too-large = { $file } tiene demasiado para una sola clase. Descomprímelo y evalúa una parte cada vez.
 grade-folder-in-use = Otra evaluación está usando { $folder }. Espera a que termine o elige otra carpeta.
@@ -32,6 +37,10 @@ grade-page-facts = { $programs ->
         [one] probado una vez
        *[other] cada uno probado { $tries } veces
     }.
+grade-page-absent = { $count ->
+    [one] { $count } alumno no tiene
+   *[other] { $count } alumnos no tienen
+} programa.
 grade-page-no-mark = Ninguna nota es definitiva: decides tú. Estos resultados salen de reglas fijas que solo cuentan lo que hizo un robot en un simulador y cómo está construido un programa. No saben qué ha entendido, probado u oído un alumno. No interviene ninguna inteligencia artificial.
 grade-page-overview = Resumen
 grade-page-pupil = Alumno

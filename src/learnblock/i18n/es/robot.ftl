@@ -16,6 +16,9 @@ robot-unknown-skill-like = { robot-unknown-skill } ¿Querías decir '{ $suggesti
 # La clase de un robot. $module es el nombre del módulo en Python.
 robot-no-class = El archivo del robot { $module } necesita una clase 'Robot' que herede de 'Client'.
 robot-not-loaded = No se puede cargar el robot '{ $name }' ({ $reason }).
+# The guardian of a robot without a watchdog.
+robot-computer-froze = Este ordenador estuvo parado o demasiado ocupado durante medio segundo, así que se pararon los motores de '{ $robot }'. Cierra otros programas si pasa a menudo y vuelve a ejecutar el programa.
+robot-guardian-ended = El proceso que para '{ $robot }' en una emergencia ha terminado, así que no es seguro conducir el robot. Vuelve a ejecutar el programa.
 robot-needs-no-setup = El robot '{ $name }' no necesita preparación.
 robot-missing-package = El robot '{ $robot }' necesita el paquete { $package }. Instálalo con: pip install 'learnblock-studio[{ $robot }]'
 robot-not-written = { $file }, línea { $line }: falta escribir '{ $call }'. { $task }

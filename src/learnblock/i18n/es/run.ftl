@@ -174,8 +174,7 @@ run-call-failed = El robot no ha podido hacer '{ $function }'. { $reason }
 run-robot-stopped = El robot se ha detenido y ya no acepta órdenes.
 # $device es un tipo de dispositivo; $known es la lista de los tipos que hay.
 run-unknown-device = El robot tiene un dispositivo de tipo { $device }, que los programas no pueden usar. Tipos conocidos: { $known }.
-run-message-too-long = Un mensaje de { $size } bytes entre el robot y el programa es demasiado largo.
-run-not-a-message = Un mensaje entre el robot y el programa está dañado: { $reason }.
+run-not-a-message = Un mensaje entre el programa y el robot no tiene sentido: { $reason }. Usa el robot solo con sus habilidades y dispositivos.
 run-no-debugger = Esta ejecución no se puede pausar porque se inició sin depurador.
 
 # El archivo de un programa.

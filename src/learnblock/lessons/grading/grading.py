@@ -116,8 +116,8 @@ class Grading:
     def _rows_of(self, one: HandedIn) -> Iterator[Row]:
         """The rows of one pupil, with all hints that may fit."""
         if one.reason is not None:
-            unreadable = Result(ended="unreadable", reason=in_all(one.reason))
-            yield from (Row(one, attempt, unreadable) for attempt in self.plan.tries)
+            untried = Result(ended=one.absence or "unreadable", reason=in_all(one.reason))
+            yield from (Row(one, attempt, untried) for attempt in self.plan.tries)
             return
         shared = self._found(self.plan.orders(one))
         # One that was compared was isolated, too, and says that it differed.

@@ -23,15 +23,16 @@ def write_results(grading: Grading, folder: Path, language: str, *, lesson: str)
     """
     plan = grading.plan
     checks = plan.opened.step(plan.step).check
-    with _replaced(folder / TABLE) as file:
+    # Spreadsheets take UTF-8 for another encoding without its mark.
+    with _replaced(folder / TABLE, "utf-8-sig") as file:
         write_table(file, plan.step, checks, grading.rows())
-    with _replaced(folder / PAGE) as file:
+    with _replaced(folder / PAGE, "utf-8") as file:
         Page(grading, language, lesson).write(file)
 
 
 @contextmanager
-def _replaced(path: Path) -> Iterator[TextIO]:
+def _replaced(path: Path, encoding: str) -> Iterator[TextIO]:
     part = path.with_name(f".{path.name}.part")
-    with part.open("w", encoding="utf-8", errors="replace", newline="") as file:
+    with part.open("w", encoding=encoding, errors="replace", newline="") as file:
         yield file
     part.replace(path)

@@ -89,9 +89,12 @@ class Page:
 
     def _parts(self, title: str) -> Iterator[str]:
         yield tag("h1", escaped(title))
-        count = len(self._plan.handed_in)
+        absent = sum(bool(one.absence) for one in self._plan.handed_in)
+        count = len(self._plan.handed_in) - absent
         tries = len(self._plan.tries)
-        yield tag("p", self._escaped("grade-page-facts", programs=count, tries=tries))
+        facts = self._escaped("grade-page-facts", programs=count, tries=tries)
+        missing = self._escaped("grade-page-absent", count=absent) if absent else ""
+        yield tag("p", facts, " " * bool(absent), missing)
         yield tag("p", self._escaped("grade-page-no-mark"), class_="note")
         yield from self._overview()
         yield from self._clusters()
@@ -135,6 +138,9 @@ class Page:
     def _summary(self, one: HandedIn) -> _Summary:
         results = [row.result for row in self._grading.rows_of(one) if row.result]
         places = range(len(self._checks))
+        if one.absence:
+            reason = results[0].reason if results else {}
+            return _Summary((0,) * len(places), 0, 0, (), None, reason)
         met = tuple(sum(_is_met(result, place) for result in results) for place in places)
         firsts = Counter(result.hints[0].rule for result in results if result.hints)
         often = max(firsts, key=lambda rule: (firsts[rule], rule), default=None)
@@ -160,11 +166,12 @@ class Page:
         for index, (one, found) in enumerate(
             zip(self._plan.handed_in, self._summaries, strict=True)
         ):
-            name = tag("a", escaped(one.pupil), href=f"#pupil-{index}")
+            name = self._link(index)
             cells = [_count(number, found.finished) for number in found.met]
             cells.append(_count(found.done, found.finished))
             hint = self._in_language(found.hint.levels[0]) if found.hint else ""
-            cells.append(tag("td", self._in_language(found.refused) or hint))
+            remark = self._in_language(found.refused) or hint
+            cells.append(tag("td", remark, class_="open") if one.absence else tag("td", remark))
             rows.append(tag("tr", tag("th", name, scope="row"), *cells))
         yield _table(self._text("grade-page-overview"), heads, rows)
 
@@ -233,6 +240,9 @@ class Page:
         rows = [*self._grading.rows_of(one)]
         found = self._summaries[index]
         done = self._escaped("grade-page-done-in", done=found.done, tries=len(rows))
+        if one.absence:
+            summary = tag("summary", escaped(one.pupil), " · ", self._in_language(found.refused))
+            return tag("details", summary, id=f"pupil-{index}", class_="pupil open")
         parts = [
             tag("summary", escaped(one.pupil), " · ", done),
             self._ways(rows),
@@ -351,7 +361,7 @@ def _is_met(result: Result, place: int) -> bool:
 
 def _count(number: int, finished: int) -> str:
     kind = "met" if finished and number == finished else "failed" if number < finished else "open"
-    return tag("td", f"{number}/{finished}", class_=kind)
+    return tag("td", f"{number}/{finished}" if finished else "–", class_=kind)
 
 
 def _print(one: HandedIn) -> Print | None:

@@ -59,6 +59,8 @@ def _cells(row: Row, checks: Sequence[Check]) -> list[str | int]:
     result = row.result
     if result is None:
         return [*[""] * len(checks), "", "not run" if row.failure else "not finished", "", "", ""]
+    if row.handed_in.absence:
+        return [*[""] * len(checks), "", row.handed_in.absence, "", "", ""]
     states = [one.state for one in result.checks] or ["failed"] * len(checks)
     seconds = f"{result.seconds:.3f}"
     return [

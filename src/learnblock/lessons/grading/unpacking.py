@@ -1,31 +1,94 @@
 """The programs in a zip as learning platforms give it to a teacher."""
 
+import errno
 import hashlib
+import io
 import re
 import tempfile
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
 from learnblock.errors import LearnBlockError
 from learnblock.lessons.archive import IGNORED
 from learnblock.running.source import LARGEST_PROGRAM
 from learnblock.runtime.limits import MEGABYTE
+from learnblock.storage import zip_names
 
 #: The files that can be graded.
 ENDINGS = (".bt", ".py", ".learnblock")
+#: The name of a program, however its ending is written; systems that hide endings add a second one.
+_PROGRAM = re.compile(
+    r"(?P<stem>.+?)(?P<ending>\.bt|\.py|\.learnblock)(?:\.txt|\.json|\.download)*", re.I | re.S
+)
 #: What Moodle calls a pupil's folder, or puts before the names of a pupil's files.
 MOODLE = re.compile(
     r"(?P<folder>(?P<pupil>.+?)_(?P<number>\d+)_assignsubmission_(?:file|onlinetext)_?)(?P<file>.*)"
 )
 #: The most entries of a zip, and the largest sum of the programs in it, in bytes.
 MOST_ENTRIES, LARGEST_CLASS = 20_000, 256 * MEGABYTE
+#: The largest zip inside a zip, in bytes, and the most folders in one another.
+LARGEST_INNER, DEEPEST = 16 * MEGABYTE, 32
 #: What file systems refuse in names, and the most bytes of a name.
 _REFUSED, _LONGEST_NAME = re.compile(r'[<>:"\\|?*\x00-\x1f]'), 200
+#: How a system refuses a path: it is too long, leads through a file, or has a name it can't have.
+_IMPOSSIBLE = {
+    errno.EEXIST,
+    errno.EILSEQ,
+    errno.EINVAL,
+    errno.ENAMETOOLONG,
+    errno.ENOENT,
+    errno.ENOTDIR,
+}
+#: The file in an unpacked zip with the names of what was left out.
+_LEFT_OUT = ".left-out"
+_ZIP = ".zip"
 
 
-def unpacked(file: Path, folder: Path) -> Path:
+@dataclass(frozen=True, slots=True)
+class Unpacked:
+    """An unpacked zip.
+
+    Args:
+        folder: the folder with its programs.
+        left_out: the names of entries that can't be unpacked.
+    """
+
+    folder: Path
+    left_out: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Entry:
+    """A file or a folder in a zip.
+
+    Args:
+        name: as it is written in the zip.
+        parts: of its path, as names that stay in their folder on every system.
+        content: of a program; None of anything else.
+        is_damaged: whether it is a program or a zip that can't be read.
+    """
+
+    name: str
+    parts: Sequence[str]
+    content: bytes | None = None
+    is_damaged: bool = False
+
+
+def program_name(name: str) -> str | None:
+    """The name of a program with its ending as we write it; None for any other file.
+
+    It is ``square.bt`` for ``square.BT`` and ``square.bt.txt``, too.
+    """
+    found = _PROGRAM.fullmatch(name.rstrip())
+    return found["stem"] + found["ending"].lower() if found else None
+
+
+def unpacked(file: Path, folder: Path) -> Unpacked:
     """Unpack the programs of a zip into a folder of their own, the same for the same zip.
+
+    Zips inside it, as pupils make them of their folders, are unpacked into folders.
 
     Args:
         file: the zip.
@@ -38,52 +101,143 @@ def unpacked(file: Path, folder: Path) -> Path:
     with file.open("rb") as zipped:
         digest = hashlib.file_digest(zipped, "sha256").hexdigest()
     target = folder / f"{file.stem}-{digest[:8]}"
-    if target.exists():
-        return target
-    folder.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(dir=folder) as unfinished:
-        inside = Path(unfinished, "unpacked")
-        inside.mkdir()
-        for number, (parts, program) in enumerate(_entries(file)):
-            _write(inside.joinpath(*parts), number, program)
-        inside.rename(target)
-    return target
+    if not target.exists():
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=folder) as unfinished:
+            inside = Path(unfinished, "unpacked")
+            inside.mkdir()
+            if left_out := _write_all(file, inside):
+                (inside / _LEFT_OUT).write_text("\n".join(left_out), "utf-8", "replace")
+            inside.rename(target)
+    left = target / _LEFT_OUT
+    return Unpacked(target, tuple(left.read_text("utf-8").split("\n")) if left.exists() else ())
 
 
-def _write(path: Path, number: int, program: bytes | None) -> None:
-    """Write a program; of any other file only the folder that it is in."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    if program is not None:
-        if path.exists():
-            path = path.with_name(f"{number}{path.suffix}")
-        path.write_bytes(program)
+def _write_all(file: Path, folder: Path) -> list[str]:
+    """Write the programs of a zip; return the names of the entries that are left out."""
+    left_out: list[str] = []
+    programs = damaged = 0
+    for number, entry in enumerate(_entries(file)):
+        damaged += entry.is_damaged
+        if entry.is_damaged or not _write(folder, number, entry):
+            left_out.append(_printable(entry.name)[:_LONGEST_NAME])
+        programs += entry.content is not None
+    if damaged and not programs:
+        raise LearnBlockError("grade-zip-damaged", file=str(file))
+    return left_out
 
 
-def _entries(file: Path) -> Iterator[tuple[list[str], bytes | None]]:
-    """The parts of the path of each file in a zip, and its content if it is a program."""
+def _write(folder: Path, number: int, entry: _Entry) -> bool:
+    """Write a program, and of any other file only its folder; return whether that is possible."""
+    if len(entry.parts) > DEEPEST:
+        return False
+    path = folder.joinpath(*entry.parts)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if entry.content is not None:
+            if path.exists():
+                path = path.with_name(f"{number}{path.suffix}")
+            path.write_bytes(entry.content)
+    except OSError as error:
+        if error.errno in _IMPOSSIBLE:
+            return False
+        raise
+    return True
+
+
+def _printable(name: str) -> str:
+    return "".join(letter if letter.isprintable() else "_" for letter in name)
+
+
+class _Reading:
+    """Reads a class, and adds up what was read of it.
+
+    Args:
+        file: the zip, for errors.
+    """
+
+    def __init__(self, file: Path) -> None:
+        self._file = file
+        self._entries = self._bytes = 0
+
+    def entries(self, archive: zipfile.ZipFile, outer: tuple[str, ...]) -> Iterator[_Entry]:
+        """The programs in a zip, those in zips inside it, and the folders of all other files."""
+        wanted = [one for one in zip_names.entries(archive) if not _is_ignored(one.filename)]
+        self._count(len(wanted), 0)
+        for entry in wanted:
+            parts = (*outer, *_parts(entry.filename))
+            if entry.is_dir():
+                yield _Entry(entry.filename, (*parts, "_"))
+            elif program_name(parts[-1]):
+                # A larger one is refused when it is read.
+                yield self._program(archive, entry, parts)
+            elif parts[-1].lower().endswith(_ZIP) and not outer:
+                yield from self._inner(archive, entry, parts)
+            else:
+                yield _Entry(entry.filename, parts)
+
+    def _program(
+        self, archive: zipfile.ZipFile, entry: zipfile.ZipInfo, parts: Sequence[str]
+    ) -> _Entry:
+        try:
+            content = _read(archive, entry, LARGEST_PROGRAM + 1)
+        except _UnreadableError:
+            return _Entry(entry.filename, parts, is_damaged=True)
+        self._count(0, len(content))
+        return _Entry(entry.filename, parts, content)
+
+    def _inner(
+        self, archive: zipfile.ZipFile, entry: zipfile.ZipInfo, parts: Sequence[str]
+    ) -> Iterator[_Entry]:
+        """What is in a zip inside, in a folder with its name."""
+        *outer, name = parts
+        folder = (*outer, name[: -len(_ZIP)] or "_")
+        # Its pupil has a folder, whatever is in it.
+        yield _Entry(entry.filename, (*folder, "_"))
+        try:
+            inner = zipfile.ZipFile(io.BytesIO(_read(archive, entry, LARGEST_INNER)))
+        except Exception:  # noqa: BLE001 - as in `_read`
+            yield _Entry(entry.filename, folder, is_damaged=True)
+            return
+        with inner:
+            yield from self.entries(inner, folder)
+
+    def _count(self, entries: int, size: int) -> None:
+        self._entries += entries
+        self._bytes += size
+        if self._entries > MOST_ENTRIES or self._bytes > LARGEST_CLASS:
+            raise LearnBlockError("grade-zip-too-large", file=str(self._file))
+
+
+class _UnreadableError(Exception):
+    """An entry of a zip is damaged, encrypted, or compressed in an unknown way."""
+
+
+def _read(archive: zipfile.ZipFile, entry: zipfile.ZipInfo, limit: int) -> bytes:
+    """The content of an entry up to a limit; the sizes in a zip may be false."""
+    try:
+        with archive.open(entry) as file:
+            return file.read(limit)
+    except Exception as error:
+        # zipfile raises errors of many kinds for damaged files.
+        raise _UnreadableError from error
+
+
+def _entries(file: Path) -> Iterator[_Entry]:
     try:
         with zipfile.ZipFile(file) as archive:
-            entries = [one for one in archive.infolist() if not IGNORED.search(one.filename)]
-            _check_size(file, len(entries), 0)
-            total = 0
-            for entry in entries:
-                parts = _parts(entry.filename)
-                if entry.is_dir():
-                    yield [*parts, "_"], None
-                elif not parts[-1].endswith(ENDINGS):
-                    yield parts, None
-                else:
-                    # A larger one is refused when it is read; the sizes in a zip may be false.
-                    with archive.open(entry) as program:
-                        content = program.read(LARGEST_PROGRAM + 1)
-                    total += len(content)
-                    _check_size(file, len(entries), total)
-                    yield parts, content
+            yield from _Reading(file).entries(archive, ())
     except LearnBlockError:
         raise
     except Exception as error:
-        # zipfile raises errors of many kinds for damaged files.
+        # As above.
         raise LearnBlockError("grade-zip-damaged", file=str(file)) from error
+
+
+def _is_ignored(filename: str) -> bool:
+    """Whether an entry is none that a pupil has made, or has no name."""
+    plain = PurePosixPath(filename).as_posix()
+    return plain in {".", "/"} or bool(IGNORED.search(plain))
 
 
 def _parts(filename: str) -> list[str]:
@@ -91,19 +245,14 @@ def _parts(filename: str) -> list[str]:
 
     Without folders, Moodle puts a folder's name before the file's.
     """
-    *outer, last = [part for part in PurePosixPath(filename).parts if part != "/"]
+    *outer, last = [part for part in PurePosixPath(filename).parts if part not in {"/", "//"}]
     if (moodle := MOODLE.fullmatch(last)) and moodle["file"]:
         outer, last = [*outer, moodle["folder"]], moodle["file"]
-    return [*map(_allowed, outer), _allowed(last)]
+    return [*map(_allowed, outer), _allowed(program_name(last) or last)]
 
 
 def _allowed(part: str) -> str:
-    ending = next((one for one in ENDINGS if part.endswith(one)), "")
-    stem = _REFUSED.sub("_", part.removesuffix(ending)).strip(" .")
+    ending = next((one for one in (*ENDINGS, _ZIP) if part.lower().endswith(one)), "")
+    stem = _REFUSED.sub("_", part[: len(part) - len(ending)]).strip(" .")
     kept = stem.encode(errors="replace")[:_LONGEST_NAME].decode(errors="ignore")
-    return (kept or "_") + ending
-
-
-def _check_size(file: Path, entries: int, total: int) -> None:
-    if entries > MOST_ENTRIES or total > LARGEST_CLASS:
-        raise LearnBlockError("grade-zip-too-large", file=str(file))
+    return (kept or "_") + part[len(part) - len(ending) :]

@@ -16,6 +16,9 @@ Manner = Literal["shared", "compared", "isolated"]
 Checked = Literal["shared", "shared, same isolated", "isolated, differs shared", "isolated"]
 #: The results of a run that was isolated because the shared process could not be trusted.
 DIFFERS: Checked = "isolated, differs shared"
+#: Why there is no program: none is in what was handed in; or the pupil of a class has not reached
+#: the step.
+Absence = Literal["nothing handed in", "not begun"]
 #: A text by language.
 Texts = Mapping[str, str]
 
@@ -31,6 +34,7 @@ class HandedIn:
         is_python: whether it is Python.
         tags: the numbers of tags, by name, that its project uses.
         reason: why it can't be graded; None if it can.
+        absence: what the table says of a pupil without a program; "" for one with a program.
     """
 
     pupil: str
@@ -39,6 +43,7 @@ class HandedIn:
     is_python: bool = False
     tags: Mapping[str, int] = field(default_factory=dict)
     reason: Phrase | None = None
+    absence: Absence | Literal[""] = ""
 
 
 class CheckResult(msgspec.Struct, frozen=True, array_like=True):

@@ -10,6 +10,7 @@ from importlib.resources import files
 from typing import Any
 
 from learnblock.client import Rights
+from learnblock.devices import Base
 from learnblock.errors import MissingPackageError, RobotConnectionError
 from learnblock.i18n import Phrase
 from learnblock.robots import settings as user_settings
@@ -74,9 +75,12 @@ class Robot(RealRobot[Settings]):
         self._ending.callback(simulation.end)
         simulation.start()
         scene = _SCENES[settings.scene](remote, settings)
-        if not scene.has_watchdog:
-            self._ending.callback(_relieve, Guardian(type(self), settings), remote)
+        self._guardian = None if scene.has_watchdog else Guardian(type(self), settings)
+        if self._guardian is not None:
+            self._ending.callback(_relieve, self._guardian, remote)
         for device, key in scene.devices():
+            if isinstance(device, Base):
+                device.functions["move"] = self._move(scene)
             self.add(device, key)
 
         def beat() -> None:
@@ -101,7 +105,17 @@ class Robot(RealRobot[Settings]):
         self._ending.close()
 
     def check_link(self) -> None:
+        if self._guardian is not None:
+            self._guardian.check()
         self._heartbeat.check()
+
+    def _move(self, scene: Scene) -> Callable[[float, float], None]:
+        def move(adv: float, rot: float) -> None:
+            if self._guardian is not None and (adv or rot):
+                self._guardian.check()
+            scene.move(adv, rot)
+
+        return move
 
     @classmethod
     def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:

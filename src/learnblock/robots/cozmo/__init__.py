@@ -146,6 +146,8 @@ class Robot(RealRobot[CozmoSettings]):
                 ending.callback(self._session.close)
 
     def check_link(self) -> None:
+        if self._guardian is not None:
+            self._guardian.check()
         if self._session is not None:
             self._session.check()
 
@@ -186,6 +188,8 @@ class Robot(RealRobot[CozmoSettings]):
         stage = Stage(session.anim_controller)
 
         def move(adv: float, rot: float) -> None:
+            if self._guardian is not None and (adv or rot):
+                self._guardian.check()
             stage.end_moves()
             session.drive_wheels(*units.treads(adv, rot))
 

@@ -17,8 +17,9 @@ _QUESTIONS = (
     ("differentialrobot", "getBaseState"),
 )
 #: Numbers beyond these bounds, except 0, were read from the wrong position of a message: 100 m, and
-#: a thousandth of a millimetre per second.
-_LEAST, _MOST = 1e-6, 1e5
+#: what whole numbers are when they are read as floats. A robot that has driven straight has turned
+#: by as little as 1e-17.
+_LEAST, _MOST = 1e-37, 1e5
 #: A joint that no robot has, so that nothing moves.
 _NO_JOINT = MotorGoalPosition(name="which layout?")
 

@@ -84,6 +84,7 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
         self._ending.close()
 
     def check_link(self) -> None:
+        self._guardian.check()
         self._base.ping()
 
     @classmethod
@@ -148,6 +149,7 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
     def drive(self, adv: float, rot: float) -> None:
         """Drive at mm/s forward and degrees/s clockwise, the same directions as RoboComp's."""
         if adv or rot:
+            self._guardian.check()
             self._stopped = False
         self._base.ask("setSpeedBase", adv, math.radians(rot))
         self._stopped = not (adv or rot)

@@ -4,6 +4,7 @@ import os
 import signal
 import sys
 from importlib import import_module
+from itertools import chain
 from pathlib import Path
 
 import msgspec
@@ -18,7 +19,7 @@ def prepare() -> None:
     """Load what `contain` needs, before there is a program."""
     if sys.platform == "linux":
         # These modules take time to load, and only Linux needs them.
-        for name in ("kernel", "landlock", "paths", "seccomp"):
+        for name in ("beside", "kernel", "landlock", "paths", "seccomp"):
             import_module(f"learnblock.runtime.containment.{name}")
 
 
@@ -52,13 +53,14 @@ def contain_host(limits: Limits, world: str | None) -> None:
         raise LearnBlockError("run-not-contained", reason=str(error)) from error
 
 
-def contain_server(folder: Path) -> None:
+def contain_server(folder: Path, *read: Path) -> None:
     """Contain this process permanently; it serves one pupil of a class, and starts programs.
 
     It may use the network, because the classroom reaches it there; its programs may not.
 
     Args:
         folder: the pupil's folder, the only one that it may write to.
+        read: more folders that it may read.
 
     Raises:
         LearnBlockError: the system refused something that it claims to support.
@@ -69,7 +71,8 @@ def contain_server(folder: Path) -> None:
     from learnblock.runtime.containment import landlock, paths  # noqa: PLC0415
 
     try:
-        landlock.restrict(paths.allowed_to_server(folder), network=True)
+        more = ((str(path), landlock.READ) for path in read)
+        landlock.restrict(chain(paths.allowed_to_server(folder), more), network=True)
     except OSError as error:
         raise LearnBlockError("run-not-contained", reason=str(error)) from error
 
@@ -110,9 +113,12 @@ def _let_go_of_terminal() -> None:
 
 def _contain_files(setup: Setup) -> None:
     # These modules take time to load, and only Linux needs them.
-    from learnblock.runtime.containment import kernel, landlock, paths  # noqa: PLC0415
+    from learnblock.runtime.containment import beside, kernel, landlock, paths  # noqa: PLC0415
 
     kernel.die_with_parent(signal.SIGKILL)
+    folder = Path(setup.folder).resolve()
+    if setup.folder and paths.is_shared(folder):
+        beside.make_importable(setup.folder, beside.files_beside(folder))
     allowed = paths.allowed(setup.folder, network=setup.network)
     landlock.restrict(allowed, network=setup.network)
 

@@ -26,9 +26,8 @@ _FILE_RIGHTS = {1: (1 << 13) - 1, 2: _RENAME_ACROSS, 3: _TRUNCATE, 5: _CONTROL_D
 #: Binding and connecting TCP sockets; signals and abstract sockets of other processes.
 _NETWORK, _SCOPES = 0b11, 0b11
 
-#: List the names in a folder; also read its files; also change them.
-LIST = _READ_DIR
-READ = _READ_FILE | LIST
+#: List the names in a folder and read its files; also change them.
+READ = _READ_FILE | _READ_DIR
 WRITE = (
     READ | _WRITE_FILE | _REMOVE_DIR | _REMOVE_FILE
     | _MAKE_DIR | _MAKE_REG | _RENAME_ACROSS | _TRUNCATE

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from learnblock.runtime.containment import landlock
+from learnblock.runtime.containment.beside import files_beside
 from learnblock.storage.home import home
 
 #: Programs' libraries and data, which every user of the computer can read.
@@ -84,18 +85,19 @@ def _user_code() -> Iterator[str]:
 
 def _own_files(project: Path) -> Iterator[tuple[str, int]]:
     """A project's folder, or only the files directly in it if it also contains other things."""
-    if not _is_shared(project):
+    if not is_shared(project):
         yield str(project), landlock.READ
         return
-    # Python lists a folder to find the modules in it.
-    yield str(project), landlock.LIST
-    for path in project.iterdir():
-        if path.is_file() and not path.name.startswith("."):
-            yield str(path), landlock.READ
+    for path in files_beside(project):
+        yield str(path), landlock.READ
 
 
-def _is_shared(folder: Path) -> bool:
-    """Whether this folder also contains things that do not belong to the program."""
+def is_shared(folder: Path) -> bool:
+    """Whether this folder also contains things that do not belong to the program.
+
+    Args:
+        folder: the folder, without links in its path.
+    """
     others = (Path(_users_home()), home(), Path(tempfile.gettempdir()))
     return any(other.resolve().is_relative_to(folder) for other in others)
 

@@ -4,7 +4,10 @@ Numbers of nodes are indexes of `Instrumented.nodes`; values are snapshots (`sna
 """
 
 from enum import IntEnum
-from typing import Any
+from typing import Annotated, Any, Union
+
+import msgspec
+from msgspec import Meta, Raw
 
 Event = tuple[Any, ...]
 #: Functions of devices that only read; all others are commands.
@@ -64,3 +67,57 @@ class Op(IntEnum):
     #: it is the innermost call: all variables, from time to time and where events are missing; one
     #: event for each call, from the outermost to the innermost.
     VARIABLES = 22
+
+
+_Count = Annotated[int, Meta(ge=0, le=2**32 - 1)]
+_Identity = Annotated[int, Meta(ge=0)]
+_Identities = list[_Identity]
+_Values = list[Raw]
+#: What follows each operation, and what may follow that. Values are not looked at.
+_FIELDS: dict[Op, tuple[tuple[Any, ...], tuple[Any, ...]]] = {
+    Op.AT: ((_Count,), ()),
+    Op.PASSED: ((_Count,), ()),
+    Op.CONDITION: ((_Count, bool), ()),
+    Op.OPERAND: ((_Count, Raw), ()),
+    Op.RESULT: ((_Count, Raw), ()),
+    Op.WRITE: ((_Count, Raw, _Identity), (_Identities,)),
+    Op.TURN: ((_Count, Raw), (_Identities,)),
+    Op.CALLS: ((_Count,), ()),
+    Op.ENTER: ((_Count, _Values), (_Identities,)),
+    Op.LEAVE: ((_Count,), ()),
+    Op.RETURN: ((_Count, Raw), ()),
+    Op.JUMP: ((_Count,), ()),
+    Op.SKILL: ((str, _Values), ()),
+    Op.SKILL_END: ((str,), ()),
+    Op.COMMAND: ((str, str, _Values), ()),
+    Op.READING: ((str, Raw), ()),
+    Op.MISSING: ((str, str), ()),
+    Op.REPEATED: ((_Count, _Count, _Count), ()),
+    Op.GAP: ((), ()),
+    Op.SENT: ((str, Raw), ()),
+    Op.GONE: ((_Count,), ()),
+    Op.CONTENTS: ((_Identity, Raw), ()),
+    Op.VARIABLES: ((_Count, _Count, list[tuple[str, Raw]], _Identities, bool), ()),
+}
+
+
+def _form(op: Op) -> type:
+    """The form in which the events of an operation are sent."""
+    needed, optional = _FIELDS[op]
+    fields: list[Any] = [(f"needed{index}", kind) for index, kind in enumerate(needed)]
+    fields += [(f"optional{index}", kind | None, None) for index, kind in enumerate(optional)]
+    return msgspec.defstruct(
+        op.name, fields, tag=int(op), array_like=True, forbid_unknown_fields=True, gc=False
+    )
+
+
+_decode_batch = msgspec.msgpack.Decoder(list[Union[tuple(map(_form, Op))]]).decode  # type: ignore[misc] # noqa: UP007 - made here
+
+
+def batch_problem(events: bytes) -> str:
+    """What is wrong with the form of a batch of events, encoded with msgpack; "" for nothing."""
+    try:
+        _decode_batch(events)
+    except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError) as error:
+        return str(error)
+    return ""

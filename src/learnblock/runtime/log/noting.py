@@ -15,11 +15,14 @@ from learnblock.client.clock import Clock
 from learnblock.runtime.log import instrumenting as names
 from learnblock.runtime.log.events import Event, Op
 from learnblock.runtime.log.snapshots import snapshot
+from learnblock.runtime.messages import LARGEST_LOGGED
 
 #: At one moment of the robot, so many events are kept; then it notes nothing until time passes.
 MOST_AT_ONE_TIME = 2000
 #: A batch is sent when it has so many events, or after so many seconds.
 BATCH, LONGEST_WAIT = 4000, 0.05
+#: So many events cannot be halved any more.
+LEAST_EVENTS = 2
 #: Seconds per tick of a real robot's time.
 TICK = 0.01
 #: Turns of a loop with more events than that are not compared with one another.
@@ -90,10 +93,11 @@ class Noting:
 
     def use_clock(self, clock: Clock) -> None:
         """Take the time from the robot's clock; the clock of a world calls `woke` instead."""
+        # Whatever the time of a robot before it was: that has been sent.
+        self._ticks = clock.instant or 0
+        self._events = [(Op.AT, self._ticks)]
         if clock.instant is None:
             self._clock, self._exact = clock, False
-        else:
-            self.woke(clock.instant)
 
     # Called by the robot in the child.
 
@@ -104,7 +108,8 @@ class Noting:
 
     def woke(self, ticks: int) -> None:
         """Note the time, if it has passed."""
-        if ticks == self._ticks:
+        if ticks <= self._ticks:
+            # Of two threads of a program, one may be late.
             return
         if self._passes_through:
             self._resume()
@@ -159,8 +164,23 @@ class Noting:
         self._sent_at = monotonic()
         self._began = 0
         if len(events) > 1:
-            self._send(events[0][1], self._ticks, _encode(events))
+            self._send_some(events, self._ticks)
         self._events.append((Op.AT, self._ticks))
+
+    def _send_some(self, events: list[Event], last: int) -> None:
+        """Send events, the first of which says when they begin; too many in several batches."""
+        batch = _encode(events)
+        if len(batch) <= LARGEST_LOGGED:
+            self._send(events[0][1], last, batch)
+            return
+        half = len(events) // 2
+        if half < LEAST_EVENTS:
+            # A single one with more lists than anybody reads.
+            self._send(events[0][1], last, _encode([events[0], (Op.GAP,)]))
+            return
+        middle = events[0][1] + sum(map(_duration, events[1:half]))
+        self._send_some(events[:half], middle)
+        self._send_some([(Op.AT, middle), *events[half:]], last)
 
     def end(self) -> None:
         """Send what has happened so far, and nothing from now on."""
@@ -402,6 +422,13 @@ def _variables(names: dict[str, Any]) -> Iterator[tuple[str, Any]]:
 
 def _ignore(first: int, last: int, events: bytes) -> None:
     """Do nothing with a batch."""
+
+
+def _duration(event: Event) -> int:
+    """The ticks in which an event happened."""
+    if event[0] == Op.PASSED:
+        return int(event[1])
+    return int(event[3]) if event[0] == Op.REPEATED else 0
 
 
 def _timeless(events: list[Event]) -> list[Event]:

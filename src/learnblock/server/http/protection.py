@@ -12,12 +12,13 @@ the token, and the page needs none.
 import hmac
 import ipaddress
 from collections.abc import Iterable
+from contextlib import suppress
 from dataclasses import dataclass
 from http import HTTPStatus
 from urllib.parse import urlsplit
 
 from starlette.datastructures import MutableHeaders
-from starlette.requests import HTTPConnection
+from starlette.requests import ClientDisconnect, HTTPConnection
 from starlette.responses import PlainTextResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
@@ -135,7 +136,9 @@ class Guard:
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         if scope["type"] == "lifespan" or self._protection.admits(HTTPConnection(scope)):
-            await self._app(scope, receive, _marking(send))
+            # A browser that leaves before it has sent all of a request is no fault.
+            with suppress(ClientDisconnect):
+                await self._app(scope, receive, _marking(send))
         elif scope["type"] == "websocket":
             # A handshake that is never accepted ends as 403.
             await send({"type": "websocket.close", "code": 1008})

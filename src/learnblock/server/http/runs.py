@@ -16,6 +16,8 @@ from learnblock.i18n import Phrase
 
 #: The largest file in bytes, and the seconds within which it must arrive.
 LARGEST, PATIENCE = 40 * 1024 * 1024, 120.0
+#: The files that may arrive at the same time; each is in memory as a whole.
+MOST_UPLOADS = 4
 _LOG = "application/octet-stream"
 
 
@@ -32,6 +34,7 @@ class RunFiles:
         self._read_only = read_only
         # Checking a large file takes much memory.
         self._limiter = CapacityLimiter(1)
+        self._uploads = 0
 
     async def download(self, request: Request) -> Response:
         """``projects/My%20square/runs/1732380000000-1.why``"""
@@ -43,6 +46,15 @@ class RunFiles:
 
         The reply is the id of the run, or the phrase of what is wrong with the file.
         """
+        if self._uploads >= MOST_UPLOADS:
+            return _refusal(Phrase("kept-upload-busy"))
+        self._uploads += 1
+        try:
+            return await self._upload(request)
+        finally:
+            self._uploads -= 1
+
+    async def _upload(self, request: Request) -> Response:
         name, filename = request.path_params["name"], request.query_params.get("filename", "")
         try:
             async with asyncio.timeout(PATIENCE):

@@ -22,8 +22,9 @@ async def _choose_world(page: Page, message: messages.ChooseWorld) -> None:
 async def _run(page: Page, message: messages.Run) -> None:
     if await to_thread.run_sync(page.sessions.block_files.have_changed):
         await page.sessions.renew_blocks(page.session)
-    async with page.sessions.connections.reserved(page, page.session.robots):
-        await page.session.runs.run(page.player, paused=message.paused)
+    with page.sessions.starting(page.session):
+        async with page.sessions.connections.reserved(page, page.session.robots):
+            await page.session.runs.run(page.player, paused=message.paused)
 
 
 @HANDLERS.add

@@ -40,8 +40,9 @@ async def _try(page: Page, message: messages.TryCustomBlock) -> None:
     made = await to_thread.run_sync(
         trial, message.name, message.source, message.function, message.arguments
     )
-    async with page.sessions.connections.reserved(page, page.session.robots):
-        await page.session.runs.try_out(page.part, page.player, made)
+    with page.sessions.starting(page.session):
+        async with page.sessions.connections.reserved(page, page.session.robots):
+            await page.session.runs.try_out(page.part, page.player, made)
 
 
 @HANDLERS.add

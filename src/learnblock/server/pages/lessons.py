@@ -94,7 +94,8 @@ async def _restart_step(page: Page, _: messages.RestartStep) -> None:
 
 @HANDLERS.add
 async def _check(page: Page, _: messages.CheckStep) -> None:
-    await _coach(page).check()
+    with page.sessions.starting(page.session):
+        await _coach(page).check()
 
 
 @HANDLERS.add
@@ -104,8 +105,9 @@ async def _stop_checking(page: Page, _: messages.StopChecking) -> None:
 
 @HANDLERS.add
 async def _show_variant(page: Page, message: messages.ShowVariant) -> None:
-    await _coach(page).show_variant(message.robot, message.variant)
-    await page.session.runs.run(page.session.parts[0].players[0], paused=False)
+    with page.sessions.starting(page.session):
+        await _coach(page).show_variant(message.robot, message.variant)
+        await page.session.runs.run(page.session.parts[0].players[0], paused=False)
 
 
 @HANDLERS.add

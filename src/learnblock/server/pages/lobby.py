@@ -81,7 +81,8 @@ class Lobby:
         self._should_warn = for_others
         self._for_one = for_one
         self._address = address
-        self._sessions = Sessions(ProjectFolder(folder, read_only=read_only is not None), grace)
+        projects = ProjectFolder(folder, read_only=read_only is not None)
+        self._sessions = Sessions(projects, grace, for_one=for_one)
 
     async def serve(self, socket: WebSocket, *, is_local: bool = False) -> None:
         """Serve a page until it has disconnected.

@@ -16,9 +16,9 @@ from learnblock.i18n import Multilingual, Phrase
 from learnblock.server import messages
 from learnblock.server.messages.base import phrase_of
 from learnblock.server.pages.boxes import Inbox, Outbox, OutboxFullError
-from learnblock.server.pages.quota import Quota
 from learnblock.server.program.shown import Shown
 from learnblock.server.sessions.lesson_trials import LessonTrial
+from learnblock.server.sessions.quota import new_projects
 
 if TYPE_CHECKING:
     from learnblock.server.runs.player import Player
@@ -32,8 +32,6 @@ H = TypeVar("H", bound=Handler)
 LARGEST_MESSAGE = 4 * 1024 * 1024
 #: What msgspec says about a program that is too long.
 _TOO_LONG = f"Expected `str` of length <= {messages.LONGEST_TEXT}"
-#: The projects that a page may make, and the seconds in which it may.
-_MOST_PROJECTS, _PERIOD = 20, 60.0
 #: Close code: try again later.
 _TOO_SLOW = 1013
 
@@ -101,7 +99,8 @@ class Page:
         self.network_key = ""
         self.shown = Shown()
         self.watching = False
-        self.new_projects = Quota(_MOST_PROJECTS, _PERIOD)
+        #: All pages of one person share theirs.
+        self.new_projects = sessions.new_projects if is_alone else new_projects()
         self._socket = socket
         self._handlers = handlers
         self._session: Session | None = None

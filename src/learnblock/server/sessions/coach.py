@@ -238,6 +238,11 @@ class Coach:
 
         self._check.start(self._opened, number, document.blocktext, found, passed)
 
+    @property
+    def checking(self) -> bool:
+        """Whether the program is being checked on all variants and robots."""
+        return self._check.told.running
+
     def stop_checking(self) -> None:
         """Stop checking."""
         self._check.stop()

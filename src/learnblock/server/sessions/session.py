@@ -119,6 +119,11 @@ class Session:
         )
         return project.with_parts([part.saved_with(one) for part, one in programs.items()])
 
+    @property
+    def is_running(self) -> bool:
+        """Whether its programs run, or are checked on all variants and robots of a lesson."""
+        return self.runs.active or (self.coach is not None and self.coach.checking)
+
     async def close(self) -> None:
         """End the running programs, and save."""
         await self.runs.stop()

@@ -2,7 +2,7 @@
 
 import asyncio
 from collections.abc import Callable, Coroutine, Iterator, Mapping
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from typing import Any
 
 from anyio import to_thread
@@ -16,8 +16,12 @@ from learnblock.server.projects.folder import ProjectFolder
 from learnblock.server.projects.project import Project, checked_name, is_same_program
 from learnblock.server.sessions.connections import Connections
 from learnblock.server.sessions.prepared import prepare
+from learnblock.server.sessions.quota import new_projects
 from learnblock.server.sessions.session import Session
 from learnblock.storage.block_files import BlockFiles
+
+#: The projects of one person whose programs may run at once.
+MOST_RUNS = 8
 
 
 class Sessions:
@@ -27,10 +31,14 @@ class Sessions:
         folder: the folder of the projects.
         grace: seconds for which a project stays open without a page, so that a page that is
             reloaded finds its program still running.
+        for_one: whether all pages are one person's, who may run some programs at once.
     """
 
-    def __init__(self, folder: ProjectFolder, grace: float) -> None:
+    def __init__(self, folder: ProjectFolder, grace: float, *, for_one: bool = False) -> None:
         self.folder = folder
+        self.new_projects = new_projects()
+        self._for_one = for_one
+        self._starting: list[Session] = []
         self._grace = grace
         self._open: dict[str, Session] = {}
         self._ending: dict[str, asyncio.Task[None]] = {}
@@ -132,6 +140,29 @@ class Sessions:
         async with self._surveying:
             self._findings = self._findings or await to_thread.run_sync(survey)
         return self._findings
+
+    @contextmanager
+    def starting(self, session: Session) -> Iterator[None]:
+        """Start the programs of a project, or check them.
+
+        Raises:
+            LearnBlockError: those of too many other projects run.
+        """
+        if self._for_one and len(self._running(session)) >= MOST_RUNS:
+            raise LearnBlockError("server-too-many-runs", most=MOST_RUNS)
+        self._starting.append(session)
+        try:
+            yield
+        finally:
+            self._starting.remove(session)
+
+    def _running(self, own: Session) -> list[Session]:
+        """The other projects whose programs run, are checked, or are about to."""
+        return [
+            session
+            for session in self._open.values()
+            if session is not own and (session.is_running or session in self._starting)
+        ]
 
     @property
     def uses_network(self) -> bool:

@@ -57,11 +57,12 @@ def digest(folder):
 
 def test_every_pupil_has_a_row_also_if_the_program_cannot_be_read(folder):
     assert "results.html" in finished(start(folder, "--variants", "0"))
-    with (folder / "out" / "results.csv").open() as file:
+    with (folder / "out" / "results.csv").open(encoding="utf-8-sig") as file:
         rows = {row["pupil"]: row for row in csv.DictReader(file)}
     assert [*rows] == ["ana", "bo", "cleo", "dan", "eva", "flo", "gil"]
-    assert [rows[name]["stars"] for name in rows] == ["1", "0", "1", "0", "0", "0", "0"]
-    assert {rows[name]["ended"] for name in ("dan", "eva", "flo", "gil")} == {"unreadable"}
+    assert [rows[name]["stars"] for name in rows] == ["1", "0", "1", "", "0", "0", "0"]
+    assert rows["dan"]["ended"] == "nothing handed in"
+    assert {rows[name]["ended"] for name in ("eva", "flo", "gil")} == {"unreadable"}
     page = (folder / "out" / "results.html").read_text()
     assert "There is no program (.bt, .py or .learnblock) in the folder." in page
 

@@ -167,11 +167,19 @@ def test_a_run_that_cannot_be_made_is_told_from_one_that_fails_and_made_again_la
 
 
 def test_what_cannot_be_read_is_a_row_with_the_reason(journal):
-    broken = HandedIn("eva", "eva.bt", reason=Phrase("grade-no-program"))
+    broken = HandedIn("eva", "eva.bt", reason=Phrase("run-not-utf-8", byte="0xff"))
     grading = Grading(plan((broken, *CLASS)), journal)
     list(grading.run(Fake(finished).opened))
     first = next(grading.rows()).result
-    assert (first.ended, "There is no program" in first.reason["en"]) == ("unreadable", True)
+    assert (first.ended, "0xff" in first.reason["en"]) == ("unreadable", True)
+
+
+@pytest.mark.parametrize("absence", ["nothing handed in", "not begun"])
+def test_a_pupil_without_a_program_is_a_row_that_says_so(journal, absence):
+    absent = HandedIn("eva", "eva", reason=Phrase("grade-not-begun"), absence=absence)
+    grading = Grading(plan((absent, *CLASS)), journal)
+    list(grading.run(Fake(finished).opened))
+    assert next(grading.rows()).result.ended == absence
 
 
 #: A place that only a robot at the usual start reaches by a fixed distance.

@@ -36,7 +36,7 @@ def test_the_example_grades_two_programs(tmp_path):
     )
     assert made.returncode == 0, made.stderr
     assert (tmp_path / "results" / "results.html").exists()
-    with (tmp_path / "results" / "results.csv").open() as file:
+    with (tmp_path / "results" / "results.csv").open(encoding="utf-8-sig") as file:
         found = [*csv.DictReader(file)]
     assert [row["pupil"] for row in found] == ["square", "polygons"]
     named = re.findall(r"`(\w+)`", " ".join(rows("column")))

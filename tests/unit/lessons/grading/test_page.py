@@ -7,6 +7,7 @@ from io import StringIO
 import pytest
 
 from gradings import GOOD, SHORT, handed_in, plan
+from learnblock.i18n import Phrase
 from learnblock.lessons.grading.grading import Grading
 from learnblock.lessons.grading.html import escaped
 from learnblock.lessons.grading.journal import opened_journal
@@ -74,6 +75,20 @@ def test_the_page_loads_nothing_and_its_policy_forbids_it(page):
 def test_programs_with_like_mistakes_are_together(page):
     text = page(handed_in(ana=GOOD, bo=SHORT))
     assert "2 programs miss:" in text
+
+
+def test_pupils_without_a_program_are_grey_and_have_no_mistakes(page):
+    absent = [
+        HandedIn(name, name, reason=Phrase("grade-not-begun"), absence="not begun")
+        for name in ("dan", "eva")
+    ]
+    text = page((*absent, *handed_in(ana=SHORT)))
+    assert "1 program, tried once. 2 pupils have no program." in text
+    assert "No two programs miss the same checks" in text
+    row = re.search(r"<tr><th scope=\"row\"><a [^>]*>dan</a>.*?</tr>", text)[0]
+    assert {*re.findall(r'class="(\w+)"', row)} == {"open"}
+    assert "Has not begun this step." in row
+    assert re.search(r'class="pupil open"><summary>dan · Has not begun', text)
 
 
 def test_programs_that_are_the_same_are_shown_side_by_side(page):

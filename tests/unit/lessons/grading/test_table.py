@@ -41,6 +41,12 @@ def test_what_is_not_finished_is_no_failure():
     assert table(Row(ana, Try("sim-ebo", 0, 0), None))[1] == "ana,1,sim-ebo,0,0,,,,,not finished,,,"
 
 
+def test_a_pupil_without_a_program_has_failed_nothing():
+    eva = HandedIn("eva", "eva", absence="not begun")
+    [_, row] = table(Row(eva, Try("sim-ebo", 0, 0), Result(ended="not begun")))
+    assert row == "eva,1,sim-ebo,0,0,,,,,not begun,,,"
+
+
 @pytest.mark.parametrize("name", ["=1+1", "+1", "-1", "@SUM(A1)", "\t=1"])
 def test_no_name_is_a_formula(name):
     pupil = HandedIn(name, "x.bt")

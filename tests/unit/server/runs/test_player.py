@@ -6,6 +6,7 @@ import sys
 
 import pytest
 
+from cheats import FORGED
 from learnblock.server import catalog
 from learnblock.server.runs.console import MOST_AT_ONCE
 from pages import english, phrase
@@ -488,3 +489,18 @@ def test_a_bump_is_reported_while_the_program_goes_on(page):
     assert bump["time"] < page.hear("Ended")["time"]
     page.say("Run")
     assert page.hear("Bumped") == bump
+
+
+@pytest.mark.parametrize(
+    "fault",
+    ["m.Phrase('x'), (1,), '/dev/ptmx', 2", "m.Phrase('run-too-much-output'), (1,), '', 0"],
+)
+def test_a_forged_message_is_an_error_of_the_program_and_it_can_be_run_again(page, fault):
+    page.open()
+    head = "from learnblock.robots.sim_ebo import Robot\n\nrobot = Robot()\n"
+    python = f"{head}{FORGED.format(fault)}\n"
+    page.say("EditText", edit=1, notation="python", text=python)
+    page.hear("Document", edit=1)
+    for _ in range(2):
+        ended = page.run()
+        assert "makes no sense" in english(ended["message"])

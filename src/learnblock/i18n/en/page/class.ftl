@@ -66,6 +66,16 @@ page-class-unproject = Show the join word on the projector
 page-class-renew-pin = New pictures
 page-class-export = Download the work
 page-class-remove = Delete
+# $count is the number of pupils in the class, $names are first names.
+page-class-knocking = { $count } { $count ->
+        [one] pupil has
+       *[other] pupils have
+    } joined. Waiting for you: { $names }
+# $count is a number.
+page-class-let-in = Let up to { $count } more join
+page-class-let-in-not = Don't let them in
+page-class-remove-several = Delete several…
+page-class-remove-which = Choose the pupils to delete with everything that they have made. The last ones to join come first.
 page-class-remove-title = Delete { $name }?
 page-class-remove-text = This deletes everything that { $name } has made in this class. It can't be undone. Download the work first if you want to keep it.
 page-class-remove-not = Cancel

@@ -39,4 +39,5 @@ page-shell-part-failed = This part of the page could not be loaded. Reload the p
 page-shell-unsent = That did not work: there is no connection to LearnBlock. Try again in a moment.
 page-shell-lost = Connection lost. Keep working: your changes will be sent when LearnBlock is back.
 page-shell-refused = LearnBlock restarted. Open the address that it shows now.
+page-shell-crowded = You have too many pages open. Close another one, then reload this one.
 page-shell-goal-reached = Goal reached: { $goal }

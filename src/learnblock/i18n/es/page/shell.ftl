@@ -39,4 +39,5 @@ page-shell-part-failed = No se ha podido cargar esta parte de la página. Recarg
 page-shell-unsent = No ha funcionado: no hay conexión con LearnBlock. Inténtalo de nuevo en un momento.
 page-shell-lost = Se ha perdido la conexión. Sigue trabajando: tus cambios se envían cuando LearnBlock vuelva.
 page-shell-refused = LearnBlock se ha reiniciado. Abre la dirección que muestra ahora.
+page-shell-crowded = Tienes demasiadas páginas abiertas. Cierra otra y recarga esta.
 page-shell-goal-reached = Objetivo alcanzado: { $goal }

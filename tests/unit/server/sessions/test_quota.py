@@ -3,7 +3,7 @@
 import pytest
 
 from learnblock.errors import LearnBlockError
-from learnblock.server.pages.quota import Quota
+from learnblock.server.sessions.quota import Quota
 
 
 class Clock:

@@ -1,10 +1,13 @@
-"""Limits on how often a page may do something that costs the computer much."""
+"""Limits on how often a page, or a person, may do something that costs the computer much."""
 
 import time
 from collections import deque
 from collections.abc import Callable
 
 from learnblock.errors import LearnBlockError
+
+#: The projects that a page may make, and the seconds in which it may; those of one person share it.
+MOST_PROJECTS, _PERIOD = 20, 60.0
 
 
 class Quota:
@@ -37,3 +40,8 @@ class Quota:
                     "server-too-many-projects", count=len(self._taken), seconds=int(left) + 1
                 )
         self._taken.append(now)
+
+
+def new_projects() -> Quota:
+    """How many projects a page may make."""
+    return Quota(MOST_PROJECTS, _PERIOD)

@@ -1,0 +1,71 @@
+// @vitest-environment happy-dom
+
+import { fireEvent, render, screen, within } from "@testing-library/preact";
+import { expect, test } from "vitest";
+
+import { ClassStream } from "../../src/features/class-page/stream";
+import { WallPage } from "../../src/features/class-page/wall";
+import type { FromTeacher, Wall } from "../../src/protocol/classroom";
+import { button } from "../dialog";
+
+/** A stream whose other end is the test. */
+class FakeStream extends ClassStream {
+  readonly sent: FromTeacher[] = [];
+
+  override open(): void {}
+
+  override send(message: FromTeacher): boolean {
+    this.sent.push(message);
+    return true;
+  }
+}
+
+/** The wall of a class with these pupils, in the order in which they joined. */
+function open(names: readonly string[], values: Partial<Wall> = {}): FakeStream {
+  const stream = new FakeStream("wall");
+  const pupils = names.map((_, index) => `p${index}`);
+  const wall = {
+    kind: "Wall",
+    title: "7b",
+    word: "koala 47",
+    address: "http://a",
+    open: true,
+    eyes_up: false,
+  } as const;
+  stream.wall.value = { ...wall, more: 5, pupils, ...values };
+  stream.seats.value = new Map(names.map((name, index) => [`p${index}`, { id: `p${index}`, name }]));
+  render(<WallPage stream={stream} />);
+  return stream;
+}
+
+test("several pupils are deleted at once, the last ones to join first", () => {
+  const stream = open(["Ana", "Zoe", "Zoë"]);
+  fireEvent.click(screen.getByText("Delete several…"));
+  const dialog = within(screen.getByRole("dialog"));
+  const boxes = dialog.getAllByRole("checkbox");
+  expect(dialog.getAllByRole("listitem").map(({ textContent }) => textContent)).toEqual(["Zoë", "Zoe", "Ana"]);
+  expect(button("Delete").disabled).toBe(true);
+  fireEvent.click(boxes[0]!);
+  fireEvent.click(boxes[1]!);
+  fireEvent.click(button("Delete"));
+  expect(stream.sent).toEqual([]);
+  screen.getByText("Delete Zoë, Zoe?");
+  fireEvent.click(button("Delete"));
+  expect(stream.sent).toEqual([{ kind: "RemovePupils", pupils: ["p2", "p1"] }]);
+});
+
+test("the teacher lets more pupils in, or not", () => {
+  const stream = open(["Ana"], { knocking: ["Leo", "Mia"] });
+  screen.getByText("1 pupil has joined. Waiting for you: Leo, Mia");
+  fireEvent.click(button("Let up to 5 more join"));
+  fireEvent.click(button("Don't let them in"));
+  expect(stream.sent).toEqual([
+    { kind: "AnswerKnocking", on: true },
+    { kind: "AnswerKnocking", on: false },
+  ]);
+});
+
+test("nothing is asked while nobody waits", () => {
+  open(["Ana"]);
+  expect(screen.queryByText(/Waiting for you/)).toBeNull();
+});

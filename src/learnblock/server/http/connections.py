@@ -1,0 +1,179 @@
+"""The open connections of a server that other computers reach.
+
+A connection costs memory and a descriptor, and anyone in the network can open as many as they like.
+So those that wait for their browser, which has sent nothing, half a request or half a handshake, or
+reads no answer, are counted by who has opened them: by person once a request has said who that is,
+by address until then. Beyond a limit the oldest is closed; a browser opens another one when it
+needs it. One that is being answered is never closed, so that a whole class can come from one
+address, as behind the router of a school.
+"""
+
+import ipaddress
+import socket
+import time
+from collections import defaultdict
+from collections.abc import Callable
+from contextlib import suppress
+from typing import Any
+
+#: The connections of one address, and of one known person, that may wait for their browser.
+MOST_UNKNOWN, MOST_KNOWN = 20, 60
+#: Those of one owner that may wait even for a moment: a request is usually on its way.
+MOST_YOUNG = 200
+#: The connections of all together.
+MOST = 2000
+#: Descriptors that the server needs for other things.
+_RESERVE = 100
+#: The descriptors to ask for where there is no limit; macOS refuses more.
+_MOST_DESCRIPTORS = 10_240
+#: The length of that moment in seconds.
+_GRACE = 1.0
+
+
+class Connections:
+    """The open connections by owner, the oldest first.
+
+    Args:
+        most: those of all together.
+        now: returns the time of a monotonic clock in seconds.
+    """
+
+    def __init__(self, most: int = MOST, now: Callable[[], float] = time.monotonic) -> None:
+        self._most = most
+        self._now = now
+        self._open: dict[int, Connection] = {}
+        self._waiting: defaultdict[str, dict[int, Connection]] = defaultdict(dict)
+
+    def __len__(self) -> int:
+        return len(self._open)
+
+    def find(self, number: int) -> "Connection | None":
+        """The connection with this descriptor."""
+        return self._open.get(number)
+
+    def opened(self, connection: "Connection") -> None:
+        """A browser has connected; make room for it."""
+        self._open[connection.number] = connection
+        self.waits(connection)
+        if len(self._open) > self._most:
+            self._close_oldest(max(self._waiting.values(), key=len), 0.0)
+
+    def waits(self, connection: "Connection") -> None:
+        """A connection waits for its browser from now on."""
+        self.works(connection)
+        connection.since = self._now()
+        waiting = self._waiting[connection.owner]
+        waiting[connection.number] = connection
+        if len(waiting) > (MOST_KNOWN if connection.is_known else MOST_UNKNOWN):
+            self._close_oldest(waiting, _GRACE if len(waiting) <= MOST_YOUNG else 0.0)
+
+    def works(self, connection: "Connection") -> None:
+        """A connection does not wait for its browser any more."""
+        waiting = self._waiting[connection.owner]
+        waiting.pop(connection.number, None)
+        if not waiting:
+            del self._waiting[connection.owner]
+
+    def belongs(self, connection: "Connection", person: str) -> None:
+        """A request has said whose connection it is."""
+        self.works(connection)
+        connection.owner, connection.is_known = f"person {person}", True
+
+    def closed(self, connection: "Connection") -> None:
+        """A connection is closed."""
+        if self._open.get(connection.number) is connection:
+            self.works(connection)
+            del self._open[connection.number]
+
+    def _close_oldest(self, waiting: "dict[int, Connection]", age: float) -> None:
+        """Close the one that has waited longest, if that is so many seconds."""
+        latest = self._now() - age
+        for connection in waiting.values():
+            if connection.since > latest:
+                return
+            if not connection.has_sent:
+                self.works(connection)
+                connection.cut()
+                return
+
+
+class Connection(socket.socket):
+    """A connection, known to `Connections` until it is closed.
+
+    Args:
+        connections: those of the server.
+        accepted: the socket, which this one replaces.
+        address: of the browser's computer.
+    """
+
+    def __init__(self, connections: Connections, accepted: socket.socket, address: str) -> None:
+        self.number = accepted.detach()
+        super().__init__(fileno=self.number)
+        self.owner, self.is_known = f"address {network_of(address)}", False
+        self.since = 0.0
+        self._connections = connections
+        self.settimeout(0)
+        connections.opened(self)
+
+    @property
+    def has_sent(self) -> bool:
+        """Whether the browser has sent something that is not read yet: then it does not wait."""
+        try:
+            return bool(self.recv(1, socket.MSG_PEEK))
+        except OSError:
+            return False
+
+    def cut(self) -> None:
+        """End the connection; who reads or writes it notices."""
+        with suppress(OSError):
+            self.shutdown(socket.SHUT_RDWR)
+
+    def close(self) -> None:
+        """Close the socket, and forget it."""
+        self._connections.closed(self)
+        super().close()
+
+
+class Listening(socket.socket):
+    """A socket that listens, whose connections are counted.
+
+    Args:
+        plain: the socket, which this one replaces.
+        connections: counts them.
+    """
+
+    def __init__(self, plain: socket.socket, connections: Connections) -> None:
+        super().__init__(fileno=plain.detach())
+        self._connections = connections
+
+    def accept(self) -> tuple[socket.socket, Any]:
+        """The next connection and its address."""
+        accepted, address = super().accept()
+        return Connection(self._connections, accepted, str(address[0])), address
+
+
+def network_of(address: str) -> str:
+    """What one computer's addresses have in common: of IPv6 it has as many as it likes."""
+    try:
+        ip = ipaddress.ip_address(address.partition("%")[0])
+    except ValueError:
+        return address
+    if isinstance(ip, ipaddress.IPv6Address):
+        return str(ip.ipv4_mapped or ipaddress.ip_network((ip, 64), strict=False))
+    return str(ip)
+
+
+def most_connections() -> int:
+    """Allow this process all the descriptors that it may have; return how many connections fit."""
+    try:
+        import resource  # noqa: PLC0415 - POSIX only
+    except ImportError:
+        return MOST
+    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+    wanted = _MOST_DESCRIPTORS if hard == resource.RLIM_INFINITY else hard
+    if soft != resource.RLIM_INFINITY and soft < wanted:
+        with suppress(OSError, ValueError):
+            resource.setrlimit(resource.RLIMIT_NOFILE, (wanted, hard))
+            soft = wanted
+    # A page of a class has a second connection, to its pupil's server.
+    return min(MOST, max(1, (soft - _RESERVE) // 2)) if soft != resource.RLIM_INFINITY else MOST
