@@ -8,9 +8,10 @@ import pytest
 from instrumented import execute
 from learnblock.client.clock import WallClock
 from learnblock.runtime.log import noting
-from learnblock.runtime.log.events import Op
+from learnblock.runtime.log.events import Op, batch_problem
 from learnblock.runtime.log.noting import Noting
 from learnblock.runtime.log.snapshots import snapshot
+from learnblock.runtime.messages import LARGEST_LOGGED
 
 
 class World:
@@ -164,3 +165,19 @@ def test_a_snapshot_does_not_change_with_its_list():
     kept = snapshot(values)
     values.append(3)
     assert kept == [1, 2]
+
+
+def test_too_many_events_are_sent_in_several_batches_in_their_order():
+    sent = []
+    noting = Noting(lambda *batch: sent.append(batch))
+    for number in range(3000):
+        noting.sent(str(number), "x" * 100)
+        if number % 100 == 0:
+            noting.woke(number + 1)
+    noting.flush()
+    assert max(len(events) for _, _, events in sent) <= LARGEST_LOGGED
+    assert {batch_problem(events) for _, _, events in sent} == {""}
+    ends = [time for first, last, _ in sent for time in (first, last)]
+    assert ends == sorted(ends)
+    read = [event for _, _, events in sent for event in msgspec.msgpack.decode(events)]
+    assert [event[1] for event in read if event[0] == Op.SENT] == [*map(str, range(3000))]
