@@ -5,6 +5,7 @@ Each exception belongs to the family `LearnBlockError` and to a builtin exceptio
 """
 
 import difflib
+import errno
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Literal
@@ -15,6 +16,15 @@ Severity = Literal["error", "warning"]
 
 #: The most mistakes that a file's phrase describes; its diagnostics have all of them.
 _MOST_IN_SUMMARY = 20
+#: What the system lacks, by the number of its error.
+_SHORTAGES = {
+    errno.ENOSPC: "system-disk",
+    errno.EDQUOT: "system-quota",
+    errno.ENOMEM: "system-memory",
+    errno.EAGAIN: "system-threads",
+    errno.EMFILE: "system-files",
+    errno.ENFILE: "system-files",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -305,6 +315,17 @@ class ProgramStopped(BaseException):
     It derives from BaseException, as KeyboardInterrupt does, so that a pupil's ``except Exception``
     cannot swallow it.
     """
+
+
+def shortage(error: BaseException) -> Phrase | None:
+    """What the computer lacks, if an error of the system says so: memory, threads or space."""
+    if isinstance(error, MemoryError):
+        return Phrase("system-memory")
+    if isinstance(error, OSError):
+        code = _SHORTAGES.get(error.errno or 0)
+        return Phrase(code) if code else None
+    # The text of CPython; it has no exception of its own.
+    return Phrase("system-threads") if str(error) == "can't start new thread" else None
 
 
 def _summary(diagnostics: Sequence[Diagnostic]) -> Phrase:

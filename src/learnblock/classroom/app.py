@@ -128,8 +128,8 @@ class _Door:
         """Start and stop pupils' servers with the application."""
         await self._room.open()
         yield
-        await self._forwarder.close()
         await self._room.close()
+        await self._forwarder.close()
 
     # Who is asking.
 
@@ -246,6 +246,9 @@ class _Door:
         except (LearnBlockError, OSError, InvalidHandshake, InvalidMessage):
             # Its server has just ended, or is too busy to start: the page tries again by itself.
             await _close(socket, _TRY_LATER)
+        except asyncio.CancelledError:
+            # The class closes, and does not wait for a page's remaining messages.
+            pass
         finally:
             self._room.left(pupil)
 

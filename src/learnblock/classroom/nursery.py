@@ -5,12 +5,17 @@ serves no pupil itself and has a single thread, so that forking is safe.
 """
 
 import gc
+import math
 import os
 import select
 import signal
 import socket
 import sys
+from contextlib import suppress
+from dataclasses import dataclass
 from importlib import import_module
+from time import monotonic
+from types import FrameType
 from typing import NoReturn
 
 import msgspec
@@ -31,6 +36,19 @@ _PRELOADED = (
 )
 #: Seconds between two looks for servers that have ended.
 _LOOK = 0.1
+
+
+@dataclass(frozen=True, slots=True)
+class Patience:
+    """How long a server may take to save everything and end; then it is killed, in seconds.
+
+    Args:
+        asked: after it was asked.
+        hurried: after it was asked again, because the whole class has to end at once.
+    """
+
+    asked: float = 15.0
+    hurried: float = 3.0
 
 
 class Ask(msgspec.Struct, frozen=True):
@@ -56,64 +74,96 @@ class News(msgspec.Struct, frozen=True):
     reason: str = ""
 
 
-class _Nursery:
+class Nursery:
     """The servers that have been started.
 
     Args:
         connection: to the classroom; each message is a line.
+        patience: how long servers may take to end.
     """
 
-    def __init__(self, connection: socket.socket) -> None:
+    def __init__(self, connection: socket.socket, patience: Patience) -> None:
         self._connection = connection
-        self._servers: dict[int, str] = {}
+        self._patience = patience
+        self.servers: dict[int, str] = {}
+        #: When each server that has to end is killed, by its process.
+        self._deadlines: dict[int, float] = {}
+        self._received = b""
+        #: Whether a server was killed, and may not have saved its last second.
+        self.has_killed = False
+        #: Whether no more servers are started.
+        self._is_ending = False
+        #: Whether everything has to end at once; set by a signal.
+        self._is_hurried = False
 
     def run(self) -> None:
-        """Start and stop servers until the classroom has gone."""
-        waiting = b""
-        while True:
+        """Start and stop servers until the classroom has gone, and every server with it."""
+        while self.servers or not self._is_ending:
             self._reap()
-            if not select.select([self._connection], [], [], _LOOK)[0]:
-                continue
-            received = self._connection.recv(65536)
-            if not received:
-                self._end()
-                return
-            *lines, waiting = (waiting + received).split(b"\n")
-            for line in lines:
-                self._do(msgspec.json.decode(line, type=Ask))
+            if self._is_hurried:
+                self._is_hurried = False
+                self._end(self._patience.hurried)
+            open_ends = [] if self._is_ending else [self._connection]
+            if select.select(open_ends, [], [], _LOOK)[0]:
+                self._listen()
+
+    def hurry(self, number: int, frame: FrameType | None) -> None:  # noqa: ARG002 - a handler
+        """Have every server save and end at once."""
+        self._is_hurried = True
+
+    def _listen(self) -> None:
+        received = self._connection.recv(65536)
+        if not received:
+            self._end(self._patience.asked)
+        *lines, self._received = (self._received + received).split(b"\n")
+        for line in lines:
+            self._do(msgspec.json.decode(line, type=Ask))
 
     def _do(self, ask: Ask) -> None:
         if ask.order:
             self._start(ask.order)
-        elif ask.stop in self._servers:
-            os.kill(ask.stop, signal.SIGTERM)
+        elif ask.stop in self.servers:
+            self._stop(ask.stop, self._patience.asked)
 
     def _start(self, order: Order) -> None:
         process = os.fork()
         if process == 0:
             _serve(order, self._connection)
-        self._servers[process] = order.pupil
+        self.servers[process] = order.pupil
 
     def _reap(self) -> None:
-        for process in list(self._servers):
-            if os.waitpid(process, os.WNOHANG)[0]:
-                self._tell(News(self._servers.pop(process), process))
+        for process in list(self.servers):
+            ended, status = os.waitpid(process, os.WNOHANG)
+            if ended:
+                self.has_killed |= os.WIFSIGNALED(status)
+                self._deadlines.pop(process, None)
+                self._tell(News(self.servers.pop(process), process))
+            elif self._deadlines.get(process, math.inf) < monotonic():
+                os.kill(process, signal.SIGKILL)
 
-    def _end(self) -> None:
-        """Have every server save everything and end."""
-        for process in self._servers:
-            os.kill(process, signal.SIGTERM)
-        for process in self._servers:
-            os.waitpid(process, 0)
+    def _stop(self, process: int, seconds: float) -> None:
+        """Have a server save everything and end; it is killed after so many seconds."""
+        os.kill(process, signal.SIGTERM)
+        before = self._deadlines.get(process, math.inf)
+        self._deadlines[process] = min(before, monotonic() + seconds)
+
+    def _end(self, seconds: float) -> None:
+        """Have every server save everything and end; see `_stop`."""
+        self._is_ending = True
+        for process in self.servers:
+            self._stop(process, seconds)
 
     def _tell(self, news: News) -> None:
-        _send(self._connection, news)
+        # The classroom may have gone.
+        with suppress(ConnectionError):
+            _send(self._connection, news)
 
 
 def _serve(order: Order, connection: socket.socket) -> NoReturn:
     """Be a server, and end with it."""
     status = 1
     try:
+        signal.signal(signal.SIGTERM, signal.SIG_DFL)
 
         def started(port: int) -> None:
             _send(connection, News(order.pupil, os.getpid(), port))
@@ -141,7 +191,11 @@ def main() -> None:
         import_module(module)
     # A server that collected what we have loaded would copy all of it.
     gc.freeze()
-    _Nursery(connection).run()
+    nursery = Nursery(connection, Patience())
+    # From the classroom, or from the kernel when the classroom has died.
+    signal.signal(signal.SIGTERM, nursery.hurry)
+    nursery.run()
+    sys.exit(nursery.has_killed)
 
 
 if __name__ == "__main__":

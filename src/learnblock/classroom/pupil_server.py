@@ -21,9 +21,12 @@ from learnblock.runtime.containment import kernel
 from learnblock.runtime.containment.fence import contain_server
 from learnblock.server import serve
 from learnblock.server.http.address import VARIABLE
+from learnblock.server.last_resort import Deadlines
 from learnblock.server.projects.writer import Access, Writer
 from learnblock.storage import quota
 
+#: So that a class is closed within 10 s of Ctrl-C, even if a program hangs.
+_DEADLINES = Deadlines(ending=5.0, saving=3.0)
 #: A pupil's server gives way to the classroom, which everybody waits for.
 _NICENESS = 5
 
@@ -75,6 +78,7 @@ def run(order: Order, started: Callable[[int], object]) -> None:
             base_url=order.base_url,
             access=Access(writer),
             for_one=True,
+            deadlines=_DEADLINES,
             announce=lambda _: None,
         )
         serve.serve(service, show=lambda address: started(_port(address)))

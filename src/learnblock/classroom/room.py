@@ -52,11 +52,20 @@ class Room:
         """Get ready to start pupils' servers."""
         await self._servers.open()
 
+    @property
+    def is_saved(self) -> bool:
+        """Whether every server has saved everything, once the class is closed."""
+        return self._servers.are_saved
+
     async def close(self) -> None:
         """Have every server save everything and end."""
         for task in self._ending.values():
             task.cancel()
         await self._servers.close()
+
+    def hurry(self) -> None:
+        """Have every server save and end at once; from another thread than the event loop's."""
+        self._servers.hurry()
 
     def changed(self) -> None:
         """Have the walls look at the class again."""

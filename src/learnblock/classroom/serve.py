@@ -6,9 +6,8 @@ import socket
 import threading
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
-
-import uvicorn
 
 from learnblock.classroom.app import create_app
 from learnblock.classroom.badges import Badges, Visitors
@@ -20,10 +19,13 @@ from learnblock.server.http.address import own_address
 from learnblock.server.http.connections import Connections, Listening, most_connections
 from learnblock.server.http.event_loop import EventLoop
 from learnblock.server.http.faults import faults_said_once
+from learnblock.server.last_resort import Deadlines, EndingServer, LastResort
 from learnblock.server.messages.lessons import LessonText
 from learnblock.server.serve import collect_rarely, configured, tcp_socket
 
 EVERYWHERE = "0.0.0.0"  # noqa: S104 - pupils come from other computers
+#: Longer than the nursery and all pupils' servers take, even if each of them has to be killed.
+_DEADLINES = Deadlines(ending=25.0, saving=6.0)
 
 
 @dataclass(frozen=True)
@@ -37,6 +39,7 @@ class ClassService:
         port: the port; None for the default, or a free one if that is taken.
         certificate: for HTTPS; None for HTTP.
         allowed_hosts: more names of this computer.
+        deadlines: how long its end may take.
         announce: shows the teacher how to come in.
     """
 
@@ -47,10 +50,13 @@ class ClassService:
     port: int | None = None
     certificate: Certificate | None = None
     allowed_hosts: tuple[str, ...] = ()
+    deadlines: Deadlines = _DEADLINES
 
 
 def serve_class(service: ClassService, *, show: Callable[[str], object] | None = None) -> None:
     """Hold a class until Ctrl-C or SIGTERM; then save everything of every pupil.
+
+    A class that hangs ends some seconds later, or at a second Ctrl-C; pupils' servers save first.
 
     Args:
         service: the class and its address.
@@ -79,24 +85,26 @@ def serve_class(service: ClassService, *, show: Callable[[str], object] | None =
             identify=visitors.person,
             **_tls(service.certificate),
         )
-        server = _Server(config, _opened(service, address, show))
+        title = service.roster.title
+        server = EndingServer(
+            config,
+            LastResort(partial(_hurry, room), service.announce, service.deadlines),
+            _opened(service, address, show),
+            lambda: service.announce(Phrase("class-closing", title=title)),
+        )
         collect_rarely()
         # Uvicorn stops the server, then raises the signal again.
         signal.signal(signal.SIGTERM, signal.default_int_handler)
         with contextlib.suppress(KeyboardInterrupt):
             server.run([listening])
+        code = "class-ended" if room.is_saved else "class-ended-by-force"
+        service.announce(Phrase(code, title=title))
 
 
-class _Server(uvicorn.Server):
-    """A server that reports when it is ready."""
-
-    def __init__(self, config: uvicorn.Config, answers: Callable[[], object]) -> None:
-        super().__init__(config)
-        self._answers = answers
-
-    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
-        await super().startup(sockets)
-        self._answers()
+def _hurry(room: Room) -> Iterable[Phrase]:
+    """Have every pupil's server save and end at once; what fails there is said there."""
+    room.hurry()
+    return ()
 
 
 def _opened(

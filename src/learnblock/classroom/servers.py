@@ -7,16 +7,20 @@ import subprocess
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import msgspec
 
-from learnblock.classroom.nursery import Ask, News
+from learnblock.classroom.nursery import Ask, News, Patience
 from learnblock.classroom.pupil_server import Order
 from learnblock.errors import LearnBlockError
+from learnblock.runtime.escalation import Measure, escalate
 
-#: Seconds within which a server answers, and within which it has saved everything and ended.
-_STARTING, _ENDING = 30.0, 15.0
+#: Seconds within which a server answers, and within which the nursery has ended one.
+_STARTING, _ENDING = 30.0, Patience().asked + 3.0
+#: Seconds for the nursery to end, with every server: after it was asked, hurried and killed.
+_CLOSING, _HURRIED, _KILLED = _ENDING, Patience().hurried + 1.0, 1.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,6 +54,8 @@ class Servers:
 
     def __init__(self, ended: Callable[[str], object]) -> None:
         self._ended = ended
+        #: Whether every server has saved everything and ended by itself, once all are closed.
+        self.are_saved = False
         self._places: dict[str, Place] = {}
         self._starting: dict[str, asyncio.Future[News]] = {}
         self._locks: dict[str, asyncio.Lock] = {}
@@ -72,12 +78,24 @@ class Servers:
 
     async def close(self) -> None:
         """Have every server save everything and end."""
-        if self._writer is None or self._process is None:
+        if self._writer is None:
             return
         self._writer.close()
-        await asyncio.to_thread(self._process.wait)
+        await asyncio.to_thread(self._end, Measure(bool, _CLOSING))
         if self._listening:
-            await self._listening
+            self._listening.cancel()
+
+    def hurry(self) -> None:
+        """Have every server save and end at once; from another thread than the event loop's."""
+        self._end()
+
+    def _end(self, *measures: Measure) -> None:
+        process = self._process
+        if process:
+            # A killed nursery takes its servers with it, see `kernel.die_with_parent`.
+            harder = Measure(process.terminate, _HURRIED), Measure(process.kill, _KILLED)
+            escalate([*measures, *harder], partial(_ends_within, process))
+            self.are_saved = process.returncode == 0
 
     async def place(self, pupil: str, folder: Path) -> Place:
         """The place of a pupil's server, which is started if it is not running.
@@ -94,7 +112,7 @@ class Servers:
         """Have a pupil's server save everything and end, if it is running.
 
         Raises:
-            TimeoutError: it has not ended after some seconds.
+            TimeoutError: it has not ended after some seconds, although it was killed.
         """
         async with self._locks.setdefault(pupil, asyncio.Lock()):
             place = self._places.get(pupil)
@@ -140,3 +158,12 @@ class Servers:
             del self._places[news.pupil]
             self._changed.notify_all()
         self._ended(news.pupil)
+
+
+def _ends_within(process: "subprocess.Popen[bytes]", seconds: float) -> bool:
+    """Wait for a process to end; return whether it has ended within so many seconds."""
+    try:
+        process.wait(seconds)
+    except subprocess.TimeoutExpired:
+        return False
+    return True

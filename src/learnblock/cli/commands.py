@@ -127,7 +127,9 @@ def load(name: str) -> click.Command | None:
 
 
 def _report_system_error(error: OSError) -> None:
-    reason = error.strerror or str(error)
+    from learnblock.errors import shortage  # noqa: PLC0415 - `--help` needs none of it
+
+    reason = shortage(error) or error.strerror or str(error)
     if error.filename is None:
         say("cli-system-error", reason=reason, err=True)
     else:

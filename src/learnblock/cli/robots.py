@@ -2,7 +2,8 @@
 
 import sys
 from collections.abc import Iterator, Mapping
-from typing import Any
+from functools import partial
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -19,6 +20,11 @@ from learnblock.cli.console import (
 from learnblock.errors import LearnBlockError, UnknownNameError
 from learnblock.i18n import Phrase
 
+if TYPE_CHECKING:
+    from learnblock.robots.real import RealRobot
+
+#: Seconds that a driver may take longer to look for robots than it should.
+_LATE = 5.0
 _NAME = click.argument("name", metavar="ROBOT")
 _VERDICTS = {
     True: Phrase("cli-device-works"),
@@ -176,17 +182,22 @@ def _real(name: str) -> Any:
 
 def _scan(names: tuple[str, ...], seconds: float) -> Iterator[tuple[str, Mapping[str, Any]]]:
     """Every robot that answers; all kinds are searched for at the same time."""
-    from concurrent.futures import ThreadPoolExecutor  # noqa: PLC0415
-
     from learnblock.robots import entries  # noqa: PLC0415
     from learnblock.robots.real import RealRobot  # noqa: PLC0415
+    from learnblock.runtime.containment.driver import OwnThread  # noqa: PLC0415
 
     kinds = [entry.load() for entry in entries().values() if not entry.name.startswith("sim-")]
     wanted = [_real(name) for name in names] or [one for one in kinds if issubclass(one, RealRobot)]
-    with ThreadPoolExecutor(max(1, len(wanted))) as pool:
-        looks = [(one.name(), pool.submit(list, one.scan(seconds))) for one in wanted]
-        for name, look in looks:
-            yield from ((name, found) for found in look.result())
+    looks = [(one.name(), OwnThread(partial(_found, one, seconds))) for one in wanted]
+    for name, look in looks:
+        try:
+            yield from ((name, found) for found in look.result(seconds + _LATE))
+        except TimeoutError:
+            say("cli-robot-scan-late", robot=name, err=True)
+
+
+def _found(kind: "type[RealRobot[Any]]", seconds: float) -> list[Mapping[str, Any]]:
+    return list(kind.scan(seconds))
 
 
 def _spelled(chosen: Any) -> str:

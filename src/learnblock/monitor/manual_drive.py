@@ -13,6 +13,8 @@ from learnblock.simulator import RobotBody
 TIMEOUT = 0.5
 #: An object that moves less than this in a step, in mm or degrees, is at rest.
 STANDSTILL = 1e-3
+#: Seconds in which a world makes a step, even on a busy computer.
+_STEP = 5.0
 
 
 class ManualDrive:
@@ -52,7 +54,8 @@ class ManualDrive:
         with self._state:
             self._closed, thread = True, self._thread
         if thread:
-            thread.join()
+            # It makes one step more; if that hangs, the world is left to it.
+            thread.join(_STEP)
         with self._simulation.lock:
             self._body.drive(0, 0)
 

@@ -74,6 +74,11 @@ class RobotConnection:
         self._closing.set()
         self.halt()
 
+    def give_up(self) -> None:
+        """Count as ended: the driver does not come back, and its thread can't be ended."""
+        self.problem = RobotConnectionError("connect-given-up").phrase
+        self.ended.set()
+
     @property
     def closing(self) -> bool:
         """Whether it has been closed, or has ended by itself."""
@@ -84,9 +89,10 @@ class RobotConnection:
             self._contained()
         except Exception as error:  # noqa: BLE001 - a driver may raise any exception
             self.problem = _reason(error)
-        self.doing = ""
-        self.ended.set()
-        self._on_change()
+        finally:
+            self.doing = ""
+            self.ended.set()
+            self._on_change()
 
     def _contained(self) -> None:
         kind = self.robot.load()

@@ -10,6 +10,8 @@ from learnblock.storage.settings import Settings, Table
 
 #: How many robots that were used before are remembered.
 _MOST_USED = 20
+#: Seconds that a driver may take longer than it should; then the look at it is given up.
+_LATE = 5.0
 
 
 class UsedRobots(Settings, frozen=True):
@@ -54,7 +56,7 @@ def find(entry: RobotEntry, seconds: float) -> tuple[Mapping[str, Any], ...]:
         return tuple(kind.scan(seconds))
 
     try:
-        return in_own_thread(scan, lambda: None)
+        return in_own_thread(scan, seconds=seconds + _LATE)
     except Exception:  # noqa: BLE001 - a driver may raise any exception; connecting says what
         return ()
 

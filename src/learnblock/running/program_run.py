@@ -17,6 +17,7 @@ from learnblock.robots import RobotEntry
 from learnblock.running.report import Report, report
 from learnblock.runtime.containment.driver import give_up, in_own_thread
 from learnblock.runtime.debugger import Debugger
+from learnblock.runtime.escalation import PATIENCE, Patience
 from learnblock.runtime.host import Host
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.log.keeping import RunLog
@@ -89,6 +90,7 @@ class ProgramRun:
         lacking: refuses a robot whose devices are known only once it is connected.
         standby: the process for the program, if it has been started before.
         monitored: whether the robot has a monitor, for a page.
+        patience: how long its end may take when `run` is interrupted.
     """
 
     def __init__(
@@ -106,6 +108,7 @@ class ProgramRun:
         lacking: Lacking | None = None,
         standby: Standby | None = None,
         monitored: bool = False,
+        patience: Patience = PATIENCE,
     ) -> None:
         self.program = program
         self.robot = robot
@@ -116,6 +119,7 @@ class ProgramRun:
         self._debugger = debugger
         self._lacking = lacking
         self._monitored = monitored
+        self._patience = patience
         self._run = Run(
             program,
             self._make_robot,
@@ -149,8 +153,12 @@ class ProgramRun:
         return self._run.recorder
 
     def run(self) -> Report:
-        """Run the program to its end."""
-        in_own_thread(self._serve, self.stop)
+        """Run the program to its end.
+
+        Raises:
+            LearnBlockError: it was interrupted, and could not be ended.
+        """
+        in_own_thread(self._serve, self._patience.measures(self.stop, self.abort))
         done = report(self.program, self._run, self.trace.sha256)
         if self.trace.log:
             self.trace.log.end(msgspec.to_builtins(done, enc_hook=plain))
@@ -161,6 +169,10 @@ class ProgramRun:
     def stop(self) -> None:
         """End the run within a second, even if it is paused or waiting for input."""
         self._host.stop()
+
+    def abort(self) -> None:
+        """Kill the program of a run that `stop` has not ended."""
+        self._host.abort()
 
     def pause(self) -> None:
         """Pause the world at once, and the program at its next line."""

@@ -1,7 +1,6 @@
 """Several programs in one run: simulated robots share a world, real ones have a thread each."""
 
 from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import partial, reduce
 from operator import or_
@@ -16,8 +15,9 @@ from learnblock.robots import RobotEntry
 from learnblock.robots.simulated import SimulatedRobot, Simulation, goal_of
 from learnblock.running.program_run import Options, monitor_of
 from learnblock.running.report import Report, report
-from learnblock.runtime.containment.driver import give_up, in_own_thread
+from learnblock.runtime.containment.driver import OwnThread, end_threads, give_up
 from learnblock.runtime.debugger import Debugger
+from learnblock.runtime.escalation import PATIENCE, Patience
 from learnblock.runtime.host import Host
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.log.keeping import RunLog, TeamLog
@@ -87,6 +87,7 @@ class TeamRun:
         monitored: whether the robots have monitors, for a page.
         limits: the resources that each program may use.
         worker: creates the worker that runs a program; a process by default.
+        patience: how long the end may take when `run` is interrupted.
         logs: by the names of members, what keeps what their programs do, for questions about the
             run; all of them or none.
 
@@ -106,6 +107,7 @@ class TeamRun:
         monitored: bool = False,
         limits: Limits | None = None,
         worker: Callable[[], Worker] = ProcessWorker,
+        patience: Patience = PATIENCE,
         logs: Mapping[str, RunLog] | None = None,
     ) -> None:
         self.members = tuple(members)
@@ -123,6 +125,7 @@ class TeamRun:
             self._prepared, watch=watch, debug=debug, limits=limits, worker=worker
         )
         self._monitored = monitored
+        self._patience = patience
         self._monitors: dict[str, Monitor] = {}
         self._runs: dict[str, Run] = {}
         post = Post(len(self.members))
@@ -132,14 +135,20 @@ class TeamRun:
         self._hosts = [self._make_host(group) for group in groups if group]
 
     def run(self) -> TeamReport:
-        """Run all programs to their end."""
-        with ThreadPoolExecutor(len(self._hosts)) as threads:
-            serving = [threads.submit(in_own_thread, host.run, host.stop) for host in self._hosts]
-            try:
-                for served in serving:
-                    served.result()
-            finally:
-                self.stop()
+        """Run all programs to their end.
+
+        Raises:
+            LearnBlockError: it was interrupted, and a program could not be ended.
+        """
+        threads: list[OwnThread[None]] = []
+        try:
+            for host in self._hosts:
+                # One by one: what has begun must end, even if there is no thread for the next.
+                threads += [OwnThread(host.run)]
+            for thread in threads:
+                thread.result()
+        finally:
+            end_threads(threads, self._patience.measures(self.stop, self.abort))
         for member in self.members:
             if log := self._logs.get(member.name):
                 log.end(msgspec.to_builtins(self._own_report(member), enc_hook=plain))
@@ -153,6 +162,11 @@ class TeamRun:
         """End all programs within a second; may be called from any thread."""
         for host in self._hosts:
             host.stop()
+
+    def abort(self) -> None:
+        """Kill the programs of a run that `stop` has not ended; may be called from any thread."""
+        for host in self._hosts:
+            host.abort()
 
     def recorder(self, member: Member) -> Recorder | None:
         """The events of a member, once it has a robot."""

@@ -4,6 +4,7 @@ It runs no program itself and has a single thread, so that forking is safe.
 """
 
 import gc
+import math
 import os
 import select
 import signal
@@ -17,7 +18,7 @@ from importlib import import_module
 from io import BytesIO
 from pkgutil import iter_modules
 from threading import Event, Thread
-from time import process_time
+from time import monotonic, process_time
 from types import FrameType
 from typing import NoReturn
 
@@ -34,6 +35,7 @@ from learnblock.runtime import validation
 from learnblock.runtime.containment import kernel
 from learnblock.runtime.containment.fence import contain_host
 from learnblock.runtime.ending import How
+from learnblock.runtime.escalation import PATIENCE
 from learnblock.runtime.inline import InlineWorker
 from learnblock.runtime.limits import MEGABYTE, Limits
 from learnblock.runtime.process import ProcessWorker, Worker
@@ -44,6 +46,8 @@ HEAD = struct.Struct(">I?I")
 #: The largest result, in bytes.
 LARGEST = 256 * MEGABYTE
 _CHUNK = MEGABYTE
+#: Seconds between two looks at whether runs that were stopped have ended.
+_LOOK = 0.5
 #: Seconds between two looks at whether a program lets its host run.
 WATCHING = 0.5
 #: The status of a child that has said why it failed, and the most bytes of that.
@@ -195,6 +199,8 @@ class _Warm:
         #: The runs whose child died once: the index of each job, and whether it was isolated.
         self._died: set[tuple[int, bool]] = set()
         self.is_stopped = False
+        #: When the runs are killed, once they have been asked to stop.
+        self._deadline = math.inf
         signal.signal(signal.SIGTERM, self._stop)
 
     def run(self) -> None:
@@ -202,11 +208,15 @@ class _Warm:
         while self._waiting or self._children:
             while self._waiting and len(self._children) < self._at_once:
                 self._start(*self._waiting.popleft())
-            for handle in select.select([*self._children], [], [])[0]:
+            for handle in select.select([*self._children], [], [], _LOOK)[0]:
                 self._receive(handle)
+            if self._deadline < monotonic():
+                for child in self._children.values():
+                    os.kill(child.process, signal.SIGKILL)
 
     def _stop(self, number: int, frame: FrameType | None) -> None:  # noqa: ARG002
         self.is_stopped = True
+        self._deadline = monotonic() + PATIENCE.stopped + PATIENCE.killed
         self._waiting.clear()
         self._at_once = 0
         for child in self._children.values():

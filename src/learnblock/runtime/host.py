@@ -51,6 +51,11 @@ class Host:
         """End all programs within a second; may be called from any thread."""
         self._stop(Ending(How.STOPPED, Phrase("run-stopped")))
 
+    def abort(self) -> None:
+        """Kill all programs, for one that `stop` has not ended; may be called from any thread."""
+        for run in self._runs:
+            run.abort()
+
     def _take_turns(self) -> None:
         while parked := [run for run in self._runs if run.wake is not None]:
             simulation = parked[0].simulation

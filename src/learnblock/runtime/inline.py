@@ -54,6 +54,9 @@ class InlineWorker:
     def interrupt(self) -> None:
         self._interrupted = True
 
+    def abort(self) -> None:
+        """Do nothing: it has the thread of its host, which would have to be ended with it."""
+
     def kill(self) -> None:
         self.link.close()
         if not self._program.dead:

@@ -4,6 +4,7 @@ import contextlib
 import ctypes
 import os
 import socket
+import struct
 import subprocess
 import sys
 import threading
@@ -18,6 +19,9 @@ from learnblock.runtime.limits import Limits
 from learnblock.runtime.link import Link, SocketLink
 from learnblock.runtime.messages import FromChild, FromHost
 from learnblock.runtime.standby import Standby
+
+#: Seconds in which a program has to take what it has asked for.
+LONGEST_SENDING = 10
 
 
 @contextmanager
@@ -47,6 +51,9 @@ class Worker(Protocol):
     def interrupt(self) -> None:
         """Raise ProgramStopped in the program."""
 
+    def abort(self) -> None:
+        """Kill the program at once, from any thread, even if its host hangs; `kill` cleans up."""
+
     def kill(self) -> None:
         """End the program and everything it has started."""
 
@@ -71,6 +78,7 @@ class ProcessWorker:
         self._standby = standby or Standby()
         if standby:
             standby.join_processors()
+        _limit_sending(self._standby.connection)
         self.link: Link[FromChild] = SocketLink(self._standby.connection, FromChild)
 
     @property
@@ -80,6 +88,9 @@ class ProcessWorker:
 
     def interrupt(self) -> None:
         self._standby.process.terminate()
+
+    def abort(self) -> None:
+        self._standby.abort()
 
     def kill(self) -> None:
         self._standby.end()
@@ -97,12 +108,21 @@ class ProcessWorker:
         return of_process(self.process)
 
 
+def _limit_sending(connection: socket.socket) -> None:
+    """Let a host not wait for ever for a program that reads none of its answers."""
+    if os.name == "posix":
+        # By the kernel: a timeout of Python's costs two more system calls for each message.
+        connection.setsockopt(
+            socket.SOL_SOCKET, socket.SO_SNDTIMEO, struct.pack("ll", LONGEST_SENDING, 0)
+        )
+
+
 class ThreadWorker:
     """A thread of the host, for trusted programs: it can neither be limited nor killed."""
 
     def __init__(self) -> None:
-        ours, theirs = socket.socketpair()
-        self.link: Link[FromChild] = SocketLink(ours, FromChild)
+        self._connection, theirs = socket.socketpair()
+        self.link: Link[FromChild] = SocketLink(self._connection, FromChild)
         self._thread = threading.Thread(
             target=self._run, args=(theirs,), name="program", daemon=True
         )
@@ -113,6 +133,11 @@ class ThreadWorker:
             ctypes.pythonapi.PyThreadState_SetAsyncExc(
                 ctypes.c_ulong(self._thread.ident), ctypes.py_object(ProgramStopped)
             )
+
+    def abort(self) -> None:
+        # Both ends of the link notice that, also in the middle of a call.
+        with contextlib.suppress(OSError):
+            self._connection.shutdown(socket.SHUT_RDWR)
 
     def kill(self) -> None:
         self.link.close()

@@ -5,14 +5,32 @@ import signal
 import subprocess
 from contextlib import suppress
 
+#: Seconds that a killed process may take to end: longer only if a device does not answer it.
+_DYING = 2.0
 
-def kill(process: "subprocess.Popen[bytes]") -> None:
-    """Kill a process that leads a session, and its process group, and wait for its end.
+
+def abort(process: "subprocess.Popen[bytes]") -> None:
+    """Kill a process that leads a session, and its process group, without waiting for its end.
 
     What it has started is in its group. Windows has no groups: only the process itself ends there.
     """
+    # Its number may be that of another process once somebody has waited for it.
+    if process.poll() is None:
+        _kill(process)
+
+
+def kill(process: "subprocess.Popen[bytes]") -> None:
+    """Kill a process as `abort` does, and wait for its end, at most some seconds.
+
+    What is left of its group is killed too if the process itself has ended before.
+    """
+    _kill(process)
+    with suppress(subprocess.TimeoutExpired):
+        process.wait(_DYING)
+
+
+def _kill(process: "subprocess.Popen[bytes]") -> None:
     if hasattr(os, "killpg"):
         with suppress(ProcessLookupError, PermissionError):
             os.killpg(process.pid, signal.SIGKILL)
     process.kill()
-    process.wait()

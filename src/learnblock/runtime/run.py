@@ -171,6 +171,11 @@ class Run:
         self._pauses.end()
         self.world.end()
 
+    def abort(self) -> None:
+        """Kill the program, whatever its host is doing; may be called from any thread."""
+        if self._conversation:
+            self._conversation.worker.abort()
+
     def end(self) -> None:
         """End the program now if it has not ended yet, and all processes it has started."""
         if self.ending is None and self._conversation:

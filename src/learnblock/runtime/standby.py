@@ -49,6 +49,10 @@ class Standby:
             with suppress(ProcessLookupError):
                 os.sched_setaffinity(self.process.pid, os.sched_getaffinity(0))
 
+    def abort(self) -> None:
+        """Kill it with everything it has started, from any thread; `end` still has to clean up."""
+        process_group.abort(self.process)
+
     def end(self) -> None:
         """Kill it with everything it has started; calling it twice is harmless."""
         if self._is_ended:

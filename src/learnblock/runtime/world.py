@@ -12,6 +12,9 @@ from learnblock.runtime.brake import Brake
 from learnblock.runtime.debugger import Debugger, Holdable
 from learnblock.runtime.pacing import Pacing
 
+#: Seconds in which a world makes a step, even on a busy computer.
+_STEP = 5.0
+
 
 class Simulation(Protocol):
     """The interface of a simulated world for the host."""
@@ -94,7 +97,8 @@ class World:
             ended.set()
             # It may be paused, which must not keep the program from going on.
             simulation.pacing.wake()
-            thread.join()
+            # It makes one step more.
+            thread.join(_STEP)
 
     @property
     def exclusive(self) -> AbstractContextManager[object]:

@@ -79,11 +79,14 @@ def create_app(
     if base != "/":
         # Relative addresses of the page need the slash at the end.
         routes = [Route(base, _to_folder), Mount(base, routes=routes)]
-    return Starlette(
+    app = Starlette(
         routes=routes,
         middleware=[Middleware(Guard, protection=protection)],
         lifespan=lobby.lifespan,
     )
+    # For a server whose event loop hangs, see `LastResort`.
+    app.state.save = lobby.save
+    return app
 
 
 def _routes(
@@ -163,10 +166,12 @@ class _LateLobby:
         self._grace = grace
         self._read_only = read_only
         self._making: asyncio.Task[Lobby] | None = None
+        self._loop: asyncio.AbstractEventLoop | None = None
 
     @asynccontextmanager
     async def lifespan(self, _: Starlette) -> AsyncIterator[None]:
         """Create the lobby at the start, and close it at the end."""
+        self._loop = asyncio.get_running_loop()
         self._making = asyncio.create_task(to_thread.run_sync(self._made))
         yield
         await (await self._making).close()
@@ -175,6 +180,12 @@ class _LateLobby:
         """Return the lobby once it is ready."""
         assert self._making is not None  # noqa: S101 - the server starts up before it serves
         return await asyncio.shield(self._making)
+
+    def save(self, seconds: float) -> Iterable[Phrase]:
+        """Save all projects from another thread: see `Sessions.save_from_outside`."""
+        if self._loop is None or self._making is None or not self._making.done():
+            return ()
+        return self._making.result().save_from_outside(self._loop, seconds)
 
     def _made(self) -> "Lobby":
         from learnblock.server.pages.lobby import Lobby  # noqa: PLC0415

@@ -1,13 +1,12 @@
 """The command `learnblock`: the server, with the page in a browser or in a window."""
 
-import asyncio
 import contextlib
 import gc
 import signal
 import socket
 import threading
 import webbrowser
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import partial
@@ -28,6 +27,7 @@ from learnblock.server.http.connections import Connections, Listening, most_conn
 from learnblock.server.http.faults import faults_said_once
 from learnblock.server.http.protection import Protection, is_loopback, offered_token
 from learnblock.server.http.requests import Headers, Identify, TimedRequests
+from learnblock.server.last_resort import Deadlines, EndingServer, LastResort
 from learnblock.server.projects.writer import Access
 
 DEFAULT_HOST = "127.0.0.1"
@@ -36,8 +36,8 @@ DEFAULT_PORT = 8421
 _EVERYWHERE = {"0.0.0.0", "::"}  # noqa: S104 - only if the user chooses it
 #: Seconds that open pages have to disconnect when the server stops.
 _FAREWELL = 1
-#: Seconds between two checks for a server that wants to take over.
-_LOOK_FOR_OTHERS = 0.5
+#: Seconds between two checks whether a server has failed to start.
+_LOOK_AGAIN = 0.5
 #: The connections that the system keeps until they are accepted.
 _BACKLOG = 128
 #: Drivers wait for their robots with `select`, which knows 1,024 descriptors only.
@@ -62,6 +62,7 @@ class Service:
         new_token: whether the address gets a new token, with which only new pages open.
         access: the right to write to the folder.
         for_one: whether all pages are one person's, on whatever device.
+        deadlines: how long its end may take.
         announce: shows the user the page's address.
     """
 
@@ -76,6 +77,7 @@ class Service:
     new_token: bool = False
     access: Access = field(default_factory=Access)
     for_one: bool = False
+    deadlines: Deadlines = field(default_factory=Deadlines)
     announce: Callable[[Phrase], object] = click.echo
 
     @property
@@ -106,6 +108,8 @@ class Service:
 
 def serve(service: Service, *, show: Callable[[str], object] | None = None) -> None:
     """Serve until Ctrl-C or SIGTERM; then stop every program, and save every project.
+
+    A server that hangs saves everything and ends some seconds later, or at a second Ctrl-C.
 
     Args:
         service: the projects and the address.
@@ -144,9 +148,12 @@ def serve_in_window(service: Service) -> None:
         # A window needs the main thread on every system.
         serving = threading.Thread(target=server.run, args=([listening],), name="server")
         serving.start()
-        started.wait()
-        _show_window(webview, address[0])
-        server.should_exit = True
+        while not started.wait(_LOOK_AGAIN) and serving.is_alive():
+            pass
+        if address:
+            _show_window(webview, address[0])
+        server.end()
+        # Its last resort ends this process if that hangs.
         serving.join()
 
 
@@ -171,37 +178,45 @@ def _show_window(webview: Any, address: str) -> None:
     webview.start()
 
 
-class _Server(uvicorn.Server):
-    """A server that reports when it is ready, and stops when another one wants to take over."""
+class _Server(EndingServer):
+    """A server that stops when another one wants to take over.
+
+    Args:
+        config: its configuration.
+        service: the projects, and the address.
+        answers: called when it answers.
+        save: saves everything, see `LastResort`.
+    """
 
     def __init__(
-        self, config: uvicorn.Config, service: Service, answers: Callable[[], None]
+        self,
+        config: uvicorn.Config,
+        service: Service,
+        answers: Callable[[], None],
+        save: Callable[[], Iterable[Phrase]],
     ) -> None:
-        super().__init__(config)
         self._service = service
-        self._answers = answers
-        self._listening_to_others: asyncio.Task[None] | None = None
-
-    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
-        await super().startup(sockets)
-        self._answers()
-        self._listening_to_others = asyncio.create_task(self._end_when_asked())
+        last_resort = LastResort(
+            save,
+            service.announce,
+            service.deadlines,
+            is_asked=self._is_taken_over,
+            begin=self._make_room,
+        )
+        super().__init__(config, last_resort, answers)
 
     async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
-        if self._listening_to_others:
-            self._listening_to_others.cancel()
         await super().shutdown(sockets)
         # Everything is saved now. A window may stay open, but another server need not wait for it.
         if self._service.access.writer:
             self._service.access.writer.release()
 
-    async def _end_when_asked(self) -> None:
-        writer = self._service.access.writer
-        if writer is None:
-            return
+    def _is_taken_over(self) -> bool:
         # The other server may be another user's, so a file is the only way to send it a request.
-        while not writer.is_asked_to_end:
-            await asyncio.sleep(_LOOK_FOR_OTHERS)
+        writer = self._service.access.writer
+        return writer is not None and writer.is_asked_to_end
+
+    def _make_room(self) -> None:
         self._service.announce(Phrase("server-taken-over"))
         self.should_exit = True
 
@@ -209,7 +224,7 @@ class _Server(uvicorn.Server):
 @contextmanager
 def _server(
     service: Service, show: Callable[[str], object] | None
-) -> Iterator[tuple[uvicorn.Server, socket.socket]]:
+) -> Iterator[tuple[_Server, socket.socket]]:
     token = the_token(new=service.new_token)
     app = create_app(
         service.folder,
@@ -244,7 +259,8 @@ def _server(
         collect_rarely()
         identify = partial(_person, Protection.of(token))
         config = configured(app, connections=connections if counts else None, identify=identify)
-        yield _Server(config, service, answers), listening
+        save = partial(app.state.save, service.deadlines.saving)
+        yield _Server(config, service, answers, save), listening
 
 
 def _person(protection: Protection, headers: Headers) -> str:

@@ -14,7 +14,7 @@ def english_system(monkeypatch):
 
 def test_the_thread_of_a_run_speaks_the_language_of_its_command():
     with main.make_context("learnblock", ["--language", "es", "run", "square.bt"]):
-        assert in_own_thread(language, stop=bool) == "es"
+        assert in_own_thread(language) == "es"
 
 
 def test_the_next_command_speaks_its_own_language():

@@ -7,10 +7,11 @@ from pathlib import Path
 import pytest
 
 from learnblock.errors import ProgramStopped
+from learnblock.runtime import process
 from learnblock.runtime.child import run
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.link import SocketLink
-from learnblock.runtime.messages import Ended, FromChild, FromHost, Printed, Setup
+from learnblock.runtime.messages import Answer, Ended, FromChild, FromHost, Printed, Setup
 from learnblock.runtime.process import ProcessWorker, ThreadWorker
 
 pytestmark = pytest.mark.realtime
@@ -49,6 +50,26 @@ def test_a_program_runs_and_sends_messages(worker):
     worker.link.send(setup("print('hello')"))
     assert heard(worker) == [Printed("hello\n"), Ended()]
     assert worker.wait(10) == 0
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="only POSIX limits how long sending takes")
+def test_a_program_that_reads_nothing_does_not_keep_its_host_waiting(monkeypatch):
+    monkeypatch.setattr(process, "LONGEST_SENDING", 1)
+    worker = ProcessWorker()
+    try:
+        worker.link.send(setup("import time\ntime.sleep(60)"))
+        with pytest.raises(EOFError):
+            # More than the system holds for it.
+            worker.link.send(Answer(b"x" * 4_000_000))
+    finally:
+        worker.kill()
+
+
+def test_an_aborted_program_is_noticed_at_once(worker):
+    worker.link.send(setup("while True:\n    pass"))
+    worker.abort()
+    with pytest.raises(EOFError):
+        worker.link.receive(10)
 
 
 def test_an_interrupted_program_reports_its_line(worker):

@@ -10,6 +10,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect, unix_connect
 
 from learnblock.errors import LearnBlockError
@@ -114,6 +115,35 @@ def test_at_the_end_every_program_ends_and_every_project_is_saved(tmp_path, stop
         with pytest.raises(ProcessLookupError):
             os.kill(int(programs[0]), 0)
     assert "# edited" in (tmp_path / "program.learnblock").read_text("utf-8")
+
+
+@pytest.mark.certain
+@pytest.mark.skipif(sys.platform == "win32", reason="there are no named pipes in folders")
+def test_a_second_ctrl_c_ends_a_server_that_hangs_with_everything_saved(tmp_path):
+    options = ("--port", "0", "--projects", str(tmp_path))
+    with (
+        learnblock(*options) as (process, address),
+        visit(address) as page,
+        visit(address) as other,
+    ):
+        page.open("mine")
+        other.open("hanging")
+        file = tmp_path / "hanging.learnblock"
+        wait_for(file.exists, "the project is saved")
+        # The thread that keeps what another program has written there waits for ever.
+        file.unlink()
+        os.mkfifo(file)
+        other.type("main:\n    print(1)\nend\n")
+        page.type(RUNNING + "# edited\n")
+        process.send_signal(signal.SIGINT)
+        # The server begins to end: it closes its connections.
+        with pytest.raises(ConnectionClosed):
+            page.until("never")
+        process.send_signal(signal.SIGINT)
+        process.wait(TIMEOUT)
+    assert "# edited" in (tmp_path / "mine.learnblock").read_text("utf-8")
+    assert file.is_file()
+    assert "print(1)" in file.read_text("utf-8")
 
 
 @pytest.mark.certain

@@ -14,6 +14,9 @@ class-opened =
       Projector    { $projector }
 
     The address of your wall holds your key: don't show it to pupils.
+class-closing = Class { $title } closes. Saving everything...
+class-ended = Everything is saved. Class { $title } is closed.
+class-ended-by-force = Class { $title } is closed. A pupil's LearnBlock did not answer and was ended; what it showed as saved is there.
 class-bad-title = The name of a class is 1 to 40 letters, digits, spaces, '.', '_' or '-', such as 7b.
 class-already-open = Class { $title } is open already, in another LearnBlock.
 class-unknown = There is no class { $title } in { $folder }.

@@ -20,6 +20,7 @@ cli-format-only-block-text = { $file } is not a Block-Text file (.bt). Use a Pyt
 
 # In the list of robots, instead of devices.
 cli-devices-by-settings = (depends on its settings)
+cli-robot-scan-late = The driver of '{ $robot }' does not stop looking for robots, so it was left out.
 cli-robot-without-settings = The robot '{ $robot }' has no settings: it is simulated.
 cli-no-robot-found = No robot answered. Is it switched on, and is this computer on its network?
 # Results of a device's test, in a column of nine characters.

@@ -5,8 +5,12 @@ play-program-running = A program is running. Stop it first.
 play-no-question = The program is not waiting for an answer.
 play-no-robot = No robot is ready. Choose a robot in the bar.
 play-nothing-to-look-back-at = There is nothing to look back at. Run the program first.
-# $reason is the text of an unexpected error of a driver.
+# $reason is the text of an unexpected error of a driver, or what the computer lacks.
 play-not-started = The program could not be run: { $reason }
+# It did not stop, was killed, and something in LearnBlock still hangs.
+play-given-up = The program was killed, because it did not stop. You can run it again.
+play-given-up-real = The program was killed, but its robot does not answer. Its motors may still be running: switch it off.
+play-lost = The run ended unexpectedly. There may not be enough memory: close other programs or pages, then run the program again.
 
 # A custom block that is tried; $function is its name.
 play-no-function = This block has no function that takes the robot. Write one first.

@@ -7,6 +7,7 @@ run-alone = { $program }: { NUMBER($time, minimumFractionDigits: 2) } s, { $dist
 # $goals lists the names of goals.
 run-alone-with-goals = { run-alone } Reached: { $goals }.
 run-stopped = The program was stopped.
+run-given-up = The program was killed, but its robot or world did not stop. If it is a real robot, switch it off.
 run-stopped-by-signal = The program was stopped by the operating system.
 run-time-limit =
     { $seconds ->

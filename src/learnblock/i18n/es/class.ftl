@@ -12,6 +12,9 @@ class-opened =
       Proyector            { $projector }
 
     La dirección de tu panel contiene tu llave: no se la enseñes al alumnado.
+class-closing = La clase { $title } se cierra. Guardando todo...
+class-ended = Todo está guardado. La clase { $title } está cerrada.
+class-ended-by-force = La clase { $title } está cerrada. El LearnBlock de algún alumno no respondía y se ha terminado a la fuerza; lo que mostraba como guardado está ahí.
 class-bad-title = El nombre de una clase tiene de 1 a 40 letras, cifras, espacios, '.', '_' o '-', por ejemplo 7b.
 class-already-open = La clase { $title } ya está abierta en otro LearnBlock.
 class-unknown = No hay ninguna clase { $title } en { $folder }.

@@ -17,6 +17,7 @@ cli-would-change = Cambiaría { $file }
 cli-format-only-block-text = { $file } no es un archivo de Block-Text (.bt). Para archivos de Python usa un formateador de Python.
 
 cli-devices-by-settings = (depende de sus ajustes)
+cli-robot-scan-late = El controlador de '{ $robot }' no deja de buscar robots, así que se ha omitido.
 cli-robot-without-settings = El robot '{ $robot }' no tiene ajustes: es simulado.
 cli-no-robot-found = Ningún robot ha respondido. ¿Está encendido, y este ordenador en su red?
 cli-device-works = funciona

@@ -6,6 +6,9 @@ play-no-question = El programa no espera ninguna respuesta.
 play-no-robot = No hay ningún robot listo. Elige uno en la barra.
 play-nothing-to-look-back-at = No hay nada que recordar. Ejecuta primero el programa.
 play-not-started = No se ha podido ejecutar el programa: { $reason }
+play-given-up = El programa no se detenía y se ha terminado a la fuerza. Puedes ejecutarlo otra vez.
+play-given-up-real = El programa se ha terminado a la fuerza, pero su robot no responde. Puede que sus motores sigan en marcha: apágalo.
+play-lost = La ejecución ha terminado de forma inesperada. Puede que no haya suficiente memoria: cierra otros programas o páginas y ejecuta el programa otra vez.
 
 play-no-function = Este bloque no tiene ninguna función que reciba el robot. Escribe una primero.
 play-wrong-count =

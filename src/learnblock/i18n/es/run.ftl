@@ -4,6 +4,7 @@ run-finished = El programa ha terminado.
 run-alone = { $program }: { NUMBER($time, minimumFractionDigits: 2) } s, { $distance } mm recorridos, en el mundo { $world }.
 run-alone-with-goals = { run-alone } Alcanzado: { $goals }.
 run-stopped = El programa se ha detenido.
+run-given-up = El programa se ha terminado a la fuerza, pero su robot o su mundo no se han detenido. Si es un robot real, apágalo.
 run-stopped-by-signal = El sistema operativo ha detenido el programa.
 run-time-limit =
     { $seconds ->

@@ -9,15 +9,20 @@ import os
 import stat
 import sys
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Future
 from contextlib import suppress
 from contextvars import copy_context
-from typing import TypeVar
+from time import monotonic
+from typing import Any, Generic, TypeVar
 
 from learnblock.client import Rights
+from learnblock.errors import LearnBlockError
+from learnblock.runtime.escalation import Measure, escalate
 
 Result = TypeVar("Result")
+#: Seconds that a thread may take to finish once its function has returned.
+_FINISHING = 0.1
 
 
 def give_up(rights: Rights) -> None:
@@ -38,28 +43,84 @@ def give_up(rights: Rights) -> None:
         )
 
 
-def in_own_thread(function: Callable[[], Result], stop: Callable[[], object]) -> Result:
+class OwnThread(Generic[Result]):
+    """A thread that calls a function, and may give up its rights; it has begun.
+
+    No one has to wait for it: if it hangs in a driver, this process can end nevertheless.
+
+    Args:
+        function: the function.
+    """
+
+    def __init__(self, function: Callable[[], Result]) -> None:
+        self._done: Future[Result] = Future()
+        context = copy_context()
+        self._thread = threading.Thread(
+            target=_fulfil,
+            args=(self._done, lambda: context.run(function)),
+            name="host",
+            daemon=True,
+        )
+        self._thread.start()
+
+    def result(self, seconds: float | None = None) -> Result:
+        """Wait for the function, and return its result.
+
+        Raises:
+            TimeoutError: it has not returned after so many seconds.
+        """
+        return self._done.result(seconds)
+
+    def ends_within(self, seconds: float) -> bool:
+        """Wait for its end; return whether it has ended."""
+        self._thread.join(seconds)
+        return not self._thread.is_alive()
+
+
+def end_threads(threads: Iterable[OwnThread[Any]], measures: Iterable[Measure]) -> None:
+    """End threads by one measure after another, unless they have ended.
+
+    Raises:
+        LearnBlockError: one has not ended, and is left behind.
+    """
+    running = list(threads)
+
+    def ended(seconds: float) -> bool:
+        deadline = monotonic() + seconds
+        return all(one.ends_within(max(0.0, deadline - monotonic())) for one in running)
+
+    if not ended(0) and not escalate(measures, ended):
+        raise LearnBlockError("run-given-up")
+
+
+def in_own_thread(
+    function: Callable[[], Result],
+    measures: Iterable[Measure] = (),
+    seconds: float | None = None,
+) -> Result:
     """Call a function in a thread that may give up its rights, and return its result.
 
     Args:
         function: the function.
-        stop: makes the function return soon; called when this thread is interrupted.
+        measures: end the function when this thread is interrupted, or has waited too long.
+        seconds: the longest time to wait; None for no limit.
+
+    Raises:
+        LearnBlockError: no measure has ended the function.
+        TimeoutError: it had to be ended, because it took too long.
     """
     if sys.platform != "linux":
         # Nothing to give up; and on Windows a waiting thread cannot be interrupted.
         return function()
-    done: Future[Result] = Future()
-    context = copy_context()
-    thread = threading.Thread(
-        target=_fulfil, args=(done, lambda: context.run(function)), name="host", daemon=True
-    )
-    thread.start()
+    thread = OwnThread(function)
     try:
-        return done.result()
-    finally:
-        if not done.done():
-            stop()
-        thread.join()
+        result = thread.result(seconds)
+    except BaseException:
+        # The function has failed or takes too long, or this thread was interrupted.
+        end_threads([thread], [Measure(bool, _FINISHING), *measures])
+        raise
+    thread.ends_within(_FINISHING)
+    return result
 
 
 def _fulfil(done: "Future[Result]", function: Callable[[], Result]) -> None:

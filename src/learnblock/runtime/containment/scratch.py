@@ -12,6 +12,9 @@ from typing import NamedTuple
 
 from learnblock.runtime.limits import Limits
 
+#: Seconds for the removal of a folder.
+_REMOVING = 10.0
+
 
 class Usage(NamedTuple):
     """The disk space, files and threads that a program uses.
@@ -46,8 +49,11 @@ class Scratch:
         """Delete the folder with everything in it; calling it twice is harmless."""
         if not self._is_removed:
             self._is_removed = True
-            self._keeper.submit(_remove, self.path).result()
-            self._keeper.shutdown()
+            removing = self._keeper.submit(_remove, self.path)
+            self._keeper.shutdown(wait=False)
+            # What takes longer, such as on a network drive, goes on without its run.
+            with suppress(TimeoutError):
+                removing.result(_REMOVING)
 
 
 def _make() -> str:
@@ -119,4 +125,10 @@ def _remove_deep(folder: str) -> None:
     """Remove folders that are nested too deeply for `shutil.rmtree`."""
     if os.name == "posix":
         # The system cleans up whatever remains, as it does with all temporary files.
-        subprocess.run(["rm", "-rf", "--", folder], check=False, stderr=subprocess.DEVNULL)  # noqa: S603, S607
+        with suppress(subprocess.TimeoutExpired):
+            subprocess.run(  # noqa: S603
+                ["rm", "-rf", "--", folder],  # noqa: S607
+                check=False,
+                stderr=subprocess.DEVNULL,
+                timeout=_REMOVING,
+            )

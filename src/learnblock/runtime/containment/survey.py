@@ -87,7 +87,7 @@ class Finding(Struct, frozen=True):
 
 def survey() -> tuple[Finding, ...]:
     """Try out what contains programs on this computer."""
-    refused = _refused() | in_own_thread(_refused_to_driver, stop=bool)
+    refused = _refused() | in_own_thread(_refused_to_driver)
     return tuple(
         Finding(Phrase(code), code in refused, _reason(code, contained=code in refused))
         for code in (*_ATTEMPTS, *_DRIVERS_ATTEMPTS)

@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 from msgspec import Meta, MsgspecError, Struct, json
 
-from learnblock.errors import LearnBlockError
+from learnblock.errors import LearnBlockError, shortage
 from learnblock.i18n import Phrase
 
 #: The limit of a program in characters: 6,000 lines. A longer one would keep other pages waiting.
@@ -75,7 +75,7 @@ class ToPage(Message, frozen=True):
 
 
 def phrase_of(error: Exception) -> Phrase:
-    """The phrase of an error; of another library's exception, its text."""
+    """The phrase of an error; of another library's exception, what is missing or its text."""
     if isinstance(error, LearnBlockError):
         return error.phrase
-    return Phrase(str(error) or type(error).__name__)
+    return shortage(error) or Phrase(str(error) or type(error).__name__)

@@ -1,5 +1,7 @@
 """The entry point of pages, which greets them and connects them to their projects."""
 
+import asyncio
+from collections.abc import Iterable
 from functools import partial
 from pathlib import Path
 
@@ -109,3 +111,9 @@ class Lobby:
     async def close(self) -> None:
         """End all programs, and save all projects."""
         await self._sessions.close()
+
+    def save_from_outside(
+        self, loop: asyncio.AbstractEventLoop, seconds: float
+    ) -> Iterable[Phrase]:
+        """Save all projects from another thread: see `Sessions.save_from_outside`."""
+        return self._sessions.save_from_outside(loop, seconds)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, TypeVar
 import msgspec
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
-from learnblock.errors import LearnBlockError
+from learnblock.errors import LearnBlockError, shortage
 from learnblock.i18n import Multilingual, Phrase
 from learnblock.server import messages
 from learnblock.server.messages.base import phrase_of
@@ -242,6 +242,8 @@ class Page:
         except RecursionError:
             return Phrase("server-too-deep")
         except Exception as error:  # noqa: BLE001 - see below
+            if lack := shortage(error):
+                return lack
             # A bug in our code must not end the pupil's session.
             _log.exception("%s failed", type(message).__name__)
             return Phrase("server-mistake", reason=f"{type(error).__name__}: {error}")

@@ -21,6 +21,7 @@ from learnblock.errors import (
     ProjectError,
     SettingsError,
     UnknownNameError,
+    shortage,
 )
 from learnblock.i18n import Phrase
 from learnblock.language.python.generation import ROBOT_IMPORT
@@ -515,6 +516,8 @@ def _reporting(path: Path, action: str) -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        reason = error.strerror or str(error)
+        lack = shortage(error)
+        reason = lack or error.strerror or str(error)
         message = Phrase("project-no-access", action=action, folder=str(path.parent), reason=reason)
-        raise ProjectError(path.name, [Diagnostic("no-access", message)]) from error
+        code = "no-space" if lack else "no-access"
+        raise ProjectError(path.name, [Diagnostic(code, message)]) from error

@@ -11,6 +11,7 @@ from learnblock.robots import RobotEntry
 from learnblock.robots.real import RealRobot
 from learnblock.running.connection import RobotConnection
 from learnblock.running.hands import ACTIONS, possible
+from learnblock.runtime.escalation import happens
 from learnblock.server import messages
 from learnblock.server.runs.viewers import Viewer
 
@@ -45,7 +46,7 @@ class Connected:
         self.id = id
         self.robot = robot
         self.chosen = chosen
-        #: Set when the robot is free again.
+        #: Set when the robot is free again, or was given up.
         self.over = asyncio.Event()
         self._on_ended = on_ended
         self._loop = asyncio.get_running_loop()
@@ -76,7 +77,17 @@ class Connected:
         elif self._connection.client and action in possible(self._connection.client):
             self._connection.order(action, ACTIONS[action])
 
-    def close(self) -> None:
+    async def close(self, seconds: float) -> None:
+        """Disconnect; return once the motors have stopped, or after so many seconds.
+
+        A thread that hangs in its driver is left behind; the page is told.
+        """
+        self.begin_to_close()
+        if not await happens(self.over, seconds):
+            self._connection.give_up()
+            self._report()
+
+    def begin_to_close(self) -> None:
         """Begin to disconnect; `over` is set once the motors have stopped."""
         self._connection.close()
 

@@ -1,6 +1,8 @@
 """Runs the program of a project, and moves its robot while no program runs."""
 
+import asyncio
 from collections.abc import Callable, Collection, Sequence
+from contextlib import ExitStack
 from typing import TYPE_CHECKING
 
 from anyio import to_thread
@@ -13,6 +15,7 @@ from learnblock.runtime.messages import Variables
 from learnblock.runtime.status import State
 from learnblock.runtime.trace import Collision
 from learnblock.server import messages
+from learnblock.server.messages.base import phrase_of
 from learnblock.server.runs import telemetry
 from learnblock.server.runs.console import Console, Voice, message_of
 from learnblock.server.runs.kept import OpenedRun
@@ -199,10 +202,15 @@ class Player:
         return self._monitor.start if self._monitor else None
 
     async def run(self, played: Played, setting: Setting, *, paused: bool) -> None:
-        """Run a program from the beginning."""
+        """Run a program from the beginning; if it can't begin, the pages read why."""
         playing = prepared(played, setting, self, self.voice, paused=paused)
-        await self.begin(playing)
-        playing.start()
+        try:
+            await self.begin(playing)
+            playing.start()
+        except Exception as error:
+            if not self.active:
+                raise
+            self.take_back(error)
 
     async def begin(self, playing: Playing) -> None:
         """Follow a run that is about to start."""
@@ -216,12 +224,30 @@ class Player:
         self._enter("starting")
         self._reporter.begin()
 
+    def take_back(self, error: Exception) -> None:
+        """Report why a run could not begin, if it is about to."""
+        if self._playing:
+            self._playing.watcher.detach()
+            self.on_ended(error)
+
     async def stop(self) -> None:
-        """Stop the program and the robot, and return once both have stopped."""
+        """Stop the program and the robot; return once both have stopped, or were given up."""
         playing = self._playing
-        if playing:
-            playing.run.stop()
-            await playing.over.wait()
+        if playing and not await playing.stop() and playing is self._playing:
+            playing.watcher.detach()
+            self._reporter.start_again()
+            code = "play-given-up-real" if playing.is_real else "play-given-up"
+            self.on_ended(Phrase(code))
+
+    def check(self) -> None:
+        """Notice a run whose thread has died without a word, as it does without memory."""
+        if self._playing and self._playing.is_lost:
+            # After what the thread has reported.
+            asyncio.get_running_loop().call_soon(self._lose, self._playing)
+
+    def _lose(self, playing: Playing) -> None:
+        if playing is self._playing:
+            self.on_ended(Phrase("play-lost"))
 
     def pause(self) -> None:
         if self._playing:
@@ -348,16 +374,26 @@ class Player:
         self.viewers.send(self._ended)
         self._enter("done")
 
-    def on_ended(self, report: Report | Exception) -> None:
+    def on_ended(self, report: Report | Exception | Phrase) -> None:
+        """Report the end of the run: its report, what it has raised, or what else ended it."""
         playing = self._playing
         assert playing is not None  # noqa: S101 - each run reports its end once
-        self._monitor = playing.run.monitor or self._monitor
-        self._reporter.flush()
         self._playing = self._asked = None
-        self._keyboard.ignore(self)
-        self._reporter.attend()
-        self._report_end(playing, report)
-        playing.over.set()
+        # Whatever fails, as without memory: it is over, and the page shows that.
+        with ExitStack() as ending:
+            self._ended = messages.Ended("error", Phrase("play-lost"), tried=playing.is_trial)
+            # The last one first.
+            ending.callback(playing.over.set)
+            ending.callback(self._note_end)
+            ending.callback(self._enter, "ended")
+            ending.callback(self._send_end)
+            if not isinstance(report, Phrase):
+                # Else its robot may hang.
+                self._monitor = playing.run.monitor or self._monitor
+            self._reporter.flush()
+            self._keyboard.ignore(self)
+            self._reporter.attend()
+            self._describe_end(playing, report)
 
     # Helpers.
 
@@ -368,16 +404,22 @@ class Player:
             self.viewers.send(self._state)
             self._on_state()
 
-    def _report_end(self, playing: Playing, report: Report | Exception) -> None:
+    def _describe_end(self, playing: Playing, report: Report | Exception | Phrase) -> None:
         if isinstance(report, Report):
             self.report = report
             self._ended = playing.ended(report)
-        else:
-            phrase = Phrase("play-not-started", reason=str(report))
-            self._ended = messages.Ended("error", phrase, tried=playing.is_trial)
-        self.viewers.send(self._ended)
-        self._enter("ended")
-        self._on_run_ended(self._ended)
+            return
+        if isinstance(report, Exception):
+            report = Phrase("play-not-started", reason=phrase_of(report))
+        self._ended = messages.Ended("error", report, tried=playing.is_trial)
+
+    def _send_end(self) -> None:
+        if self._ended:
+            self.viewers.send(self._ended)
+
+    def _note_end(self) -> None:
+        if self._ended:
+            self._on_run_ended(self._ended)
 
     def _require_rest(self) -> None:
         if self.active:

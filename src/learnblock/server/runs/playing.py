@@ -2,10 +2,12 @@
 
 import asyncio
 import ctypes
+import gc
 import sys
 import threading
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, Protocol
 
@@ -14,6 +16,7 @@ from learnblock.monitor.monitor import GoalNow
 from learnblock.robots import RobotEntry
 from learnblock.running import Options, ProgramRun, Report
 from learnblock.runtime.debugger import Debugger
+from learnblock.runtime.escalation import PATIENCE, Patience, escalate_async
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.program import Program
 from learnblock.runtime.trace import Recorder
@@ -33,6 +36,13 @@ if TYPE_CHECKING:
 Played = Document | Trial
 #: The seed of the command line, so that the same run can be repeated there.
 SEED = 0
+#: Seconds in which the event loop lets go of a run that has ended; it usually takes 0.2 s.
+_RELEASING = 10.0
+
+
+#: Runs programs to their ends and reports them; returns what is set when the event loop has let go
+#: of each of them.
+Play = Callable[[Sequence["Playing"]], Sequence[threading.Event]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,6 +98,8 @@ class Controlled(Protocol):
 
     def stop(self) -> None: ...
 
+    def abort(self) -> None: ...
+
     def pause(self) -> None: ...
 
     def resume(self) -> None: ...
@@ -111,6 +123,7 @@ class Playing:
         run: the prepared run.
         watcher: the watcher of `run`.
         looking: looks back at the run; None if no log of it is kept.
+        patience: how long it may take to end once it is stopped.
     """
 
     def __init__(
@@ -119,13 +132,17 @@ class Playing:
         run: Controlled,
         watcher: RunWatcher,
         looking: Looking | None = None,
+        patience: Patience = PATIENCE,
     ) -> None:
         self.played = played
         self.run = run
         self.watcher = watcher
         self.looking = looking
-        #: Set when the run has ended and its robot has been released.
+        #: Set when the run has ended and its robot has been released, or when it was given up.
         self.over = asyncio.Event()
+        self._patience = patience
+        #: The thread that runs it; None before it has begun.
+        self._thread: threading.Thread | None = None
 
     @property
     def running_line(self) -> messages.RunningLine:
@@ -137,10 +154,37 @@ class Playing:
     def is_trial(self) -> bool:
         return isinstance(self.played, Trial)
 
+    @property
+    def is_real(self) -> bool:
+        """Whether a real robot takes part."""
+        return not self.run.is_deterministic
+
     def start(self) -> None:
-        """Run the program in a thread."""
-        self.run.report_variables(enabled=True)
-        threading.Thread(target=self._play, name="run", daemon=True).start()
+        """Run the program in a thread.
+
+        Raises:
+            RuntimeError: the system has no thread for it.
+            MemoryError: there is no memory for it.
+        """
+        follow([self], play_one)
+
+    def played_by(self, thread: threading.Thread) -> None:
+        """Note which thread runs it."""
+        self._thread = thread
+
+    @property
+    def is_lost(self) -> bool:
+        """Whether its thread has ended, so that all that it reports is in the event loop."""
+        return self._thread is not None and not self._thread.is_alive()
+
+    async def stop(self) -> bool:
+        """Stop the program and the robot; return whether they have ended.
+
+        A program that does not stop is killed. A thread can't be killed: if it hangs, as in a
+        driver, it is left behind.
+        """
+        measures = self._patience.measures(self.run.stop, self.run.abort)
+        return await escalate_async(measures, self.over)
 
     def set_breakpoints(self, blocks: Iterable[str]) -> None:
         """Pause before these blocks only."""
@@ -178,13 +222,41 @@ class Playing:
             return Path(within["file"]).stem, within["line"]
         return "", 0
 
-    def _play(self) -> None:
-        try:
-            outcome: Report | Exception = self.run.run()
-        except Exception as error:  # noqa: BLE001 - a driver may raise any exception
-            outcome = error
-        self.watcher.ended(outcome)
-        give_back_memory()
+
+def follow(playings: Sequence[Playing], play: Play) -> None:
+    """Run programs in a thread, and give back their memory when they have ended.
+
+    Args:
+        playings: one run, or those of several robots in one world.
+        play: runs the programs, and reports their ends.
+
+    Raises:
+        RuntimeError: the system has no thread for them.
+        MemoryError: there is no memory for them.
+    """
+    handed: list[Callable[[], Sequence[threading.Event]]] = [partial(play, playings)]
+    thread = threading.Thread(target=_followed, args=(handed,), name="run", daemon=True)
+    for playing in playings:
+        playing.run.report_variables(enabled=True)
+        playing.played_by(thread)
+    thread.start()
+
+
+def play_one(playings: Sequence[Playing]) -> Sequence[threading.Event]:
+    """Run a program to its end; see `Play`."""
+    (playing,) = playings
+    try:
+        outcome: Report | Exception = playing.run.run()
+    except Exception as error:  # noqa: BLE001 - a driver may raise any exception
+        outcome = error
+    return [playing.watcher.ended(outcome)]
+
+
+def _followed(handed: list[Callable[[], Sequence[threading.Event]]]) -> None:
+    # Taken out, because a thread keeps its arguments, and so would keep the world of the run.
+    for released in handed.pop()():
+        released.wait(_RELEASING)
+    give_back_memory()
 
 
 def prepared(
@@ -242,10 +314,13 @@ def lines(played: Played, blocks: Iterable[str]) -> frozenset[int]:
 
 
 def give_back_memory() -> None:
-    """Return unused memory to the system.
+    """Return unused memory to the system, as after a run.
 
-    The threads of a run leave holes in the heap, which glibc keeps: some 20 kB more after each run.
+    Robot, world, recorder and host of a run refer to each other, and are some 30 MB with a camera.
+    They are few objects, so that Python would not look for such garbage before the end of a lesson.
+    The threads of a run also leave holes in the heap, which glibc keeps.
     """
+    gc.collect()
     if sys.platform != "linux":
         return
     trim = getattr(ctypes.CDLL(None), "malloc_trim", None)

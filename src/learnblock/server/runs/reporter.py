@@ -4,9 +4,9 @@ import asyncio
 import math
 from collections.abc import Awaitable, Callable, Iterator, Sequence
 from time import monotonic
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
-from anyio import to_thread
+from anyio import CapacityLimiter, to_thread
 
 from learnblock.runtime.trace import Collision
 from learnblock.server import messages
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from learnblock.monitor.pictures import Picture
     from learnblock.server.runs.player import Player
 
+Found = TypeVar("Found")
 #: Seconds between two reports of the world, and between two camera frames.
 TELEMETRY_PERIOD = 1 / 20
 CAMERA_PERIOD = 1 / 12
@@ -48,10 +49,7 @@ class Reporter:
         self._filmed: Picture | None = None
         self._drawn = Drawn()
         self._bumps = Bumps()
-        self._tasks = (
-            asyncio.create_task(_repeat(TELEMETRY_PERIOD, self._awake, self._look)),
-            asyncio.create_task(_repeat(CAMERA_PERIOD, self._watched, self._film)),
-        )
+        self._start()
 
     def begin(self) -> None:
         """Follow a run from its start."""
@@ -82,12 +80,26 @@ class Reporter:
         for bump in self._bumps.news(self._of.collisions):
             self._of.viewers.send(bump)
 
+    def start_again(self) -> None:
+        """Leave a look at a robot behind that may hang, because its run was given up."""
+        self.close()
+        self._start()
+
+    def _start(self) -> None:
+        # Of its own, so that a look that hangs takes no thread from other work.
+        self._limiter = CapacityLimiter(2)
+        self._tasks = (
+            asyncio.create_task(_repeat(TELEMETRY_PERIOD, self._awake, self._look)),
+            asyncio.create_task(_repeat(CAMERA_PERIOD, self._watched, self._film)),
+        )
+
     def close(self) -> None:
         """Stop watching."""
         for task in self._tasks:
             task.cancel()
 
     async def _look(self) -> None:
+        self._of.check()
         self.flush()
         monitor = self._of.monitor
         if self._of.viewers:
@@ -98,7 +110,7 @@ class Reporter:
             self._awake.clear()
 
     async def _report_world(self, monitor: "Monitor") -> None:
-        state = await to_thread.run_sync(telemetry.telemetry, monitor)
+        state = await self._in_thread(telemetry.telemetry, monitor)
         if monitor is not self._of.monitor:
             # The robot is in another world by now, which the pages already show.
             return
@@ -127,12 +139,17 @@ class Reporter:
         if monitor is None or not watching:
             self._watched.clear()
             return
-        picture = await to_thread.run_sync(monitor.camera)
+        picture = await self._in_thread(monitor.camera)
         # The same object means that nothing has moved since.
         if picture and picture is not self._filmed and monitor is self._of.monitor:
             self._filmed = picture
             for page in watching:
                 page.send(telemetry.camera_frame(picture), picture.jpeg)
+
+    async def _in_thread(self, function: Callable[..., Found], *args: object) -> Found:
+        return await to_thread.run_sync(
+            function, *args, abandon_on_cancel=True, limiter=self._limiter
+        )
 
 
 async def _repeat(

@@ -3,6 +3,7 @@
 import threading
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from learnblock.running import Options, Report
@@ -17,7 +18,7 @@ from learnblock.server.runs.playing import (
     Played,
     Playing,
     Setting,
-    give_back_memory,
+    follow,
     lines,
     looking_at,
 )
@@ -90,6 +91,10 @@ class MemberRun:
     def stop(self) -> None:
         """End all programs."""
         self._team.stop()
+
+    def abort(self) -> None:
+        """Kill all programs."""
+        self._team.abort()
 
     def pause(self) -> None:
         """Pause the world at once, and all programs at their next lines."""
@@ -186,7 +191,7 @@ class Participant:
 
 
 async def play_together(participants: Sequence[Participant]) -> None:
-    """Run programs in one world from the beginning.
+    """Run programs in one world from the beginning; if they can't begin, the pages read why.
 
     Args:
         participants: the robots, in the order in which they take turns.
@@ -216,20 +221,26 @@ async def play_together(participants: Sequence[Participant]) -> None:
         watcher.run = MemberRun(team, member, debuggers)
         looking = one.looking(logs[member.name])
         playings.append(Playing(one.played, watcher.run, watcher, looking))
-        await one.player.begin(playings[-1])
-        watcher.run.report_variables(enabled=True)
-    threading.Thread(target=_play, args=(team, playings), name="run", daemon=True).start()
+    try:
+        for playing, one in zip(playings, participants, strict=True):
+            await one.player.begin(playing)
+        follow(playings, partial(_play, team))
+    except Exception as error:
+        if not any(one.player.active for one in participants):
+            raise
+        for one in participants:
+            one.player.take_back(error)
 
 
-def _play(team: "TeamRun", playings: Sequence[Playing]) -> None:
+def _play(team: "TeamRun", playings: Sequence[Playing]) -> Sequence[threading.Event]:
     outcomes: Sequence[Report | Exception]
     try:
         outcomes = _outcomes(team.run())
     except Exception as error:  # noqa: BLE001 - a driver may raise any exception
         outcomes = [error] * len(playings)
-    for playing, outcome in zip(playings, outcomes, strict=True):
-        playing.watcher.ended(outcome)
-    give_back_memory()
+    return [
+        playing.watcher.ended(outcome) for playing, outcome in zip(playings, outcomes, strict=True)
+    ]
 
 
 def _outcomes(report: "TeamReport") -> Sequence[Report]:

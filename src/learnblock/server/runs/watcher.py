@@ -14,6 +14,9 @@ from learnblock.server.runs.console import Voice
 if TYPE_CHECKING:
     from learnblock.server.runs.player import Player
 
+#: Seconds in which everything that takes part in a run lets go of it.
+_LETTING_GO = 0.2
+
 
 class RunWatcher(Watcher):
     """Watches one run.
@@ -33,11 +36,14 @@ class RunWatcher(Watcher):
         self._input = threading.Condition()
         self._answer: str | None = None
         self._cancelled = False
+        #: Whether the run was given up: nothing of it is passed on any more.
+        self._is_detached = False
 
     # The run's thread.
 
     def printed(self, text: str) -> None:
-        self._voice.printed(text)
+        if not self._is_detached:
+            self._voice.printed(text)
 
     def line(self, number: int) -> None:
         self.current_line = number
@@ -67,14 +73,20 @@ class RunWatcher(Watcher):
 
     def held_keys(self, time: float) -> Collection[str]:
         del time
+        if self._is_detached:
+            return ()
         if not self._wants_keys:
             self._wants_keys = True
             self._pass_on(self._player.on_keys_wanted)
         return self._player.held_keys()
 
-    def ended(self, report: Report | Exception) -> None:
-        """Report the end of the run."""
+    def ended(self, report: Report | Exception) -> threading.Event:
+        """Report the end of the run; return what is set once the event loop has let go of it."""
+        released = threading.Event()
         self._pass_on(self._player.on_ended, report)
+        # Those who wait for the end, or look at the world, still have it for a moment.
+        self._loop.call_soon_threadsafe(self._loop.call_later, _LETTING_GO, released.set)
+        return released
 
     # The event loop.
 
@@ -84,5 +96,15 @@ class RunWatcher(Watcher):
             self._answer = text
             self._input.notify_all()
 
+    def detach(self) -> None:
+        """Pass on nothing more of a run that was given up: another one may have begun."""
+        self._is_detached = True
+
+    # Both.
+
     def _pass_on(self, listener: Callable[..., None], *args: object) -> None:
-        self._loop.call_soon_threadsafe(listener, *args)
+        self._loop.call_soon_threadsafe(self._deliver, listener, *args)
+
+    def _deliver(self, listener: Callable[..., None], *args: object) -> None:
+        if not self._is_detached:
+            listener(*args)

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from anyio import to_thread
 
-from learnblock.errors import LearnBlockError
+from learnblock.errors import LearnBlockError, shortage
+from learnblock.i18n import Phrase
 from learnblock.runtime.log.blocks import Block
 from learnblock.server.messages import PastRun
 from learnblock.server.messages.base import phrase_of
@@ -53,6 +54,11 @@ class Saver:
         self._waiting: asyncio.Task[None] | None = None
         self._writing = asyncio.Lock()
 
+    @property
+    def is_saved(self) -> bool:
+        """Whether everything is on disk."""
+        return not self._unsaved and not self._writing.locked()
+
     def changed(self) -> None:
         """Record a change that is not on disk."""
         self._unsaved = True
@@ -84,10 +90,18 @@ class Saver:
             self._save_in(self._retry)
 
     async def _save(self) -> None:
-        if self._unsaved:
-            self._unsaved = False
-            if not await self._write():
-                self._unsaved = True
+        if not self._unsaved:
+            return
+        self._unsaved = False
+        try:
+            is_saved = await self._write()
+        except Exception as error:
+            # Without memory or threads not even the attempt is possible; the next one may be.
+            self._unsaved = True
+            if not shortage(error):
+                raise
+        else:
+            self._unsaved |= not is_saved
 
 
 class Archive:
@@ -171,8 +185,7 @@ class Archive:
         Raises:
             LearnBlockError: the name is taken, or the file can't be renamed.
         """
-        await self.flush()
-        await asyncio.gather(*self._tasks)
+        await self.settle()
         async with self._saver.still():
             await to_thread.run_sync(self._folder.rename, self._project.name, name)
             self._project.name = name
@@ -181,8 +194,33 @@ class Archive:
     async def close(self) -> None:
         """Save everything, and return when it is on disk."""
         self._watching.cancel()
+        await self.settle()
+        # There may be no thread for it any more.
+        self.save_here()
+
+    async def settle(self) -> None:
+        """Save what has changed and what is still to be kept of runs."""
         await self.flush()
         await asyncio.gather(*self._tasks)
+
+    def save_here(self) -> Phrase | None:
+        """Save what has changed in this thread, because the event loop can't have it done.
+
+        Returns:
+            Why that was not possible; None if everything is saved.
+        """
+        if self._folder.read_only or self._saver.is_saved:
+            return None
+        try:
+            project, _ = self._project.saving()
+            try:
+                self._folder.write_whole(project, self._on_disk)
+            except FileChangedError:
+                # Nothing can be merged now, but both are kept.
+                self._folder.keep_version(project, "conflict")
+        except Exception as error:  # noqa: BLE001 - the event loop may be in the middle of a change
+            return phrase_of(error)
+        return None
 
     async def _watch(self) -> None:
         """Save soon after another program has changed the file; saving first merges that change."""
@@ -243,7 +281,9 @@ class Archive:
         """Access files in a thread; on failure, report it unless `quietly`, and return None."""
         try:
             return await to_thread.run_sync(action, *args)
-        except (LearnBlockError, OSError) as error:
+        except Exception as error:
+            if not isinstance(error, LearnBlockError | OSError) and not shortage(error):
+                raise
             if not quietly:
                 self._project.failed(phrase_of(error))
             return None

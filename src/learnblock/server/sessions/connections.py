@@ -12,16 +12,29 @@ from learnblock.server.runs.connected import Connected
 from learnblock.server.runs.nearby import Nearby
 from learnblock.server.runs.viewers import Viewer
 
+#: Seconds for a robot to disconnect. One that is still being connected takes as long as its driver
+#: tries, which is too long at the end of the server.
+_PATIENCE, _LAST_PATIENCE = 20.0, 3.0
+
 
 class Connections:
     """The robots that pages are connected to without a program.
 
     Args:
         running: returns the names of the robots on which programs run.
+        patience: seconds for a robot to disconnect; then its driver is left behind.
+        last_patience: the same at the end of the server.
     """
 
-    def __init__(self, running: Callable[[], Iterable[str]]) -> None:
+    def __init__(
+        self,
+        running: Callable[[], Iterable[str]],
+        patience: float = _PATIENCE,
+        last_patience: float = _LAST_PATIENCE,
+    ) -> None:
         self._running = running
+        self._patience = patience
+        self._last_patience = last_patience
         self._held: dict[Viewer, Connected] = {}
         #: How many are about to use a robot.
         self._reserved: Counter[str] = Counter()
@@ -67,13 +80,12 @@ class Connections:
     async def disconnect(self, page: Viewer) -> None:
         """Disconnect a page from its robot; return once the motors have stopped."""
         if connected := self._held.get(page):
-            connected.close()
-            await connected.over.wait()
+            await connected.close(self._patience)
 
     def begin_to_disconnect(self, page: Viewer) -> None:
         """Disconnect a page from its robot, which `RobotConnected` reports."""
         if connected := self._held.get(page):
-            connected.close()
+            connected.begin_to_close()
 
     @asynccontextmanager
     async def reserved(self, page: Viewer, robots: Collection[str]) -> AsyncIterator[None]:
@@ -95,12 +107,10 @@ class Connections:
 
     async def _free(self, page: Viewer, robot: str) -> None:
         holder = self._holder(robot)
-        if holder and holder.page is page:
-            holder.close()
-        if holder and not holder.closing:
+        if holder and holder.page is not page and not holder.closing:
             raise LearnBlockError("connect-used-by-page")
         if holder:
-            await holder.over.wait()
+            await holder.close(self._patience)
         await self.nearby.finish_looking(robot)
 
     def left(self, page: Viewer) -> None:
@@ -112,9 +122,7 @@ class Connections:
         """Disconnect from every robot."""
         self.nearby.close()
         held = tuple(self._held.values())
-        for connected in held:
-            connected.close()
-        await asyncio.gather(*(connected.over.wait() for connected in held))
+        await asyncio.gather(*(connected.close(self._last_patience) for connected in held))
 
     def _holder(self, robot: str) -> Connected | None:
         return next((one for one in self._held.values() if one.robot.name == robot), None)

@@ -1,5 +1,6 @@
 """The robots of an open project in their world, and the runs of their programs."""
 
+import asyncio
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from time import time
@@ -105,7 +106,7 @@ class Runs:
             settings[0] = replace(settings[0], trace=trace, seconds=seconds)
         try:
             await self._start(player, settings, paused=paused)
-        except LearnBlockError:
+        except Exception:
             if coach:
                 coach.ended()
             raise
@@ -127,8 +128,7 @@ class Runs:
 
     async def stop(self) -> None:
         """Stop all programs and robots, and return once they have stopped."""
-        for player in self._players:
-            await player.stop()
+        await asyncio.gather(*(player.stop() for player in self._players))
 
     def set_speed(self, factor: float | None) -> None:
         """Set the speed of this and later runs, as a multiple of real time; None is the fastest."""

@@ -1,7 +1,9 @@
 """The sessions: one for each open project."""
 
 import asyncio
+import logging
 from collections.abc import Callable, Coroutine, Iterator, Mapping
+from concurrent.futures import CancelledError
 from contextlib import contextmanager, suppress
 from typing import Any
 
@@ -10,6 +12,7 @@ from anyio import to_thread
 from learnblock.blocks import BlockConfiguration
 from learnblock.blocks.known import all_configurations
 from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase
 from learnblock.runtime.containment.survey import Finding, survey
 from learnblock.server.messages import PaletteChanged, ToPage
 from learnblock.server.projects.folder import ProjectFolder
@@ -22,6 +25,7 @@ from learnblock.storage.block_files import BlockFiles
 
 #: The projects of one person whose programs may run at once.
 MOST_RUNS = 8
+_log = logging.getLogger(__name__)
 
 
 class Sessions:
@@ -210,12 +214,45 @@ class Sessions:
 
     async def close(self) -> None:
         """Close all sessions: end their programs, and save their projects."""
-        await self.connections.close()
+        # At the same time: neither a robot that hangs nor a disk that does may keep up the other.
+        stopping = [session.runs.stop() for session in self._open.values()]
+        await asyncio.gather(
+            self._save(), self.connections.close(), *stopping, return_exceptions=True
+        )
         async with self._opening:
             for task in self._ending.values():
                 task.cancel()
-            await asyncio.gather(*(session.close() for session in self._open.values()))
+            closing = [session.close() for session in self._open.values()]
+            for failure in await asyncio.gather(*closing, return_exceptions=True):
+                if isinstance(failure, Exception):
+                    _log.error("a project was not closed", exc_info=failure)
             self._open.clear()
+
+    async def _save(self) -> None:
+        saving = [session.archive.settle() for session in self._open.values()]
+        await asyncio.gather(*saving, return_exceptions=True)
+
+    def save_from_outside(
+        self, loop: asyncio.AbstractEventLoop, seconds: float
+    ) -> tuple[Phrase, ...]:
+        """Save all projects from another thread, because the event loop may hang.
+
+        Args:
+            loop: the event loop, which does it if it still can.
+            seconds: how long that may take in all.
+
+        Returns:
+            What could not be saved, and why.
+        """
+        if loop.is_running():
+            # Half of the time is left for what the event loop leaves behind.
+            with suppress(TimeoutError, CancelledError):
+                asyncio.run_coroutine_threadsafe(self._save(), loop).result(seconds / 2)
+        return tuple(
+            problem
+            for session in tuple(self._open.values())
+            if (problem := session.archive.save_here())
+        )
 
     async def _opened(self, name: str, read: Callable[[], Project]) -> Session:
         async with self._opening:

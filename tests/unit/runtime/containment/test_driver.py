@@ -15,12 +15,14 @@ import tempted
 from attacks import COMPLETE, prepare
 from learnblock import robots
 from learnblock.client import Rights
-from learnblock.errors import RobotConnectionError
+from learnblock.errors import LearnBlockError, RobotConnectionError
 from learnblock.i18n import Phrase
 from learnblock.runtime.containment import landlock, seccomp
 from learnblock.runtime.containment.driver import give_up, in_own_thread
+from learnblock.runtime.escalation import Measure
 from learnblock.runtime.limits import Limits
 from tempted import CONNECTING, COPYING, STARTING, WRITING, tempt
+from waiting import SECONDS
 
 pytestmark = [
     pytest.mark.realtime,
@@ -204,7 +206,7 @@ def test_an_error_in_the_thread_is_raised_in_the_one_that_waits():
         raise RobotConnectionError("run-robot-stopped")
 
     with pytest.raises(RobotConnectionError):
-        in_own_thread(fail, stop=bool)
+        in_own_thread(fail)
 
 
 def test_a_signal_stops_the_thread_that_is_waited_for():
@@ -221,13 +223,23 @@ def test_a_signal_stops_the_thread_that_is_waited_for():
     before = signal.signal(signal.SIGALRM, interrupt)
     try:
         with pytest.raises(KeyboardInterrupt):
-            in_own_thread(work, stop=ended.set)
+            in_own_thread(work, [Measure(ended.set, SECONDS)])
     finally:
         signal.signal(signal.SIGALRM, before)
     assert finished == [True]
 
 
+def test_a_thread_that_does_not_end_is_left_behind():
+    released = threading.Event()
+    try:
+        with pytest.raises(LearnBlockError) as caught:
+            in_own_thread(lambda: released.wait(SECONDS), [Measure(bool, 0.01)], seconds=0.01)
+    finally:
+        released.set()
+    assert caught.value.phrase.code == "run-given-up"
+
+
 @complete
 def test_giving_up_leaves_the_other_threads_alone(others):
-    in_own_thread(lambda: give_up(NOTHING), stop=bool)
+    in_own_thread(lambda: give_up(NOTHING))
     (others / "new.txt").write_text("")

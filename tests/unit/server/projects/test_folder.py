@@ -1,3 +1,4 @@
+import errno
 import json
 import os
 
@@ -356,6 +357,15 @@ def test_a_read_only_folder_is_reported(tmp_path):
     with pytest.raises(ProjectError, match="The project can't be saved in"):
         folder.write(Project("p"))
     with pytest.raises(ProjectError, match="The version can't be saved in"):
+        folder.keep_version(Project("p"), "run")
+
+
+def test_a_full_disk_is_reported_as_such(folder, monkeypatch):
+    def fill(_):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(files.os, "fsync", fill)
+    with pytest.raises(ProjectError, match=r"The version can't be saved .* The disk is full"):
         folder.keep_version(Project("p"), "run")
 
 
