@@ -20,7 +20,7 @@ from learnblock.running.batch import Batch, WarmProcess
 from learnblock.running.job import Job
 from learnblock.runtime.containment import landlock, seccomp
 from learnblock.runtime.limits import Limits
-from learnblock.runtime.messages import Ended, Printed, Setup
+from learnblock.runtime.messages import Contained, Ended, Printed, Setup
 from learnblock.runtime.process import ProcessWorker
 from learnblock.runtime.program import Program
 
@@ -177,6 +177,7 @@ def prepare(folder: Path) -> tuple[Path, Path]:
 
 def _printed(worker: ProcessWorker) -> list[str]:
     text = ""
+    assert worker.link.receive(30) == Contained()
     while not isinstance(message := worker.link.receive(30), Ended):
         assert isinstance(message, Printed), message
         text += message.text

@@ -11,7 +11,15 @@ from learnblock.runtime import process
 from learnblock.runtime.child import run
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.link import SocketLink
-from learnblock.runtime.messages import Answer, Ended, FromChild, FromHost, Printed, Setup
+from learnblock.runtime.messages import (
+    Answer,
+    Contained,
+    Ended,
+    FromChild,
+    FromHost,
+    Printed,
+    Setup,
+)
 from learnblock.runtime.process import ProcessWorker, ThreadWorker
 
 pytestmark = pytest.mark.realtime
@@ -37,6 +45,12 @@ def worker(request):
 
 
 def heard(worker):
+    """Return all messages of a program."""
+    assert worker.link.receive(10) == Contained()
+    return rest(worker)
+
+
+def rest(worker):
     """Return all messages until the last."""
     messages = []
     while not messages or not isinstance(messages[-1], Ended):
@@ -74,9 +88,10 @@ def test_an_aborted_program_is_noticed_at_once(worker):
 
 def test_an_interrupted_program_reports_its_line(worker):
     worker.link.send(setup("print('go')\nwhile True:\n    pass"))
+    assert worker.link.receive(10) == Contained()
     assert worker.link.receive(10) == Printed("go\n")
     worker.interrupt()
-    ended = heard(worker)[-1]
+    ended = rest(worker)[-1]
     assert ended.stopped
     assert ended.lines[-1] in {1, 2, 3}
 

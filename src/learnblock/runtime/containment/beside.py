@@ -16,6 +16,8 @@ from types import ModuleType
 
 #: The most files; modules count first.
 MOST_FILES = 4096
+#: Where programs import the modules beside them: by their names alone, and like a library.
+_PACKAGES = ("", "learnblock.libraries")
 
 
 def files_beside(folder: Path) -> list[Path]:
@@ -61,10 +63,11 @@ class _Modules(MetaPathFinder):
     def find_spec(
         self,
         fullname: str,
-        path: Sequence[str] | None,
-        target: ModuleType | None = None,  # noqa: ARG002 - the signature of finders
+        path: Sequence[str] | None,  # noqa: ARG002 - the signature of finders
+        target: ModuleType | None = None,  # noqa: ARG002 - as above
     ) -> ModuleSpec | None:
-        file = self._files.get(fullname) if path is None else None
+        package, _, name = fullname.rpartition(".")
+        file = self._files.get(name) if package in _PACKAGES else None
         return spec_from_file_location(fullname, file) if file else None
 
 

@@ -17,7 +17,7 @@ from learnblock.client import Rights
 from learnblock.i18n import Phrase
 from learnblock.runtime.containment.driver import give_up, in_own_thread
 from learnblock.runtime.limits import Limits
-from learnblock.runtime.messages import Printed, Setup
+from learnblock.runtime.messages import Contained, Printed, Setup
 from learnblock.runtime.process import ProcessWorker
 
 #: Timeout in seconds for all attempts together.
@@ -100,8 +100,9 @@ def _refused() -> frozenset[str]:
     try:
         worker.link.send(Setup(source, "doctor.py", "", (), (), None, Limits()))
         found = set()
-        while isinstance(message := worker.link.receive(TIMEOUT), Printed):
-            found.update(message.text.split())
+        while isinstance(message := worker.link.receive(TIMEOUT), Contained | Printed):
+            if isinstance(message, Printed):
+                found.update(message.text.split())
         return frozenset(found)
     finally:
         worker.kill()
