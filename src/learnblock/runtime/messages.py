@@ -12,6 +12,7 @@ import msgspec
 
 from learnblock.i18n import Phrase
 from learnblock.runtime.limits import Limits
+from learnblock.wheels import Drivetrain
 
 
 class Message(msgspec.Struct, frozen=True, array_like=True, tag=True):
@@ -82,11 +83,16 @@ class Setup(Message, frozen=True):
 
 
 class DeviceOffer(msgspec.Struct, frozen=True, array_like=True):
-    """A device of the robot: its type, its key and the functions it is built from."""
+    """A device of the robot: its type, its key and the functions it is built from.
+
+    Args:
+        drivetrain: what the wheels of a base can do, if known.
+    """
 
     type: str
     key: str
     functions: tuple[str, ...]
+    drivetrain: Drivetrain | None = None
 
 
 class Connected(Message, frozen=True):

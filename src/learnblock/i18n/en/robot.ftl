@@ -19,7 +19,8 @@ robot-no-class = The robot's file { $module } needs a class 'Robot' that inherit
 # $reason is the error of the robot's file, in English.
 robot-not-loaded = The robot '{ $name }' can't be loaded ({ $reason }).
 robot-needs-no-setup = The robot '{ $name }' needs no setup.
-robot-missing-package = The robot '{ $robot }' needs the package { $package }. Install it with: pip install 'learnblock-studio[{ $robot }]'
+robot-missing-add-on = The robot '{ $robot }' needs an add-on that is not installed. Install it with: { $command }
+robot-missing-package = The robot '{ $robot }' needs the Python package { $package }. Install it where LearnBlock is installed.
 # A function that the author of a new robot has to write; $task is its docstring.
 robot-not-written = { $file }, line { $line }: '{ $call }' still has to be written. { $task }
 

@@ -17,7 +17,8 @@ robot-unknown-skill-like = { robot-unknown-skill } ¿Querías decir '{ $suggesti
 robot-no-class = El archivo del robot { $module } necesita una clase 'Robot' que herede de 'Client'.
 robot-not-loaded = No se puede cargar el robot '{ $name }' ({ $reason }).
 robot-needs-no-setup = El robot '{ $name }' no necesita preparación.
-robot-missing-package = El robot '{ $robot }' necesita el paquete { $package }. Instálalo con: pip install 'learnblock-studio[{ $robot }]'
+robot-missing-add-on = El robot '{ $robot }' necesita un complemento que no está instalado. Instálalo con: { $command }
+robot-missing-package = El robot '{ $robot }' necesita el paquete de Python { $package }. Instálalo donde está instalado LearnBlock.
 robot-not-written = { $file }, línea { $line }: falta escribir '{ $call }'. { $task }
 
 # Los componentes de EBO y de RCIS.
