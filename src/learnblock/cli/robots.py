@@ -1,7 +1,7 @@
 """The commands for robots: list, settings, search, test, setup and emulators."""
 
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import click
@@ -9,6 +9,7 @@ import click
 from learnblock.cli.console import (
     ExitCode,
     json_option,
+    print_command,
     print_json,
     print_settings,
     say,
@@ -89,12 +90,15 @@ def set_command(
 @json_option
 def scan(names: tuple[str, ...], seconds: float, as_json: bool) -> None:  # noqa: FBT001
     """Find real robots on serial ports, on the network and on this computer."""
-    found = [{"robot": name, "settings": dict(one)} for name, one in _scan(names, seconds)]
+    found, problems = _scan(_kinds(names), seconds)
     if as_json:
-        print_json(found)
-    for one in found if not as_json else ():
+        print_json([*found, *problems])
+        return
+    for one in found:
         click.echo(f"{one['robot']:<12} {_spelled(one['settings'])}")
-    if not found and not as_json:
+    for one in problems:
+        click.echo(f"{one['robot']:<12} {text(one['problem'])}")
+    if not found:
         say("cli-no-robot-found")
 
 
@@ -157,8 +161,9 @@ def emulate_command(name: str, world: str | None, seed: int) -> None:
     with emulators.emulate(name, world, seed=seed) as emulation, served_until_ctrl_c():
         say("cli-emulating", robot=name)
         for setting, value in emulation.settings.items():
-            click.echo(f"    learnblock robots set {name} {setting} {typed(value)}")
-        click.echo(f"    learnblock run PROGRAM --robot {name}")
+            spelled = value if isinstance(value, str) else typed(value)
+            print_command("learnblock", "robots", "set", name, setting, spelled)
+        print_command("learnblock", "run", "PROGRAM", "--robot", name)
         if emulation.note:
             click.echo(text(emulation.note))
 
@@ -174,19 +179,45 @@ def _real(name: str) -> Any:
     return robot
 
 
-def _scan(names: tuple[str, ...], seconds: float) -> Iterator[tuple[str, Mapping[str, Any]]]:
-    """Every robot that answers; all kinds are searched for at the same time."""
-    from concurrent.futures import ThreadPoolExecutor  # noqa: PLC0415
-
+def _kinds(names: tuple[str, ...]) -> list[Any]:
+    """The classes of the real robots with these names, by default of all."""
     from learnblock.robots import entries  # noqa: PLC0415
     from learnblock.robots.real import RealRobot  # noqa: PLC0415
 
+    if names:
+        return [_real(name) for name in names]
     kinds = [entry.load() for entry in entries().values() if not entry.name.startswith("sim-")]
-    wanted = [_real(name) for name in names] or [one for one in kinds if issubclass(one, RealRobot)]
-    with ThreadPoolExecutor(max(1, len(wanted))) as pool:
-        looks = [(one.name(), pool.submit(list, one.scan(seconds))) for one in wanted]
-        for name, look in looks:
-            yield from ((name, found) for found in look.result())
+    return [one for one in kinds if issubclass(one, RealRobot)]
+
+
+Row = dict[str, Any]
+
+
+def _scan(kinds: list[Any], seconds: float) -> tuple[list[Row], list[Row]]:
+    """Search for all kinds of robots at the same time.
+
+    Returns:
+        Every robot that answers, and every kind that can't be searched for, with its problem.
+    """
+    from concurrent.futures import ThreadPoolExecutor  # noqa: PLC0415
+
+    def look(kind: Any) -> list[Mapping[str, Any]] | Phrase:
+        if command := kind.missing_add_on():
+            return Phrase("cli-robot-needs-add-on", command=command)
+        try:
+            return list(kind.scan(seconds))
+        except LearnBlockError as error:
+            return error.phrase
+
+    found: list[Row] = []
+    problems: list[Row] = []
+    with ThreadPoolExecutor(max(1, len(kinds))) as pool:
+        for kind, looked in zip(kinds, pool.map(look, kinds), strict=True):
+            if isinstance(looked, Phrase):
+                problems.append({"robot": kind.name(), "problem": looked})
+            else:
+                found += ({"robot": kind.name(), "settings": dict(one)} for one in looked)
+    return found, problems
 
 
 def _spelled(chosen: Any) -> str:
