@@ -19,6 +19,7 @@ from enum import StrEnum
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from learnblock.errors import DeviceValueError, nearest
+from learnblock.wheels import Drivetrain
 
 if TYPE_CHECKING:
     import numpy as np
@@ -97,15 +98,21 @@ class Base(Device):
             positive; both apply until the next command.
         read: returns the pose (x mm, y mm, heading in degrees) by odometry; without it, the client
             that gets the base reckons the pose from the commands.
+        drivetrain: what its wheels can do, if known; a command beyond it is reckoned with what
+            they do.
     """
 
     def __init__(
-        self, move: Callable[[float, float], None], read: Callable[[], Pose] | None = None
+        self,
+        move: Callable[[float, float], None],
+        read: Callable[[], Pose] | None = None,
+        drivetrain: Drivetrain | None = None,
     ) -> None:
         super().__init__(move=move, read=read)
+        self.drivetrain = drivetrain
         #: Whether it measures its pose, rather than have it reckoned.
         self.has_odometry = read is not None
-        #: The last command (adv, rot).
+        #: The last command (adv, rot), as far as the wheels can follow it.
         self.speed: tuple[float, float] = (0.0, 0.0)
 
     def pose(self) -> Pose:
@@ -117,7 +124,11 @@ class Base(Device):
         """Drive at `adv` mm/s, turning at `rot` degrees/s clockwise, until the next command."""
         speed = number("adv", adv), number("rot", rot)
         self.functions["move"](*speed)
-        self.speed = speed
+        self.speed = self.reachable(*speed)
+
+    def reachable(self, adv: float, rot: float = 0.0) -> tuple[float, float]:
+        """The speed (adv, rot) at which the robot moves after a command, as far as is known."""
+        return self.drivetrain.reachable(adv, rot) if self.drivetrain else (adv, rot)
 
     def stop(self) -> None:
         self.move(0, 0)

@@ -6,6 +6,12 @@ adv - r * track / 2.
 """
 
 import math
+from dataclasses import dataclass
+
+#: Seconds between two changes of a wheel's speed while it accelerates.
+CONTROL_PERIOD = 0.01
+#: Makes the largest numbers small enough for calculations, and keeps them far beyond any motor.
+_TINY = 1e-9
 
 Wheels = tuple[float, float]
 """The ground speeds of the left and the right wheel, in mm/s."""
@@ -31,7 +37,8 @@ def limited(wheels: Wheels, maximum: float) -> Wheels:
     fastest = max(abs(wheels[0]), abs(wheels[1]))
     if fastest <= maximum:
         return wheels
-    return wheels[0] * maximum / fastest, wheels[1] * maximum / fastest
+    factor = maximum / fastest
+    return wheels[0] * factor, wheels[1] * factor
 
 
 def accelerated(now: Wheels, target: Wheels, change: float) -> Wheels:
@@ -41,6 +48,51 @@ def accelerated(now: Wheels, target: Wheels, change: float) -> Wheels:
     if largest <= change:
         return target
     return now[0] + left * change / largest, now[1] + right * change / largest
+
+
+@dataclass(frozen=True, slots=True)
+class Drivetrain:
+    """What two driven wheels and their motors can do.
+
+    Args:
+        track: mm between the wheels.
+        maximum_speed: mm/s of a wheel's rim.
+        acceleration: mm/s² of a wheel's rim, when it speeds up or slows down; by default a wheel
+            has a new speed at once.
+    """
+
+    track: float
+    maximum_speed: float
+    acceleration: float = math.inf
+
+    def reachable(self, adv: float, rot: float) -> tuple[float, float]:
+        """The speed (adv, rot) at which the robot moves after a command.
+
+        If a wheel can't turn so fast, both are reduced by the same factor: the robot drives the
+        same curve, only slower.
+        """
+        fastest = self._fastest_wheel(adv, rot)
+        if fastest <= self.maximum_speed:
+            return adv, rot
+        if math.isinf(fastest):
+            return self.reachable(adv * _TINY, rot * _TINY)
+        factor = self.maximum_speed / fastest
+        return adv * factor, rot * factor
+
+    def wheels(self, adv: float, rot: float) -> Wheels:
+        """The wheel speeds after a command (adv, rot), as far as the wheels can turn so fast."""
+        most = self.maximum_speed
+        left, right = wheel_speeds(*self.reachable(adv, rot), self.track)
+        # Rounding must not make them faster than a motor allows.
+        return min(max(left, -most), most), min(max(right, -most), most)
+
+    def periods(self, before: tuple[float, float], after: tuple[float, float]) -> float:
+        """How many times `CONTROL_PERIOD` a change between two speeds takes, with fractions."""
+        changed = self._fastest_wheel(after[0] - before[0], after[1] - before[1])
+        return changed / (self.acceleration * CONTROL_PERIOD)
+
+    def _fastest_wheel(self, adv: float, rot: float) -> float:
+        return abs(adv) + abs(math.radians(rot)) * self.track / 2
 
 
 class Odometry:

@@ -247,3 +247,19 @@ def test_undo_and_redo_follow_the_order_of_edits_in_all_views(pupil):
     pupil.lacks("python", "move_straight")
     pupil.picture("redone")
     assert pupil.foreign == []
+
+
+def test_a_block_that_is_cut_is_pasted_into_each_text(pupil):
+    pupil.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    pupil.write("blocktext", "main:\n    function.move_straight()\n    function.sleep(5)\nend\n")
+    pupil.sees("python", "robot.sleep(5)")
+    pupil.select_block(pupil.blocks("lb_skill_move_straight"))
+    pupil.page.keyboard.press("Control+x")
+    pupil.lacks("python", "move_straight")
+    pupil.put_cursor("python", "robot.sleep")
+    pupil.page.keyboard.press("Control+v")
+    expect(pupil.blocks("lb_skill_move_straight")).to_have_count(1)
+    pupil.put_cursor("blocktext", "end")
+    pupil.page.keyboard.press("Control+v")
+    expect(pupil.blocks("lb_skill_move_straight")).to_have_count(2)
+    pupil.sees("python", "robot.move_straight()")

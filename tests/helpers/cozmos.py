@@ -14,7 +14,7 @@ from learnblock.emulators.twin import Twin
 from learnblock.robots import connect, settings
 from learnblock.testing import Relay
 
-pytest.importorskip("pycozmo", reason="pip install 'learnblock-studio[cozmo]'")
+pytest.importorskip("pycozmo", reason="the add-on cozmo is not installed")
 
 from learnblock.emulators.cozmo import Emulator
 from learnblock.robots.cozmo import CozmoSettings

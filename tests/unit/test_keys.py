@@ -76,3 +76,14 @@ def test_a_program_tells_which_keys_it_asks_for(calls, keys):
 @pytest.mark.parametrize("python", ["robot.is_key_pressed(key)", "robot.waltz()", "if:"])
 def test_a_program_whose_keys_are_unknown_may_ask_for_every_key(python):
     assert len(program(python).keys) == 42
+
+
+def test_a_file_of_keys_that_is_not_utf_8_is_refused_with_its_line(tmp_path):
+    path = tmp_path / "keys.jsonl"
+    path.write_bytes(b'{"t": 0, "keys": []}\n{"t": 1, "keys": ["\xf1"]}\n')
+
+    with pytest.raises(ProgramError) as refused:
+        read_keys(path)
+    assert [(one.line, one.message.code) for one in refused.value.diagnostics] == [
+        (2, "run-not-utf-8")
+    ]

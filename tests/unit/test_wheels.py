@@ -2,7 +2,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from learnblock.wheels import accelerated, body_speeds, limited, wheel_speeds
+from learnblock.wheels import Drivetrain, accelerated, body_speeds, limited, wheel_speeds
 
 speeds = st.floats(-1000, 1000)
 
@@ -24,6 +24,21 @@ def test_limiting_keeps_the_curve_and_the_limit(left: float, right: float) -> No
 
     assert max(map(abs, slower)) <= 167 + 1e-9
     assert slower[0] * right == pytest.approx(slower[1] * left, abs=1e-6)
+
+
+@given(st.floats(allow_nan=False, allow_infinity=False), speeds)
+def test_every_command_is_reached_as_far_as_the_wheels_can(adv: float, rot: float) -> None:
+    drivetrain = Drivetrain(track=95, maximum_speed=167)
+
+    assert max(map(abs, drivetrain.wheels(adv, rot))) <= 167
+    assert max(map(abs, drivetrain.wheels(rot, adv))) <= 167
+
+
+@given(speeds, speeds)
+def test_a_command_beyond_the_wheels_keeps_its_curve(adv: float, rot: float) -> None:
+    slower = Drivetrain(track=95, maximum_speed=167).reachable(adv, rot)
+
+    assert slower[0] * rot == pytest.approx(slower[1] * adv, abs=1e-6)
 
 
 @given(st.tuples(speeds, speeds), st.tuples(speeds, speeds), st.floats(1, 100))

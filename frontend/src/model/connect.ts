@@ -22,6 +22,8 @@ export interface Listed {
   readonly robot: string;
   readonly name: string;
   readonly isBusy: boolean;
+  /** The command that installs the packages that it needs; empty if it has them. */
+  readonly addOn: string;
   /** How it is reached; null if it does not answer. */
   readonly found: NearbyRobot | null;
 }
@@ -120,5 +122,6 @@ export function lists(nearby: RobotsNearby | null, state: RobotConnected) {
 }
 
 function listed(id: string, robot: string, known: KnownRobot | undefined, found: NearbyRobot | null): Listed {
-  return { id, robot, name: known?.name ?? "", isBusy: known?.is_busy ?? false, found };
+  const { name = "", is_busy: isBusy = false, add_on: addOn = "" } = known ?? {};
+  return { id, robot, name, isBusy, addOn, found };
 }

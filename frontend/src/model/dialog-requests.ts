@@ -2,9 +2,10 @@
 
 import { type ReadonlySignal, signal } from "@preact/signals";
 
-import type { Phrase } from "../i18n";
+import { type Phrase, t } from "../i18n";
 import type { Answer, Connection } from "../protocol/connection";
 import type { FromPage } from "../protocol/messages";
+import { readText } from "../ui/files";
 
 export class DialogRequests {
   private readonly reason = signal<Phrase | string>("");
@@ -27,9 +28,12 @@ export class DialogRequests {
     this.reason.value = reason;
   }
 
-  /** The text of a file; null and a reason if it is longer than the server accepts. */
+  /** The text of a file; null and a reason if it is longer than the server accepts, or not UTF-8. */
   async textOf(file: File, longest: number, tooLong: string): Promise<string | null> {
     this.refuse(file.size > longest ? tooLong : "");
-    return file.size > longest ? null : file.text();
+    if (file.size > longest) return null;
+    const text = await readText(file);
+    if (text === null) this.refuse(t("page-project-not-utf-8", { name: file.name }));
+    return text;
   }
 }

@@ -5,6 +5,7 @@ import { signal } from "@preact/signals";
 import type { Phrase } from "../i18n";
 import type { Connection } from "../protocol/connection";
 import type { Document, Notation, Opened, Place, Problem, View, Welcome, Workspace } from "../protocol/messages";
+import { CopiedStatement } from "./copied-statement";
 import type { Drafts, Left } from "./drafts";
 import { type Content, type Repeated, repeated, Unsaved } from "./unsaved";
 
@@ -98,6 +99,8 @@ export class Program {
   readonly recovered = signal(0);
   /** Why the program can't be changed here; null if it can. */
   readonly readOnly = signal<Phrase | null>(null);
+  /** The block that was copied last, as text. */
+  readonly copied = new CopiedStatement();
   private project = "";
   /** The robot whose program it is; empty if it is the project's only one. */
   private tab = "";

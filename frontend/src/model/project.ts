@@ -16,7 +16,7 @@ import {
   type Welcome,
   type WorldChoice,
 } from "../protocol/messages";
-import { inBase64, saveFile } from "../ui/files";
+import { inBase64, readText, saveFile } from "../ui/files";
 import type { Toasts } from "../ui/toasts";
 import { preferences } from "./preferences";
 import type { Program } from "./program";
@@ -171,7 +171,9 @@ export class Project {
     if (large) return this.toasts.error(large);
     this.program.flush();
     if (withEnding([file], ORIGINAL).length === 0) {
-      this.connection.send({ kind: "Import", filename: file.name, text: await file.text() });
+      const text = await readText(file);
+      if (text === null) return this.toasts.error(t("page-project-not-utf-8", { name: file.name }));
+      this.connection.send({ kind: "Import", filename: file.name, text });
       return;
     }
     const filename = file.name.slice(-LIMITS.ImportOriginal.filename);

@@ -788,6 +788,7 @@ export interface KnownRobot {
   name?: string;
   used?: boolean;
   is_busy?: boolean;
+  add_on?: string;
 }
 
 export interface LessonAttempt {

@@ -25,6 +25,16 @@ export function saveFile(filename: string, content: BlobPart, type: string): voi
   URL.revokeObjectURL(address);
 }
 
+/** The text of a file; null if it is not UTF-8: its letters would be lost. */
+export async function readText(file: Blob): Promise<string | null> {
+  try {
+    return new TextDecoder("utf-8", { fatal: true }).decode(await file.arrayBuffer());
+  } catch (error) {
+    if (error instanceof TypeError) return null;
+    throw error;
+  }
+}
+
 /** The content of a file in base64. */
 export async function inBase64(file: File): Promise<string> {
   const letters = Array.from(new Uint8Array(await file.arrayBuffer()), (byte) => String.fromCharCode(byte));

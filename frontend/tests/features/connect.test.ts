@@ -34,6 +34,11 @@ test("a robot that is connected by its settings is listed although it was not fo
   expect(others).toEqual([]);
 });
 
+test("a robot without its add-on has the command that installs it", () => {
+  const { others } = lists({ kind: "RobotsNearby", known: [{ robot: "ebo", add_on: "pip install x" }] }, NONE);
+  expect(others.map((one) => one.addOn)).toEqual(["pip install x"]);
+});
+
 test("nothing is listed before the first answer", () => {
   expect(lists(null, NONE)).toEqual({ found: [], before: [], others: [] });
 });

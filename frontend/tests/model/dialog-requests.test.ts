@@ -1,5 +1,7 @@
+import { signal } from "@preact/signals";
 import { expect, test } from "vitest";
 
+import { startLanguage } from "../../src/i18n";
 import { DialogRequests } from "../../src/model/dialog-requests";
 import { FakeConnection } from "../fake-connection";
 
@@ -26,4 +28,12 @@ test("a file that is too long is refused without being read", async () => {
   expect(requests.refusal.value).toBe("too long");
   expect(await requests.textOf(new File(["1234"], "tags.toml"), 4, "too long")).toBe("1234");
   expect(requests.refusal.value).toBe("");
+});
+
+test("a file that is not UTF-8 is refused by its name", async () => {
+  await startLanguage(signal("en"));
+  const { requests } = begin();
+  const latin = new File([new Uint8Array([0xf1])], "tags.toml");
+  expect(await requests.textOf(latin, 9, "too long")).toBeNull();
+  expect(requests.refusal.value).toBe("tags.toml is not UTF-8. Save the file as UTF-8.");
 });

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from learnblock.errors import LearnBlockError
+from learnblock.installation import add_on
 from learnblock.server.http.address import own_address
 from learnblock.storage.files import save
 
@@ -46,7 +47,7 @@ def own_certificate(folder: Path) -> Certificate:
     made = Certificate(folder / "certificate.pem", folder / "certificate-key.pem")
     if not (made.file.is_file() and made.key.is_file()):
         if find_spec("cryptography") is None:
-            raise LearnBlockError("class-no-cryptography")
+            raise LearnBlockError("class-no-cryptography", command=add_on("tls"))
         _make(made)
     return made
 

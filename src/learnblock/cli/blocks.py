@@ -14,6 +14,8 @@ from learnblock.cli.console import (
     say,
     text,
 )
+from learnblock.errors import CustomBlockError, Diagnostic
+from learnblock.i18n import Phrase
 
 if TYPE_CHECKING:
     from learnblock.extensions.custom_blocks import CustomBlock, Problem
@@ -88,8 +90,13 @@ def import_command(file: Path, replace: bool) -> None:  # noqa: FBT001 - a click
     from learnblock.extensions import custom_blocks  # noqa: PLC0415
     from learnblock.extensions.custom_blocks.package import LARGEST  # noqa: PLC0415
 
-    with file.open(encoding="utf-8", errors="replace") as opened:
-        block = custom_blocks.import_file(opened.read(LARGEST + 1), replace=replace)
+    try:
+        with file.open(encoding="utf-8-sig") as opened:
+            content = opened.read(LARGEST + 1)
+    except UnicodeDecodeError as error:
+        diagnostic = Diagnostic("not-utf-8", Phrase("block-not-utf-8"))
+        raise CustomBlockError(str(file), [diagnostic]) from error
+    block = custom_blocks.import_file(content, replace=replace)
     calls = ", ".join(f"function.{name}" for name in block.functions)
     click.echo(f"{block.name}: {calls}")
 

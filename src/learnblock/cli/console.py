@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from learnblock.cli.language import language
+from learnblock.shell import command_line
 
 if TYPE_CHECKING:
     from learnblock.errors import Diagnostic
@@ -134,6 +135,11 @@ def print_diagnostics(
 def located(filename: str, one: "Diagnostic") -> str:
     """``FILE:LINE:COLUMN: code message``, the message in the reader's language."""
     return f"{filename}:{one.line}:{one.column}: {one.code} {text(one.message)}"
+
+
+def print_command(*words: object) -> None:
+    """Print a command to type, as a shell takes it."""
+    click.echo(f"    {command_line(*words)}")
 
 
 def typed(value: Any) -> str:

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from learnblock.blocks import BlockConfiguration, Parameter
+    from learnblock.client import Client
     from learnblock.robots import RobotEntry
 
 
@@ -70,8 +71,10 @@ def robot_list(*, as_json: bool) -> None:
         return
     width = max(len(robot["name"]) for robot in listed)
     for robot in listed:
-        shown = ", ".join(robot["devices"]) or text(robot["problem"])
-        click.echo(f"{robot['name']:<{width}} {shown}")
+        shown = [", ".join(robot["devices"])] if robot["devices"] else []
+        if robot["problem"]:
+            shown.insert(0, text(robot["problem"]))
+        click.echo(f"{robot['name']:<{width}} {'; '.join(shown)}")
 
 
 def _robot(entry: "RobotEntry") -> dict[str, Any]:
@@ -81,8 +84,11 @@ def _robot(entry: "RobotEntry") -> dict[str, Any]:
     devices: frozenset[str] | None = None
     problem: Phrase | str = ""
     try:
-        devices = entry.load().device_names()
+        kind = entry.load()
+        devices = kind.device_names()
         problem = "" if devices else Phrase("cli-devices-by-settings")
+        if command := _missing_add_on(kind):
+            problem = Phrase("cli-robot-needs-add-on", command=command)
     except LearnBlockError as error:
         problem = error.phrase
     return {
@@ -91,6 +97,12 @@ def _robot(entry: "RobotEntry") -> dict[str, Any]:
         "devices": sorted(devices or ()),
         "problem": problem,
     }
+
+
+def _missing_add_on(kind: "type[Client]") -> str:
+    from learnblock.robots.real import RealRobot  # noqa: PLC0415
+
+    return kind.missing_add_on() if issubclass(kind, RealRobot) else ""
 
 
 def _print_by_category(skills: "Iterable[BlockConfiguration]") -> None:

@@ -1,13 +1,12 @@
 """The commands that create files: `learnblock new robot`, `skill` and `world`."""
 
-import shlex
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
-from learnblock.cli.console import say
+from learnblock.cli.console import print_command, say
 
 if TYPE_CHECKING:
     from learnblock.monitor.worlds import Template
@@ -69,9 +68,9 @@ def robot(
     test = next(path for path in files if path.name.startswith("test_"))
     say("cli-new-next")
     if folder:
-        click.echo(f"    pip install -e {shlex.quote(f'{folder}[test]')}")
-    click.echo(f"    learnblock run PROGRAM --robot sim-{plan.name}")
-    click.echo(f"    pytest -rs {shlex.quote(str(test))}")
+        print_command("pip", "install", "-e", f"{folder}[test]")
+    print_command("learnblock", "run", "PROGRAM", "--robot", f"sim-{plan.name}")
+    print_command("pytest", "-rs", test)
     say("cli-new-robot-test")
 
 
@@ -134,7 +133,7 @@ def world(
     _write(files, force=force)
     given = name if folder is None else str(next(iter(files)))
     say("cli-new-next")
-    click.echo(f"    learnblock run PROGRAM --world {shlex.quote(given)}")
+    print_command("learnblock", "run", "PROGRAM", "--world", given)
 
 
 def _plan(name: str | None, description: Path | None) -> "RobotPlan":

@@ -10,6 +10,7 @@ from learnblock import running
 from learnblock.cli.console import say
 from learnblock.errors import FileError
 from learnblock.running import Source
+from learnblock.shell import command_line
 
 if TYPE_CHECKING:
     from learnblock.server.projects.project import Project, ProjectPart
@@ -77,7 +78,8 @@ def opened_all(path: Path) -> Iterator[tuple[ProgramFile, ...]]:
     project = _project(path)
     if offered := unpacking.offered_code(project):
         names = (*offered.blocks, *offered.libraries)
-        say("cli-project-code", err=True, file=str(path), names=names)
+        command = command_line("learnblock", "open", path)
+        say("cli-project-code", err=True, file=str(path), names=names, command=command)
     tags = unpacking.tags_used(project)
     with _world(project) as world:
         yield tuple(_program_files(path, project, world, tags))

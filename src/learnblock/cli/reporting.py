@@ -404,7 +404,8 @@ def _rows(report: Report, session: ProgramRun) -> Iterator[tuple[str, str]]:
     for goal in report.goals:
         yield "report-label-goal", goal_row(goal)
     yield from effect_rows(report, session.robot.name)
-    yield "report-label-trace", short(report.trace_sha256)
+    if report.trace_sha256:
+        yield "report-label-trace", short(report.trace_sha256)
 
 
 def ending_rows(report: Report, limit: float | None) -> Iterator[tuple[str, str]]:

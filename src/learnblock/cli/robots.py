@@ -1,15 +1,16 @@
 """The commands for robots: list, settings, search, test, setup and emulators."""
 
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
 from learnblock.cli.console import (
     ExitCode,
     json_option,
+    print_command,
     print_json,
     print_settings,
     say,
@@ -95,12 +96,15 @@ def set_command(
 @json_option
 def scan(names: tuple[str, ...], seconds: float, as_json: bool) -> None:  # noqa: FBT001
     """Find real robots on serial ports, on the network and on this computer."""
-    found = [{"robot": name, "settings": dict(one)} for name, one in _scan(names, seconds)]
+    found, problems = _scan(_kinds(names), seconds)
     if as_json:
-        print_json(found)
-    for one in found if not as_json else ():
+        print_json([*found, *problems])
+        return
+    for one in found:
         click.echo(f"{one['robot']:<12} {_spelled(one['settings'])}")
-    if not found and not as_json:
+    for one in problems:
+        click.echo(f"{one['robot']:<12} {text(one['problem'])}")
+    if not found:
         say("cli-no-robot-found")
 
 
@@ -163,8 +167,9 @@ def emulate_command(name: str, world: str | None, seed: int) -> None:
     with emulators.emulate(name, world, seed=seed) as emulation, served_until_ctrl_c():
         say("cli-emulating", robot=name)
         for setting, value in emulation.settings.items():
-            click.echo(f"    learnblock robots set {name} {setting} {typed(value)}")
-        click.echo(f"    learnblock run PROGRAM --robot {name}")
+            spelled = value if isinstance(value, str) else typed(value)
+            print_command("learnblock", "robots", "set", name, setting, spelled)
+        print_command("learnblock", "run", "PROGRAM", "--robot", name)
         if emulation.note:
             click.echo(text(emulation.note))
 
@@ -180,23 +185,46 @@ def _real(name: str) -> Any:
     return robot
 
 
-def _scan(names: tuple[str, ...], seconds: float) -> Iterator[tuple[str, Mapping[str, Any]]]:
-    """Every robot that answers; all kinds are searched for at the same time."""
+def _kinds(names: tuple[str, ...]) -> list[Any]:
+    """The classes of the real robots with these names, by default of all."""
     from learnblock.robots import entries  # noqa: PLC0415
     from learnblock.robots.real import RealRobot  # noqa: PLC0415
+
+    if names:
+        return [_real(name) for name in names]
+    kinds = [entry.load() for entry in entries().values() if not entry.name.startswith("sim-")]
+    return [one for one in kinds if issubclass(one, RealRobot)]
+
+
+Row = dict[str, Any]
+
+
+def _scan(kinds: list[Any], seconds: float) -> tuple[list[Row], list[Row]]:
+    """Search for all kinds of robots at the same time.
+
+    Returns:
+        Every robot that answers, and every kind that can't be searched for, with its problem.
+    """
     from learnblock.runtime.containment.driver import OwnThread  # noqa: PLC0415
 
-    kinds = [entry.load() for entry in entries().values() if not entry.name.startswith("sim-")]
-    wanted = [_real(name) for name in names] or [one for one in kinds if issubclass(one, RealRobot)]
-    looks = [(one.name(), OwnThread(partial(_found, one, seconds))) for one in wanted]
+    found: list[Row] = []
+    problems: list[Row] = []
+    looks = [(kind.name(), OwnThread(partial(_look, kind, seconds))) for kind in kinds]
     for name, look in looks:
         try:
-            yield from ((name, found) for found in look.result(seconds + _LATE))
+            robots = look.result(seconds + _LATE)
         except TimeoutError:
-            say("cli-robot-scan-late", robot=name, err=True)
+            problems.append({"robot": name, "problem": Phrase("cli-robot-scan-late", robot=name)})
+        except LearnBlockError as error:
+            problems.append({"robot": name, "problem": error.phrase})
+        else:
+            found += ({"robot": name, "settings": dict(settings)} for settings in robots)
+    return found, problems
 
 
-def _found(kind: "type[RealRobot[Any]]", seconds: float) -> list[Mapping[str, Any]]:
+def _look(kind: Any, seconds: float) -> list[Mapping[str, Any]]:
+    if command := kind.missing_add_on():
+        raise LearnBlockError("cli-robot-needs-add-on", command=command)
     return list(kind.scan(seconds))
 
 

@@ -59,7 +59,7 @@ def import_command(file: Path, replace: bool) -> None:  # noqa: FBT001 - a click
     """
     from learnblock.perception import tag_names  # noqa: PLC0415 - `--help` needs none of it
 
-    found = tag_names.parse(file.read_text("utf-8-sig", errors="replace"), str(file))
+    found = tag_names.read(file)
     _save({**({} if replace else _names()), **found})
     say("cli-tags-imported", count=len(found), file=str(file))
 

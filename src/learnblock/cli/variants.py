@@ -41,16 +41,34 @@ def _run_all(found: Prepared, variants: int, *, as_json: bool) -> int:
         for number in numbers
     ]
     batch = Batch(jobs)
-    reports: dict[int, Report] = {}
+    # They end in any order.
+    ended: dict[int, Report] = {}
+    printed = 0
     with stopped_by_signals(batch.stop):
         for result in batch.results():
-            reports[result.job + 1] = result.report
+            ended[result.job + 1] = result.report
             if not as_json:
-                click.echo(_row(result.job + 1, result.report, found.options.seconds), err=True)
-    # They end in any order.
-    _print({number: reports[number] for number in numbers if number in reports}, as_json=as_json)
+                printed = _print_rows(ended, printed, found.options.seconds)
+    reports = dict(sorted(ended.items()))
+    if not as_json:
+        # Those that ended after one that was stopped.
+        for number in list(reports)[printed:]:
+            click.echo(_row(number, reports[number], found.options.seconds), err=True)
+    _print(reports, as_json=as_json)
     codes = (EXIT_CODES.get(How(one.ended), ExitCode.WELL) for one in reports.values())
     return max(codes) if len(reports) == variants else ExitCode.INTERRUPTED
+
+
+def _print_rows(ended: Mapping[int, Report], printed: int, limit: float | None) -> int:
+    """Print the variants after the first `printed` that have ended, up to one that has not.
+
+    Returns:
+        How many have been printed.
+    """
+    while printed + 1 in ended:
+        printed += 1
+        click.echo(_row(printed, ended[printed], limit), err=True)
+    return printed
 
 
 def _row(number: int, report: Report, limit: float | None) -> str:

@@ -5,6 +5,7 @@ from typing import ClassVar
 from learnblock import senses
 from learnblock.client.rights import Rights
 from learnblock.errors import SettingsError
+from learnblock.wheels import Drivetrain
 
 #: An ability that only an adult gives to a real camera: the law may forbid it.
 _EMOTIONS = frozenset({"Camera:emotions"})
@@ -31,6 +32,11 @@ class Announced:
 
         `learnblock.senses.ABILITIES` lists what there is. None means all of it.
         """
+        return None
+
+    @classmethod
+    def drivetrain(cls) -> Drivetrain | None:
+        """What the wheels of every such robot can do; None if unknown before connecting."""
         return None
 
     @classmethod

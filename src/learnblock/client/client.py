@@ -227,7 +227,7 @@ class Client(Announced, Events):
         same[key] = device
         self._equipment = None
         if isinstance(device, Base) and not device.has_odometry:
-            reckoning = Reckoning(device.functions["move"], self.clock)
+            reckoning = Reckoning(device.functions["move"], self.clock, device.drivetrain)
             device.functions |= {"move": reckoning.move, "read": reckoning.pose}
 
     def devices(self) -> Iterator[tuple[str, Device]]:

@@ -67,9 +67,10 @@ class Evidence:
 
     @cached_property
     def path(self) -> Sequence[Placed]:
-        """Where the robot was, every 0.1 s, and at the end."""
+        """Where the robot was in its world, every 0.1 s, and at the end; none of a real robot."""
         seen = [Placed(moment, *line["pose"]) for moment, line in self._of("pose")]
-        if self.report and self.report.pose:
+        # A real robot only knows where it is from its start.
+        if seen and self.report and self.report.pose:
             seen.append(Placed(Moment(self.report.time, len(self.lines)), *self.report.pose))
         return seen
 

@@ -104,7 +104,7 @@ def _imports(kinds: list[str], plan: RobotPlan) -> Iterator[str]:
     yield _import("learnblock.devices", kinds)
     yield "from learnblock.robots.real import RealRobot, not_written"
     yield _import("learnblock.robots.settings", ["RobotSettings", *_setting_types(plan)])
-    yield "from learnblock.wheels import limited, wheel_speeds"
+    yield "from learnblock.wheels import Drivetrain"
     if "Camera" in kinds:
         yield "\nif TYPE_CHECKING:\n    from learnblock.devices import Frame"
 

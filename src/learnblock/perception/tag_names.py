@@ -90,6 +90,21 @@ def tag_names() -> Mapping[str, int]:
     return _read(path, changed)
 
 
+def read(path: Path) -> Mapping[str, int]:
+    """Read the file of a dictionary, as `parse` does.
+
+    Raises:
+        TagNamesError: it is invalid, or not UTF-8.
+        OSError: it cannot be read.
+    """
+    try:
+        source = path.read_text("utf-8-sig")
+    except UnicodeDecodeError as error:
+        message = Phrase("file-not-utf-8", position=str(error.start))
+        raise TagNamesError(str(path), [Diagnostic("not-utf-8", message)]) from error
+    return parse(source, str(path))
+
+
 def parse(source: str, filename: str) -> Mapping[str, int]:
     """Parse the text of a dictionary: TOML, or CSV if the file's name ends in .csv.
 
@@ -132,7 +147,7 @@ def save_names(names: Mapping[str, int]) -> None:
 
 @lru_cache(maxsize=1)
 def _read(path: Path, changed: int) -> Mapping[str, int]:  # noqa: ARG001 - the cache's key
-    return parse(path.read_text("utf-8-sig", errors="replace"), str(path))
+    return read(path)
 
 
 def _from_toml(source: str, filename: str) -> Mapping[str, object]:

@@ -4,16 +4,21 @@ import importlib
 import inspect
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping
+from contextlib import ExitStack, suppress
+from importlib.util import find_spec
 from types import ModuleType
 from typing import Any, ClassVar, Generic
 
-from learnblock.client import Client, Observer, Rights
+from learnblock.client import Client, Observer, Outcome, Rights
 from learnblock.client.clock import Clock
+from learnblock.devices import Base, Pose
 from learnblock.errors import LearnBlockError, MissingPackageError, NotWrittenError, SettingsError
 from learnblock.i18n import Phrase
+from learnblock.installation import add_on, requirements
 from learnblock.robots import settings as user_settings
 from learnblock.robots.calibration import Calibration
 from learnblock.robots.settings import SettingsT
+from learnblock.wheels import Drivetrain
 
 
 class RealRobot(Client, Generic[SettingsT]):
@@ -44,8 +49,13 @@ class RealRobot(Client, Generic[SettingsT]):
     settings_type: ClassVar[type[Any]]
     #: The settings that correct how far it drives and turns; None for a robot that needs none.
     calibration: ClassVar[Calibration | None] = None
+    #: The modules without which it can't be used, and which only its add-on installs.
+    add_on: ClassVar[tuple[str, ...]] = ()
     #: The voltages of its empty and its full battery; None if it does not report the voltage.
     battery_range: ClassVar[tuple[float, float] | None] = None
+
+    #: Where it was when its motors were stopped; None if it does not know.
+    _end: Pose | None = None
 
     def __init__(
         self,
@@ -62,6 +72,27 @@ class RealRobot(Client, Generic[SettingsT]):
     def name(cls) -> str:
         """The robot's id, such as ``cozmo``."""
         return cls.__module__.rpartition(".")[2].replace("_", "-")
+
+    @classmethod
+    def missing_add_on(cls) -> str:
+        """The command that installs what it can't be used without; empty if it is there."""
+        is_complete = all(find_spec(module) for module in cls.add_on)
+        return "" if is_complete else add_on(cls.name())
+
+    @classmethod
+    def drivetrain(cls) -> Drivetrain | None:
+        """What its wheels can do by the saved settings."""
+        try:
+            return cls.drivetrain_for(user_settings.load(cls.name(), cls.settings_type))
+        except SettingsError:
+            # It is raised when the robot is created.
+            return None
+
+    @classmethod
+    def drivetrain_for(cls, settings: SettingsT) -> Drivetrain | None:
+        """What its wheels can do with these settings; None if that is unknown."""
+        del settings
+        return None
 
     @classmethod
     def known_rights(cls) -> Rights:
@@ -93,6 +124,25 @@ class RealRobot(Client, Generic[SettingsT]):
     def is_in_use(cls) -> bool:
         """Whether `scan` leaves the robot out, because looking for it would disturb its user."""
         return False
+
+    def outcome(self) -> Outcome:
+        """The pose at the end as `get_pose` knows it; nothing measures the way to it."""
+        return Outcome(pose=self._end)
+
+    def _stop_motors(self) -> None:
+        with ExitStack() as stack:
+            # Asked while the link is still there.
+            stack.callback(self._note_end)
+            super()._stop_motors()
+
+    def _note_end(self) -> None:
+        bases = (device for _, device in self.devices() if isinstance(device, Base))
+        base = next(bases, None)
+        if base is None or self.link_error:
+            return
+        with suppress(LearnBlockError):
+            x, y, heading = base.pose()
+            self._end = round(x, 3), round(y, 3), round(heading, 3)
 
     def surroundings(self) -> Mapping[str, object]:
         if self.calibration is None:
@@ -138,6 +188,11 @@ def require(package: str, robot: str) -> ModuleType:
     except ModuleNotFoundError as error:
         if error.name != package.partition(".")[0]:
             raise
+        if requirements(robot):
+            command = add_on(robot)
+            raise MissingPackageError(
+                "robot-missing-add-on", robot=robot, command=command
+            ) from None
         raise MissingPackageError("robot-missing-package", robot=robot, package=package) from None
 
 

@@ -61,6 +61,12 @@ def find(entry: RobotEntry, seconds: float) -> tuple[Mapping[str, Any], ...]:
         return ()
 
 
+def missing_add_on(entry: RobotEntry) -> str:
+    """The command that installs what a robot can't be used without; empty if it is there."""
+    kind = real_kind(entry)
+    return kind.missing_add_on() if kind else ""
+
+
 def is_in_use(entry: RobotEntry) -> bool:
     """Whether a robot is not looked for because a program on this computer uses it."""
     kind = real_kind(entry)

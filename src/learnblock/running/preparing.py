@@ -18,6 +18,7 @@ from learnblock.language.tree.nodes import Program as Tree
 from learnblock.robots import RobotEntry
 from learnblock.running.source import Source
 from learnblock.runtime.program import Program
+from learnblock.wheels import Drivetrain
 
 DEFAULT_ROBOT = "sim-ebo"
 #: The most robots in one run.
@@ -35,7 +36,10 @@ def choose_robot(source: Source, name: str | None = None) -> RobotEntry:
 
 def check(source: Source, robot: RobotEntry | None = None) -> list[Diagnostic]:
     """Check a program, for a robot if one is given; return its mistakes and warnings."""
-    return _checked(source, robot.load().known_equipment() if robot else None)
+    if robot is None:
+        return _checked(source, None)
+    kind = robot.load()
+    return _checked(source, kind.known_equipment(), kind.drivetrain())
 
 
 def lacking(source: Source, equipment: frozenset[str]) -> Phrase | None:
@@ -79,11 +83,15 @@ def program(source: Source, robot: RobotEntry) -> Program:
     return Program(source.path.name, python.text, source.text, python.source_map, folder)
 
 
-def _checked(source: Source, equipment: frozenset[str] | None) -> list[Diagnostic]:
+def _checked(
+    source: Source, equipment: frozenset[str] | None, drivetrain: Drivetrain | None = None
+) -> list[Diagnostic]:
     python = source.text if source.is_python else None
     skills = _skills(source)
     importable = _importable(source, skills)
-    return language.check(source.tree, skills, equipment, importable, python=python)
+    return language.check(
+        source.tree, skills, equipment, importable, python=python, drivetrain=drivetrain
+    )
 
 
 def _verdict(demanded: tuple[Demand, ...], robot: RobotEntry) -> Verdict | Phrase:

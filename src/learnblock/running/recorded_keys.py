@@ -88,6 +88,9 @@ def _read(path: Path) -> Iterator[tuple[int, _Line]]:
                 continue
             try:
                 line = decode(text)
+            except UnicodeDecodeError as error:
+                not_utf_8 = Phrase("run-not-utf-8", byte=f"{error.object[error.start]:#x}")
+                raise _invalid(path, number, not_utf_8) from error
             except msgspec.DecodeError as error:
                 raise _invalid(path, number, Phrase("report-keys-line")) from error
             for key in line.keys or ():

@@ -26,7 +26,7 @@ class Report:
         emotions: the emotions shown, in order.
         no_effect: skills that had no effect: skill, missing device, number of calls.
         collisions: what it bumped into, at most 1,000 times.
-        trace_sha256: the hash of the trace.
+        trace_sha256: the hash of the trace; empty if the run did not begin.
         output: the printed text, if it was not shown while the program ran.
         error: what went wrong, or None: `message` (a `Phrase`), `file`, `line` and the `text` of
             that line; `within` has the same for the file in the user's folder where it happened.

@@ -62,9 +62,15 @@ def main() -> None:
     link: Link[FromHost] = SocketLink(socket.socket(fileno=int(sys.argv[1])), FromHost)
     signal.signal(signal.SIGTERM, _stop_program)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    # Its host may still be loading.
-    fence.prepare()
-    skills.prepare()
+    try:
+        # Its host may still be loading.
+        fence.prepare()
+        skills.prepare()
+    except ProgramStopped:
+        # Stopped as soon as it was started.
+        link.send(Ended(stopped=True))
+        link.close()
+        return
     run(link, fence.contain)
 
 

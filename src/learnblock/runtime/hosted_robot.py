@@ -5,7 +5,7 @@ from functools import partial
 from typing import Any
 
 from learnblock.client import Client
-from learnblock.devices import Device, Sensor
+from learnblock.devices import Base, Device, Sensor
 from learnblock.errors import LearnBlockError, RobotConnectionError, RobotStoppedError
 from learnblock.i18n import Phrase
 from learnblock.runtime import messages
@@ -107,7 +107,12 @@ class HostedRobot:
 
     def _offer(self, client: Client) -> messages.Connected:
         devices = tuple(
-            messages.DeviceOffer(type(device).__name__, key, tuple(device.functions))
+            messages.DeviceOffer(
+                type(device).__name__,
+                key,
+                tuple(device.functions),
+                device.drivetrain if isinstance(device, Base) else None,
+            )
             for key, device in client.devices()
         )
         simulation = self.world.simulation

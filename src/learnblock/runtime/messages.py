@@ -16,6 +16,7 @@ from msgspec import Meta
 
 from learnblock.i18n import Phrase
 from learnblock.runtime.limits import Limits
+from learnblock.wheels import Drivetrain
 
 #: The largest message of a child, in bytes; `Logged` and pictures may be larger.
 LARGEST = 64 * 1024
@@ -114,11 +115,16 @@ class Setup(Message, frozen=True):
 
 
 class DeviceOffer(msgspec.Struct, frozen=True, array_like=True):
-    """A device of the robot: its type, its key and the functions it is built from."""
+    """A device of the robot: its type, its key and the functions it is built from.
+
+    Args:
+        drivetrain: what the wheels of a base can do, if known.
+    """
 
     type: str
     key: str
     functions: tuple[str, ...]
+    drivetrain: Drivetrain | None = None
 
 
 class Connected(Message, frozen=True):

@@ -12,7 +12,7 @@ from learnblock.client import Client
 from learnblock.client.clock import Clock, WallClock
 from learnblock.client.keyboard import Keyboard
 from learnblock.client.mailbox import Mailbox
-from learnblock.devices import DEVICE_TYPES, Device, Function
+from learnblock.devices import DEVICE_TYPES, Base, Device, Function
 from learnblock.errors import (
     DeviceValueError,
     MissingDeviceError,
@@ -304,6 +304,8 @@ def _device(wire: Wire, index: int, offer: DeviceOffer, noting: Noting | None) -
             name: _noted_function(noting, device, name, function)
             for name, function in functions.items()
         }
+    if offer.type == "Base":
+        return Base(**functions, drivetrain=offer.drivetrain)
     return DEVICE_TYPES[offer.type](**functions)
 
 

@@ -59,14 +59,20 @@ def main_program() -> str | None:
     return Path(file).name if file and main.__spec__ is None else None
 
 
-def report_main_program(client: Client, name: str) -> None:
-    """Say on the standard error what the robot of a program did."""
+def report_main_program(client: Client, name: str, seconds: float) -> None:
+    """Say on the standard error what the robot of a program did.
+
+    Args:
+        client: the robot.
+        name: the name of the program.
+        seconds: the time of its world: a program that is ended while it waits has an older one.
+    """
     outcome = client.outcome()
     reached = tuple(goal.name for goal in outcome.goals if goal.state == "reached")
     report = Phrase(
         "run-alone-with-goals" if reached else "run-alone",
         program=name,
-        time=round(client.clock.time(), 2),
+        time=round(seconds, 2),
         distance=round(outcome.distance or 0),
         world=str(client.conditions()["world"]),
         **({"goals": reached} if reached else {}),

@@ -20,10 +20,13 @@ from learnblock.runtime.log.sensing import keep_operations, keep_readings
 from learnblock.runtime.turns import CountedSteps
 from learnblock.runtime.values import is_small, plain
 
-#: The version of the trace: since 2 a line is a statement that begins, and since 4 a repeated
-#: question waits for the next reading. Version 3 is that of a real robot, in which turns of a loop
-#: that are alike are counted.
-VERSION, VERSION_WITH_TURNS = 4, 3
+#: The version of the trace: since 2 a line is a statement that begins, since 4 a repeated question
+#: waits for the next reading, and since 5 a reckoned pose is that of wheels that need time to speed
+#: up and to stop. Version 3 is that of a real robot, in which turns of a loop that are alike are
+#: counted.
+VERSION, VERSION_WITH_TURNS = 5, 3
+#: The hash of a trace without a line.
+_NOTHING = hashlib.sha256().digest()
 #: The most pieces of a trace that wait to be hashed together.
 _HASHED_TOGETHER = 1000
 #: The most steps of a program that wait to be written together.
@@ -78,10 +81,10 @@ class Trace:
 
     @property
     def sha256(self) -> str:
-        """The hash of all lines so far, in hexadecimal."""
+        """The hash of all lines so far, in hexadecimal; empty if there are none."""
         with self._writing:
             self._hash_lines()
-            return self._hash.hexdigest()
+            return "" if self._hash.digest() == _NOTHING else self._hash.hexdigest()
 
     def _hash_lines(self) -> None:
         self._hash.update(b"".join(self._unhashed))

@@ -17,6 +17,7 @@ from pathlib import Path
 
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
+from learnblock.installation import add_on
 
 PACKAGE = Path(__file__).parents[1]
 
@@ -31,7 +32,7 @@ def develop(port: int) -> None:
     try:
         import watchfiles  # noqa: PLC0415 - only contributors have it
     except ImportError as error:
-        raise LearnBlockError("server-dev-no-watchfiles") from error
+        raise LearnBlockError("server-dev-no-watchfiles", command=add_on("dev")) from error
     server, token = _free_port(), secrets.token_urlsafe()
     os.environ |= {
         "LEARNBLOCK_TOKEN": token,

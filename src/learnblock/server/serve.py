@@ -21,6 +21,7 @@ from starlette.requests import HTTPConnection
 
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
+from learnblock.installation import add_on
 from learnblock.server.app import create_app
 from learnblock.server.http.address import token as the_token
 from learnblock.server.http.connections import Connections, Listening, most_connections
@@ -170,7 +171,7 @@ def _webview() -> Any:
     try:
         return import_module("webview")
     except ImportError as error:
-        raise LearnBlockError("server-no-window") from error
+        raise LearnBlockError("server-no-window", command=add_on("window")) from error
 
 
 def _show_window(webview: Any, address: str) -> None:

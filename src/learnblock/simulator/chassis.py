@@ -9,7 +9,7 @@ import pymunk
 from learnblock.simulator import robot_description
 from learnblock.simulator.geometry import Point, Pose, forward, wrapped
 from learnblock.simulator.physics import DT, GRAVITY, ROBOT, Physics, motion
-from learnblock.wheels import Odometry, Wheels, accelerated, body_speeds, limited, wheel_speeds
+from learnblock.wheels import Odometry, Wheels, accelerated, body_speeds
 
 TYRE_FRICTION = 0.9
 """The friction of rubber on a dry floor, which limits how hard a robot can push."""
@@ -55,6 +55,7 @@ class Chassis:
         physics.add(shape, name)
         force = TYRE_FRICTION * hull.mass * GRAVITY
         physics.brake(self._body, self._control, force, force * self._wheels.track / 2)
+        self._drivetrain = self._wheels.drivetrain
         self._space = physics.space
         self._target: Wheels = (0.0, 0.0)
         #: The command that set the target.
@@ -141,8 +142,7 @@ class Chassis:
             # A loop may command the same a hundred times per second.
             return
         self._command = adv, rot
-        wheels = wheel_speeds(adv, rot, self._wheels.track)
-        self._target = limited(wheels, self._wheels.maximum_speed)
+        self._target = self._drivetrain.wheels(adv, rot)
 
     def before_step(self) -> None:
         """Set the direction in which the tyres pull."""

@@ -18,6 +18,7 @@ from learnblock.senses import ABILITIES
 from learnblock.simulator.colours import Colour
 from learnblock.storage import toml_source
 from learnblock.storage.toml_source import Finding
+from learnblock.wheels import Drivetrain
 
 SHIPPED_ROBOTS = Path(__file__).parent / "robots"
 NOTHING_SEEN = 2000.0
@@ -83,6 +84,11 @@ class Wheels(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
         float, Meta(ge=0, le=0.02, description="difference between its wheels, standard deviation")
     ] = 0.001
     encoders: Annotated[bool, Meta(description="whether it counts its wheels' turns")] = True
+
+    @property
+    def drivetrain(self) -> Drivetrain:
+        """What its motors can do."""
+        return Drivetrain(self.track, self.maximum_speed, self.acceleration)
 
 
 class DistanceSensor(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):

@@ -14,8 +14,8 @@ if TYPE_CHECKING:
 #: Millimetres from the target at which the wheels are stopped.
 WITHIN = 1.0
 #: mm/s for each mm that remains, the slowest speed, at which every robot still moves, and mm/s by
-#: which two commands differ at most while the robot speeds up.
-_GAIN, _SLOWEST, _SPEEDING_UP = 5.0, 10.0, 8.0
+#: which two commands differ at most while the robot speeds up and while it slows down.
+_GAIN, _SLOWEST, _SPEEDING_UP, _SLOWING_DOWN = 5.0, 10.0, 8.0, 15.0
 #: Degrees/s for each degree off the heading.
 STEERING = 2.0
 
@@ -45,7 +45,14 @@ def drive(robot: "Client", base: Base, course: Course, speed: float) -> None:
     """
     # A robot must not pass the end between two commands.
     slowest = min(speed, _SLOWEST, course.within / PERIOD / 2)
-    pace = Pace(gain=_GAIN, slowest=slowest, fastest=speed, speeding_up=_SPEEDING_UP)
+    pace = Pace(
+        gain=_GAIN,
+        slowest=slowest,
+        # Faster commands would leave the wheels no way to steer.
+        fastest=base.reachable(speed)[0],
+        speeding_up=_SPEEDING_UP,
+        slowing_down=_SLOWING_DOWN,
+    )
     began = robot.clock.time()
     deadline = began + pace.time_limit(course.length)
     adv, progress = 0.0, Progress(pace.least_progress)

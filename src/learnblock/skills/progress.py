@@ -19,12 +19,15 @@ class Pace:
         fastest: the highest speed.
         speeding_up: by which two commands differ at most while the robot speeds up. A pose that is
             reckoned from the commands takes for granted that the robot can follow them.
+        slowing_down: by which two commands differ at most while the robot slows down: one that is
+            too fast to follow them would pass its target.
     """
 
     gain: float
     slowest: float
     fastest: float
     speeding_up: float
+    slowing_down: float
 
     def speed(self, remaining: float, before: float) -> float:
         """The next speed, with the sign of what remains.
@@ -33,9 +36,21 @@ class Pace:
             remaining: the way that remains.
             before: the previous speed.
         """
-        magnitude = min(max(self.gain * abs(remaining), self.slowest), self.fastest)
+        magnitude = min(max(self._braking(abs(remaining)), self.slowest), self.fastest)
         magnitude = min(magnitude, abs(before) + self.speeding_up)
         return math.copysign(magnitude, remaining)
+
+    def _braking(self, remaining: float) -> float:
+        """The speed from which the robot can still stop within a way.
+
+        Close to the target it is in proportion to the way, as it brakes less and less. Further away
+        it is the speed of a constant deceleration, which meets the other one without a bend.
+        """
+        deceleration = self.slowing_down / PERIOD
+        close = deceleration / self.gain**2
+        if remaining <= close:
+            return self.gain * remaining
+        return math.sqrt(2 * deceleration * (remaining - close / 2))
 
     @property
     def least_progress(self) -> float:

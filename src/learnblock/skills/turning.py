@@ -25,6 +25,7 @@ class Manner(Pace):
     """
 
     speeding_up: float = 5.0
+    slowing_down: float = 12.0
     settled_within: float
 
 

@@ -1,13 +1,14 @@
 """What can be asked about a run."""
 
 from collections.abc import Container, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
+from typing import Any
 
 from learnblock.i18n import Phrase, Value
 from learnblock.i18n.names import goal_phrase
 from learnblock.runtime.log.nodes import Kind
-from learnblock.why.history import History
+from learnblock.why.history import History, SkillUse
 from learnblock.why.slicing import movements
 from learnblock.why.steering import movement_of
 from learnblock.why.wording import (
@@ -103,11 +104,13 @@ class Question:
         ask: its kind.
         subject: what it is about: a movement, a skill, a name, a line's number, a text.
         time: the moment, in s; None for the whole run.
+        args: those of a call of the skill, for its words; None if it was not called.
     """
 
     ask: Ask
     subject: str = ""
     time: float | None = None
+    args: tuple[Any, ...] | None = field(default=None, compare=False)
 
     @property
     def phrase(self) -> Phrase:
@@ -126,7 +129,7 @@ class Question:
         if self.ask in (Ask.MOVEMENT, Ask.NOT_MOVEMENT) and self.subject in MOVEMENTS:
             return movement_phrase(self.subject)
         if self.ask in (Ask.SKILL, Ask.NOT_SKILL):
-            return skill_phrase(self.subject)
+            return skill_phrase(self.subject, None if self.args is None else list(self.args))
         if self.ask is Ask.BUMP:
             return thing_phrase(self.subject)
         if self.ask in (Ask.GOAL, Ask.REACHED):
@@ -164,7 +167,7 @@ def questions_about_moment(history: History, time: float) -> tuple[Question, ...
     found += [Question(Ask.NOT_MOVEMENT, one, time) for one in _possible(history) if one != moving]
     steering = _steering_skills(history)
     found += [
-        Question(one.ask, one.subject, time)
+        replace(one, time=time)
         for one in _skills(history)
         if one.ask is Ask.NOT_SKILL and one.subject not in steering
     ]
@@ -239,17 +242,19 @@ def _movements(history: History) -> Iterator[Question]:
 
 
 def _skills(history: History) -> Iterator[Question]:
-    ran: dict[str, int] = {}
-    for use in history.uses:
-        if use.within is None:
-            ran.setdefault(use.name, use.begun)
+    ran: dict[str, SkillUse] = {}
+    last: dict[str, tuple[Any, ...]] = {}
+    for use in history.own_uses:
+        ran.setdefault(use.name, use)
+        last[use.name] = tuple(use.args)
     for name in _called(history):
         block = blocks().get(name)
         if block is not None and block.returns_value:
             continue
         if name in ran:
-            yield Question(Ask.SKILL, name, history.time(ran[name]))
-        yield Question(Ask.NOT_SKILL, name, round(history.end, 2))
+            first = ran[name]
+            yield Question(Ask.SKILL, name, history.time(first.begun), tuple(first.args))
+        yield Question(Ask.NOT_SKILL, name, round(history.end, 2), last.get(name))
 
 
 def _called(history: History) -> Iterable[str]:

@@ -174,3 +174,11 @@ def test_a_block_does_not_run_in_the_process_of_the_host(run, program, own_home)
 
     assert printed.strip().isdecimal()
     assert str(os.getpid()) != printed.strip()
+
+
+def test_a_block_that_is_not_utf_8_is_refused(run, tmp_path):
+    (tmp_path / "waltz.block.json").write_bytes(b'{"name": "\xf1"}')
+    assert (
+        "This file is not UTF-8. Save it as UTF-8."
+        in run("blocks", "import", "waltz.block.json").output
+    )

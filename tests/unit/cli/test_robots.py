@@ -1,6 +1,9 @@
 """Real robots on the command line: settings, search, trial, and emulators."""
 
 import json
+import subprocess
+from contextlib import contextmanager, nullcontext
+from types import SimpleNamespace
 
 import pytest
 from click.testing import CliRunner
@@ -115,3 +118,73 @@ def test_a_test_of_a_robot_can_skip_the_questions():
     result = call("test", "mine", "--yes")
     assert result.exit_code == 0
     assert "?" not in result.output
+
+
+LACKING = """
+from learnblock.robots.real import RealRobot
+from learnblock.robots.settings import RobotSettings
+
+
+class Robot(RealRobot[RobotSettings]):
+    settings_type = RobotSettings
+    add_on = ("no_such_module",)
+"""
+
+
+def test_the_other_robots_are_searched_for_without_an_add_on(home, monkeypatch):
+    monkeypatch.setattr("learnblock.robots._OURS", ())
+    (home / "robots" / "thymio.py").write_text(LACKING)
+    found = call("scan", "--seconds", "0.1").output.splitlines()
+
+    assert found[0].split() == ["mine", "address=10.0.0.7", "port=4001"]
+    assert found[1].startswith("thymio       needs an add-on that is not installed: ")
+    assert "thymiodirect" in found[1] or "--extra thymio" in found[1] or "[thymio]" in found[1]
+
+
+def test_the_list_says_first_that_a_robot_needs_an_add_on(home):
+    (home / "robots" / "other.py").write_text(LACKING)
+    listed = call().output.splitlines()
+
+    row = next(one for one in listed if one.startswith("other "))
+
+    assert row.split(maxsplit=1)[1].startswith("needs an add-on")
+
+
+def test_the_commands_of_an_emulation_can_be_pasted_into_a_shell(monkeypatch):
+    settings = {"laser_ports": [10102, 10103], "name": "my robot", "token": "", "port": 5551}
+
+    @contextmanager
+    def emulate(*_args, **_options):
+        yield SimpleNamespace(settings=settings, note=None)
+
+    monkeypatch.setattr("learnblock.emulators.emulate", emulate)
+    monkeypatch.setattr("learnblock.cli.interrupts.served_until_ctrl_c", nullcontext)
+    printed = CliRunner().invoke(main, ["emulate", "rcis"]).output.splitlines()
+    lines = [one for one in printed if one.startswith("    ")]
+    words = [pasted(line) for line in lines]
+
+    assert [one[:4] for one in words[:-1]] == [["learnblock", "robots", "set", "rcis"]] * 4
+    assert [one[4:] for one in words[:-1]] == [
+        ["laser_ports", "[10102, 10103]"],
+        ["name", "my robot"],
+        ["token", ""],
+        ["port", "5551"],
+    ]
+    assert words[-1] == ["learnblock", "run", "PROGRAM", "--robot", "rcis"]
+
+
+def pasted(line):
+    """The words that a shell makes of a line."""
+    shown = 'for word in "$@"; do printf "%s\\n" "$word"; done'
+    script = f"set -- {line}; {shown}"
+    done = subprocess.run(["sh", "-c", script], stdout=subprocess.PIPE, text=True, check=True)
+    return done.stdout.split("\n")[:-1]
+
+
+def test_a_real_robot_reports_where_its_odometry_has_it(home):
+    with find("mine").load()() as robot:
+        robot.move_straight(100)
+        robot.sleep(2)
+
+    assert robot.outcome().pose == pytest.approx((200, 0, 0))
+    assert robot.outcome().distance is None

@@ -62,3 +62,10 @@ def test_tags_can_be_printed(own_home):
 )
 def test_an_invalid_request_is_reported_in_a_sentence(arguments, code, message):
     assert message in told("tags", *arguments, code=code)
+
+
+@pytest.mark.parametrize("name", ["tags.toml", "tags.csv"])
+def test_names_that_are_not_utf_8_are_refused(own_home, name):
+    (own_home / name).write_bytes(b"\xf1 = 1")
+    assert "Save the file as UTF-8." in told("tags", "import", name, code=1)
+    assert json.loads(told("tags", "--json")) == {}

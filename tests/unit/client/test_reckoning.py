@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 from learnblock.client.reckoning import Reckoning
 from learnblock.testing import VirtualClock
 from learnblock.testing.wheels import Wheels
+from learnblock.wheels import Drivetrain
 
 
 def test_a_robot_is_where_its_commands_have_driven_it():
@@ -44,3 +45,43 @@ def test_how_often_it_is_read_does_not_matter():
         reckoning.pose()
 
     assert reckoning.pose()[2] == pytest.approx(-180, abs=1e-6)
+
+
+def reckoning_of(clock):
+    wheels = Drivetrain(track=100, maximum_speed=200, acceleration=500)
+    return Reckoning(lambda adv, rot: None, clock, wheels)
+
+
+def test_a_speed_that_the_wheels_cannot_reach_is_reckoned_with_their_own():
+    clock = VirtualClock()
+    reckoning = reckoning_of(clock)
+    reckoning.move(1000, 0)
+    clock.sleep(2)
+    x, *_ = reckoning.pose()
+
+    # It needs 0.4 s to reach 200 mm/s, and drives 40 mm less meanwhile.
+    assert x == pytest.approx(360, abs=1.5)
+
+
+def test_a_robot_that_stops_still_rolls():
+    clock = VirtualClock()
+    reckoning = reckoning_of(clock)
+    reckoning.move(200, 0)
+    clock.sleep(2)
+    reckoning.move(0, 0)
+    stopped, *_ = reckoning.pose()
+    clock.sleep(1)
+    x, *_ = reckoning.pose()
+
+    assert x - stopped == pytest.approx(40, abs=1.5)
+
+
+def test_a_curve_that_is_too_fast_stays_the_same_curve():
+    clock = VirtualClock()
+    reckoning = reckoning_of(clock)
+    reckoning.move(500, 500 / 300 * 57.29577951)
+    clock.sleep(3)
+    x, y, _ = reckoning.pose()
+
+    # A circle of 300 mm to the right of where it began.
+    assert (x**2 + (y + 300) ** 2) ** 0.5 == pytest.approx(300, abs=0.1)

@@ -77,3 +77,8 @@ def test_collisions_do_not_change_the_trace():
 def test_the_lines_of_the_program_that_ran_are_known():
     run = evidence({"t": 0.0, "line": 3}, {"t": 0.1, "line": 7}, {"t": 0.1, "line": "x"})
     assert run.lines_run == {3, 7}
+
+
+def test_a_real_robots_pose_is_no_place_in_a_world():
+    report = running.Report(ended="finished", time=0.15, pose=(12.0, 0.0, 0.0))
+    assert evidence({"t": 0.0, "line": 1}, report=report).path == []

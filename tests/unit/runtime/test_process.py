@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from learnblock.errors import ProgramStopped
+from learnblock.runtime import child as child_module
 from learnblock.runtime import process
 from learnblock.runtime.child import run
 from learnblock.runtime.limits import Limits
@@ -171,3 +172,17 @@ def ended(process):
             return True
         pause.wait(0.01)
     return False
+
+
+def test_a_program_that_is_stopped_while_it_loads_says_only_that(monkeypatch):
+    def stopped():
+        raise ProgramStopped("stopped")
+
+    host, child = socket.socketpair()
+    monkeypatch.setattr(child_module.fence, "prepare", stopped)
+    monkeypatch.setattr(child_module.signal, "signal", lambda *_: None)
+    monkeypatch.setattr(sys, "argv", ["child", str(child.detach())])
+    child_module.main()
+
+    with host:
+        assert SocketLink(host, FromChild).receive() == Ended(stopped=True)

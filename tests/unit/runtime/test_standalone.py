@@ -1,4 +1,5 @@
 import json
+import re
 import subprocess
 import sys
 
@@ -91,3 +92,23 @@ def test_lines_of_a_function_that_creates_the_robot_are_traced(tmp_path):
     source = "from tiny import Robot\ndef main():\n    robot = Robot()\n    x = 1\nmain()\ny = 2\n"
     _, trace = alone(tmp_path, source)
     assert [event["line"] for event in trace if "line" in event] == [4, 6]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows ends a process without a signal")
+def test_a_program_ended_in_the_middle_of_a_wait_says_how_long_it_has_run(tmp_path):
+    (tmp_path / "program.py").write_text(
+        "import os, signal, threading\n"
+        "from learnblock.robots.sim_ebo import Robot\n"
+        "robot = Robot(world='empty', pace='real')\n"
+        "end = lambda: os.kill(os.getpid(), signal.SIGTERM)\n"
+        "threading.Timer(0.4, end).start()\n"
+        "robot.move_straight(100)\n"
+        "robot.sleep(60)\n"
+    )
+    command = [sys.executable, "program.py"]
+    done = subprocess.run(command, cwd=tmp_path, stderr=subprocess.PIPE, text=True, check=False)
+    seconds, driven = re.findall(r"([\d.]+) s, (\d+) mm", done.stderr)[0]
+
+    assert float(seconds) > 0.1
+    # It needs an eighth of a second to speed up.
+    assert int(driven) == pytest.approx(100 * (float(seconds) - 0.0625), abs=3)

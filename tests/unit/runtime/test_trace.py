@@ -192,3 +192,7 @@ def test_a_long_list_of_noted_steps_is_written_by_itself(file, recorder):
     for _ in range(1000):
         recorder.note(3)
     assert len(written(file)) == 1000
+
+
+def test_a_trace_without_a_line_has_no_hash():
+    assert Trace().sha256 == ""

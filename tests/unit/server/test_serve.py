@@ -278,7 +278,7 @@ def test_without_pywebview_a_window_reports_what_it_needs():
     command[-1] += "from learnblock.cli import main; main(['--window'])"
     ran = subprocess.run(command, capture_output=True, text=True, check=False)
     assert ran.returncode == 2
-    assert "learnblock-studio[window]" in ran.stderr
+    assert "A window needs an add-on that is not installed." in ran.stderr
 
 
 def test_a_page_is_answered_by_plain_http():

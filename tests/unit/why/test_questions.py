@@ -2,6 +2,7 @@
 
 import pytest
 
+from learnblock.i18n import translate
 from learnblock.why.answers import answer
 from learnblock.why.questions import (
     Ask,
@@ -74,3 +75,9 @@ def test_a_reached_goal_is_answered_with_what_the_robot_did(tmp_path):
             one.phrase.code for one in answer(run.history, Question(ask, goal["name"])).sentences
         ]
         assert codes[0] == "why-goal"
+
+
+def test_a_question_about_a_skill_has_the_values_of_its_call(history):
+    asked = [one for one in questions(history) if one.subject == "move_straight"]
+    assert {one.ask for one in asked} == {Ask.SKILL, Ask.NOT_SKILL}
+    assert all("at 60 mm/s" in translate(one.phrase, "en") for one in asked)

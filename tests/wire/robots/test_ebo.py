@@ -345,3 +345,21 @@ def test_it_visits_a_tag_and_looks_happy_like_its_twin(monkeypatch):
         )  # fmt: skip
         assert emotions == ("neutral", "joy")
         assert twin.goals()["tag 1"]
+
+
+@pytest.mark.parametrize("speed", [200, 1000, -1000])
+def test_its_pose_is_reckoned_with_what_its_wheels_can_do(speed):
+    with Twin("sim-ebo", "empty") as twin:
+        emulator = Emulator(twin)
+        start = pose(twin)
+        with Robot(**emulator.settings, patience=LONG) as robot:
+            robot.move_straight(speed)
+            robot.sleep(1)
+            robot.stop_bot()
+            robot.sleep(1)
+            reckoned = robot.get_pose()
+        driven = pose(twin)[0] - start[0]
+        emulator.close()
+
+    # A command takes a moment on its way, which a busy machine makes longer.
+    assert reckoned[0] == pytest.approx(driven, abs=40)

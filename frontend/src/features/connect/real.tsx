@@ -187,6 +187,12 @@ function Away({ title, robots, show }: AwayProps) {
   );
 }
 
+/** The word for why a robot is not there: without its add-on, nothing can find it. */
+function state({ isBusy, addOn }: Listed): string {
+  if (addOn) return "page-connect-needs-add-on";
+  return isBusy ? "page-connect-busy" : "page-connect-away";
+}
+
 function AwayRobot({ robot, show }: { robot: Listed; show: (next: Aside) => void }) {
   const title = useTitle(robot);
   return (
@@ -194,7 +200,8 @@ function AwayRobot({ robot, show }: { robot: Listed; show: (next: Aside) => void
       <RobotPicture robot={robot.robot} />
       <div class="connect-about">
         <strong>{title}</strong>
-        <span class="dim">{t(robot.isBusy ? "page-connect-busy" : "page-connect-away")}</span>
+        <span class="dim">{t(state(robot))}</span>
+        {robot.addOn && <code class="connect-command">{robot.addOn}</code>}
       </div>
       <button
         type="button"

@@ -5,6 +5,7 @@ import { signal } from "@preact/signals";
 import type { Phrase } from "../../i18n";
 import type { Connection } from "../../protocol/connection";
 import { type CustomBlock, type FromPage, LIMITS } from "../../protocol/messages";
+import { readText } from "../../ui/files";
 
 /** The outcome of an action, shown in its dialog. */
 export interface Outcome {
@@ -58,7 +59,11 @@ export class CustomBlocks {
       this.outcome.value = failed("page-custom-large", { name: file.name });
       return;
     }
-    const content = await file.text();
+    const content = await readText(file);
+    if (content === null) {
+      this.outcome.value = failed("page-project-not-utf-8", { name: file.name });
+      return;
+    }
     const name = nameIn(content);
     if (!name || !this.find(name)) return this.add(content, name ?? "", false);
     const action = { word: "page-custom-replace", run: () => this.add(content, name, true) };

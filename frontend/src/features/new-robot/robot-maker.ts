@@ -4,6 +4,7 @@ import { signal } from "@preact/signals";
 import { t } from "../../i18n";
 import type { Connection } from "../../protocol/connection";
 import { type FromPage, LIMITS, type RobotMade, type RobotProblem } from "../../protocol/messages";
+import { readText } from "../../ui/files";
 
 export class RobotMaker {
   readonly name = signal("");
@@ -37,13 +38,16 @@ export class RobotMaker {
 
   /** Use a file's text as the description, and its name if the robot has none yet. */
   async readFile(file: File): Promise<void> {
-    this.problems.value =
-      file.size > LIMITS.MakeRobot.description
-        ? [{ message: { code: t("page-newrobot-large", { name: file.name }) } }]
-        : [];
-    if (this.problems.value.length) return;
-    this.description.value = await file.text();
+    if (file.size > LIMITS.MakeRobot.description) return this.refuse("page-newrobot-large", file);
+    const text = await readText(file);
+    if (text === null) return this.refuse("page-project-not-utf-8", file);
+    this.problems.value = [];
+    this.description.value = text;
     this.name.value ||= file.name.replace(/\.toml$/, "");
+  }
+
+  private refuse(word: string, file: File): void {
+    this.problems.value = [{ message: { code: t(word, { name: file.name }) } }];
   }
 
   private receive(made: RobotMade): void {

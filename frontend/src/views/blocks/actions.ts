@@ -27,6 +27,8 @@ export interface BlockActions {
   askWhy(block: string): void;
   /** Look back at where a block ran, before or after the moment that is shown. */
   goToRun(by: -1 | 1, block: string): void;
+  /** Let a block that is copied be pasted as text. */
+  copied(block: string): void;
   /** Report the statement that is selected. */
   select(block: string | null): void;
   /** Draw the first statements that a placeholder hides. */

@@ -195,6 +195,7 @@ class Blocks implements BlocksIsland {
       askWhy: (block) => this.context.askingWhy.aboutBlock(block),
       draw: (block) => this.editor?.draw(block),
       show: (block) => this.context.reveal(block),
+      copied: (block) => void this.copyText(block),
       select: (block) => this.context.select(block),
       shownBlocks: () => this.context.shownBlocks.peek(),
       robot: () => this.robot,
@@ -205,6 +206,16 @@ class Blocks implements BlocksIsland {
       newCustomBlock: () => this.context.editCustomBlock(""),
       editCustomBlock: (skill) => this.editCustomBlock(skill),
     };
+  }
+
+  private async copyText(block: string): Promise<void> {
+    const { program } = this.context;
+    const text = program.copied.keep(program.state.peek(), block);
+    try {
+      if (text !== null) await navigator.clipboard.writeText(text);
+    } catch {
+      // Over plain HTTP from another computer there is no clipboard: it can only be pasted as a block.
+    }
   }
 
   private editCustomBlock(skill: string): void {

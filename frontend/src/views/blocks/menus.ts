@@ -15,7 +15,7 @@ type Item = Blockly.ContextMenuRegistry.RegistryItem;
 type Scope = Blockly.ContextMenuRegistry.Scope;
 
 const { CTRL_CMD, SHIFT, I, Z, Y, F9 } = Blockly.utils.KeyCodes as unknown as Record<string, number>;
-const { FOCUS_TOOLBOX, FOCUS_WORKSPACE, START_MOVE, START_MOVE_STACK } = Blockly.ShortcutItems.names;
+const { COPY, CUT, FOCUS_TOOLBOX, FOCUS_WORKSPACE, START_MOVE, START_MOVE_STACK } = Blockly.ShortcutItems.names;
 
 /** Replace and add keys and menu entries, for all workspaces at once. */
 export function registerMenus(): void {
@@ -30,6 +30,7 @@ export function registerMenus(): void {
   );
   registerBreakpointKey();
   registerHelpKey();
+  for (const name of [COPY, CUT]) copyTextToo(name);
   // A letter typed in a list would leave the list open.
   for (const name of [FOCUS_TOOLBOX, FOCUS_WORKSPACE])
     narrow(name, () => !Blockly.getFocusManager().ephemeralFocusTaken());
@@ -105,6 +106,21 @@ function widen(name: string): void {
   registry.register({
     ...shortcut,
     callback: (workspace, ...how) => shortcut.callback?.(workspace.targetWorkspace ?? workspace, ...how) ?? false,
+  });
+}
+
+/** Let one of Blockly's keys copy the text of a block, too: before it may be gone. */
+function copyTextToo(name: string): void {
+  const registry = Blockly.ShortcutRegistry.registry;
+  const shortcut = registry.getRegistry()[name]!;
+  registry.unregister(name);
+  registry.register({
+    ...shortcut,
+    callback: (workspace, ...how) => {
+      const block = focusedBlock(workspace);
+      if (block && !workspace.isFlyout && !block.outputConnection) actionsOf(workspace)?.copied(block.id);
+      return shortcut.callback?.(workspace, ...how) ?? false;
+    },
   });
 }
 

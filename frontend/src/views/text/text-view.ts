@@ -117,6 +117,7 @@ class TextView implements TextIsland {
         extensions(this.notation, this.actions, this.requests),
         tooltips({ parent: this.boxes }),
         sendEdits(this.context.program, this.notation),
+        EditorView.clipboardInputFilter.of((text) => this.context.program.copied.pasted(text, this.notation)),
         EditorView.updateListener.of(({ selectionSet, view }) => {
           if (selectionSet && view.hasFocus) this.context.select(this.outline.peek().around(cursorLine(view.state)));
         }),

@@ -158,6 +158,9 @@ check-skill-without-answer = This robot has no { $devices }: it can't answer '{ 
 check-skill-impossible = This robot has no { $devices }: it can't do '{ $skill }'.
 check-skill-without-effect = This robot has no { $devices }: '{ $skill }' does nothing.
 check-skill-partly = This robot has no { $devices }: that part of '{ $skill }' does nothing.
+check-too-fast = This robot can't drive faster than { $most } mm/s, so { $speed } mm/s makes no difference.
+check-turns-too-fast = This robot can't turn faster than { $most }°/s, so { $speed }°/s makes no difference.
+check-curve-too-fast = This robot can't drive at { $adv } mm/s and turn at { $rot }°/s together: it drives the same curve at { $most } mm/s and { $turned }°/s.
 check-no-device-of-name = This robot has no { $device } '{ $key }': '{ $skill }' does nothing. Use one of these: { $known }.
 # $kind: a sense, or the type of a device. $key: which of several such devices, or what it can do, or empty
 check-device = { $kind ->

@@ -23,7 +23,7 @@ class-unknown = There is no class { $title } in { $folder }.
 class-delete = Delete class { $title } with everything that its pupils have made? This can't be undone.
 class-deleted = Class { $title } is deleted.
 class-not-on-windows = A class needs Linux or macOS on the teacher's computer. On Windows use WSL; pupils can have any device.
-class-no-cryptography = HTTPS needs the library cryptography. Run pip install 'learnblock-studio[tls]', or leave out --tls.
+class-no-cryptography = HTTPS needs an add-on that is not installed. Leave out --tls, or install it with: { $command }
 # $file is the path of a file, $reason a technical text in English.
 class-damaged = { $file } is damaged: { $reason }. Restore it from a backup, or choose another --folder.
 class-newer = { $file } was made by a newer LearnBlock. Update this one.

@@ -6,7 +6,7 @@ cli-system-error = { $reason }
 cli-no-file = There is no file { $file }.
 cli-wrote = Wrote { $file }
 # $names is a list of names.
-cli-project-code = { $file } brings code that is not installed here: { $names }. To read and install it, run: learnblock open { $file }
+cli-project-code = { $file } brings code that is not installed here: { $names }. To read and install it, run: { $command }
 cli-stop-with-ctrl-c = Press Ctrl-C to stop.
 
 # $value is a setting's default.
@@ -22,6 +22,7 @@ cli-format-only-block-text = { $file } is not a Block-Text file (.bt). Use a Pyt
 cli-devices-by-settings = (depends on its settings)
 cli-robot-scan-late = The driver of '{ $robot }' does not stop looking for robots, so it was left out.
 cli-robot-without-settings = The robot '{ $robot }' has no settings: it is simulated.
+cli-robot-needs-add-on = needs an add-on that is not installed: { $command }
 cli-no-robot-found = No robot answered. Is it switched on, and is this computer on its network?
 # Results of a device's test, in a column of nine characters.
 cli-device-works = works

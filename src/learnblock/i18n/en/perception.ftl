@@ -41,7 +41,7 @@ perception-frame-empty = The picture is empty: its shape is { $shape }.
 perception-frame-too-large = The picture with the shape { $shape } is too large. Each side can be at most { $limit } pixels.
 # $name is focal or size.
 perception-tag-size = '{ $name }' is { $value }, but it must be greater than 0.
-perception-no-weights = The weights of the emotion detector ({ $path }) are missing. Reinstall LearnBlock from its checkout, which builds them: pip install -e .
+perception-no-weights = The weights of the emotion detector ({ $path }) are missing. Build them with: { $command }
 # Pictures sent to a component. $depth is a number of bytes for each pixel.
 perception-picture-not-rgb = The image sent ({ $width } × { $height } pixels) has { $depth } bytes per pixel. Send an RGB image, with 3 bytes per pixel.
 perception-picture-too-large = A picture of { $width } by { $height } pixels is too large. At most 1920 by 1200 pixels are allowed.

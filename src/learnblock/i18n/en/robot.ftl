@@ -22,7 +22,8 @@ robot-not-loaded = The robot '{ $name }' can't be loaded ({ $reason }).
 robot-computer-froze = This computer was frozen or too busy for half a second, so the motors of '{ $robot }' were stopped. Close other programs if this happens often, and run the program again.
 robot-guardian-ended = The process that stops '{ $robot }' in an emergency has ended, so the robot can't be driven safely. Run the program again.
 robot-needs-no-setup = The robot '{ $name }' needs no setup.
-robot-missing-package = The robot '{ $robot }' needs the package { $package }. Install it with: pip install 'learnblock-studio[{ $robot }]'
+robot-missing-add-on = The robot '{ $robot }' needs an add-on that is not installed. Install it with: { $command }
+robot-missing-package = The robot '{ $robot }' needs the Python package { $package }. Install it where LearnBlock is installed.
 # A function that the author of a new robot has to write; $task is its docstring.
 robot-not-written = { $file }, line { $line }: '{ $call }' still has to be written. { $task }
 

@@ -18,7 +18,7 @@ server-cannot-listen-socket = LearnBlock can't listen at { $path }: { $reason }.
 server-already-listening = Another LearnBlock is listening at { $path }.
 # $variable is the name of an environment variable.
 server-token-wrong = { $variable } can only contain letters, digits, '-', '_', '.' and '~'.
-server-no-window = A window needs pywebview. Run pip install 'learnblock-studio[window]', or leave out --window and use the browser.
+server-no-window = A window needs an add-on that is not installed. Leave out --window to use the browser, or install it with: { $command }
 
 # $free lists what programs can do, such as "Use the network, Start other programs".
 server-not-contained =
@@ -94,7 +94,7 @@ server-more-problems = { $count ->
 
 ## For contributors: learnblock dev
 
-server-dev-no-watchfiles = learnblock dev needs watchfiles. Run pip install -e '.[dev]'.
+server-dev-no-watchfiles = learnblock dev needs an add-on that is not installed. Install it with: { $command }
 server-dev-no-checkout = learnblock dev needs the sources of LearnBlock, including the frontend folder. To use the page, run learnblock.
 server-dev-no-node = learnblock dev needs Node.js { $version } or newer.
 server-dev-started = The page with hot reload: { $address }

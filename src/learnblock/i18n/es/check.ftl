@@ -158,6 +158,9 @@ check-skill-without-answer = Este robot no tiene { $devices }: no puede responde
 check-skill-impossible = Este robot no tiene { $devices }: no puede hacer '{ $skill }'.
 check-skill-without-effect = Este robot no tiene { $devices }: '{ $skill }' no hace nada.
 check-skill-partly = Este robot no tiene { $devices }: esa parte de '{ $skill }' no hace nada.
+check-too-fast = Este robot no puede ir a más de { $most } mm/s, así que da igual poner { $speed } mm/s.
+check-turns-too-fast = Este robot no puede girar a más de { $most }°/s, así que da igual poner { $speed }°/s.
+check-curve-too-fast = Este robot no puede ir a { $adv } mm/s y girar a { $rot }°/s a la vez: hace la misma curva a { $most } mm/s y { $turned }°/s.
 check-no-device-of-name = Este robot no tiene { $device } '{ $key }': '{ $skill }' no hace nada. Usa uno de estos: { $known }.
 # $kind: the type of the device. $key: the name of one of several such devices, or empty
 check-device = { $kind ->

@@ -21,7 +21,7 @@ class-unknown = No hay ninguna clase { $title } en { $folder }.
 class-delete = ¿Eliminar la clase { $title } con todo lo que ha hecho su alumnado? No se puede deshacer.
 class-deleted = La clase { $title } se ha eliminado.
 class-not-on-windows = Para abrir una clase hace falta Linux o macOS en el ordenador del profesorado. En Windows usa WSL; el alumnado puede tener cualquier dispositivo.
-class-no-cryptography = HTTPS necesita la biblioteca cryptography. Ejecuta pip install 'learnblock-studio[tls]', o quita --tls.
+class-no-cryptography = HTTPS necesita un complemento que no está instalado. Quita --tls, o instálalo con: { $command }
 class-damaged = { $file } está dañado: { $reason }. Recupéralo de una copia de seguridad o elige otra --folder.
 class-newer = { $file } lo creó un LearnBlock más nuevo. Actualiza este.
 

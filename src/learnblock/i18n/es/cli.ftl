@@ -5,7 +5,7 @@ cli-system-error = { $reason }
 cli-no-file = No existe el archivo { $file }.
 cli-wrote = Escrito: { $file }
 # $names es una lista de nombres.
-cli-project-code = { $file } trae código que no está instalado aquí: { $names }. Para leerlo e instalarlo, ejecuta: learnblock open { $file }
+cli-project-code = { $file } trae código que no está instalado aquí: { $names }. Para leerlo e instalarlo, ejecuta: { $command }
 cli-stop-with-ctrl-c = Pulsa Ctrl-C para terminar.
 
 cli-default = por defecto: { $value }
@@ -19,6 +19,7 @@ cli-format-only-block-text = { $file } no es un archivo de Block-Text (.bt). Par
 cli-devices-by-settings = (depende de sus ajustes)
 cli-robot-scan-late = El controlador de '{ $robot }' no deja de buscar robots, así que se ha omitido.
 cli-robot-without-settings = El robot '{ $robot }' no tiene ajustes: es simulado.
+cli-robot-needs-add-on = necesita un complemento que no está instalado: { $command }
 cli-no-robot-found = Ningún robot ha respondido. ¿Está encendido, y este ordenador en su red?
 cli-device-works = funciona
 cli-device-fails = FALLA

@@ -42,7 +42,7 @@ perception-frame-empty = La imagen está vacía: su forma es { $shape }.
 perception-frame-too-large = La imagen con la forma { $shape } es demasiado grande. Cada lado puede tener como máximo { $limit } píxeles.
 # $name es focal o size.
 perception-tag-size = '{ $name }' vale { $value }, pero tiene que ser mayor que 0.
-perception-no-weights = Faltan los pesos del detector de emociones ({ $path }). Instala LearnBlock otra vez desde su carpeta de código, que los crea: pip install -e .
+perception-no-weights = Faltan los pesos del detector de emociones ({ $path }). Créalos con: { $command }
 # Imágenes enviadas a un componente. $depth es el número de bytes de cada píxel.
 perception-picture-not-rgb = Se ha enviado una imagen de { $width } por { $height } píxeles con { $depth } bytes por píxel. Envía RGB con 3 bytes por píxel.
 perception-picture-too-large = Una imagen de { $width } por { $height } píxeles es demasiado grande. Se permiten como máximo 1920 por 1200 píxeles.

@@ -20,7 +20,8 @@ robot-not-loaded = No se puede cargar el robot '{ $name }' ({ $reason }).
 robot-computer-froze = Este ordenador estuvo parado o demasiado ocupado durante medio segundo, así que se pararon los motores de '{ $robot }'. Cierra otros programas si pasa a menudo y vuelve a ejecutar el programa.
 robot-guardian-ended = El proceso que para '{ $robot }' en una emergencia ha terminado, así que no es seguro conducir el robot. Vuelve a ejecutar el programa.
 robot-needs-no-setup = El robot '{ $name }' no necesita preparación.
-robot-missing-package = El robot '{ $robot }' necesita el paquete { $package }. Instálalo con: pip install 'learnblock-studio[{ $robot }]'
+robot-missing-add-on = El robot '{ $robot }' necesita un complemento que no está instalado. Instálalo con: { $command }
+robot-missing-package = El robot '{ $robot }' necesita el paquete de Python { $package }. Instálalo donde está instalado LearnBlock.
 robot-not-written = { $file }, línea { $line }: falta escribir '{ $call }'. { $task }
 
 # Los componentes de EBO y de RCIS.

@@ -13,7 +13,7 @@ server-cannot-listen = LearnBlock no puede escuchar en { $host }, puerto { $port
 server-cannot-listen-socket = LearnBlock no puede escuchar en { $path }: { $reason }.
 server-already-listening = Otro LearnBlock está escuchando en { $path }.
 server-token-wrong = { $variable } solo puede contener letras, cifras, '-', '_', '.' y '~'.
-server-no-window = Una ventana necesita pywebview. Ejecuta pip install 'learnblock-studio[window]', o quita --window y usa el navegador.
+server-no-window = Una ventana necesita un complemento que no está instalado. Quita --window para usar el navegador, o instálalo con: { $command }
 
 server-not-contained =
     Otros ordenadores pueden usar esta página, y en este ordenador nada aísla del todo sus programas: { $free }.
@@ -76,7 +76,7 @@ server-more-problems = { $count ->
 
 ## For contributors: learnblock dev
 
-server-dev-no-watchfiles = learnblock dev necesita watchfiles. Ejecuta pip install -e '.[dev]'.
+server-dev-no-watchfiles = learnblock dev necesita un complemento que no está instalado. Instálalo con: { $command }
 server-dev-no-checkout = learnblock dev necesita el código fuente de LearnBlock, incluida la carpeta frontend. Para usar la página, ejecuta learnblock.
 server-dev-no-node = learnblock dev necesita Node.js { $version } o más nuevo.
 server-dev-started = La página, que se recarga sola: { $address }

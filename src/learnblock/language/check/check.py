@@ -13,6 +13,7 @@ from learnblock.language.check.device_checker import check_devices
 from learnblock.language.check.findings import Findings, is_whole, python_error
 from learnblock.language.check.flow_checker import LOOPS, FlowChecker
 from learnblock.language.check.python_checker import check_python
+from learnblock.language.check.speed_checker import check_speeds
 from learnblock.language.check.type_checker import check_types
 from learnblock.language.check.variable_checker import check_variables
 from learnblock.language.python.syntax_errors import syntax_message
@@ -48,6 +49,7 @@ from learnblock.language.tree.traversal import (
     targets,
     within,
 )
+from learnblock.wheels import Drivetrain
 
 # CPython allows fewer than 100 levels of indentation, and 20 loops inside each other.
 MAX_INDENTATION = 99
@@ -61,6 +63,7 @@ def check(
     importable: Importable | None = None,
     *,
     python: str | None = None,
+    drivetrain: Drivetrain | None = None,
 ) -> list[Diagnostic]:
     """Find the errors and likely mistakes of a program without running it, in source order.
 
@@ -71,6 +74,7 @@ def check(
             is chosen.
         importable: the modules that an ``import`` can name; None if unknown.
         python: the text of the program, if its author wrote Python.
+        drivetrain: what the wheels of the chosen robot can do, if known.
     """
     findings = Findings(program, skills, equipment, importable, in_python=python is not None)
     if _is_only_raw(program):
@@ -78,6 +82,8 @@ def check(
     else:
         _Checker(findings).run()
     check_devices(findings)
+    if drivetrain is not None:
+        check_speeds(findings, drivetrain)
     if python is not None:
         check_python(python, findings)
     found = sorted(findings.diagnostics, key=attrgetter("line", "column"))

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from learnblock.errors import LearnBlockError
+from learnblock.installation import add_on
 from learnblock.runtime.containment import kernel
 
 #: Seconds to wait for the scheduler, and for its first worker.
@@ -66,7 +67,7 @@ def cluster(address: str) -> Iterator[Workers]:
     try:
         from distributed import Client  # noqa: PLC0415 - an extra
     except ImportError as error:
-        raise LearnBlockError("grade-no-dask") from error
+        raise LearnBlockError("grade-no-dask", command=add_on("cluster")) from error
     try:
         client: Any = Client(  # type: ignore[no-untyped-call] # Dask has few types
             address, timeout=PATIENCE, set_as_default=False

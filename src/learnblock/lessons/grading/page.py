@@ -2,7 +2,6 @@
 
 import base64
 import hashlib
-import shlex
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -22,6 +21,7 @@ from learnblock.lessons.grading.pictures import Pictures
 from learnblock.lessons.grading.table import stars
 from learnblock.lessons.grading.values import DIFFERS, HandedIn, HintResult, Result, Texts
 from learnblock.lessons.texts import in_language
+from learnblock.shell import command_line
 
 #: The most pictures of a pupil: what failed comes first.
 MOST_PICTURES = 3
@@ -341,11 +341,11 @@ class Page:
     def _command(self, one: HandedIn) -> str:
         robots = dict.fromkeys(attempt.robot for attempt in self._plan.tries)
         variants = len(self._plan.tries) // max(len(robots), 1) - 1
-        return shlex.join([
+        return command_line(
             "learnblock", "grade", one.file, "--lesson", self._lesson,
-            "--step", str(self._plan.step), "--robots", ",".join(robots),
-            "--variants", str(variants), "--out", "again",
-        ])  # fmt: skip
+            "--step", self._plan.step, "--robots", ",".join(robots),
+            "--variants", variants, "--out", "again",
+        )  # fmt: skip
 
 
 def _table(name: str, heads: Sequence[str], rows: Sequence[str]) -> str:

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from learnblock.errors import WeightsMissingError
+from learnblock.installation import Installation
 from learnblock.perception.detections import Face, FaceEmotion
 from learnblock.perception.detectors.faces import detect_faces
 from learnblock.perception.frames import Frame, checked
@@ -102,6 +103,7 @@ def _softmax(logits: NDArray[np.float32]) -> NDArray[np.float32]:
 @cache
 def _net() -> cv2.dnn.Net:
     if not WEIGHTS.is_file():
-        raise WeightsMissingError("perception-no-weights", path=str(WEIGHTS))
+        command = Installation.current().rebuilt()
+        raise WeightsMissingError("perception-no-weights", path=str(WEIGHTS), command=command)
     # Read from memory: OpenCV cannot open every path that Windows can have.
     return cv2.dnn.readNetFromONNX(np.fromfile(WEIGHTS, np.uint8))

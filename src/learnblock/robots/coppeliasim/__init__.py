@@ -45,6 +45,7 @@ class Robot(RealRobot[Settings]):
 
     settings_type = Settings
     model = "ev3"
+    add_on = ("coppeliasim_zmqremoteapi_client",)
     # Its guardian.
     rights = Rights(network=True, programs=True)
 

@@ -29,6 +29,7 @@ from learnblock.robots.cozmo.use import Use, is_used
 from learnblock.robots.guardian import Guardian
 from learnblock.robots.real import RealRobot, require
 from learnblock.robots.settings import Address, Patience, Port, RobotSettings
+from learnblock.wheels import Drivetrain
 
 if TYPE_CHECKING:
     from learnblock.robots.cozmo.session import Session
@@ -75,6 +76,7 @@ class Robot(RealRobot[CozmoSettings]):
 
     settings_type = CozmoSettings
     model = "cozmo"
+    add_on = ("pycozmo",)
     # One lithium cell; below 3.5 V, Cozmo asks for its charger.
     battery_range = (3.4, 4.2)
     # Its guardian, and espeak-ng.
@@ -97,6 +99,10 @@ class Robot(RealRobot[CozmoSettings]):
     @classmethod
     def abilities(cls) -> frozenset[str]:
         return frozenset(f"Speaker:{action}" for action in ("say", "play", "tone"))
+
+    @classmethod
+    def drivetrain_for(cls, settings: CozmoSettings) -> Drivetrain:  # noqa: ARG003 - always the same
+        return units.DRIVETRAIN
 
     @classmethod
     def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:
@@ -196,7 +202,7 @@ class Robot(RealRobot[CozmoSettings]):
         def say(text: str) -> None:
             stage.play(sound.speech(text, self.settings.voice))
 
-        self.add(Base(move=move, read=partial(self._pose, session)))
+        self.add(Base(move, partial(self._pose, session), units.DRIVETRAIN))
 
         def express(name: str) -> None:
             self._emotion = name

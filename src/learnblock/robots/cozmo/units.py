@@ -2,12 +2,13 @@
 
 import math
 
-from learnblock.wheels import limited, wheel_speeds
+from learnblock.wheels import Drivetrain
 
 TRACK = 45.0
 """The distance between the treads in mm (pycozmo.robot)."""
 MAXIMUM_SPEED = 200.0
 """The maximum speed of a tread in mm/s (pycozmo.robot)."""
+DRIVETRAIN = Drivetrain(TRACK, MAXIMUM_SPEED)
 LOWEST_HEAD, HIGHEST_HEAD = -25.0, 44.5
 """The range of the head in degrees (pycozmo.robot)."""
 PIVOT, ARM = 45.0, 66.0
@@ -28,7 +29,7 @@ def treads(adv: float, rot: float) -> tuple[float, float]:
         adv: mm/s, positive is forward.
         rot: degrees/s, positive is to the right.
     """
-    return limited(wheel_speeds(adv, rot, TRACK), MAXIMUM_SPEED)
+    return DRIVETRAIN.wheels(adv, rot)
 
 
 def head_angle(degrees: float) -> float:

@@ -13,8 +13,12 @@ from learnblock.robots import settings as user_settings
 from learnblock.robots.ebo.camera import StreamedCamera
 from learnblock.robots.robocomp import RoboCompRobot, RoboCompSettings, by_side, in_range
 from learnblock.robots.settings import Address, Port
+from learnblock.wheels import Drivetrain
 
 __all__ = ["Robot", "Settings"]
+
+#: What its motors can do, as on its twin. They report nothing, so its pose is reckoned with this.
+DRIVETRAIN = Drivetrain(track=130.0, maximum_speed=300.0, acceleration=800.0)
 
 CameraPort = Annotated[int, Meta(ge=0, le=65535, description="robot-setting-camera-port")]
 
@@ -45,13 +49,17 @@ class Robot(RoboCompRobot[Settings]):
         saved = user_settings.load(cls.name(), Settings)
         return super().device_names() - (frozenset() if saved.camera_port else {"Camera:ROBOT"})
 
+    @classmethod
+    def drivetrain_for(cls, settings: Settings) -> Drivetrain:  # noqa: ARG003 - always the same
+        return DRIVETRAIN
+
     def laser_ports(self) -> tuple[int, ...]:
         return (self.settings.laser_port,)
 
     def connect(self) -> None:
         super().connect()
         self._face = self.component("emotionalmotor", "face", self.settings.face_port)
-        self.add(Base(move=self.drive))
+        self.add(Base(move=self.drive, drivetrain=DRIVETRAIN))
         self.add(DistanceSensors(read=self._distances))
         self.add(Display(show_emotion=self._express))
         self.add(JointMotor(move=self.tilt), "CAMERA")

@@ -1,5 +1,6 @@
 """LEGO's EV3: with ev3dev (LearnBlock's agent or rpyc) or with LEGO's own firmware."""
 
+import math
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
@@ -23,6 +24,7 @@ from learnblock.robots.ev3.settings import Settings
 from learnblock.robots.ev3.ways import open_link
 from learnblock.robots.ev3.wheels import WheelCounts, turns
 from learnblock.robots.real import RealRobot
+from learnblock.wheels import Drivetrain
 
 __all__ = ["Robot", "Settings"]
 
@@ -64,7 +66,7 @@ class Robot(RealRobot[Settings]):
         self._zero = 0.0
         link = self._link = open_link(self.settings, self._counts.follow)
         state = link.begin()
-        self.add(Base(move=self._drive, read=self._pose))
+        self.add(Base(self._drive, self._pose, self.drivetrain_for(self.settings)))
         self._add_sensors(state)
         self.add(Speaker(say=self._say if link.speaks else None, tone=self._tone))
         self.add(Screen(self._show if link.shows else None))
@@ -83,6 +85,11 @@ class Robot(RealRobot[Settings]):
             return RobotStatus()
         state = link.known
         return RobotStatus(battery=state.battery if state else None, round_trip=link.round_trip)
+
+    @classmethod
+    def drivetrain_for(cls, settings: Settings) -> Drivetrain:
+        fastest = math.radians(settings.full_speed) * settings.wheel_radius
+        return Drivetrain(settings.track, fastest)
 
     @classmethod
     def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:
@@ -107,7 +114,9 @@ class Robot(RealRobot[Settings]):
             self.add(Bumper(self._touched))
 
     def _drive(self, adv: float, rot: float) -> None:
-        self._send(turns(adv, rot, self.settings.wheel_radius, self.settings.track))
+        # The brick limits each motor by itself, which would bend a curve.
+        speeds = self.drivetrain_for(self.settings).reachable(adv, rot)
+        self._send(turns(*speeds, self.settings.wheel_radius, self.settings.track))
 
     def _say(self, text: str) -> None:
         self._send(Say(text))

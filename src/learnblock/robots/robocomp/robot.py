@@ -148,6 +148,8 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
 
     def drive(self, adv: float, rot: float) -> None:
         """Drive at mm/s forward and degrees/s clockwise, the same directions as RoboComp's."""
+        if drivetrain := self.drivetrain_for(self.settings):
+            adv, rot = drivetrain.reachable(adv, rot)
         if adv or rot:
             self._guardian.check()
             self._stopped = False

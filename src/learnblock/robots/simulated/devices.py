@@ -60,8 +60,9 @@ def _rounded(value: Any) -> Any:
 
 
 def _base(body: RobotBody, _key: str) -> Base:
-    counts = body.description.wheels.encoders
-    return Base(body.drive, _reading(lambda: body.odometry) if counts else None)
+    wheels = body.description.wheels
+    read = _reading(lambda: body.odometry) if wheels.encoders else None
+    return Base(body.drive, read, wheels.drivetrain)
 
 
 def _logged(body: RobotBody, device: str, action: str) -> Callable[..., None]:

@@ -34,6 +34,7 @@ from learnblock.simulator import (
     load_robot,
     make_variant,
 )
+from learnblock.wheels import Drivetrain
 
 
 class SimulatedRobot(Client):
@@ -112,6 +113,10 @@ class SimulatedRobot(Client):
         return cls.description().abilities()
 
     @classmethod
+    def drivetrain(cls) -> Drivetrain:
+        return cls.description().wheels.drivetrain
+
+    @classmethod
     def make_simulation(
         cls,
         *,
@@ -188,7 +193,7 @@ class SimulatedRobot(Client):
         if self._restore_time:
             self._restore_time()
             if self._program:
-                report_main_program(self, self._program)
+                report_main_program(self, self._program, self.simulation.time())
         if self._end_trace:
             self._end_trace()
 

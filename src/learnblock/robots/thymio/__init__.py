@@ -30,6 +30,7 @@ from learnblock.robots.thymio import equipment, finding, opening, units
 from learnblock.robots.thymio.link import Link
 from learnblock.robots.thymio.motors import Motors
 from learnblock.robots.thymio.settings import ThymioSettings
+from learnblock.wheels import Drivetrain
 
 __all__ = ["Robot", "ThymioSettings"]
 
@@ -39,6 +40,7 @@ class Robot(RealRobot[ThymioSettings]):
 
     settings_type = ThymioSettings
     model = "thymio"
+    add_on = ("serial", "thymiodirect", "tdmclient")
     calibration = Calibration(distance="speed_unit", angle="track")
     # Thymio Suite and simulators; the cable and the radio's dongle.
     rights = Rights(network=True, devices=("/dev/ttyACM*", "/dev/ttyUSB*"))
@@ -59,13 +61,18 @@ class Robot(RealRobot[ThymioSettings]):
         )
 
     @classmethod
+    def drivetrain_for(cls, settings: ThymioSettings) -> Drivetrain:
+        return units.drivetrain(settings.track, settings.speed_unit)
+
+    @classmethod
     def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:
         yield from finding.scan(user_settings.load(cls.name(), ThymioSettings), seconds)
 
     def connect(self) -> None:
         link = self._link = opening.open_link(self.settings)
         motors = self._motors = Motors(link, self.settings.track, self.settings.speed_unit)
-        self.add(Base(partial(self._move, motors), motors.pose))
+        drivetrain = self.drivetrain_for(self.settings)
+        self.add(Base(partial(self._move, motors), motors.pose, drivetrain))
         self.add(DistanceSensors(partial(self._distances, link)))
         self.add(GroundSensors(partial(self._ground, link)))
         self.add(Accelerometer(partial(self._acceleration, link)))

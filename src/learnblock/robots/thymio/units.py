@@ -10,7 +10,7 @@ import numpy as np
 
 from learnblock.devices import NOTHING_SEEN
 from learnblock.errors import DeviceValueError, nearest
-from learnblock.wheels import limited, wheel_speeds
+from learnblock.wheels import Drivetrain
 
 #: The largest motor speed.
 FASTEST = 500
@@ -72,8 +72,13 @@ def wheels(adv: float, rot: float, *, track: float, unit: float) -> tuple[int, i
     Returns:
         Both speeds, reduced by the same factor if one is too fast, so that the curve is unchanged.
     """
-    left, right = limited(wheel_speeds(adv, rot, track), FASTEST * unit)
+    left, right = drivetrain(track, unit).wheels(adv, rot)
     return round(left / unit), round(right / unit)
+
+
+def drivetrain(track: float, unit: float) -> Drivetrain:
+    """What the wheels can do, with the arguments of `wheels`."""
+    return Drivetrain(track, FASTEST * unit)
 
 
 def distance(reading: int) -> float:

@@ -95,12 +95,14 @@ class KnownRobot(Struct, frozen=True, omit_defaults=True):
         name: the name that the user has given it; empty without one.
         used: whether it was connected on this computer before.
         is_busy: whether a program or another page uses it now.
+        add_on: the command that installs the packages that it needs; empty if it has them.
     """
 
     robot: str
     name: str = ""
     used: bool = False
     is_busy: bool = False
+    add_on: str = ""
 
 
 class RobotsNearby(ToPage, frozen=True):

@@ -30,6 +30,7 @@ from learnblock.server.program.notations import (
 )
 from learnblock.server.program.problems import owners, problem, problems
 from learnblock.server.program.renames import rename_between
+from learnblock.wheels import Drivetrain
 
 VIEWS: tuple[View, ...] = ("blocks", "blocktext", "python")
 BYTE_ORDER_MARK = "\ufeff"
@@ -83,6 +84,7 @@ class Document:
         python: str | None = None,
         *,
         equipment: frozenset[str] | None = None,
+        drivetrain: Drivetrain | None = None,
     ) -> "Document":
         """Restore a saved document.
 
@@ -93,8 +95,9 @@ class Document:
             workspace: its blocks and their positions.
             python: the Python as its author wrote it.
             equipment: what the robot has; see `learnblock.senses.equipment`.
+            drivetrain: what its wheels can do.
         """
-        target = Target(robot_module, configurations, equipment)
+        target = Target(robot_module, configurations, equipment, drivetrain)
         tree, mistakes = recover(blocktext)
         if mistakes:
             last = _last_good(target, tree, workspace, python)
@@ -132,9 +135,16 @@ class Document:
             return replace(self, good=good)
         return replace(self, origin="blocks", good=good, unread=None, remarks=said)
 
-    def with_robot(self, module: str, equipment: frozenset[str] | None = None) -> "Document":
+    def with_robot(
+        self,
+        module: str,
+        equipment: frozenset[str] | None = None,
+        drivetrain: Drivetrain | None = None,
+    ) -> "Document":
         """Choose another robot."""
-        target = replace(self.target, robot_module=module, equipment=equipment)
+        target = replace(
+            self.target, robot_module=module, equipment=equipment, drivetrain=drivetrain
+        )
         unread = self.unread
         if unread and unread.view == "python":
             unread = replace(unread, text=with_robot(unread.text, module))
@@ -167,6 +177,7 @@ class Document:
             self.workspace,
             self.python_by_hand,
             equipment=self.target.equipment,
+            drivetrain=self.target.drivetrain,
         )
 
     def formatted(self) -> "Document":

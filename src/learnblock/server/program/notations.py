@@ -13,6 +13,7 @@ from learnblock.language.python.generation import DEFAULT_ROBOT, ROBOT_IMPORT
 from learnblock.language.tree.extents import Extent, every, extents
 from learnblock.language.tree.nodes import Program, Raw
 from learnblock.language.workspace.blocks import Workspace
+from learnblock.wheels import Drivetrain
 
 
 @dataclass(frozen=True)
@@ -23,11 +24,13 @@ class Target:
         robot_module: the module from which its Python imports the robot.
         configurations: the known skills, by name.
         equipment: what the robot has, see `learnblock.senses.equipment`; None if unknown.
+        drivetrain: what its wheels can do; None if unknown.
     """
 
     robot_module: str
     configurations: Mapping[str, BlockConfiguration] = field(default_factory=dict)
     equipment: frozenset[str] | None = None
+    drivetrain: Drivetrain | None = None
 
     @cached_property
     def importable(self) -> Importable:

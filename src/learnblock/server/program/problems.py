@@ -61,7 +61,14 @@ def owners(extents: Iterable[Extent]) -> list[int | None]:
 
 
 def _checked(tree: Program, target: Target, python: str | None = None) -> list[Diagnostic]:
-    return check(tree, target.configurations, target.equipment, target.importable, python=python)
+    return check(
+        tree,
+        target.configurations,
+        target.equipment,
+        target.importable,
+        python=python,
+        drivetrain=target.drivetrain,
+    )
 
 
 def _in_authors_python(

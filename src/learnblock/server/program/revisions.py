@@ -201,6 +201,7 @@ class _Packed:
             _read_workspace(zlib.decompress(self.workspace)),
             self.text_of("python") if self.by_hand else None,
             equipment=target.equipment,
+            drivetrain=target.drivetrain,
         )
 
     @property
@@ -223,7 +224,7 @@ def _restored(one: Document | _Packed, target: Target) -> Document:
     if one.target == target:
         return one
     if one.target.configurations == target.configurations:
-        return one.with_robot(target.robot_module, target.equipment)
+        return one.with_robot(target.robot_module, target.equipment, target.drivetrain)
     return _Packed.of(one).document(target)
 
 

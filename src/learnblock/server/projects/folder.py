@@ -40,7 +40,7 @@ from learnblock.server.projects.packing import encode_whole
 from learnblock.server.projects.picture import PictureError, check_picture
 from learnblock.server.projects.project import LONGEST_NAME, Project, ProjectPart, checked_name
 from learnblock.server.projects.project_file import ENDING, LARGEST, decode, encode
-from learnblock.storage.files import save
+from learnblock.storage.files import is_device_name, save
 
 if TYPE_CHECKING:
     from learnblock.importing import FindLibrary, Report
@@ -479,8 +479,12 @@ def _plain(wish: str) -> str:
     """Convert any string to a valid project name."""
     wish = unicodedata.normalize("NFC", wish)
     short = _NOT_IN_NAMES.sub(" ", wish).encode("utf-8", "ignore")[: LONGEST_NAME - 10]
+    name = short.decode("utf-8", "ignore").strip(" ._-")
+    if is_device_name(name):
+        # Windows has no file with such a name, but one that contains it.
+        name = f"program {name}"
     try:
-        return checked_name(short.decode("utf-8", "ignore").strip(" ._-"))
+        return checked_name(name)
     except ProjectError:
         return "program"
 

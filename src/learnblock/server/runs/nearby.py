@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from anyio import CapacityLimiter, to_thread
+from msgspec import structs
 
 from learnblock.errors import LearnBlockError
 from learnblock.robots import RobotEntry
@@ -156,8 +157,7 @@ class Nearby:
             return
         found = (one.shown for same in self._found.values() for one in same)
         known = (
-            messages.KnownRobot(one.robot, one.name, one.used, self._is_used(one.robot))
-            for one in self._known.values()
+            structs.replace(one, is_busy=self._is_used(one.robot)) for one in self._known.values()
         )
         shown = messages.RobotsNearby(tuple(found), tuple(known))
         if shown != self._last:
@@ -173,9 +173,12 @@ class Nearby:
             used = finding.USED.load().names
         order = sorted(entries, key=lambda name: used.index(name) if name in used else len(used))
         names = given_names()
-        return {
-            name: messages.KnownRobot(name, names.get(name, ""), name in used) for name in order
-        }
+        known = {}
+        for name in order:
+            command = finding.missing_add_on(entries[name])
+            given = names.get(name, "")
+            known[name] = messages.KnownRobot(name, given, name in used, add_on=command)
+        return known
 
 
 def _look(entry: RobotEntry) -> tuple[Settings, bool]:

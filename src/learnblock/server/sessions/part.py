@@ -261,7 +261,8 @@ class Part:
         return Player(self._console, self.viewers, home.keyboard, home.part_ended, home.show_tabs)
 
     def _for_robot(self, document: Document) -> Document:
-        return document.with_robot(self.robot.module, self.robot.load().known_equipment())
+        kind = self.robot.load()
+        return document.with_robot(self.robot.module, kind.known_equipment(), kind.drivetrain())
 
     async def _think(self, change: Callable[[], Result]) -> Result:
         """Change the program in a thread, because this is slow, and send the changes."""

@@ -130,6 +130,7 @@ def _prepared_part(part: ProjectPart) -> tuple[PreparedPart, tuple[Phrase, ...]]
         part.workspace,
         part.python,
         equipment=robot.load().known_equipment(),
+        drivetrain=robot.load().drivetrain(),
     )
     prepared = PreparedPart(part.name, document.settled(), robot, part.breakpoints, part.count)
     return prepared, no_robot

@@ -562,3 +562,8 @@ def test_the_ending_of_an_opened_file_may_be_in_capitals(name, tmp_path):
     project = ProjectFolder(tmp_path).import_file(name, "print(1)\n")
     assert name.partition(".")[0] == project.name
     assert "print(1)\n" in (project.python or project.blocktext)
+
+
+@pytest.mark.parametrize("wish", ["con", "AUX", "nul", "com1"])
+def test_a_name_that_windows_reserves_stays_readable(folder, wish):
+    assert folder.free_name(wish) == f"program {wish}"

@@ -27,6 +27,7 @@ page-connect-connect = Connect
 page-connect-connect-named = Connect { $robot }
 page-connect-disconnect = Disconnect
 page-connect-connected = Connected
+page-connect-needs-add-on = Needs an add-on. Install it in a terminal, then restart LearnBlock:
 page-connect-busy = In use by another page or a program
 page-connect-away = Not found
 page-connect-help = Help me

@@ -32,6 +32,7 @@ page-project-conflict-file = Another program changed the same line in this proje
 page-project-take-other = Use the other one
 page-project-drop = Drop the file to open it
 page-project-wrong-file = LearnBlock can't open this type of file: { $name }. Choose a .learnblock, .bt, .py, .blockProject or .lblib file.
+page-project-not-utf-8 = { $name } is not UTF-8. Save the file as UTF-8.
 page-project-large-file = { $name } is too large. It can have at most { $limit } bytes.
 page-project-several-programs = You chose { $count } programs. Open them one at a time.
 page-project-open-title = Open a project

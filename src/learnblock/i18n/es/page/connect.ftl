@@ -24,6 +24,7 @@ page-connect-connect = Conectar
 page-connect-connect-named = Conectar { $robot }
 page-connect-disconnect = Desconectar
 page-connect-connected = Conectado
+page-connect-needs-add-on = Necesita un complemento. Instálalo en una terminal y reinicia LearnBlock:
 page-connect-busy = En uso por otra página o un programa
 page-connect-away = No encontrado
 page-connect-help = Ayúdame

@@ -32,6 +32,7 @@ page-project-conflict-file = Otro programa ha cambiado la misma línea en el arc
 page-project-take-other = Usar el otro
 page-project-drop = Suelta el archivo para abrirlo
 page-project-wrong-file = LearnBlock no puede abrir este tipo de archivo: { $name }. Elige un archivo .learnblock, .bt, .py, .blockProject o .lblib.
+page-project-not-utf-8 = { $name } no está en UTF-8. Guarda el archivo como UTF-8.
 page-project-large-file = { $name } es demasiado grande. Puede tener como máximo { $limit } bytes.
 page-project-several-programs = Has elegido { $count } programas. Ábrelos de uno en uno.
 page-project-open-title = Abrir un proyecto

@@ -1,0 +1,114 @@
+"""How this LearnBlock is installed, and the command that adds to it what it lacks."""
+
+import json
+import os
+import re
+import sys
+from collections.abc import Mapping
+from dataclasses import dataclass
+from importlib import metadata, util
+from pathlib import Path
+from typing import Any
+from urllib.parse import unquote, urlsplit
+from urllib.request import url2pathname
+
+from learnblock.shell import command_line
+
+DISTRIBUTION = "learnblock-studio"
+#: A requirement of an extra: its packages, any other condition, and the extra.
+_REQUIREMENT = re.compile(
+    r"(?P<packages>[^;]+?)\s*;\s*(?:\(?(?P<condition>.+?)\)?\s+and\s+)?"
+    r"extra\s*==\s*['\"](?P<extra>[^'\"]+)['\"]"
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Installation:
+    """Where LearnBlock is installed, and what installs packages there.
+
+    Args:
+        python: the path of its interpreter.
+        checkout: the folder of its source code, if it runs from there.
+        uses_uv: whether its environment is the one that uv keeps for that folder.
+        is_pipx: whether pipx manages its environment.
+        has_pip: whether its environment has pip.
+    """
+
+    python: str
+    checkout: Path | None = None
+    uses_uv: bool = False
+    is_pipx: bool = False
+    has_pip: bool = True
+
+    @classmethod
+    def current(cls) -> "Installation":
+        """The one that is running."""
+        environment, checkout = Path(sys.prefix), _checkout()
+        return cls(
+            sys.executable or "python",
+            checkout,
+            uses_uv=checkout is not None and _is_of_uv(environment, checkout),
+            is_pipx=(environment / "pipx_metadata.json").is_file(),
+            has_pip=util.find_spec("pip") is not None,
+        )
+
+    def add_on(self, extra: str) -> str:
+        """The command that installs one of our extras, such as ``cozmo``."""
+        if self.checkout is None:
+            # Its packages, because a wheel that came as a file is not found by its name.
+            return self._install(*requirements(extra))
+        if not self.uses_uv:
+            return self._install("-e", f"{self.checkout}[{extra}]")
+        return self._sync("--extra", extra)
+
+    def rebuilt(self) -> str:
+        """The command that builds what a checkout needs, such as the weights of a detector."""
+        if self.checkout and self.uses_uv:
+            return self._sync("--reinstall-package", DISTRIBUTION)
+        return self._install("-e", str(self.checkout or "."))
+
+    def _sync(self, *options: str) -> str:
+        place = () if self.checkout == Path.cwd() else ("--project", self.checkout)
+        return command_line("uv", "sync", *place, "--inexact", "--no-dev", *options)
+
+    def _install(self, *packages: str) -> str:
+        if self.is_pipx:
+            return command_line("pipx", "inject", DISTRIBUTION, *packages)
+        if self.has_pip:
+            return command_line(self.python, "-m", "pip", "install", *packages)
+        return command_line("uv", "pip", "install", "--python", self.python, *packages)
+
+
+def add_on(extra: str) -> str:
+    """The command that installs one of our extras in this installation."""
+    return Installation.current().add_on(extra)
+
+
+def requirements(extra: str) -> tuple[str, ...]:
+    """The packages of an extra, as installers take them."""
+    found = (_REQUIREMENT.match(one) for one in metadata.requires(DISTRIBUTION) or ())
+    return tuple(
+        f"{one['packages']}; {one['condition']}" if one["condition"] else one["packages"]
+        for one in found
+        if one and one["extra"] == extra
+    )
+
+
+def _checkout() -> Path | None:
+    """The folder of an editable installation."""
+    origin = metadata.distribution(DISTRIBUTION).read_text("direct_url.json")
+    described: Mapping[str, Any] = json.loads(origin) if origin else {}
+    if not described.get("dir_info", {}).get("editable"):
+        return None
+    return Path(url2pathname(unquote(urlsplit(described["url"]).path)))
+
+
+def _is_of_uv(environment: Path, checkout: Path) -> bool:
+    """Whether an environment is the one that uv makes for the project in a folder."""
+    project = checkout / os.environ.get("UV_PROJECT_ENVIRONMENT", ".venv")
+    made = environment / "pyvenv.cfg"
+    return (
+        environment.resolve() == project.resolve()
+        and made.is_file()
+        and any(line.startswith("uv ") for line in made.read_text("utf-8").splitlines())
+    )
