@@ -32,8 +32,6 @@ class When:
         self._body: Body = function
         self._condition: Condition | None = None
         self._since: float | None = None
-        self._activations = 0
-        self._first_pass = True
 
     def __call__(self, body: Body) -> "When":
         """Complete ``@robot.when(condition)`` with the body."""
@@ -51,8 +49,8 @@ class When:
 
     @property
     def time(self) -> float:
-        """Seconds since activation; 0 during the first pass and while inactive."""
-        if self._since is None or self._first_pass:
+        """Seconds since activation; 0 while inactive."""
+        if self._since is None:
             return 0.0
         # Rounded like the clock's time, so that 0.03 - 0.01 is 0.02.
         return round(self._clock.time() - self._since, 9)
@@ -61,8 +59,6 @@ class When:
         """Make it active, unless it already is."""
         if self._since is None:
             self._since = self._clock.time()
-            self._activations += 1
-            self._first_pass = True
 
     def deactivate(self) -> None:
         """Make it inactive; a running body still runs to its end."""
@@ -79,13 +75,8 @@ class When:
 
     def run(self) -> None:
         """Run the body to its end if active."""
-        if self._since is None:
-            return
-        activation = self._activations
-        self._body()
-        # A body that deactivates and reactivates itself starts again with a first pass.
-        if self._activations == activation:
-            self._first_pass = False
+        if self._since is not None:
+            self._body()
 
     def __repr__(self) -> str:
         return f"<when {self.name}: {'active' if self.active else 'inactive'}>"
