@@ -50,10 +50,14 @@ class When:
     @property
     def time(self) -> float:
         """Seconds since activation; 0 while inactive."""
-        if self._since is None:
-            return 0.0
-        # Rounded like the clock's time, so that 0.03 - 0.01 is 0.02.
-        return round(self._clock.time() - self._since, 9)
+        # A loop that only waits for it must let time pass.
+        self._clock.charge()
+        return self._elapsed()
+
+    @property
+    def state(self) -> tuple[bool, float]:
+        """Whether it is active and its time; looking at it takes no time."""
+        return self.active, self._elapsed()
 
     def activate(self) -> None:
         """Make it active, unless it already is."""
@@ -77,6 +81,12 @@ class When:
         """Run the body to its end if active."""
         if self._since is not None:
             self._body()
+
+    def _elapsed(self) -> float:
+        if self._since is None:
+            return 0.0
+        # Rounded like the clock's time, so that 0.03 - 0.01 is 0.02.
+        return round(self._clock.time() - self._since, 9)
 
     def __repr__(self) -> str:
         return f"<when {self.name}: {'active' if self.active else 'inactive'}>"
@@ -104,7 +114,7 @@ class Events:
 
     def when_states(self) -> dict[str, tuple[bool, float]]:
         """Whether each `when` is active and for how many seconds, by name."""
-        return {when.name: (when.active, when.time) for when in self._whens}
+        return {when.name: when.state for when in self._whens}
 
     def when(self, function: Body | Condition) -> When:
         """Decorate a function that runs in every cycle while it is active.
