@@ -29,6 +29,9 @@ check-never-started = Nada inicia 'when { $name }', así que no se ejecuta nunca
 check-never-started-python = Nada inicia el evento '{ $name }', así que no se ejecuta nunca. Escribe '{ $name }.activate()' donde deba empezar, o dale una condición: '@robot.when(lambda: ...)'.
 check-events-never-run = Este bucle no termina nunca, así que los eventos como '{ $name }' no se ejecutan. Pasa lo que repite el bucle a un evento que se ejecute siempre, como 'when drive = True:', o termina el bucle con 'if ...:' y 'break' dentro.
 check-events-never-run-python = Este bucle no termina nunca, así que los eventos como '{ $name }' no se ejecutan. Pasa lo que repite el bucle a una función debajo de '@robot.when(lambda: True)', o termina el bucle con 'if ...:' y 'break' dentro.
+check-events-held-up = Cuando este bucle empieza, ya no termina nunca, así que los eventos como '{ $name }' dejan de ejecutarse. Termina el bucle con 'if ...:' y 'break' dentro.
+check-events-held-up-by-event = Cuando este bucle empieza, ya no termina nunca, así que otros eventos como '{ $name }' dejan de ejecutarse. Quita 'forever:' y su 'end': las líneas de un evento se repiten de todos modos mientras está activo.
+check-events-held-up-by-event-python = Cuando este bucle empieza, ya no termina nunca, así que otros eventos como '{ $name }' dejan de ejecutarse. Quita 'while True:': las líneas de un evento se repiten de todos modos mientras está activo.
 check-unknown-when-near = No hay ningún 'when { $name }'. ¿Querías decir '{ $near }'?
 # $word: def or when
 check-defined-twice = Ya hay otro '{ $word } { $name }' en la línea { $line }. Cambia el nombre de uno o únelos.
@@ -94,6 +97,17 @@ check-never-repeats = Con 'repeat { $count }' las líneas de dentro no se ejecut
 check-never-repeats-python = Con 'range({ $count })' las líneas de dentro no se ejecutan nunca. Escribe un número mayor que 0.
 check-wait-until = Esperar a una condición no es una habilidad. Escribe 'wait until' y la condición, por ejemplo 'wait until function.is_front_obstacle()'.
 check-idle-wait = Nada cambia esto mientras el programa espera aquí, así que espera para siempre o nada. Pregunta en ello al robot, por ejemplo '{ $skill }'.
+check-unchanged-in-wait = Solo otras líneas podrían cambiar '{ $name }', y ninguna se ejecuta mientras el programa espera aquí. Así que espera para siempre o nada. Pregunta en ello al robot, por ejemplo '{ $skill }'.
+check-unchanged-in-loop = Nada en este bucle cambia '{ $name }' y ninguna otra línea se ejecuta mientras tanto, así que una vez que empieza no termina nunca. Cambia '{ $name }' dentro, o escribe 'break' donde deba terminar.
+check-told-stays = '{ $name }' solo repite lo último que se le mandó al robot, y aquí nada le manda otra cosa. Así que el programa se queda aquí para siempre o nada. Pregunta a un sensor, por ejemplo '{ $skill }'.
+# $name: such as state_go
+check-state-in-wait = Los eventos no se ejecutan mientras el programa espera aquí, así que '{ $name }' no puede cambiar: espera para siempre o nada. Pasa las líneas de abajo a 'when { $event }', o pregunta al robot, por ejemplo '{ $skill }'.
+check-state-in-wait-python = Los eventos no se ejecutan mientras el programa espera aquí, así que '{ $name }' no puede cambiar: espera para siempre o nada. Pasa las líneas de abajo al evento '{ $event }', o pregunta al robot, por ejemplo '{ $skill }'.
+check-state-in-loop = Los eventos no se ejecutan durante este bucle, así que '{ $name }' no puede cambiar y, una vez que empieza, no termina nunca. Pasa sus líneas a 'when { $event }', o pregunta al robot, por ejemplo '{ $skill }'.
+check-state-in-loop-python = Los eventos no se ejecutan durante este bucle, así que '{ $name }' no puede cambiar y, una vez que empieza, no termina nunca. Pasa sus líneas al evento '{ $event }', o pregunta al robot, por ejemplo '{ $skill }'.
+# $name: such as time_go
+check-time-stays = '{ $name }' sigue en 0 aquí, porque nada ha activado antes 'when { $event }'. Escribe 'activate { $event }' encima, o espera con '{ $sleep }'.
+check-time-stays-python = '{ $name }' sigue en 0 aquí, porque nada ha activado antes el evento '{ $event }'. Escribe '{ $event }.activate()' encima, o espera con '{ $sleep }'.
 check-idle-loop = Este bucle no hace nada, así que no termina nunca. Escribe dentro las líneas que debe repetir, o quítalo.
 check-step-zero = Con 'step 0' el bucle no terminaría nunca. Escribe otro paso.
 
@@ -252,6 +266,7 @@ check-calls-itself-python = '{ $name }' se llama aquí a sí misma una y otra ve
 # $word: break, continue or return
 check-unreachable-after-jump = Aquí no se llega nunca, por el '{ $word }' de la línea { $line }. Escríbelo encima de esa línea, o quítalo.
 check-unreachable-after-loop = Aquí no se llega nunca, porque el bucle de la línea { $line } no termina. Escríbelo dentro del bucle o encima, o sal del bucle con 'break'.
+check-unreachable-after-call = Aquí no se llega nunca, porque '{ $name }', que se llama en la línea { $line }, no termina. Escríbelo encima de esa línea, o sal del bucle de '{ $name }' con 'break'.
 check-unreachable-after-branches = Aquí no se llega nunca, porque ninguna rama del 'if' de la línea { $line } sigue hasta aquí. Escríbelo encima del 'if', o quítalo.
 check-sensor-outside-loop = '{ $skill }' se mira una sola vez, cuando el programa llega aquí. Pon el 'if' dentro de 'forever:' para seguir mirando, o usa un 'when'.
 check-sensor-outside-loop-python = '{ $skill }' se mira una sola vez, cuando el programa llega aquí. Pon el 'if' dentro de 'while True:' para seguir mirando, o escribe lo que hace como una función debajo de '@robot.when(lambda: { $skill }())'.

@@ -10,8 +10,9 @@ from learnblock.i18n import Phrase
 from learnblock.language.blocktext.names import state_of
 from learnblock.language.check.call_checker import CallChecker
 from learnblock.language.check.device_checker import check_devices
+from learnblock.language.check.endings import LOOPS
 from learnblock.language.check.findings import Findings, is_whole, python_error
-from learnblock.language.check.flow_checker import LOOPS, FlowChecker
+from learnblock.language.check.flow_checker import FlowChecker
 from learnblock.language.check.python_checker import check_python
 from learnblock.language.check.type_checker import check_types
 from learnblock.language.check.variable_checker import check_variables
