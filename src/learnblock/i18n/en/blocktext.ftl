@@ -46,6 +46,9 @@ blocktext-braces = Block-Text has braces only for dictionaries, such as 'ages = 
 blocktext-entry-equals = Between a key and its value there is ':', not '='.
 blocktext-entry-without-value = A dictionary has a value for each key, such as '{"{"}"Ana": 10{"}"}'. A list has square brackets.
 blocktext-meaningless = '{ $found }' has no meaning in Block-Text. Remove it.
+# $name: the character's name in Unicode, such as zero width space; $number: such as U+200B
+blocktext-invisible = There is an invisible character here: { $name }, { $number }. Delete it, or type this part of the line again.
+blocktext-odd-space = There is an unusual space here: { $name }, { $number }. Type a plain space instead.
 blocktext-reserved-word = '{ $word }' is a reserved word. Choose another name.
 blocktext-unknown-word = No statement begins with '{ $word }'. Check its spelling.
 blocktext-unknown-word-near = No statement begins with '{ $word }'. Did you mean '{ $near }'?

@@ -46,6 +46,9 @@ blocktext-braces = En Block-Text las llaves son solo para diccionarios, por ejem
 blocktext-entry-equals = Entre una clave y su valor va ':', no '='.
 blocktext-entry-without-value = Un diccionario tiene un valor para cada clave, por ejemplo '{"{"}"Ana": 10{"}"}'. Una lista lleva corchetes.
 blocktext-meaningless = '{ $found }' no significa nada en Block-Text. Quítalo.
+# $name: the character's name in Unicode, such as zero width space; $number: such as U+200B
+blocktext-invisible = Aquí hay un carácter invisible: { $name }, { $number }. Bórralo, o vuelve a escribir esta parte de la línea.
+blocktext-odd-space = Aquí hay un espacio poco común: { $name }, { $number }. Escribe un espacio normal en su lugar.
 blocktext-reserved-word = '{ $word }' es una palabra reservada. Elige otro nombre.
 blocktext-unknown-word = Ninguna instrucción empieza con '{ $word }'. Revisa cómo está escrito.
 blocktext-unknown-word-near = Ninguna instrucción empieza con '{ $word }'. ¿Querías decir '{ $near }'?
