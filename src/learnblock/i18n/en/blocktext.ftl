@@ -77,6 +77,7 @@ blocktext-unclosed-bracket-in-line = This '{ $opening }' is never closed. Write 
 blocktext-unclosed-bracket-before-colon = This '(' is never closed. Write ')' before the ':': '{ $instead }'.
 blocktext-unclosed-bracket-below = This '{ $opening }' is never closed. Write '{ $closing }' at the end of line { $last }: '{ $instead }'.
 blocktext-too-deep = This is nested too deeply. Store part of it in a variable.
+blocktext-too-many-operators = This calculation has more than { $limit } steps. Store the first part in a variable, and continue with it on the next line.
 blocktext-number-too-long = A number with { $digits } digits is too long. It must have fewer than { $limit }.
 blocktext-bad-number = '{ $text }' is not a number. Write one such as 40 or 0.5.
 # $text: such as 3m

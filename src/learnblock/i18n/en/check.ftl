@@ -131,6 +131,8 @@ check-append-python = Only a list can be added to a list. Write '{ $values }.app
 # $advice: one of the messages above
 check-never-equal = Text never equals a number. { $advice }
 check-decimals = A whole number is needed here, but Python gives this one decimals, as in 5.0. Write '//' instead of '/', or 'int(...)' around it.
+check-random-decimals = 'random' takes whole numbers and answers with one, not { $number }. For a number with decimals, write 'random_fraction() * 10'.
+check-random-order = 'random' needs the smaller number first. Write 'random({ $high }, { $low })'.
 check-repeat-whole-number = 'repeat' needs a whole number, not { $number }. Write 'repeat { $less }:' or 'repeat { $more }:'.
 check-for-dictionary = A dictionary gives only its keys. Write 'for { $names } in items({ $value }):' for the keys with their values.
 check-for-dictionary-python = A dictionary gives only its keys. Write 'for { $names } in { $value }.items():' for the keys with their values.

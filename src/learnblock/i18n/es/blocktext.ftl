@@ -77,6 +77,7 @@ blocktext-unclosed-bracket-in-line = Este '{ $opening }' no se cierra nunca. Esc
 blocktext-unclosed-bracket-before-colon = Este '(' no se cierra nunca. Escribe ')' antes de ':': '{ $instead }'.
 blocktext-unclosed-bracket-below = Este '{ $opening }' no se cierra nunca. Escribe '{ $closing }' al final de la línea { $last }: '{ $instead }'.
 blocktext-too-deep = Aquí hay demasiadas cosas unas dentro de otras. Guarda una parte en una variable.
+blocktext-too-many-operators = Este cálculo tiene más de { $limit } pasos. Guarda la primera parte en una variable y sigue con ella en la línea siguiente.
 blocktext-number-too-long = Un número de { $digits } cifras es demasiado largo. Debe tener menos de { $limit }.
 blocktext-bad-number = '{ $text }' no es un número. Escribe uno, como 40 o 0.5.
 # $text: such as 3m

@@ -131,6 +131,8 @@ check-append-python = A una lista solo se le puede sumar otra lista. Escribe '{ 
 # $advice: one of the messages above
 check-never-equal = Un texto nunca es igual a un número. { $advice }
 check-decimals = Aquí hace falta un número entero, y Python le da decimales, como en 5.0. Escribe '//' en vez de '/', o ponlo dentro de 'int(...)'.
+check-random-decimals = 'random' espera números enteros y responde con uno, no { $number }. Para un número con decimales escribe 'random_fraction() * 10'.
+check-random-order = 'random' necesita primero el número menor. Escribe 'random({ $high }, { $low })'.
 check-repeat-whole-number = 'repeat' necesita un número entero, no { $number }. Escribe 'repeat { $less }:' o 'repeat { $more }:'.
 check-for-dictionary = Un diccionario solo da sus claves. Escribe 'for { $names } in items({ $value }):' para las claves con sus valores.
 check-for-dictionary-python = Un diccionario solo da sus claves. Escribe 'for { $names } in { $value }.items():' para las claves con sus valores.

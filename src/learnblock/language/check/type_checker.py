@@ -6,7 +6,7 @@ from typing import Any
 
 from learnblock.errors import Severity
 from learnblock.i18n import Phrase
-from learnblock.language.check.findings import Findings, is_whole
+from learnblock.language.check.findings import Findings, constant, is_whole
 from learnblock.language.check.list_checker import check_lists
 from learnblock.language.check.types import KNOWN, NUMBERS, TEXTS, Type, Types
 from learnblock.language.tree.builtins import FUNCTIONS
@@ -322,8 +322,24 @@ class _TypeChecker:
         elif self.findings.is_of_language(node.name):
             self.arguments(node, _TAKES.get(node.name, ()))
             if node.name == "random":
-                for bound in node.arguments:
-                    self.decimal(bound)
+                self.random(node)
+
+    def random(self, node: Call) -> None:
+        """Report limits that are no whole numbers, or in the wrong order."""
+        limits = [constant(bound) for bound in node.arguments]
+        for bound, limit in zip(node.arguments, limits, strict=True):
+            if limit is not None and self.types.has_decimals(bound):
+                self.report(Phrase("check-random-decimals", number=self.written(bound)), bound)
+            else:
+                self.decimal(bound)
+        match node.arguments, limits:
+            case [low, high], [float() | int() as least, float() | int() as most] if least > most:
+                values = {"low": self.written(low), "high": self.written(high)}
+                self.report(Phrase("check-random-order", **values), low)
+
+    def written(self, node: Expression) -> str:
+        sign, number = ("-", node.operand) if isinstance(node, Unary) else ("", node)
+        return sign + self.spelled(number)
 
     def called_variable(self, node: Call, kind: Type) -> Phrase:
         value = self.spelled(node.arguments[0]) if node.arguments else "0"

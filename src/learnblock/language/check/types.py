@@ -101,10 +101,13 @@ class Types:
         self.parameters: frozenset[str] = frozenset()  # those of the checked function
         self.hidden = findings.raw_names | _all_parameters(findings)
         self.variables: dict[str, Type] = {}
+        #: The variables whose value is never a whole number for Python.
+        self.fractions: set[str] = set()
         if not findings.imports:
             self.work_out()
+            self.work_out_fractions()
 
-    def has_decimals(self, node: Expression) -> bool:
+    def has_decimals(self, node: Expression) -> bool:  # noqa: PLR0911 - as `of`
         """Whether a value is certainly no whole number for Python, even one such as 5.0."""
         match node:
             case Number(text=text):
@@ -116,9 +119,32 @@ class Types:
                 return is_number and (self.has_decimals(left) or self.has_decimals(right))
             case Unary(operator="-" | "+", operand=operand):
                 return self.has_decimals(operand)
+            case Name(name=name):
+                return name in self.fractions and self.of(node) is Type.NUMBER
             case Call(name=name):
                 return name in _WITH_DECIMALS and self.findings.is_of_language(name)
         return False
+
+    def work_out_fractions(self) -> None:
+        """Find the variables that hold numbers with decimals wherever they are set."""
+        setting: dict[str, list[Item]] = {}
+        for item in self.findings.everything:
+            for name in set_by(item):
+                setting.setdefault(name, []).append(item)
+        for _ in range(_PASSES):
+            found = {
+                name
+                for name, items in setting.items()
+                if name not in self.hidden and all(map(self._sets_decimals, items))
+            }
+            if found == self.fractions:
+                return
+            self.fractions = found
+
+    def _sets_decimals(self, item: Item) -> bool:
+        if not isinstance(item, Assign):
+            return False
+        return item.operator == "/=" or (item.operator == "=" and self.has_decimals(item.value))
 
     def work_out(self) -> None:
         """Derive the types of the variables from each other until nothing changes."""
