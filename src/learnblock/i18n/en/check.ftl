@@ -141,6 +141,7 @@ check-for-number-python = '{ $value }' is a number, not a list. Write 'for { $na
 check-text-as-condition = Text in quotes is always true. Remove the quotes if it is a condition.
 check-number-as-condition = { $number } is not a condition. Write a comparison, such as 'x == { $number }'.
 check-action-as-condition = '{ $call }' does something and answers nothing, so this is never true. Use a question, such as one that begins with 'is_'.
+check-unused-answer = '{ $call }' gives an answer, but nothing uses it. Keep it with 'answer = { $spelled }', ask it in a condition such as 'if', or show it with 'print({ $spelled })'.
 check-no-result = '{ $call }' does something and returns nothing. Write it on its own line, without '='.
 check-bare-value = Each side of '{ $operator }' needs its own comparison. Write '{ $operator } { $variable } { $comparison } { $value }'.
 check-divide-by-zero = Nothing can be divided by 0. Write another number after '{ $operator }'.

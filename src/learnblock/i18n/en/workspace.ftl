@@ -119,6 +119,7 @@ workspace-for-number = This is a number, not a list. To count, use 'count with {
 workspace-text-as-condition = Text is not a condition: it counts as true. Put a comparison from 'Maths' or a question for the robot here.
 workspace-number-as-condition = The number { $number } is not a condition. Put a comparison from 'Maths' or a question for the robot here.
 workspace-action-as-condition = This block does something and answers nothing. Put a comparison from 'Maths' or a question for the robot here.
+workspace-unused-answer = This block gives an answer, but nothing uses it. Put it into a variable, a condition or 'print'.
 workspace-no-result = This function returns nothing, so there is no value to use. Give it a 'return' block, or put it into the program without this block around it.
 workspace-bare-value = Each side of '{ $operator }' needs its own comparison. Replace this with '{ $variable } { $comparison } { $value }' from 'Maths'.
 workspace-divide-by-zero = Nothing can be divided by 0. Write another number here.

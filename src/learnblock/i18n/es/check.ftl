@@ -141,6 +141,7 @@ check-for-number-python = '{ $value }' es un número, no una lista. Escribe 'for
 check-text-as-condition = Un texto entre comillas siempre es verdadero. Quita las comillas si es una condición.
 check-number-as-condition = { $number } no es una condición. Escribe una comparación, como 'x == { $number }'.
 check-action-as-condition = '{ $call }' hace algo y no responde nada, así que esto nunca se cumple. Usa una pregunta, como las que empiezan por 'is_'.
+check-unused-answer = '{ $call }' da una respuesta, pero nada la usa. Guárdala con 'respuesta = { $spelled }', pregúntala en una condición como 'if', o muéstrala con 'print({ $spelled })'.
 check-no-result = '{ $call }' hace algo y no devuelve nada. Escríbelo en su propia línea, sin '='.
 check-bare-value = Cada lado de '{ $operator }' necesita su propia comparación. Escribe '{ $operator } { $variable } { $comparison } { $value }'.
 check-divide-by-zero = No se puede dividir entre 0. Escribe otro número después de '{ $operator }'.

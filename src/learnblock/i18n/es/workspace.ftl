@@ -119,6 +119,7 @@ workspace-for-number = Esto es un número, no una lista. Para contar usa 'contar
 workspace-text-as-condition = Un texto no es una condición: cuenta como verdadero. Pon aquí una comparación de 'Cálculo' o una pregunta al robot.
 workspace-number-as-condition = El número { $number } no es una condición. Pon aquí una comparación de 'Cálculo' o una pregunta al robot.
 workspace-action-as-condition = Este bloque hace algo y no responde nada. Pon aquí una comparación de 'Cálculo' o una pregunta al robot.
+workspace-unused-answer = Este bloque da una respuesta, pero nada la usa. Ponla en una variable, una condición o 'escribir'.
 workspace-no-result = Esta función no devuelve nada, así que no hay ningún valor que usar. Ponle un bloque 'devolver', o úsala en el programa sin este bloque alrededor.
 workspace-bare-value = Cada lado de '{ $operator ->
     [and] y

@@ -178,6 +178,7 @@ class _Checker:
         if isinstance(item, Comment | Blank | Pass | Import):
             return
         self.calls.own_expressions(item)
+        self.calls.unused(item)
         if isinstance(item, Activate | Deactivate):
             self.activation(item)
         elif isinstance(item, Break | Continue) and not loops:

@@ -241,7 +241,9 @@ class _TypeChecker:
     # Expressions.
 
     def binary(self, node: Binary) -> None:
-        if node.operator not in {"and", "or"}:
+        if node.operator in {"and", "or"}:
+            self.is_bare_value(node)
+        else:
             self.operands(node.operator, node.left, node.right)
 
     def operands(self, operator: str, left: Expression, right: Expression) -> None:

@@ -89,6 +89,7 @@ _IN_BLOCKS: Mapping[str, str] = MappingProxyType(
         "check-number-as-condition": "workspace-number-as-condition",
         "check-action-as-condition": "workspace-action-as-condition",
         "check-no-result": "workspace-no-result",
+        "check-unused-answer": "workspace-unused-answer",
         "check-bare-value": "workspace-bare-value",
         "check-divide-by-zero": "workspace-divide-by-zero",
         "check-length-of-number": "workspace-length-of-number",
