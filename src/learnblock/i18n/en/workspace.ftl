@@ -111,6 +111,7 @@ workspace-list-for-number = This is a list, but a number is needed. Use 'in list
 workspace-join-text = Only text can be added to text. Put the block 'str' from 'Maths' around this, which makes it text.
 workspace-append = Only a list can be added to a list. To add one item, replace the whole block 'set ... to' with 'in list ... insert at last' from 'Variables'.
 # $advice: one of the messages about text for a number
+workspace-rounded = Computers round decimals: 0.1 + 0.2 is 0.30000000000000004. So these two may differ by very little. Round what is calculated, or compare with '≥' or '≤'.
 workspace-never-equal = Text never equals a number. { $advice }
 workspace-decimals = A whole number is needed here, but this one has decimals, as in 5.0. Put a 'round' block around it.
 workspace-repeat-whole-number = 'repeat' needs a whole number, not { $number }. Write { $less } or { $more }.

@@ -111,6 +111,7 @@ workspace-list-for-number = Esto es una lista, pero hace falta un número. Usa '
 workspace-join-text = A un texto solo se le puede sumar otro texto. Pon alrededor de esto el bloque 'str' de 'Cálculo', que lo convierte en un texto.
 workspace-append = A una lista solo se le puede sumar otra lista. Para añadir un elemento, cambia todo el bloque 'establecer ... a' por 'en la lista ... insertar en último', de 'Variables'.
 # $advice: one of the messages about text for a number
+workspace-rounded = Los ordenadores redondean los decimales: 0.1 + 0.2 es 0.30000000000000004. Por eso estos dos pueden diferenciarse en muy poco. Redondea lo que se calcula, o compara con '≥' o '≤'.
 workspace-never-equal = Un texto nunca es igual a un número. { $advice }
 workspace-decimals = Aquí hace falta un número entero, y este tiene decimales, como 5.0. Ponlo dentro de un bloque 'redondear'.
 workspace-repeat-whole-number = 'repetir' necesita un número entero, no { $number }. Escribe { $less } o { $more }.

@@ -33,6 +33,7 @@ from learnblock.language.tree.nodes import (
     String,
 )
 from learnblock.language.tree.traversal import all_expressions
+from learnblock.numerals import shown
 
 # Quarter turns and their multiples.
 _ANGLES = frozenset((90, 180, 270, 360))
@@ -166,7 +167,7 @@ class CallChecker:
         if isinstance(number, int | float):
             if call.startswith("sleep") and number >= _MILLISECONDS:
                 number /= 1000
-            return call.format(f"{number:g}").replace("--", "")
+            return call.format(shown(number)).replace("--", "")
         value = self.findings.spelled(node.arguments[0])
         return None if value.endswith(("...", "...)")) else call.format(value)
 

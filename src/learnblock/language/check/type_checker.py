@@ -305,6 +305,21 @@ class _TypeChecker:
             elif mixed and operator in _EQUALITIES and Type.BOOLEAN not in kinds:
                 message = Phrase("check-never-equal", advice=self.advice(text))
                 self.report(message, text, "warning")
+            elif operator in _EQUALITIES and kinds <= NUMBERS:
+                self.equality(operator, left, right)
+
+    def equality(self, operator: str, left: Expression, right: Expression) -> None:
+        """Report a comparison with what is calculated with decimals: it may miss by very little."""
+        for rounded, other in ((left, right), (right, left)):
+            if self.types.is_rounded(rounded):
+                name = self.spelled(rounded)
+                value = self.written(other)
+                is_short = isinstance(rounded, Name) and not value.endswith("...")
+                code = "check-rounded" if is_short else "check-rounded-sum"
+                self.report(
+                    Phrase(code, name=name, operator=operator, value=value), rounded, "warning"
+                )
+                return
 
     def index(self, node: Index) -> None:
         if self.types.of(node.value) in NUMBERS:

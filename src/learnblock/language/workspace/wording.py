@@ -82,6 +82,7 @@ _IN_BLOCKS: Mapping[str, str] = MappingProxyType(
         "check-join-text": "workspace-join-text",
         "check-append": "workspace-append",
         "check-never-equal": "workspace-never-equal",
+        **dict.fromkeys(("check-rounded", "check-rounded-sum"), "workspace-rounded"),
         "check-repeat-whole-number": "workspace-repeat-whole-number",
         "check-for-number": "workspace-for-number",
         "check-for-dictionary": "workspace-for-dictionary",
