@@ -108,6 +108,8 @@ check-state-in-loop-python = Events don't run during this loop, so '{ $name }' c
 # $name: such as time_go
 check-time-stays = '{ $name }' stays 0 here, because nothing has started 'when { $event }' before. Write 'activate { $event }' above, or wait with '{ $sleep }'.
 check-time-stays-python = '{ $name }' stays 0 here, because nothing has started the event '{ $event }' before. Write '{ $event }.activate()' above, or wait with '{ $sleep }'.
+check-growing-list = This loop adds to '{ $name }' while it goes through it, so it never ends. Go through a copy: 'for { $target } in copy({ $name }):'.
+check-growing-list-python = This loop adds to '{ $name }' while it goes through it, so it never ends. Go through a copy: 'for { $target } in { $name }.copy():'.
 check-idle-loop = This loop does nothing, so it never ends. Write the lines to repeat inside it, or remove it.
 check-step-zero = With 'step 0' the loop would never end. Write another step.
 

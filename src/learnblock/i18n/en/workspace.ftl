@@ -98,6 +98,7 @@ workspace-told-stays = This question only repeats what the robot was last told t
 workspace-state-in-wait = Events don't run while the program waits here, so '{ $event }' can't start or stop: it waits forever or not at all. Move the blocks below into 'when { $event }', or use a question for the robot.
 workspace-state-in-loop = Events don't run during this loop, so '{ $event }' can't start or stop and the loop never ends once it has begun. Move its blocks into 'when { $event }', or use a question for the robot.
 workspace-time-stays = The time of '{ $event }' stays 0 here, because nothing has started it before. Put 'start { $event }' above, or wait a number of seconds.
+workspace-growing-list = This loop adds to '{ $name }' while it goes through it, so it never ends. Go through a copy of the list.
 workspace-idle-loop = Nothing is inside this loop, so it never ends. Put the blocks that it should repeat into it, or remove it.
 workspace-speed-as-angle = This is a speed: the robot would keep turning at { $speed }°/s. { $side ->
     [left] To turn left by { $speed } degrees, choose 'left' in the block 'turn ... by ...°'.

@@ -108,6 +108,8 @@ check-state-in-loop-python = Los eventos no se ejecutan durante este bucle, así
 # $name: such as time_go
 check-time-stays = '{ $name }' sigue en 0 aquí, porque nada ha activado antes 'when { $event }'. Escribe 'activate { $event }' encima, o espera con '{ $sleep }'.
 check-time-stays-python = '{ $name }' sigue en 0 aquí, porque nada ha activado antes el evento '{ $event }'. Escribe '{ $event }.activate()' encima, o espera con '{ $sleep }'.
+check-growing-list = Este bucle añade a '{ $name }' mientras lo recorre, así que no termina nunca. Recorre una copia: 'for { $target } in copy({ $name }):'.
+check-growing-list-python = Este bucle añade a '{ $name }' mientras lo recorre, así que no termina nunca. Recorre una copia: 'for { $target } in { $name }.copy():'.
 check-idle-loop = Este bucle no hace nada, así que no termina nunca. Escribe dentro las líneas que debe repetir, o quítalo.
 check-step-zero = Con 'step 0' el bucle no terminaría nunca. Escribe otro paso.
 

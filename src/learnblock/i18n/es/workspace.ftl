@@ -98,6 +98,7 @@ workspace-told-stays = Esta pregunta solo repite lo último que se le mandó al 
 workspace-state-in-wait = Los eventos no se ejecutan mientras el programa espera aquí, así que '{ $event }' no puede empezar ni parar: espera para siempre o nada. Pasa los bloques de abajo a 'cuando { $event }', o usa una pregunta al robot.
 workspace-state-in-loop = Los eventos no se ejecutan durante este bucle, así que '{ $event }' no puede empezar ni parar y, una vez que empieza, el bucle no termina nunca. Pasa sus bloques a 'cuando { $event }', o usa una pregunta al robot.
 workspace-time-stays = El tiempo de '{ $event }' sigue en 0 aquí, porque nada lo ha activado antes. Pon 'activar { $event }' encima, o espera unos segundos.
+workspace-growing-list = Este bucle añade a '{ $name }' mientras lo recorre, así que no termina nunca. Recorre una copia de la lista.
 workspace-idle-loop = Dentro de este bucle no hay nada, así que no termina nunca. Pon dentro los bloques que debe repetir, o quítalo.
 workspace-speed-as-angle = Esto es una velocidad: el robot seguiría girando a { $speed }°/s. { $side ->
     [left] Para girar { $speed } grados a la izquierda, elige 'izquierda' en el bloque 'girar ...° a la ...'.

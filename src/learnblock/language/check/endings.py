@@ -18,6 +18,7 @@ from learnblock.language.tree.nodes import (
     Expression,
     ForEach,
     ForRange,
+    If,
     Index,
     Item,
     Name,
@@ -102,6 +103,31 @@ class Endings:
         if any(self.varies(part, item, effects) for part in parts):
             return None
         return next((part for part in parts if isinstance(part, Name | SkillCall)), None)
+
+    def fixed_exit(self, loop: While) -> tuple[Expression, Name | SkillCall] | None:
+        """The condition of the way out of an endless loop, and its part that nothing changes.
+
+        None if there is no way out, or one that may be taken in a later round.
+        """
+        effects = self.effects(loop.body)
+        found = None
+        for guards in _exits(loop.body, ()):
+            fixed = next(
+                filter(None, (self._fixed_guard(one, loop, effects) for one in guards)), None
+            )
+            if fixed is None or effects.anything:
+                return None
+            found = found or fixed
+        return found
+
+    def _fixed_guard(
+        self, condition: Expression, loop: While, effects: Effects
+    ) -> tuple[Expression, Name | SkillCall] | None:
+        parts = self.parts(condition)
+        if any(self.varies(part, loop, effects) for part in parts):
+            return None
+        source = next((part for part in parts if isinstance(part, Name | SkillCall)), None)
+        return None if source is None else (condition, source)
 
     def parts(self, condition: Expression) -> list[Expression]:
         """The parts of a condition and of the functions that it calls."""
@@ -308,6 +334,22 @@ def breaks(body: Body) -> bool:
         if not isinstance(item, LOOPS) and any(map(breaks, bodies(item))):
             return True
     return False
+
+
+def _exits(body: Body, guards: tuple[Expression, ...]) -> Iterator[tuple[Expression, ...]]:
+    """The conditions that lead to each way out of a loop, or to one that is not certain."""
+    for item in body:
+        if isinstance(item, Break | Return | Raw):
+            yield guards
+        elif isinstance(item, If):
+            conditions: tuple[Expression, ...] = ()
+            for branch in item.branches:
+                conditions += (branch.condition,)
+                yield from _exits(branch.body, guards + conditions)
+            if item.otherwise is not None:
+                yield from _exits(item.otherwise.body, guards + conditions)
+        elif any(isinstance(one, Return | Raw) for one in statements((item,))):
+            yield ()
 
 
 def _root(node: Expression) -> str:

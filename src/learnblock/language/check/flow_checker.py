@@ -18,6 +18,7 @@ from learnblock.language.tree.nodes import (
     Continue,
     Def,
     Expression,
+    ForEach,
     ForRange,
     If,
     Item,
@@ -46,6 +47,8 @@ _IN_PYTHON = {
     "check-events-never-run": "check-events-never-run-python",
     "check-events-held-up-by-event": "check-events-held-up-by-event-python",
 }
+_ADDING = frozenset(("append", "extend", "insert"))
+_TAKING = frozenset(("pop", "remove", "clear"))
 _NOTHING = (Pass, Comment, Blank)
 
 
@@ -118,6 +121,27 @@ class FlowChecker:
             self.report("idle-loop", self.unchanged("loop", fixed), item.condition.span, "warning")
         elif item.is_endless and _is_idle(item.body):
             self.report("idle-loop", Phrase("check-idle-loop"), item.span, "warning")
+        elif item.is_endless and (way_out := self.endings.fixed_exit(item)) is not None:
+            condition, part = way_out
+            self.report("idle-loop", self.unchanged("loop", part), condition.span, "warning")
+
+    def each(self, item: ForEach) -> None:
+        """Report a loop that adds to the list that it goes through."""
+        name = item.values.name if isinstance(item.values, Name) else ""
+        changes = [
+            one.call
+            for one in statements(item.body)
+            if isinstance(one, Perform) and isinstance(one.call, Call) and one.call.arguments
+            if isinstance(target := one.call.arguments[0], Name) and target.name == name
+        ]
+        always = {id(one.call) for one in item.body if isinstance(one, Perform)}
+        grows = any(one.name in _ADDING and id(one) in always for one in changes)
+        shrinks = any(one.name in _TAKING for one in changes)
+        leaves = breaks(item.body) or any(isinstance(one, Return) for one in statements(item.body))
+        if grows and not shrinks and not leaves:
+            code = self.findings.worded("check-growing-list", "check-growing-list-python")
+            message = Phrase(code, name=name, target=", ".join(one.name for one in item.targets))
+            self.report("idle-loop", message, item.values.span, "warning")
 
     def waiting(self, item: WaitUntil) -> None:
         """Report waiting for something that only other statements could change."""
@@ -235,6 +259,7 @@ _CHECKS: Mapping[type, Callable[[FlowChecker, Any], None]] = MappingProxyType(
     {
         Repeat: FlowChecker.repeat,
         ForRange: FlowChecker.counting,
+        ForEach: FlowChecker.each,
         While: FlowChecker.loop,
         WaitUntil: FlowChecker.waiting,
         Def: FlowChecker.function,

@@ -62,6 +62,9 @@ _IN_BLOCKS: Mapping[str, str] = MappingProxyType(
         "check-counts-up": "workspace-counts-up",
         "check-never-repeats": "workspace-never-repeats",
         "check-idle-loop": "workspace-idle-loop",
+        **dict.fromkeys(
+            ("check-growing-list", "check-growing-list-python"), "workspace-growing-list"
+        ),
         "check-idle-wait": "workspace-idle-wait",
         "check-unchanged-in-wait": "workspace-unchanged-in-wait",
         "check-unchanged-in-loop": "workspace-unchanged-in-loop",

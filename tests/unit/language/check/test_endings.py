@@ -28,6 +28,17 @@ ENDS = {
         "n = 0\ndef more():\n    n += 1\n    return n\nend\nwait until more() > 3"
     ),
     "break": "x = 1\nwhile x < 9:\n    if function.is_any_tag():\n        break\n    end\nend",
+    "break by a sensor": ("forever:\n    if function.is_any_tag():\n        break\n    end\nend"),
+    "break by a counter": (
+        "n = 0\nforever:\n    n += 1\n    if n > 3:\n        break\n    end\nend"
+    ),
+    "one way out of two by a sensor": (
+        "x = 1\nforever:\n    if x > 3:\n        break\n    end\n"
+        "    if function.is_any_tag():\n        break\n    end\nend"
+    ),
+    "a list that a loop through it adds to and leaves": (
+        "a = [1]\nfor x in a:\n    append(a, x)\n    if len(a) > 9:\n        break\n    end\nend"
+    ),
     "return": "x = 1\ndef f():\n    while x < 9:\n        return\n    end\nend\nf()",
     "raw Python in the loop": "x = 1\nwhile x < 9:\n    python:\n        x = 10\n    end\nend",
     "items": "values = []\nwhile len(values) < 3:\n    append(values, 1)\nend",
