@@ -132,7 +132,7 @@ check-append = Only a list can be added to a list. Write 'append({ $values }, { 
 check-append-python = Only a list can be added to a list. Write '{ $values }.append({ $item })' to add one item.
 # $advice: one of the messages above
 # $name: a variable; $value: what it is compared with
-check-rounded = '{ $name }' is calculated with decimals, which computers round: 0.1 + 0.2 is 0.30000000000000004. So it may miss { $value } by very little. Write 'round({ $name }, 3) { $operator } { $value }'.
+check-rounded = '{ $name }' is calculated with decimals, which computers round: 0.1 + 0.2 is 0.30000000000000004. So it may miss { $value } by very little. Write 'round({ $name }, 3)' in place of '{ $name }' here.
 check-rounded-sum = Computers round decimals: 0.1 + 0.2 is 0.30000000000000004. So these two may differ by very little. Write 'round(..., 3)' around what is calculated.
 check-never-equal = Text never equals a number. { $advice }
 check-decimals = A whole number is needed here, but Python gives this one decimals, as in 5.0. Write '//' instead of '/', or 'int(...)' around it.

@@ -132,7 +132,7 @@ check-append = A una lista solo se le puede sumar otra lista. Escribe 'append({ 
 check-append-python = A una lista solo se le puede sumar otra lista. Escribe '{ $values }.append({ $item })' para añadir un elemento.
 # $advice: one of the messages above
 # $name: a variable; $value: what it is compared with
-check-rounded = '{ $name }' se calcula con decimales, y los ordenadores los redondean: 0.1 + 0.2 es 0.30000000000000004. Por eso puede no llegar a { $value } por muy poco. Escribe 'round({ $name }, 3) { $operator } { $value }'.
+check-rounded = '{ $name }' se calcula con decimales, y los ordenadores los redondean: 0.1 + 0.2 es 0.30000000000000004. Por eso puede no llegar a { $value } por muy poco. Escribe aquí 'round({ $name }, 3)' en lugar de '{ $name }'.
 check-rounded-sum = Los ordenadores redondean los decimales: 0.1 + 0.2 es 0.30000000000000004. Por eso estos dos pueden diferenciarse en muy poco. Escribe 'round(..., 3)' alrededor de lo que se calcula.
 check-never-equal = Un texto nunca es igual a un número. { $advice }
 check-decimals = Aquí hace falta un número entero, y Python le da decimales, como en 5.0. Escribe '//' en vez de '/', o ponlo dentro de 'int(...)'.

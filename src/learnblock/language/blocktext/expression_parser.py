@@ -106,8 +106,9 @@ class ExpressionParser(TokenReader):
                 continue
             height = self.height
             if height >= MAX_HEIGHT:
-                message = Phrase("blocktext-too-many-operators", limit=MAX_HEIGHT)
-                raise self.slip("too-deep", message)
+                raise self.slip(
+                    "too-deep", Phrase("blocktext-too-many-operators", limit=MAX_HEIGHT)
+                )
             self.index += 1
             right = self.exponent() if binding == _POWER else self.expression(binding + 1)
             self.grow(height)

@@ -6,8 +6,9 @@ from typing import Any
 
 from learnblock.errors import Severity
 from learnblock.i18n import Phrase
-from learnblock.language.check.findings import Findings, constant, is_whole
+from learnblock.language.check.findings import Findings, is_whole
 from learnblock.language.check.list_checker import check_lists
+from learnblock.language.check.number_checker import random_limits, rounded_side
 from learnblock.language.check.types import KNOWN, NUMBERS, TEXTS, Type, Types
 from learnblock.language.tree.builtins import FUNCTIONS
 from learnblock.language.tree.nodes import (
@@ -305,21 +306,9 @@ class _TypeChecker:
             elif mixed and operator in _EQUALITIES and Type.BOOLEAN not in kinds:
                 message = Phrase("check-never-equal", advice=self.advice(text))
                 self.report(message, text, "warning")
-            elif operator in _EQUALITIES and kinds <= NUMBERS:
-                self.equality(operator, left, right)
-
-    def equality(self, operator: str, left: Expression, right: Expression) -> None:
-        """Report a comparison with what is calculated with decimals: it may miss by very little."""
-        for rounded, other in ((left, right), (right, left)):
-            if self.types.is_rounded(rounded):
-                name = self.spelled(rounded)
-                value = self.written(other)
-                is_short = isinstance(rounded, Name) and not value.endswith("...")
-                code = "check-rounded" if is_short else "check-rounded-sum"
-                self.report(
-                    Phrase(code, name=name, operator=operator, value=value), rounded, "warning"
-                )
-                return
+            elif operator in _EQUALITIES and (found := rounded_side(self.types, left, right)):
+                message, rounded = found
+                self.report(message, rounded, "warning")
 
     def index(self, node: Index) -> None:
         if self.types.of(node.value) in NUMBERS:
@@ -339,24 +328,8 @@ class _TypeChecker:
         elif self.findings.is_of_language(node.name):
             self.arguments(node, _TAKES.get(node.name, ()))
             if node.name == "random":
-                self.random(node)
-
-    def random(self, node: Call) -> None:
-        """Report limits that are no whole numbers, or in the wrong order."""
-        limits = [constant(bound) for bound in node.arguments]
-        for bound, limit in zip(node.arguments, limits, strict=True):
-            if limit is not None and self.types.has_decimals(bound):
-                self.report(Phrase("check-random-decimals", number=self.written(bound)), bound)
-            else:
-                self.decimal(bound)
-        match node.arguments, limits:
-            case [low, high], [float() | int() as least, float() | int() as most] if least > most:
-                values = {"low": self.written(low), "high": self.written(high)}
-                self.report(Phrase("check-random-order", **values), low)
-
-    def written(self, node: Expression) -> str:
-        sign, number = ("-", node.operand) if isinstance(node, Unary) else ("", node)
-        return sign + self.spelled(number)
+                for message, bound in random_limits(self.types, node):
+                    self.report(message, bound)
 
     def called_variable(self, node: Call, kind: Type) -> Phrase:
         value = self.spelled(node.arguments[0]) if node.arguments else "0"
