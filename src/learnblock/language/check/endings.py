@@ -1,11 +1,14 @@
 """Find what could end a loop or a wait: no other line runs meanwhile, and no event."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from operator import eq, ge, gt, le, lt, ne
+from types import MappingProxyType
+from typing import Any
 
 from learnblock.language.blocktext.names import state_of
-from learnblock.language.check.findings import Findings
+from learnblock.language.check.findings import Findings, constant
 from learnblock.language.check.types import KNOWN, Type, Types
 from learnblock.language.tree.nodes import (
     Activate,
@@ -13,6 +16,8 @@ from learnblock.language.tree.nodes import (
     Body,
     Break,
     Call,
+    Compare,
+    Constant,
     Deactivate,
     Def,
     Expression,
@@ -28,6 +33,7 @@ from learnblock.language.tree.nodes import (
     Repeat,
     Return,
     SkillCall,
+    Unary,
     WaitUntil,
     While,
 )
@@ -59,6 +65,9 @@ _TOLD = frozenset(
 )
 #: The skills that leave the robot doing what it does.
 _IDLE = frozenset(("sleep", "wait_until_still", "reset_timer"))
+_ORDERS: Mapping[str, Callable[[Any, Any], bool]] = MappingProxyType(
+    {"==": eq, "!=": ne, "<": lt, "<=": le, ">": gt, ">=": ge}
+)
 #: The types of values that have no items to change.
 _PLAIN = KNOWN - {Type.LIST, Type.DICTIONARY}
 
@@ -285,7 +294,21 @@ class Endings:
         skill = self.findings.skills.get(name)
         return skill is not None and skill.returns_value
 
-    # Endless loops.
+    # Endless loops and calls.
+
+    def always_called(self, name: str) -> set[str]:
+        """The functions that a function calls before it can return, also through each other."""
+        found: set[str] = set()
+        ahead = [name]
+        while ahead:
+            function = self.functions.get(ahead.pop())
+            for item in () if function is None else function.body:
+                if isinstance(item, Perform) and item.call.name in self.functions.keys() - found:
+                    found.add(item.call.name)
+                    ahead.append(item.call.name)
+                if any(isinstance(one, Return | Raw) for one in statements((item,))):
+                    break
+        return found
 
     @cached_property
     def endless_functions(self) -> frozenset[str]:
@@ -305,7 +328,7 @@ class Endings:
         for item in body:
             if any(isinstance(one, Return | Raw) for one in statements((item,))):
                 return False
-            if isinstance(item, While) and item.is_endless and not breaks(item.body):
+            if isinstance(item, While) and is_endless(item) and not breaks(item.body):
                 return True
             if isinstance(item, Perform) and item.call.name in endless:
                 return isinstance(item.call, Call)
@@ -314,7 +337,7 @@ class Endings:
     def endless(self, body: tuple[Item, ...]) -> Iterator[While]:
         """The outermost loops of a body that never end once they have begun."""
         for item in body:
-            if isinstance(item, While) and item.is_endless and not self.leaves(item):
+            if isinstance(item, While) and is_endless(item) and not self.leaves(item):
                 yield item
             else:
                 for inner in bodies(item):
@@ -324,6 +347,27 @@ class Endings:
         """Whether a ``break``, a ``return``, or raw Python that may contain one, leaves a loop."""
         returns = any(isinstance(one, Return | Raw) for one in statements(loop.body))
         return returns or breaks(loop.body)
+
+
+def is_endless(loop: While) -> bool:
+    """Whether the condition of a loop is always true, as in ``while 1 == 1:``."""
+    return _truth(loop.condition) is True
+
+
+def _truth(condition: Expression) -> bool | None:
+    """Whether a condition without variables is true; None if that is not certain."""
+    match condition:
+        case Constant(value=value):
+            return bool(value)
+        case Unary(operator="not", operand=operand):
+            truth = _truth(operand)
+            return None if truth is None else not truth
+        case Compare(operators=(operator,), operands=(left, right)) if operator in _ORDERS:
+            values = constant(left), constant(right)
+            same = isinstance(values[0], str) is isinstance(values[1], str)
+            return _ORDERS[operator](*values) if same and None not in values else None
+    literal = constant(condition)
+    return None if literal is None else bool(literal)
 
 
 def breaks(body: Body) -> bool:

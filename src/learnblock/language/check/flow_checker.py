@@ -6,7 +6,7 @@ from typing import Any
 
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.names import state_of
-from learnblock.language.check.endings import START, Endings, breaks
+from learnblock.language.check.endings import START, Endings, breaks, is_endless
 from learnblock.language.check.findings import Findings, constant
 from learnblock.language.tree.nodes import (
     Activate,
@@ -116,12 +116,13 @@ class FlowChecker:
 
     def loop(self, item: While) -> None:
         """Report a loop that nothing ends, unless its author wrote that it is endless."""
-        fixed = None if item.is_endless else self.endings.fixed(item)
+        endless = is_endless(item)
+        fixed = None if endless else self.endings.fixed(item)
         if fixed is not None:
             self.report("idle-loop", self.unchanged("loop", fixed), item.condition.span, "warning")
-        elif item.is_endless and _is_idle(item.body):
+        elif endless and _is_idle(item.body):
             self.report("idle-loop", Phrase("check-idle-loop"), item.span, "warning")
-        elif item.is_endless and (way_out := self.endings.fixed_exit(item)) is not None:
+        elif endless and (way_out := self.endings.fixed_exit(item)) is not None:
             condition, part = way_out
             self.report("idle-loop", self.unchanged("loop", part), condition.span, "warning")
 
@@ -181,7 +182,9 @@ class FlowChecker:
         """Report a function that calls itself before it can return."""
         for one in item.body:
             match one:
-                case Perform(call=Call(name=item.name) as call):
+                case Perform(call=Call(name=name) as call) if (
+                    name == item.name or item.name in self.endings.always_called(name)
+                ):
                     code = self.findings.worded("check-calls-itself", "check-calls-itself-python")
                     message = Phrase(code, name=item.name)
                     self.report("calls-itself", message, call.span, "warning")
@@ -247,7 +250,7 @@ class FlowChecker:
         if isinstance(item, _JUMPS):
             return True
         if isinstance(item, While):
-            return item.is_endless and not breaks(item.body)
+            return is_endless(item) and not breaks(item.body)
         if isinstance(item, Perform):
             return isinstance(item.call, Call) and item.call.name in self.endings.endless_functions
         if isinstance(item, If) and item.otherwise is not None:
