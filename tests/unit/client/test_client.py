@@ -509,7 +509,7 @@ def test_time_stops_within_a_snapshot():
 
 def test_asking_for_the_time_of_an_event_takes_time_and_showing_it_does_not():
     clock = PricedClock()
-    with Robot(clock=clock) as robot:
+    with Logging(clock=clock) as robot:
         event = robot.when(bool)
         event.activate()
         robot.when_states()

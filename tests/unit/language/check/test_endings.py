@@ -14,7 +14,9 @@ ENDS = {
     "a key": 'wait until function.is_key_pressed("space")',
     "raw Python": "wait until `ready()`",
     "the loop sets it": "x = 1\nwhile x < 9:\n    x += 1\nend",
-    "a loop inside sets it": "x = 1\nwhile x < 9:\n    for x from 1 to 9:\n        pass\n    end\nend",
+    "a loop inside sets it": (
+        "x = 1\nwhile x < 9:\n    for x from 1 to 9:\n        pass\n    end\nend"
+    ),
     "a function of the loop sets it": (
         "x = 1\ndef more():\n    x += 1\nend\nwhile x < 9:\n    more()\nend"
     ),
