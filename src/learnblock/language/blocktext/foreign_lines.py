@@ -406,6 +406,7 @@ RULES = (
     *KEYWORDS,
     *_ASSIGNMENTS,
     *_BRACES,
+    *spoken_lines.ROBOT,
     *_PYTHON,
     *OPERATORS,
     *spoken_lines.OPERATORS,

@@ -4,6 +4,7 @@ import re
 from collections.abc import Sequence
 
 from learnblock.language.blocktext.line_rules import NAME, Rule
+from learnblock.language.blocktext.other_names import SKILLS_WITH_VALUE
 from learnblock.language.tree.builtins import FUNCTIONS, TEMPLATES
 
 _BEHIND = r"(?<=[\w)\"'\]])\s+"
@@ -114,6 +115,26 @@ OPERATORS = (
     Rule(
         rf".*?\b(?P<wrong>aleatorio\s+(?:entre\s+|de\s+)?({_VALUE})\s+(?:a|y)\s+({_VALUE}))",
         r"random(\2, \3)",
+    ),
+)
+
+
+#: The rules know no capitals.
+_CALLS_WITH_VALUE = {name.lower(): call for name, call in SKILLS_WITH_VALUE.items()}
+
+
+def _of_robot(groups: Sequence[str]) -> str:
+    """Our call for one of another tool's robot, such as ``robot.forward(10)``."""
+    _, _, name, value = groups[:4]
+    return f"function.{_CALLS_WITH_VALUE[name.lower()].format(value).replace('--', '')}"
+
+
+#: Tried before the rule for every ``robot.`` of Python.
+ROBOT = (
+    Rule(
+        rf".*?\b(?P<wrong>(?:robot|functions|Function)\.({'|'.join(sorted(_CALLS_WITH_VALUE))})"
+        r"\(\s*(-?[\w.]+|\"[^\"]*\"|'[^']*')\s*\))",
+        _of_robot,
     ),
 )
 

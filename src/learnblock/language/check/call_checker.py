@@ -8,14 +8,14 @@ from learnblock.blocks.old_names import todays_name
 from learnblock.errors import nearest
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.names import state_of
-from learnblock.language.check.findings import Findings, constant, python_error
-from learnblock.language.check.other_names import FUNCTIONS as OTHER_FUNCTIONS
-from learnblock.language.check.other_names import (
+from learnblock.language.blocktext.other_names import FUNCTIONS as OTHER_FUNCTIONS
+from learnblock.language.blocktext.other_names import (
     FUNCTIONS_AS_SKILLS,
     MOVE_STRAIGHT,
     SKILLS,
     SKILLS_WITH_VALUE,
 )
+from learnblock.language.check.findings import Findings, constant, python_error
 from learnblock.language.python.syntax_errors import syntax_message
 from learnblock.language.tree.builtins import BUILTINS, FUNCTIONS, TEMPLATES
 from learnblock.language.tree.nodes import (

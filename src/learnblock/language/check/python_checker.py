@@ -9,8 +9,8 @@ from collections.abc import Iterator
 from learnblock.blocks.source.importable import missing_import
 from learnblock.errors import Severity, nearest
 from learnblock.i18n import Phrase
+from learnblock.language.blocktext.other_names import FUNCTIONS, VALUES
 from learnblock.language.check.findings import Findings
-from learnblock.language.check.other_names import FUNCTIONS, VALUES
 from learnblock.language.check.python_event_checker import event_slips
 from learnblock.language.check.python_order_checker import early_uses
 from learnblock.language.python.generation import DEFAULT_ROBOT

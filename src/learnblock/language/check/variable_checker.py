@@ -8,9 +8,9 @@ from itertools import chain
 from learnblock.errors import nearest
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.names import state_of
+from learnblock.language.blocktext.other_names import QUESTIONS, VALUES
 from learnblock.language.check.endings import LOOPS
 from learnblock.language.check.findings import Findings
-from learnblock.language.check.other_names import QUESTIONS, VALUES
 from learnblock.language.tree.characters import write_instead
 from learnblock.language.tree.markers import raw_names
 from learnblock.language.tree.nodes import (
