@@ -359,7 +359,7 @@ def test_a_project_of_the_original_learnblock_opens_and_says_what_changed(pupil,
     pupil.upload(file)
     pupil.expect_project("old")
     expect(pupil.dialog()).to_contain_text("'mover_derecha' is now called 'move_right'")
-    expect(pupil.dialog()).to_contain_text("Messages between robots ('subscribe')")
+    expect(pupil.dialog()).to_contain_text("'when message = function.received()'")
     pupil.picture("imported")
     pupil.dialog().get_by_role("button", name="OK").click()
     expect(pupil.dialog()).to_have_count(0)

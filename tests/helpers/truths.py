@@ -246,8 +246,8 @@ def _whens(robot: Client, steps: int) -> Iterator[tuple[str, tuple[bool, float]]
     assert robot.clock.instant is not None
     waited = (steps - robot.clock.instant) * TICK
     for when in robot._whens:
-        counts = when.active and not when._first_pass
-        yield when.name, (when.active, round(when.time + waited, 3) if counts else 0.0)
+        active, time = when.state
+        yield when.name, (active, round(time + waited, 3) if active else 0.0)
 
 
 def _frames(frame: FrameType | None, filename: str) -> Iterator[FrameType]:

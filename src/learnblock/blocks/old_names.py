@@ -53,6 +53,12 @@ _SPANISH = {
     "expresar_sorpresa": "expressSurprise",
     "expresar_tristeza": "expressSadness",
 }
+_MESSAGES = {
+    "publish": "send",
+    "send_message": "send",
+    "subscribe": "received",
+    "receive_message": "received",
+}
 _COLOURS = {"azul": "blue", "negra": "black", "roja": "red"}
 _PLACES = {"centro": "center", "derecha": "right", "izquierda": "left"}
 
@@ -67,6 +73,7 @@ OLD_NAMES: Mapping[str, str] = MappingProxyType(
             for place, today in _PLACES.items()
         },
         **_SPANISH,
+        **_MESSAGES,
     }
 )
 

@@ -21,9 +21,6 @@ from learnblock.cli.console import (
 from learnblock.errors import LearnBlockError, UnknownNameError
 from learnblock.i18n import Phrase
 
-if TYPE_CHECKING:
-    from learnblock.robots.real import RealRobot
-
 #: Seconds that a driver may take longer to look for robots than it should.
 _LATE = 5.0
 _NAME = click.argument("name", metavar="ROBOT")

@@ -32,8 +32,6 @@ class When:
         self._body: Body = function
         self._condition: Condition | None = None
         self._since: float | None = None
-        self._activations = 0
-        self._first_pass = True
 
     def __call__(self, body: Body) -> "When":
         """Complete ``@robot.when(condition)`` with the body."""
@@ -51,18 +49,20 @@ class When:
 
     @property
     def time(self) -> float:
-        """Seconds since activation; 0 during the first pass and while inactive."""
-        if self._since is None or self._first_pass:
-            return 0.0
-        # Rounded like the clock's time, so that 0.03 - 0.01 is 0.02.
-        return round(self._clock.time() - self._since, 9)
+        """Seconds since activation; 0 while inactive."""
+        # A loop that only waits for it must let time pass.
+        self._clock.charge()
+        return self._elapsed()
+
+    @property
+    def state(self) -> tuple[bool, float]:
+        """Whether it is active and its time; looking at it takes no time."""
+        return self.active, self._elapsed()
 
     def activate(self) -> None:
         """Make it active, unless it already is."""
         if self._since is None:
             self._since = self._clock.time()
-            self._activations += 1
-            self._first_pass = True
 
     def deactivate(self) -> None:
         """Make it inactive; a running body still runs to its end."""
@@ -79,13 +79,14 @@ class When:
 
     def run(self) -> None:
         """Run the body to its end if active."""
+        if self._since is not None:
+            self._body()
+
+    def _elapsed(self) -> float:
         if self._since is None:
-            return
-        activation = self._activations
-        self._body()
-        # A body that deactivates and reactivates itself starts again with a first pass.
-        if self._activations == activation:
-            self._first_pass = False
+            return 0.0
+        # Rounded like the clock's time, so that 0.03 - 0.01 is 0.02.
+        return round(self._clock.time() - self._since, 9)
 
     def __repr__(self) -> str:
         return f"<when {self.name}: {'active' if self.active else 'inactive'}>"
@@ -113,7 +114,7 @@ class Events:
 
     def when_states(self) -> dict[str, tuple[bool, float]]:
         """Whether each `when` is active and for how many seconds, by name."""
-        return {when.name: (when.active, when.time) for when in self._whens}
+        return {when.name: when.state for when in self._whens}
 
     def when(self, function: Body | Condition) -> When:
         """Decorate a function that runs in every cycle while it is active.

@@ -110,7 +110,13 @@ def _missing(writer: ProgramWriter, parts: Sequence[Part]) -> Iterator[Part]:
     for name in undefined(parts, tuple(lines.called), "def"):
         reporting.miss(Phrase("import-no-function", name=name))
         yield Part((f"def {name}():", "pass", "end"), _NOWHERE, f"def {name}")
-    for name in undefined(parts, tuple(lines.events), "when"):
+    for name, condition in lines.heard.items():
+        event = f"{name}_received" if undefined(parts, [name], "when") == [] else name
+        reporting.change(Phrase("import-heard", event=event, condition=condition))
+        header = f"when {event} = {condition}:"
+        yield Part((header, "pass", "end"), _NOWHERE, f"when {event}")
+    heard = lines.heard.keys()
+    for name in undefined(parts, [one for one in lines.events if one not in heard], "when"):
         reporting.miss(Phrase("import-no-event", name=name))
         yield Part((f"when {name}:", "pass", "end"), _NOWHERE, f"when {name}")
 

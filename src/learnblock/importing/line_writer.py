@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from learnblock.blocks import NUMBERS, BlockConfiguration, Parameter
 from learnblock.blocks.old_names import todays_name
 from learnblock.i18n import Phrase
-from learnblock.importing.names import Names
+from learnblock.importing.names import Names, legal
 from learnblock.importing.project import Block, Kind, OriginalProject, Value
 from learnblock.importing.report import Reporting
 from learnblock.importing.values import argument
@@ -47,6 +47,8 @@ class LineWriter:
         self.used: set[str] = set()
         self.called: dict[str, None] = {}
         self.events: dict[str, None] = {}
+        #: The conditions of the events that statements subscribed to, by the event's name.
+        self.heard: dict[str, str] = {}
 
     def condition(self, block: Block | None, owner: str) -> str:
         """The condition at the right of a block; `False` if there is none that can be read."""
@@ -65,13 +67,19 @@ class LineWriter:
         """A line as a statement, or as a comment if it can't be one."""
         line = self.line(block)
         text = self.mended(line.text)
-        if line.unknown:
+        if block.kind == Kind.SKILL and block.right is None and self.is_subscription(block):
+            self.heard.setdefault(event_of(block), text)
+        elif line.unknown:
             self.report_unknown(line.unknown)
         elif is_statement(text):
             return text
         else:
             self.reporting.miss(Phrase("import-unread-line", text=shown(line.text)))
         return f"# {' '.join(text.split())}"
+
+    def is_subscription(self, block: Block) -> bool:
+        """Whether a block announces a message, which today's events ask for in their condition."""
+        return block.name not in self.skills and self.skill_name(block.name) == "received"
 
     def mended(self, text: str) -> str:
         """A statement with the brackets that ``print`` has today."""
@@ -209,12 +217,13 @@ class LineWriter:
 
     def report_unknown(self, skills: Collection[str]) -> None:
         for skill in skills:
-            code = "import-messages" if skill in _MESSAGES else "import-unknown-skill"
-            self.reporting.miss(Phrase(code, skill=shown(skill)))
+            self.reporting.miss(Phrase("import-unknown-skill", skill=shown(skill)))
 
 
-#: Messages between robots.
-_MESSAGES = frozenset(("subscribe", "publish", "unsubscribe", "send_message", "receive_message"))
+def event_of(block: Block) -> str:
+    """The name of the event for the message that a block announces."""
+    given = block.values[0].text.strip("\"' ") if block.values else ""
+    return legal(given) if given else "message"
 
 
 def is_value(text: str) -> bool:

@@ -6,8 +6,9 @@ import unicodedata
 from learnblock.i18n import Phrase
 from learnblock.importing.report import Reporting
 from learnblock.language.blocktext.lexer import KEYWORDS
+from learnblock.language.tree.identifiers import MARKS
 
-_NOT_IN_NAMES = re.compile(r"\W+")
+_NOT_IN_NAMES = re.compile(rf"[^\w{MARKS}]+")
 _LONGEST = 100
 
 

@@ -247,28 +247,14 @@ class Moments:
         return states
 
     def _when(self, name: str, time: float, event: int) -> tuple[bool, float]:
-        active, since, began = False, 0.0, -1
+        active, since = False, 0.0
         for one in switches(self._history, name):
             if one[0] > event:
                 break
             if one[1] and not active:
                 since = self._history.time(one[0])
-                began = one[0]
             active = one[1]
-        if not active or self._is_first_pass(name, began, event):
-            return active, 0.0
-        return active, round(time - since, 3)
-
-    def _is_first_pass(self, when: str, began: int, event: int) -> bool:
-        """Whether the body has not been run to its end since the `when` became active."""
-        history = self._history
-        return not any(
-            history.events[one][0] == Op.LEAVE and history.frames[one].entered >= began
-            for number, node in enumerate(history.nodes)
-            if node.kind is Kind.FUNCTION and node.name == when
-            for one in history.of_node[number]
-            if began < one <= event
-        )
+        return active, round(time - since, 3) if active else 0.0
 
 
 @dataclass(frozen=True, slots=True)

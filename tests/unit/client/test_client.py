@@ -507,6 +507,17 @@ def test_time_stops_within_a_snapshot():
         assert clock.charges == 0
 
 
+def test_asking_for_the_time_of_an_event_takes_time_and_showing_it_does_not():
+    clock = PricedClock()
+    with Logging(clock=clock) as robot:
+        event = robot.when(bool)
+        event.activate()
+        robot.when_states()
+        assert clock.charges == 0
+        assert event.time == 0
+        assert clock.charges == 1
+
+
 class Watchful(Client):
     """A robot whose front is free, and whose camera sees nothing."""
 

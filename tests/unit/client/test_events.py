@@ -145,7 +145,7 @@ def test_activating_a_conditional_when_lasts_until_its_next_evaluation():
     assert robot.seen == [0.0]
 
 
-def test_the_time_is_0_in_the_first_pass_and_then_seconds_since_activation():
+def test_the_time_is_the_seconds_since_activation_at_every_moment_of_a_body():
     robot = Stage(cycles=3)
 
     @robot.when(lambda: True)
@@ -156,13 +156,13 @@ def test_the_time_is_0_in_the_first_pass_and_then_seconds_since_activation():
 
     robot.run()
     assert robot.seen == [
-        (0.0, 0.0), (0.0, 0.05),
+        (0.0, 0.0), (0.05, 0.05),
         (0.05, 0.05), (0.1, 0.1),
         (0.1, 0.1), (pytest.approx(0.15), pytest.approx(0.15)),
     ]  # fmt: skip
 
 
-def test_the_time_is_0_after_deactivation_and_in_the_next_first_pass():
+def test_the_time_is_0_after_deactivation_and_begins_again_with_the_next_activation():
     robot = Stage(cycles=6)
     answers = iter([True, True, False, True, True, False])
 
@@ -179,6 +179,36 @@ def test_the_time_is_0_after_deactivation_and_in_the_next_first_pass():
     assert robot.seen == times * 2
 
 
+def test_a_loop_that_waits_for_the_time_of_its_own_event_ends():
+    robot = Stage(cycles=1)
+
+    @robot.when
+    def body():
+        while body.time < 3:
+            robot.clock.sleep(0.5)
+        robot.note(body.time)
+
+    body.activate()
+    robot.run()
+    assert robot.seen == [(3.0, 3.0)]
+
+
+def test_time_counts_from_the_activation_also_while_another_body_runs():
+    robot = Stage(cycles=1)
+
+    @robot.when_start
+    def start():
+        body.activate()
+        robot.clock.sleep(2)
+
+    @robot.when
+    def body():
+        robot.note(body.time)
+
+    robot.run()
+    assert robot.seen == [(2.0, 2.0)]
+
+
 def test_times_have_no_rounding_errors():
     robot = Stage(cycles=1)
     when = robot.when(bool)
@@ -189,18 +219,20 @@ def test_times_have_no_rounding_errors():
     assert when.time == 0.2
 
 
-def test_a_body_that_reactivates_itself_is_in_its_first_pass_again():
-    robot = Stage(cycles=2)
+def test_the_time_of_a_body_that_reactivates_itself_begins_again():
+    robot = Stage(cycles=3)
 
     @robot.when
     def body():
         robot.seen.append(body.time)
+        robot.clock.sleep(1)
         body.deactivate()
         body.activate()
+        robot.seen.append(body.time)
 
     body.activate()
     robot.run()
-    assert robot.seen == [0.0, 0.0]
+    assert robot.seen == [0.0, 0.0] * 3
 
 
 def test_activating_an_active_when_changes_nothing():
@@ -311,22 +343,20 @@ class Model:
     programs: list
     active: list = field(default_factory=list)
     since: list = field(default_factory=list)
-    passes: list = field(default_factory=list)
     now: int = 0
     seen: list = field(default_factory=list)
 
     def __post_init__(self):
         count = len(self.programs)
-        self.active, self.since, self.passes = [False] * count, [0] * count, [0] * count
+        self.active, self.since = [False] * count, [0] * count
 
     def set(self, index, active):
         if active and not self.active[index]:
-            self.since[index], self.passes[index] = self.now, 0
+            self.since[index] = self.now
         self.active[index] = active
 
     def time(self, index):
-        first = self.passes[index] == 0
-        return 0 if first or not self.active[index] else self.now - self.since[index]
+        return self.now - self.since[index] if self.active[index] else 0
 
     def cycle(self, number):
         began = self.now
@@ -340,15 +370,11 @@ class Model:
 
     def run(self, index, actions):
         self.seen.append((index, self.time(index), self.now))
-        restarted = False
         for kind, value in actions:
             if kind == "sleep":
                 self.now += value
             elif value < len(self.programs):
-                restarted |= value == index and kind == "activate" and not self.active[index]
                 self.set(value, kind == "activate")
-        if not restarted:
-            self.passes[index] += 1
 
 
 CYCLES = 4

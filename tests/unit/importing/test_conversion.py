@@ -213,7 +213,7 @@ def test_what_is_missing_is_listed_by_name_and_leaves_a_program_that_checks_clea
     made = imported(
         project(
             main(
-                control("if", [skill("old_sensor")], skill("publish", ("string", "go"))),
+                control("if", [skill("old_sensor")], skill("older", ("string", "go"))),
                 control("while", [], skill("turn", *[("float", one) for one in ("90", "60", "1")])),
                 Old("lost", FUNCTION),
                 Old("other", LIBRARY),
@@ -225,7 +225,7 @@ def test_what_is_missing_is_listed_by_name_and_leaves_a_program_that_checks_clea
     )
     assert made.report.missing == (
         Phrase("import-unknown-skill", skill="old_sensor"),
-        Phrase("import-messages", skill="publish"),
+        Phrase("import-unknown-skill", skill="older"),
         Phrase("import-no-condition", name="while"),
         Phrase("import-argument-dropped", skill="turn", value="1"),
         Phrase("import-unread-line", text="banana"),
@@ -234,7 +234,29 @@ def test_what_is_missing_is_listed_by_name_and_leaves_a_program_that_checks_clea
         Phrase("import-no-function", name="other"),
         Phrase("import-no-event", name="gone"),
     )
-    assert '        # function.publish("go")' in lines(made)
+    assert '        # function.older("go")' in lines(made)
+    assert [one for one in check(made) if one.severity == "error"] == []
+
+
+def test_messages_are_sent_and_heard_by_todays_skills(imported):
+    made = imported(
+        project(
+            main(
+                skill("publish", ("string", "go")),
+                control("if", [skill("subscribe", ("string", "stop"))], skill("stop_bot")),
+                skill("subscribe", ("string", "go")),
+            ),
+            when("seen", [skill("subscribe", ("string", "tag"))], skill("turn_right")),
+        )
+    )
+    assert made.report.missing == ()
+    text = "\n".join(lines(made))
+    assert 'function.send("go")' in text
+    assert 'if function.received("stop"):' in text
+    assert 'when seen = function.received("tag"):' in text
+    assert 'when go = function.received("go"):\n    pass\nend' in text
+    heard = Phrase("import-heard", event="go", condition='function.received("go")')
+    assert heard in made.report.changed
     assert [one for one in check(made) if one.severity == "error"] == []
 
 

@@ -18,8 +18,8 @@ import { keymap } from "@codemirror/view";
 import { SKILL } from "../../views/blocks/menus";
 import type { Palette } from "../../views/blocks/palette";
 
-const BEHIND_DOT = /[\p{L}_][\p{L}\p{N}_]*\.[\p{L}\p{N}_]*$/u;
-const NAME = /^[\p{L}\p{N}_]*$/u;
+const BEHIND_DOT = /[\p{ID_Start}_]\p{ID_Continue}*\.\p{ID_Continue}*$/u;
+const NAME = /^\p{ID_Continue}*$/u;
 const GENERAL = [localCompletionSource, globalCompletion, completeAnyWord].map(exceptBehindDot);
 
 /** The description in a block's definition. */

@@ -16,7 +16,7 @@ interface State {
   before: string;
 }
 
-const WORD = /^[\p{L}\p{Nl}_][\p{L}\p{Nl}\p{Mn}\p{Mc}\p{Nd}\p{Pc}]*/u;
+const WORD = /^[\p{ID_Start}_]\p{ID_Continue}*/u;
 const NUMBER = /^(?:0[xXbBoO]\w*|(?:\d[\d_]*\.?[\d_]*|\.\d[\d_]*)(?:[eE][-+]?\d[\d_]*)?)/;
 const STRING = /^(?:"(?:[^"\\]|\\.)*"?|'(?:[^'\\]|\\.)*'?)/;
 const F_STRING = /^[fF]["']/;

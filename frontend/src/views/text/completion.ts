@@ -18,8 +18,8 @@ import type { Completion } from "../../protocol/messages";
 import type { Requests } from "./requests";
 
 /** Typing asks for completions in a word, or after the dot of `function.`. */
-const ASKING = /(?:[\p{L}_][\p{L}\p{N}_]*|\.)$/u;
-const SAME_WORD = /^[\p{L}\p{N}_]*$/u;
+const ASKING = /(?:[\p{ID_Start}_]\p{ID_Continue}*|\.)$/u;
+const SAME_WORD = /^\p{ID_Continue}*$/u;
 
 /** A CodeMirror snippet: the cursor goes to the first empty line. */
 function template(insert: string): string {

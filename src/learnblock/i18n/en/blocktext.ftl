@@ -46,6 +46,9 @@ blocktext-braces = Block-Text has braces only for dictionaries, such as 'ages = 
 blocktext-entry-equals = Between a key and its value there is ':', not '='.
 blocktext-entry-without-value = A dictionary has a value for each key, such as '{"{"}"Ana": 10{"}"}'. A list has square brackets.
 blocktext-meaningless = '{ $found }' has no meaning in Block-Text. Remove it.
+# $name: the character's name in Unicode, such as zero width space; $number: such as U+200B
+blocktext-invisible = There is an invisible character here: { $name }, { $number }. Delete it, or type this part of the line again.
+blocktext-odd-space = There is an unusual space here: { $name }, { $number }. Type a plain space instead.
 blocktext-reserved-word = '{ $word }' is a reserved word. Choose another name.
 blocktext-unknown-word = No statement begins with '{ $word }'. Check its spelling.
 blocktext-unknown-word-near = No statement begins with '{ $word }'. Did you mean '{ $near }'?
@@ -73,7 +76,12 @@ blocktext-unclosed-bracket = This '{ $opening }' is never closed. Write '{ $clos
 blocktext-unclosed-bracket-in-line = This '{ $opening }' is never closed. Write '{ $closing }' at the end of the line: '{ $instead }'.
 blocktext-unclosed-bracket-before-colon = This '(' is never closed. Write ')' before the ':': '{ $instead }'.
 blocktext-unclosed-bracket-below = This '{ $opening }' is never closed. Write '{ $closing }' at the end of line { $last }: '{ $instead }'.
+blocktext-default-value = A parameter has no default value in Block-Text. Write '{ $instead }', and give all values in each call.
+blocktext-parameter-type = A parameter is only a name in Block-Text, without a type. Write '{ $instead }'.
+blocktext-any-arguments = A function in Block-Text takes a fixed number of values. Write '{ $instead }', and pass a list for more of them.
+blocktext-result-type = A function has no type in Block-Text. Write '{ $instead }'.
 blocktext-too-deep = This is nested too deeply. Store part of it in a variable.
+blocktext-too-many-operators = This calculation has more than { $limit } steps. Store the first part in a variable, and continue with it on the next line.
 blocktext-number-too-long = A number with { $digits } digits is too long. It must have fewer than { $limit }.
 blocktext-bad-number = '{ $text }' is not a number. Write one such as 40 or 0.5.
 # $text: such as 3m

@@ -29,6 +29,9 @@ check-never-started = Nothing starts 'when { $name }', so it never runs. Write '
 check-never-started-python = Nothing starts the event '{ $name }', so it never runs. Write '{ $name }.activate()' where it should start, or give it a condition: '@robot.when(lambda: ...)'.
 check-events-never-run = This loop never ends, so events such as '{ $name }' never run. Put what the loop repeats into an event that always runs, such as 'when drive = True:', or end the loop with 'if ...:' and 'break' in it.
 check-events-never-run-python = This loop never ends, so events such as '{ $name }' never run. Put what the loop repeats into a function below '@robot.when(lambda: True)', or end the loop with 'if ...:' and 'break' in it.
+check-events-held-up = Once this loop has begun, it never ends, so events such as '{ $name }' don't run any more. End the loop with 'if ...:' and 'break' in it.
+check-events-held-up-by-event = Once this loop has begun, it never ends, so other events such as '{ $name }' don't run any more. Remove 'forever:' and its 'end': the lines of an event are repeated anyway while it is active.
+check-events-held-up-by-event-python = Once this loop has begun, it never ends, so other events such as '{ $name }' don't run any more. Remove 'while True:': the lines of an event are repeated anyway while it is active.
 check-unknown-when-near = There is no 'when { $name }'. Did you mean '{ $near }'?
 # $word: def or when
 check-defined-twice = There is another '{ $word } { $name }' on line { $line }. Rename one or combine them.
@@ -94,6 +97,19 @@ check-never-repeats = With 'repeat { $count }' the lines inside never run. Write
 check-never-repeats-python = With 'range({ $count })' the lines inside never run. Write a number above 0.
 check-wait-until = Waiting for a condition is no skill. Write 'wait until' and the condition, such as 'wait until function.is_front_obstacle()'.
 check-idle-wait = Nothing changes this while the program waits here, so it waits forever or not at all. Ask the robot in it, such as '{ $skill }'.
+check-unchanged-in-wait = Only other lines could change '{ $name }', and no other line runs while the program waits here. So it waits forever or not at all. Ask the robot in it, such as '{ $skill }'.
+check-unchanged-in-loop = Nothing in this loop changes '{ $name }', and no other line runs meanwhile, so the loop never ends once it has begun. Change '{ $name }' in it, or write 'break' where it should end.
+check-told-stays = '{ $name }' only repeats what the robot was last told to do, and nothing here tells it anything else. So the program stays here forever or not at all. Ask a sensor, such as '{ $skill }'.
+# $name: such as state_go
+check-state-in-wait = Events don't run while the program waits here, so '{ $name }' can't change: it waits forever or not at all. Move the lines below into 'when { $event }', or ask the robot, such as '{ $skill }'.
+check-state-in-wait-python = Events don't run while the program waits here, so '{ $name }' can't change: it waits forever or not at all. Move the lines below into the event '{ $event }', or ask the robot, such as '{ $skill }'.
+check-state-in-loop = Events don't run during this loop, so '{ $name }' can't change and the loop never ends once it has begun. Move its lines into 'when { $event }', or ask the robot, such as '{ $skill }'.
+check-state-in-loop-python = Events don't run during this loop, so '{ $name }' can't change and the loop never ends once it has begun. Move its lines into the event '{ $event }', or ask the robot, such as '{ $skill }'.
+# $name: such as time_go
+check-time-stays = '{ $name }' stays 0 here, because nothing has started 'when { $event }' before. Write 'activate { $event }' above, or wait with '{ $sleep }'.
+check-time-stays-python = '{ $name }' stays 0 here, because nothing has started the event '{ $event }' before. Write '{ $event }.activate()' above, or wait with '{ $sleep }'.
+check-growing-list = This loop adds to '{ $name }' while it goes through it, so it never ends. Go through a copy: 'for { $target } in copy({ $name }):'.
+check-growing-list-python = This loop adds to '{ $name }' while it goes through it, so it never ends. Go through a copy: 'for { $target } in { $name }.copy():'.
 check-idle-loop = This loop does nothing, so it never ends. Write the lines to repeat inside it, or remove it.
 check-step-zero = With 'step 0' the loop would never end. Write another step.
 
@@ -115,8 +131,13 @@ check-join-text = Only text can be added to text. Write 'str({ $value })'.
 check-append = Only a list can be added to a list. Write 'append({ $values }, { $item })' to add one item.
 check-append-python = Only a list can be added to a list. Write '{ $values }.append({ $item })' to add one item.
 # $advice: one of the messages above
+# $name: a variable; $value: what it is compared with
+check-rounded = '{ $name }' is calculated with decimals, which computers round: 0.1 + 0.2 is 0.30000000000000004. So it may miss { $value } by very little. Write 'round({ $name }, 3)' in place of '{ $name }' here.
+check-rounded-sum = Computers round decimals: 0.1 + 0.2 is 0.30000000000000004. So these two may differ by very little. Write 'round(..., 3)' around what is calculated.
 check-never-equal = Text never equals a number. { $advice }
 check-decimals = A whole number is needed here, but Python gives this one decimals, as in 5.0. Write '//' instead of '/', or 'int(...)' around it.
+check-random-decimals = 'random' takes whole numbers and answers with one, not { $number }. For a number with decimals, write 'random_fraction() * 10'.
+check-random-order = 'random' needs the smaller number first. Write 'random({ $high }, { $low })'.
 check-repeat-whole-number = 'repeat' needs a whole number, not { $number }. Write 'repeat { $less }:' or 'repeat { $more }:'.
 check-for-dictionary = A dictionary gives only its keys. Write 'for { $names } in items({ $value }):' for the keys with their values.
 check-for-dictionary-python = A dictionary gives only its keys. Write 'for { $names } in { $value }.items():' for the keys with their values.
@@ -125,6 +146,7 @@ check-for-number-python = '{ $value }' is a number, not a list. Write 'for { $na
 check-text-as-condition = Text in quotes is always true. Remove the quotes if it is a condition.
 check-number-as-condition = { $number } is not a condition. Write a comparison, such as 'x == { $number }'.
 check-action-as-condition = '{ $call }' does something and answers nothing, so this is never true. Use a question, such as one that begins with 'is_'.
+check-unused-answer = '{ $call }' gives an answer, but nothing uses it. Keep it with 'answer = { $spelled }', ask it in a condition such as 'if', or show it with 'print({ $spelled })'.
 check-no-result = '{ $call }' does something and returns nothing. Write it on its own line, without '='.
 check-bare-value = Each side of '{ $operator }' needs its own comparison. Write '{ $operator } { $variable } { $comparison } { $value }'.
 check-divide-by-zero = Nothing can be divided by 0. Write another number after '{ $operator }'.
@@ -257,6 +279,7 @@ check-calls-itself-python = '{ $name }' calls itself here again and again, witho
 # $word: break, continue or return
 check-unreachable-after-jump = This is never reached because of '{ $word }' on line { $line }. Write it above that line, or remove it.
 check-unreachable-after-loop = This is never reached because the loop on line { $line } never ends. Write it in the loop or above, or leave the loop with 'break'.
+check-unreachable-after-call = This is never reached because '{ $name }', called on line { $line }, never ends. Write it above that line, or end the loop in '{ $name }' with 'break'.
 check-unreachable-after-branches = This is never reached because no branch of the 'if' on line { $line } continues here. Write it above the 'if', or remove it.
 check-sensor-outside-loop = '{ $skill }' is checked only once, when the program gets here. Put the 'if' inside 'forever:' to keep checking, or use a 'when'.
 check-sensor-outside-loop-python = '{ $skill }' is checked only once, when the program gets here. Put the 'if' inside 'while True:' to keep checking, or write what it does as a function below '@robot.when(lambda: { $skill }())'.

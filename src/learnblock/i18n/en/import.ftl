@@ -21,12 +21,12 @@ import-print-brackets = 'print' now has brackets.
 import-degrees = In '{ $skill }', { $radians } radians per second became { $degrees } degrees per second.
 import-unset = The variable '{ $name }' had no value at the start. It is now 0.
 import-twice = There is more than one '{ $name }'. The first one is used; the blocks of the others are loose.
+import-heard = A message is now heard by the event 'when { $event } = { $condition }'. Put into it what the message should start.
 import-library = The project used the library '{ $name }'. Its functions are now part of the program.
 
 ## What is missing
 
 import-unknown-skill = There is no skill '{ $skill }'. As a statement it became a comment; as a condition it became False.
-import-messages = Messages between robots ('{ $skill }') are not supported. As a statement it became a comment; as a condition it became False.
 import-unread-line = '{ $text }' can't be read. As a statement it became a comment; as a condition it became False.
 import-no-condition = A '{ $name }' had no condition. It became False.
 import-no-if = An '{ $name }' had no 'if' above it. It became an 'if'.

@@ -60,6 +60,8 @@ workspace-unknown-when = There is no event '{ $name }'. Make it with 'New event�
 workspace-unknown-when-near = There is no event '{ $name }'. Did you mean '{ $near }'? Choose it in this block.
 workspace-never-started = Nothing starts the event '{ $name }', so it never runs. Put a block 'start { $name }' from 'Events' into the program, or add a condition to this block with its '+'.
 workspace-events-never-run = This loop never ends, so events such as '{ $name }' never run. Put what the loop repeats into an event with 'true' as its condition, or put an 'if' with 'leave the loop' into the loop.
+workspace-events-held-up = Once this loop has begun, it never ends, so events such as '{ $name }' don't run any more. Put an 'if' with 'leave the loop' into the loop.
+workspace-events-held-up-by-event = Once this loop has begun, it never ends, so other events such as '{ $name }' don't run any more. Take its blocks out of the loop: the blocks of an event are repeated anyway while it is active.
 # $word: def or when
 workspace-defined-twice = { $word ->
     [def] There are two functions '{ $name }'.
@@ -90,6 +92,13 @@ workspace-step-zero = With 'by 0' the loop would never end. Write another number
 workspace-counts-up = This loop never runs, because it counts up from { $start } to { $stop }. Write -1 after 'by' to count down.
 workspace-never-repeats = Repeating { $count } times means that the blocks inside never run. Write a number above 0.
 workspace-idle-wait = Nothing changes this condition while the program waits here, so it waits forever or not at all. Use a question for the robot in it.
+workspace-unchanged-in-wait = Only other blocks could change '{ $name }', and none of them runs while the program waits here. So it waits forever or not at all. Use a question for the robot in it.
+workspace-unchanged-in-loop = Nothing in this loop changes '{ $name }', and no other block runs meanwhile, so the loop never ends once it has begun. Change '{ $name }' in it, or put 'leave the loop' where it should end.
+workspace-told-stays = This question only repeats what the robot was last told to do, and nothing here tells it anything else. So the program stays here forever or not at all. Use a question for a sensor.
+workspace-state-in-wait = Events don't run while the program waits here, so '{ $event }' can't start or stop: it waits forever or not at all. Move the blocks below into 'when { $event }', or use a question for the robot.
+workspace-state-in-loop = Events don't run during this loop, so '{ $event }' can't start or stop and the loop never ends once it has begun. Move its blocks into 'when { $event }', or use a question for the robot.
+workspace-time-stays = The time of '{ $event }' stays 0 here, because nothing has started it before. Put 'start { $event }' above, or wait a number of seconds.
+workspace-growing-list = This loop adds to '{ $name }' while it goes through it, so it never ends. Go through a copy of the list.
 workspace-idle-loop = Nothing is inside this loop, so it never ends. Put the blocks that it should repeat into it, or remove it.
 workspace-speed-as-angle = This is a speed: the robot would keep turning at { $speed }°/s. { $side ->
     [left] To turn left by { $speed } degrees, choose 'left' in the block 'turn ... by ...°'.
@@ -103,6 +112,7 @@ workspace-list-for-number = This is a list, but a number is needed. Use 'in list
 workspace-join-text = Only text can be added to text. Put the block 'str' from 'Maths' around this, which makes it text.
 workspace-append = Only a list can be added to a list. To add one item, replace the whole block 'set ... to' with 'in list ... insert at last' from 'Variables'.
 # $advice: one of the messages about text for a number
+workspace-rounded = Computers round decimals: 0.1 + 0.2 is 0.30000000000000004. So these two may differ by very little. Round what is calculated, or compare with '≥' or '≤'.
 workspace-never-equal = Text never equals a number. { $advice }
 workspace-decimals = A whole number is needed here, but this one has decimals, as in 5.0. Put a 'round' block around it.
 workspace-repeat-whole-number = 'repeat' needs a whole number, not { $number }. Write { $less } or { $more }.
@@ -111,6 +121,7 @@ workspace-for-number = This is a number, not a list. To count, use 'count with {
 workspace-text-as-condition = Text is not a condition: it counts as true. Put a comparison from 'Maths' or a question for the robot here.
 workspace-number-as-condition = The number { $number } is not a condition. Put a comparison from 'Maths' or a question for the robot here.
 workspace-action-as-condition = This block does something and answers nothing. Put a comparison from 'Maths' or a question for the robot here.
+workspace-unused-answer = This block gives an answer, but nothing uses it. Put it into a variable, a condition or 'print'.
 workspace-no-result = This function returns nothing, so there is no value to use. Give it a 'return' block, or put it into the program without this block around it.
 workspace-bare-value = Each side of '{ $operator }' needs its own comparison. Replace this with '{ $variable } { $comparison } { $value }' from 'Maths'.
 workspace-divide-by-zero = Nothing can be divided by 0. Write another number here.
@@ -135,5 +146,6 @@ workspace-unreachable-after-jump = This block never runs: the block above it lea
    *[other] this round of the loop
 } first. Move it above that block, or remove it.
 workspace-unreachable-after-loop = This block never runs: the loop above it never ends. Move it into the loop or above it, or end the loop with 'leave the loop'.
+workspace-unreachable-after-call = This is never reached because '{ $name }' above it never ends. Move it above that block, or put 'leave the loop' into the loop of '{ $name }'.
 workspace-unreachable-after-branches = This block never runs: every branch of the 'if' above leaves before it. Move it above the 'if', or remove it.
 workspace-sensor-outside-loop = The robot is asked only once, when the program gets here. To keep asking, put this block into 'repeat forever', or use an event from 'Events'.

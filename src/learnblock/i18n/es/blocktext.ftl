@@ -46,6 +46,9 @@ blocktext-braces = En Block-Text las llaves son solo para diccionarios, por ejem
 blocktext-entry-equals = Entre una clave y su valor va ':', no '='.
 blocktext-entry-without-value = Un diccionario tiene un valor para cada clave, por ejemplo '{"{"}"Ana": 10{"}"}'. Una lista lleva corchetes.
 blocktext-meaningless = '{ $found }' no significa nada en Block-Text. Quítalo.
+# $name: the character's name in Unicode, such as zero width space; $number: such as U+200B
+blocktext-invisible = Aquí hay un carácter invisible: { $name }, { $number }. Bórralo, o vuelve a escribir esta parte de la línea.
+blocktext-odd-space = Aquí hay un espacio poco común: { $name }, { $number }. Escribe un espacio normal en su lugar.
 blocktext-reserved-word = '{ $word }' es una palabra reservada. Elige otro nombre.
 blocktext-unknown-word = Ninguna instrucción empieza con '{ $word }'. Revisa cómo está escrito.
 blocktext-unknown-word-near = Ninguna instrucción empieza con '{ $word }'. ¿Querías decir '{ $near }'?
@@ -73,7 +76,12 @@ blocktext-unclosed-bracket = Este '{ $opening }' no se cierra. Escribe '{ $closi
 blocktext-unclosed-bracket-in-line = Este '{ $opening }' no se cierra nunca. Escribe '{ $closing }' al final de la línea: '{ $instead }'.
 blocktext-unclosed-bracket-before-colon = Este '(' no se cierra nunca. Escribe ')' antes de ':': '{ $instead }'.
 blocktext-unclosed-bracket-below = Este '{ $opening }' no se cierra nunca. Escribe '{ $closing }' al final de la línea { $last }: '{ $instead }'.
+blocktext-default-value = En Block-Text un parámetro no tiene valor por defecto. Escribe '{ $instead }' y da todos los valores en cada llamada.
+blocktext-parameter-type = En Block-Text un parámetro es solo un nombre, sin tipo. Escribe '{ $instead }'.
+blocktext-any-arguments = En Block-Text una función recibe un número fijo de valores. Escribe '{ $instead }' y pasa una lista si son más.
+blocktext-result-type = En Block-Text una función no tiene tipo. Escribe '{ $instead }'.
 blocktext-too-deep = Aquí hay demasiadas cosas unas dentro de otras. Guarda una parte en una variable.
+blocktext-too-many-operators = Este cálculo tiene más de { $limit } pasos. Guarda la primera parte en una variable y sigue con ella en la línea siguiente.
 blocktext-number-too-long = Un número de { $digits } cifras es demasiado largo. Debe tener menos de { $limit }.
 blocktext-bad-number = '{ $text }' no es un número. Escribe uno, como 40 o 0.5.
 # $text: such as 3m

@@ -29,6 +29,9 @@ check-never-started = Nada inicia 'when { $name }', así que no se ejecuta nunca
 check-never-started-python = Nada inicia el evento '{ $name }', así que no se ejecuta nunca. Escribe '{ $name }.activate()' donde deba empezar, o dale una condición: '@robot.when(lambda: ...)'.
 check-events-never-run = Este bucle no termina nunca, así que los eventos como '{ $name }' no se ejecutan. Pasa lo que repite el bucle a un evento que se ejecute siempre, como 'when drive = True:', o termina el bucle con 'if ...:' y 'break' dentro.
 check-events-never-run-python = Este bucle no termina nunca, así que los eventos como '{ $name }' no se ejecutan. Pasa lo que repite el bucle a una función debajo de '@robot.when(lambda: True)', o termina el bucle con 'if ...:' y 'break' dentro.
+check-events-held-up = Cuando este bucle empieza, ya no termina nunca, así que los eventos como '{ $name }' dejan de ejecutarse. Termina el bucle con 'if ...:' y 'break' dentro.
+check-events-held-up-by-event = Cuando este bucle empieza, ya no termina nunca, así que otros eventos como '{ $name }' dejan de ejecutarse. Quita 'forever:' y su 'end': las líneas de un evento se repiten de todos modos mientras está activo.
+check-events-held-up-by-event-python = Cuando este bucle empieza, ya no termina nunca, así que otros eventos como '{ $name }' dejan de ejecutarse. Quita 'while True:': las líneas de un evento se repiten de todos modos mientras está activo.
 check-unknown-when-near = No hay ningún 'when { $name }'. ¿Querías decir '{ $near }'?
 # $word: def or when
 check-defined-twice = Ya hay otro '{ $word } { $name }' en la línea { $line }. Cambia el nombre de uno o únelos.
@@ -94,6 +97,19 @@ check-never-repeats = Con 'repeat { $count }' las líneas de dentro no se ejecut
 check-never-repeats-python = Con 'range({ $count })' las líneas de dentro no se ejecutan nunca. Escribe un número mayor que 0.
 check-wait-until = Esperar a una condición no es una habilidad. Escribe 'wait until' y la condición, por ejemplo 'wait until function.is_front_obstacle()'.
 check-idle-wait = Nada cambia esto mientras el programa espera aquí, así que espera para siempre o nada. Pregunta en ello al robot, por ejemplo '{ $skill }'.
+check-unchanged-in-wait = Solo otras líneas podrían cambiar '{ $name }', y ninguna se ejecuta mientras el programa espera aquí. Así que espera para siempre o nada. Pregunta en ello al robot, por ejemplo '{ $skill }'.
+check-unchanged-in-loop = Nada en este bucle cambia '{ $name }' y ninguna otra línea se ejecuta mientras tanto, así que una vez que empieza no termina nunca. Cambia '{ $name }' dentro, o escribe 'break' donde deba terminar.
+check-told-stays = '{ $name }' solo repite lo último que se le mandó al robot, y aquí nada le manda otra cosa. Así que el programa se queda aquí para siempre o nada. Pregunta a un sensor, por ejemplo '{ $skill }'.
+# $name: such as state_go
+check-state-in-wait = Los eventos no se ejecutan mientras el programa espera aquí, así que '{ $name }' no puede cambiar: espera para siempre o nada. Pasa las líneas de abajo a 'when { $event }', o pregunta al robot, por ejemplo '{ $skill }'.
+check-state-in-wait-python = Los eventos no se ejecutan mientras el programa espera aquí, así que '{ $name }' no puede cambiar: espera para siempre o nada. Pasa las líneas de abajo al evento '{ $event }', o pregunta al robot, por ejemplo '{ $skill }'.
+check-state-in-loop = Los eventos no se ejecutan durante este bucle, así que '{ $name }' no puede cambiar y, una vez que empieza, no termina nunca. Pasa sus líneas a 'when { $event }', o pregunta al robot, por ejemplo '{ $skill }'.
+check-state-in-loop-python = Los eventos no se ejecutan durante este bucle, así que '{ $name }' no puede cambiar y, una vez que empieza, no termina nunca. Pasa sus líneas al evento '{ $event }', o pregunta al robot, por ejemplo '{ $skill }'.
+# $name: such as time_go
+check-time-stays = '{ $name }' sigue en 0 aquí, porque nada ha activado antes 'when { $event }'. Escribe 'activate { $event }' encima, o espera con '{ $sleep }'.
+check-time-stays-python = '{ $name }' sigue en 0 aquí, porque nada ha activado antes el evento '{ $event }'. Escribe '{ $event }.activate()' encima, o espera con '{ $sleep }'.
+check-growing-list = Este bucle añade a '{ $name }' mientras lo recorre, así que no termina nunca. Recorre una copia: 'for { $target } in copy({ $name }):'.
+check-growing-list-python = Este bucle añade a '{ $name }' mientras lo recorre, así que no termina nunca. Recorre una copia: 'for { $target } in { $name }.copy():'.
 check-idle-loop = Este bucle no hace nada, así que no termina nunca. Escribe dentro las líneas que debe repetir, o quítalo.
 check-step-zero = Con 'step 0' el bucle no terminaría nunca. Escribe otro paso.
 
@@ -115,8 +131,13 @@ check-join-text = A un texto solo se le puede sumar otro texto. Escribe 'str({ $
 check-append = A una lista solo se le puede sumar otra lista. Escribe 'append({ $values }, { $item })' para añadir un elemento.
 check-append-python = A una lista solo se le puede sumar otra lista. Escribe '{ $values }.append({ $item })' para añadir un elemento.
 # $advice: one of the messages above
+# $name: a variable; $value: what it is compared with
+check-rounded = '{ $name }' se calcula con decimales, y los ordenadores los redondean: 0.1 + 0.2 es 0.30000000000000004. Por eso puede no llegar a { $value } por muy poco. Escribe aquí 'round({ $name }, 3)' en lugar de '{ $name }'.
+check-rounded-sum = Los ordenadores redondean los decimales: 0.1 + 0.2 es 0.30000000000000004. Por eso estos dos pueden diferenciarse en muy poco. Escribe 'round(..., 3)' alrededor de lo que se calcula.
 check-never-equal = Un texto nunca es igual a un número. { $advice }
 check-decimals = Aquí hace falta un número entero, y Python le da decimales, como en 5.0. Escribe '//' en vez de '/', o ponlo dentro de 'int(...)'.
+check-random-decimals = 'random' espera números enteros y responde con uno, no { $number }. Para un número con decimales escribe 'random_fraction() * 10'.
+check-random-order = 'random' necesita primero el número menor. Escribe 'random({ $high }, { $low })'.
 check-repeat-whole-number = 'repeat' necesita un número entero, no { $number }. Escribe 'repeat { $less }:' o 'repeat { $more }:'.
 check-for-dictionary = Un diccionario solo da sus claves. Escribe 'for { $names } in items({ $value }):' para las claves con sus valores.
 check-for-dictionary-python = Un diccionario solo da sus claves. Escribe 'for { $names } in { $value }.items():' para las claves con sus valores.
@@ -125,6 +146,7 @@ check-for-number-python = '{ $value }' es un número, no una lista. Escribe 'for
 check-text-as-condition = Un texto entre comillas siempre es verdadero. Quita las comillas si es una condición.
 check-number-as-condition = { $number } no es una condición. Escribe una comparación, como 'x == { $number }'.
 check-action-as-condition = '{ $call }' hace algo y no responde nada, así que esto nunca se cumple. Usa una pregunta, como las que empiezan por 'is_'.
+check-unused-answer = '{ $call }' da una respuesta, pero nada la usa. Guárdala con 'respuesta = { $spelled }', pregúntala en una condición como 'if', o muéstrala con 'print({ $spelled })'.
 check-no-result = '{ $call }' hace algo y no devuelve nada. Escríbelo en su propia línea, sin '='.
 check-bare-value = Cada lado de '{ $operator }' necesita su propia comparación. Escribe '{ $operator } { $variable } { $comparison } { $value }'.
 check-divide-by-zero = No se puede dividir entre 0. Escribe otro número después de '{ $operator }'.
@@ -255,6 +277,7 @@ check-calls-itself-python = '{ $name }' se llama aquí a sí misma una y otra ve
 # $word: break, continue or return
 check-unreachable-after-jump = Aquí no se llega nunca, por el '{ $word }' de la línea { $line }. Escríbelo encima de esa línea, o quítalo.
 check-unreachable-after-loop = Aquí no se llega nunca, porque el bucle de la línea { $line } no termina. Escríbelo dentro del bucle o encima, o sal del bucle con 'break'.
+check-unreachable-after-call = Aquí no se llega nunca, porque '{ $name }', que se llama en la línea { $line }, no termina. Escríbelo encima de esa línea, o sal del bucle de '{ $name }' con 'break'.
 check-unreachable-after-branches = Aquí no se llega nunca, porque ninguna rama del 'if' de la línea { $line } sigue hasta aquí. Escríbelo encima del 'if', o quítalo.
 check-sensor-outside-loop = '{ $skill }' se mira una sola vez, cuando el programa llega aquí. Pon el 'if' dentro de 'forever:' para seguir mirando, o usa un 'when'.
 check-sensor-outside-loop-python = '{ $skill }' se mira una sola vez, cuando el programa llega aquí. Pon el 'if' dentro de 'while True:' para seguir mirando, o escribe lo que hace como una función debajo de '@robot.when(lambda: { $skill }())'.

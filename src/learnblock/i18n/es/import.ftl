@@ -18,12 +18,12 @@ import-print-brackets = 'print' lleva ahora paréntesis.
 import-degrees = En '{ $skill }', { $radians } radianes por segundo pasan a ser { $degrees } grados por segundo.
 import-unset = La variable '{ $name }' no tenía ningún valor al principio. Ahora vale 0.
 import-twice = Hay más de un '{ $name }'. Se usa el primero; los bloques de los demás quedan sueltos.
+import-heard = Ahora el mensaje lo escucha el evento 'when { $event } = { $condition }'. Pon en él lo que deba empezar con el mensaje.
 import-library = El proyecto usaba la biblioteca '{ $name }'. Sus funciones son ahora parte del programa.
 
 ## Lo que falta
 
 import-unknown-skill = No hay ninguna habilidad '{ $skill }'. Como instrucción pasa a ser un comentario; como condición, False.
-import-messages = Los mensajes entre robots ('{ $skill }') no están disponibles. Como instrucción pasa a ser un comentario; como condición, False.
 import-unread-line = '{ $text }' no se puede leer. Como instrucción pasa a ser un comentario; como condición, False.
 import-no-condition = Un '{ $name }' no tenía condición. Pasa a ser False.
 import-no-if = Un '{ $name }' no tenía ningún 'if' encima. Pasa a ser un 'if'.

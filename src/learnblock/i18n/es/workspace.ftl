@@ -60,6 +60,8 @@ workspace-unknown-when = No hay ningún evento '{ $name }'. Créalo con 'Nuevo e
 workspace-unknown-when-near = No hay ningún evento '{ $name }'. ¿Querías decir '{ $near }'? Elígelo en este bloque.
 workspace-never-started = Nada inicia el evento '{ $name }', así que no se ejecuta nunca. Pon en el programa un bloque 'iniciar { $name }' de 'Eventos', o añade una condición a este bloque con su '+'.
 workspace-events-never-run = Este bucle no termina nunca, así que los eventos como '{ $name }' no se ejecutan. Pasa lo que repite el bucle a un evento con 'verdadero' como condición, o pon en el bucle un 'si' con 'salir del bucle'.
+workspace-events-held-up = Cuando este bucle empieza, ya no termina nunca, así que los eventos como '{ $name }' dejan de ejecutarse. Pon dentro del bucle un 'si' con 'salir del bucle'.
+workspace-events-held-up-by-event = Cuando este bucle empieza, ya no termina nunca, así que otros eventos como '{ $name }' dejan de ejecutarse. Saca sus bloques del bucle: los bloques de un evento se repiten de todos modos mientras está activo.
 # $word: def or when
 workspace-defined-twice = { $word ->
     [def] Hay dos funciones '{ $name }'.
@@ -90,6 +92,13 @@ workspace-step-zero = Con 'de a 0' el bucle no terminaría nunca. Escribe otro n
 workspace-counts-up = Este bucle no se ejecuta nunca, porque cuenta hacia delante de { $start } a { $stop }. Escribe -1 después de 'de a' para contar hacia atrás.
 workspace-never-repeats = Si se repite { $count } veces, los bloques de dentro no se ejecutan nunca. Escribe un número mayor que 0.
 workspace-idle-wait = Nada cambia esta condición mientras el programa espera aquí, así que espera para siempre o nada. Usa en ella una pregunta al robot.
+workspace-unchanged-in-wait = Solo otros bloques podrían cambiar '{ $name }', y ninguno se ejecuta mientras el programa espera aquí. Así que espera para siempre o nada. Usa una pregunta al robot.
+workspace-unchanged-in-loop = Nada en este bucle cambia '{ $name }' y ningún otro bloque se ejecuta mientras tanto, así que una vez que empieza no termina nunca. Cambia '{ $name }' dentro, o pon 'salir del bucle' donde deba terminar.
+workspace-told-stays = Esta pregunta solo repite lo último que se le mandó al robot, y aquí nada le manda otra cosa. Así que el programa se queda aquí para siempre o nada. Usa una pregunta a un sensor.
+workspace-state-in-wait = Los eventos no se ejecutan mientras el programa espera aquí, así que '{ $event }' no puede empezar ni parar: espera para siempre o nada. Pasa los bloques de abajo a 'cuando { $event }', o usa una pregunta al robot.
+workspace-state-in-loop = Los eventos no se ejecutan durante este bucle, así que '{ $event }' no puede empezar ni parar y, una vez que empieza, el bucle no termina nunca. Pasa sus bloques a 'cuando { $event }', o usa una pregunta al robot.
+workspace-time-stays = El tiempo de '{ $event }' sigue en 0 aquí, porque nada lo ha activado antes. Pon 'activar { $event }' encima, o espera unos segundos.
+workspace-growing-list = Este bucle añade a '{ $name }' mientras lo recorre, así que no termina nunca. Recorre una copia de la lista.
 workspace-idle-loop = Dentro de este bucle no hay nada, así que no termina nunca. Pon dentro los bloques que debe repetir, o quítalo.
 workspace-speed-as-angle = Esto es una velocidad: el robot seguiría girando a { $speed }°/s. { $side ->
     [left] Para girar { $speed } grados a la izquierda, elige 'izquierda' en el bloque 'girar ...° a la ...'.
@@ -103,6 +112,7 @@ workspace-list-for-number = Esto es una lista, pero hace falta un número. Usa '
 workspace-join-text = A un texto solo se le puede sumar otro texto. Pon alrededor de esto el bloque 'str' de 'Cálculo', que lo convierte en un texto.
 workspace-append = A una lista solo se le puede sumar otra lista. Para añadir un elemento, cambia todo el bloque 'establecer ... a' por 'en la lista ... insertar en último', de 'Variables'.
 # $advice: one of the messages about text for a number
+workspace-rounded = Los ordenadores redondean los decimales: 0.1 + 0.2 es 0.30000000000000004. Por eso estos dos pueden diferenciarse en muy poco. Redondea lo que se calcula, o compara con '≥' o '≤'.
 workspace-never-equal = Un texto nunca es igual a un número. { $advice }
 workspace-decimals = Aquí hace falta un número entero, y este tiene decimales, como 5.0. Ponlo dentro de un bloque 'redondear'.
 workspace-repeat-whole-number = 'repetir' necesita un número entero, no { $number }. Escribe { $less } o { $more }.
@@ -111,6 +121,7 @@ workspace-for-number = Esto es un número, no una lista. Para contar usa 'contar
 workspace-text-as-condition = Un texto no es una condición: cuenta como verdadero. Pon aquí una comparación de 'Cálculo' o una pregunta al robot.
 workspace-number-as-condition = El número { $number } no es una condición. Pon aquí una comparación de 'Cálculo' o una pregunta al robot.
 workspace-action-as-condition = Este bloque hace algo y no responde nada. Pon aquí una comparación de 'Cálculo' o una pregunta al robot.
+workspace-unused-answer = Este bloque da una respuesta, pero nada la usa. Ponla en una variable, una condición o 'escribir'.
 workspace-no-result = Esta función no devuelve nada, así que no hay ningún valor que usar. Ponle un bloque 'devolver', o úsala en el programa sin este bloque alrededor.
 workspace-bare-value = Cada lado de '{ $operator ->
     [and] y
@@ -139,5 +150,6 @@ workspace-unreachable-after-jump = Este bloque no se ejecuta nunca: el de encima
    *[other] esta vuelta del bucle
 }. Ponlo encima de ese bloque, o quítalo.
 workspace-unreachable-after-loop = Este bloque no se ejecuta nunca: el bucle de encima no termina. Ponlo dentro del bucle o encima de él, o termina el bucle con 'salir del bucle'.
+workspace-unreachable-after-call = Aquí no se llega nunca, porque '{ $name }', más arriba, no termina. Ponlo encima de ese bloque, o pon 'salir del bucle' en el bucle de '{ $name }'.
 workspace-unreachable-after-branches = Este bloque no se ejecuta nunca: todas las ramas del 'si' de encima salen antes. Ponlo encima del 'si', o quítalo.
 workspace-sensor-outside-loop = Al robot se le pregunta solo una vez, cuando el programa llega aquí. Para seguir preguntando, pon este bloque dentro de 'repetir siempre', o usa un evento de 'Eventos'.

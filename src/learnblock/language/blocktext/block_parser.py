@@ -9,9 +9,10 @@ from typing import Any, TypeVar
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.lexer import LINE_ENDS, Token, Tokens
 from learnblock.language.blocktext.line_rewriter import LineRewriter
-from learnblock.language.blocktext.slips import Rewritten, Slip, write_instead
+from learnblock.language.blocktext.slips import Rewritten, Slip
 from learnblock.language.blocktext.token_reader import from_to
 from learnblock.language.tree import raw
+from learnblock.language.tree.characters import write_instead
 from learnblock.language.tree.nodes import Blank, Body, Comment, Raw, Span, Statement
 
 # Writing a deeper tree would overflow the stack of Python.

@@ -10,8 +10,9 @@ from learnblock.language.blocktext.dictionary_parser import dictionary
 from learnblock.language.blocktext.f_string_parser import bad_f_string, f_string
 from learnblock.language.blocktext.lexer import KEYWORDS, LINE_ENDS, Token, Tokens
 from learnblock.language.blocktext.open_brackets import CLOSING
-from learnblock.language.blocktext.slips import Slip, symbol, write_instead
+from learnblock.language.blocktext.slips import Slip, symbol
 from learnblock.language.blocktext.token_reader import TokenReader, new
+from learnblock.language.tree.characters import write_instead
 from learnblock.language.tree.nodes import (
     Binary,
     Call,
@@ -104,6 +105,10 @@ class ExpressionParser(TokenReader):
                 left = self.conditional(left)
                 continue
             height = self.height
+            if height >= MAX_HEIGHT:
+                raise self.slip(
+                    "too-deep", Phrase("blocktext-too-many-operators", limit=MAX_HEIGHT)
+                )
             self.index += 1
             right = self.exponent() if binding == _POWER else self.expression(binding + 1)
             self.grow(height)

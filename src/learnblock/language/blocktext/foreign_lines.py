@@ -8,6 +8,7 @@ strings, and is tried only on a line that cannot be read.
 import re
 from collections.abc import Sequence
 
+from learnblock.language.blocktext import spoken_lines
 from learnblock.language.blocktext.line_rules import NAME, REST, Rule, at_start
 from learnblock.language.blocktext.several_targets import SEVERAL_TARGETS
 from learnblock.language.tree.builtins import TEMPLATES
@@ -395,14 +396,20 @@ RULES = (
     CURLY_QUOTES,
     *_COMMENTS,
     *_ENDS,
+    *spoken_lines.EVENTS,
     *_EVENTS,
     *_LOOPS,
+    *spoken_lines.LOOPS,
+    *spoken_lines.SIGNATURES,
     *_DEFINITIONS,
     *_ACTIONS,
     *KEYWORDS,
     *_ASSIGNMENTS,
     *_BRACES,
+    *spoken_lines.ROBOT,
     *_PYTHON,
     *OPERATORS,
+    *spoken_lines.OPERATORS,
+    *spoken_lines.CALLS,
     *_CALLS,
 )

@@ -1,13 +1,13 @@
 """Split Block-Text into tokens, in one pass with one compiled pattern."""
 
 import re
-import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from learnblock.errors import Diagnostic
 from learnblock.i18n import Phrase
+from learnblock.language.tree.identifiers import IDENTIFIER, normal
 
 KEYWORDS = frozenset(
     [
@@ -59,7 +59,7 @@ _TOKEN = re.compile(
     r"""([ \t\f\xa0]*+)(?:
     (
         [fF](?:"(?:[^"\\\n\r]|\\[^\n\r])*"|'(?:[^'\\\n\r]|\\[^\n\r])*')
-        |[^\W\d]\w*
+        |IDENTIFIER
         |\*\*=|//=|\*\*|//|[-+*/%=!<>]=|[-+*/%<>=()\[\]{},:]|\.(?![0-9])
         |(?:\r?\n|\r)(?:[ \t\f\xa0]*(?:\r?\n|\r))*
         |0[xXbBoO]\w*|(?:[0-9][0-9_]*\.?[0-9_]*|\.[0-9][0-9_]*)(?:[eE][-+]?[0-9][0-9_]*)?
@@ -69,7 +69,7 @@ _TOKEN = re.compile(
     )
     |(["'`][^\n\r]*|[^ \t\f\xa0])
     |\Z
-    )""",
+    )""".replace("IDENTIFIER", IDENTIFIER),
     re.VERBOSE,
 )
 # The kind of a token that is neither a keyword nor an operator, by its first character.
@@ -185,11 +185,11 @@ def _plain_line_ends(text: str) -> str:
 
 
 def _foreign_name(text: str) -> tuple[str, str]:
-    """The kind and text of a name with letters beyond ASCII, normalized as Python does."""
-    text = unicodedata.normalize("NFKC", text)
-    if text in KEYWORDS:
-        return text, text
-    return ("name" if text.isidentifier() else "bad"), text
+    """The kind and text of a name with letters beyond ASCII."""
+    name = normal(text)
+    if name is None:
+        return "bad", text
+    return (name if name in KEYWORDS else "name"), name
 
 
 def _f_string(text: str, line: int, column: int) -> Iterator[Token]:

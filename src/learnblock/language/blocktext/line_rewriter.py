@@ -1,12 +1,13 @@
 """The part of a parser that rewrites a line from another language in place, and reports it."""
 
 from collections.abc import Iterable
+from functools import cached_property
 
 from learnblock.errors import Diagnostic
 from learnblock.language.blocktext.expression_parser import ExpressionParser
-from learnblock.language.blocktext.foreign_lines import RULES
+from learnblock.language.blocktext.foreign_lines import NAME_WITH_SPACE, RULES
 from learnblock.language.blocktext.lexer import LINE_ENDS, Token, Tokens, tokenize
-from learnblock.language.blocktext.line_rules import Rewording, reworded
+from learnblock.language.blocktext.line_rules import Rewording, Rule, reworded
 
 #: At most this many lines are compared with known slips; a pupil reads only the first messages.
 MAX_COMPARED = 200
@@ -40,7 +41,7 @@ class LineRewriter(ExpressionParser):
         if any(token.line != number for token in self.tokens[start:end]):
             return False
         self.compared += 1
-        rewording = reworded(self.code_of(number, end), RULES)
+        rewording = reworded(self.code_of(number, end), (*self.spaced_names, *RULES))
         if rewording is None:
             return False
         if number not in self.rewritten:
@@ -50,6 +51,22 @@ class LineRewriter(ExpressionParser):
         # The new line may be shorter than the part that was read of the old one.
         self.index = start
         return True
+
+    @cached_property
+    def spaced_names(self) -> tuple[Rule, ...]:
+        """Rules for the names of two words that lines of the program set."""
+        names: dict[tuple[str, str], None] = {}
+        for line in self.lines:
+            found = NAME_WITH_SPACE.match(line)
+            rewording = reworded(line, RULES) if found else None
+            if found and rewording and rewording.message.code == NAME_WITH_SPACE.code:
+                names[found[2], found[3]] = None
+        return tuple(
+            NAME_WITH_SPACE._replace(
+                pattern=rf".*?\b(?P<wrong>({first})\s+({second}))\b", instead=r"\2_\3"
+            )
+            for first, second in names
+        )
 
     def line_end_index(self) -> int:
         index = self.index

@@ -6,13 +6,14 @@ from functools import cache
 from typing import NamedTuple
 
 from learnblock.i18n import Phrase
+from learnblock.language.tree.identifiers import IDENTIFIER
 
 WRITE_INSTEAD = "blocktext-write-instead"
 #: Longer lines are not reworded: the patterns go over a line several times.
 MAX_LENGTH = 200
 #: A condition or a value: everything up to the colon.
 REST = r"(\S.*?)\s*:?\s*$"
-NAME = r"([^\W\d]\w*)"
+NAME = rf"({IDENTIFIER})"
 _TEXTS = re.compile(r"\"(?:[^\"\\]|\\.)*\"|'(?:[^'\\]|\\.)*'")
 
 

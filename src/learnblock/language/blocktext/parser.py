@@ -15,6 +15,7 @@ from learnblock.language.blocktext.lexer import LINE_ENDS, Token, tokenize
 from learnblock.language.blocktext.order import definitions_first
 from learnblock.language.blocktext.slips import Slip
 from learnblock.language.blocktext.statement_parser import ASSIGNMENTS, StatementParser
+from learnblock.language.tree.identifiers import IDENTIFIER
 from learnblock.language.tree.layout import normalized
 from learnblock.language.tree.nodes import (
     Blank,
@@ -33,7 +34,7 @@ from learnblock.language.tree.nodes import (
 
 MAX_DIAGNOSTICS = 100
 
-MODULE = re.compile(r"[^\W\d]\w*(?:\.[^\W\d]\w*)*")
+MODULE = re.compile(rf"{IDENTIFIER}(?:\.{IDENTIFIER})*")
 
 
 def parse(text: str, filename: str = "program.bt") -> Program:

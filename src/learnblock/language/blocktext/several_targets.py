@@ -5,8 +5,9 @@ from collections.abc import Callable, Sequence
 from itertools import pairwise
 
 from learnblock.language.blocktext.line_rules import NAME, Rule
+from learnblock.language.tree.identifiers import IDENTIFIER
 
-_WORD = r"[^\W\d]\w*"
+_WORD = IDENTIFIER
 #: A value that uses no variable, so that the order of the lines does not matter.
 _PLAIN = r"(?:-?[\d.]+|\"[^\"]*\"|'[^']*'|True\b|False\b|None\b|\[\s*\])"
 _NAMES = rf"\s*({NAME}(?:\s*,\s*{_WORD}){{2,}})"

@@ -10,13 +10,9 @@ from types import MappingProxyType
 from learnblock.errors import Diagnostic, nearest
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.lexer import KEYWORDS, LINE_ENDS, Token
+from learnblock.language.tree.characters import foreign, write_instead
 
 _BRACES = Phrase("blocktext-braces")
-
-
-def write_instead(found: str, instead: str) -> Phrase:
-    """Advice to write one thing instead of another."""
-    return Phrase("blocktext-write-instead", found=found, instead=instead)
 
 
 def _replaced(pairs: Mapping[str, str]) -> dict[str, Phrase]:
@@ -155,8 +151,9 @@ def bad_character(token: Token) -> Slip:
     mark = token.text[0]
     if mark in "\"'`":
         return slip(token, "missing-quote", Phrase("blocktext-missing-quote", quote=mark))
+    message = _CHARACTERS.get(token.text) or foreign(token.text)
     meaningless = Phrase("blocktext-meaningless", found=token.text)
-    return slip(token, "bad-character", _CHARACTERS.get(token.text, meaningless))
+    return slip(token, "bad-character", message or meaningless)
 
 
 def no_statement(token: Token) -> Slip:

@@ -11,9 +11,9 @@ from learnblock.language.blocktext import slips
 from learnblock.language.blocktext.block_parser import STATEMENT_ENDS, TOP_LEVEL, BlockParser
 from learnblock.language.blocktext.expression_parser import OPERATORS, name_of
 from learnblock.language.blocktext.lexer import LINE_ENDS, Token
-from learnblock.language.blocktext.slips import write_instead
 from learnblock.language.blocktext.token_reader import from_to
 from learnblock.language.tree import raw
+from learnblock.language.tree.characters import write_instead
 from learnblock.language.tree.nodes import (
     Activate,
     Assign,

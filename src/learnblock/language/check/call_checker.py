@@ -8,9 +8,14 @@ from learnblock.blocks.old_names import todays_name
 from learnblock.errors import nearest
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.names import state_of
+from learnblock.language.blocktext.other_names import FUNCTIONS as OTHER_FUNCTIONS
+from learnblock.language.blocktext.other_names import (
+    FUNCTIONS_AS_SKILLS,
+    MOVE_STRAIGHT,
+    SKILLS,
+    SKILLS_WITH_VALUE,
+)
 from learnblock.language.check.findings import Findings, constant, python_error
-from learnblock.language.check.other_names import FUNCTIONS as OTHER_FUNCTIONS
-from learnblock.language.check.other_names import FUNCTIONS_AS_SKILLS, MOVE_STRAIGHT, SKILLS
 from learnblock.language.python.syntax_errors import syntax_message
 from learnblock.language.tree.builtins import BUILTINS, FUNCTIONS, TEMPLATES
 from learnblock.language.tree.nodes import (
@@ -21,15 +26,26 @@ from learnblock.language.tree.nodes import (
     Item,
     Name,
     Number,
+    Perform,
     RawExpression,
     SkillCall,
     Span,
     String,
 )
 from learnblock.language.tree.traversal import all_expressions
+from learnblock.numerals import shown
 
 # Quarter turns and their multiples.
 _ANGLES = frozenset((90, 180, 270, 360))
+#: From here on, a number of seconds was meant in milliseconds.
+_MILLISECONDS = 100
+#: The functions that are written as statements of their own.
+_STATEMENTS = frozenset(
+    (
+        *("print", "input", "append", "extend", "insert", "remove", "pop", "clear", "sort"),
+        *("reverse", "shuffle", "elapsedTime"),
+    )
+)
 _OPEN_ENDED = frozenset(name for name, (_, most) in BUILTINS.items() if most is None)
 
 
@@ -85,6 +101,22 @@ class CallChecker:
             message = Phrase("check-no-libraries", name=name)
         self.report("unknown-library", message, node.span)
 
+    def unused(self, item: Item) -> None:
+        """Report a question as a statement of its own: nothing uses its answer."""
+        if not isinstance(item, Perform):
+            return
+        node = item.call
+        if isinstance(node, SkillCall):
+            skill = self.findings.skills.get(node.name)
+            is_question = skill is not None and not skill.library and skill.returns_value
+            call = self.findings.called(node.name)
+        else:
+            is_plain = node.name in FUNCTIONS and self.findings.is_of_language(node.name)
+            is_question, call = is_plain and node.name not in _STATEMENTS, node.name
+        if is_question:
+            message = Phrase("check-unused-answer", call=call, spelled=f"{call}(...)")
+            self.report("unused-answer", message, node.span, "warning")
+
     def skill_call(self, node: SkillCall) -> None:
         skill = self.findings.skills.get(node.name)
         if skill is None:
@@ -104,27 +136,40 @@ class CallChecker:
             if not self.findings.in_python:
                 self.report("unknown-skill", Phrase("check-wait-until"), node.span)
             return
-        self.report("unknown-skill", self.unknown_skill_message(node.name), node.span)
+        self.report("unknown-skill", self.unknown_skill_message(node), node.span)
 
-    def unknown_skill_message(self, name: str) -> Phrase:
+    def unknown_skill_message(self, node: SkillCall) -> Phrase:
+        name = node.name
         if name in self.findings.functions:
             return Phrase("check-function-as-skill", name=name)
         if reason := self.findings.broken.get(name):
             return Phrase("check-skill-with-error", name=name, reason=reason)
         skills = self.findings.skills
         near = todays_name(name, skills)
-        if near is None and (meant := self.meant(SKILLS, name)) is not None:
+        if near is None and (meant := self.meant(SKILLS, node)) is not None:
             return Phrase("check-unknown-skill-meant", name=name, advice=self.advice(meant))
         near = near or nearest(name, skills)
         if near is None:
             return Phrase("check-unknown-skill", name=name)
         return Phrase("check-unknown-skill-near", name=name, near=near)
 
-    def meant(self, names: Mapping[str, str], name: str) -> str | None:
-        """Our skill call for a name from another language."""
-        call = names.get(name)
+    def meant(self, names: Mapping[str, str], node: Call | SkillCall) -> str | None:
+        """Our skill call for one of another language, with its value if there is one."""
+        call = self.with_value(node) or names.get(node.name)
         known = call is not None and call.partition("(")[0] in self.findings.skills
         return self.findings.called(call) if call is not None and known else None
+
+    def with_value(self, node: Call | SkillCall) -> str | None:
+        call = SKILLS_WITH_VALUE.get(node.name)
+        if call is None or len(node.arguments) != 1 or node.keywords:
+            return None
+        number = constant(node.arguments[0])
+        if isinstance(number, int | float):
+            if call.startswith("sleep") and number >= _MILLISECONDS:
+                number /= 1000
+            return call.format(shown(number)).replace("--", "")
+        value = self.findings.spelled(node.arguments[0])
+        return None if value.endswith(("...", "...)")) else call.format(value)
 
     def advice(self, call: str) -> Phrase:
         """The advice to write a call, which may need another one that ends what it begins."""
@@ -248,26 +293,27 @@ class CallChecker:
 
     def unknown_function(self, node: Call) -> None:
         unknown_range = node.name == "range" and node.name not in self.findings.skills
-        message = _counting(node) if unknown_range else self.unknown_function_message(node.name)
+        message = _counting(node) if unknown_range else self.unknown_function_message(node)
         self.report("unknown-function", message, node.span)
 
-    def unknown_function_message(self, name: str) -> Phrase:
+    def unknown_function_message(self, node: Call) -> Phrase:
+        name = node.name
         if name in self.findings.skills:
             return Phrase("check-skill-as-name", name=name, skill=self.findings.called(name))
         if name == "robot":
             return Phrase("check-robot-not-first")
-        if (instead := self.function_meant(name)) is not None:
+        if (instead := self.function_meant(node)) is not None:
             return Phrase("check-unknown-function-meant", name=name, advice=self.advice(instead))
         near = self.similar_function(name)
         if near is None:
             return Phrase("check-unknown-function", name=name)
         return Phrase("check-unknown-function-near", name=name, near=near)
 
-    def function_meant(self, name: str) -> str | None:
+    def function_meant(self, node: Call) -> str | None:
         """Our call for a function name from another language."""
-        if name in OTHER_FUNCTIONS:
-            return f"{OTHER_FUNCTIONS[name]}(...)"
-        return self.meant(FUNCTIONS_AS_SKILLS, name)
+        if node.name in OTHER_FUNCTIONS:
+            return f"{OTHER_FUNCTIONS[node.name]}(...)"
+        return self.meant(FUNCTIONS_AS_SKILLS, node)
 
     def similar_function(self, name: str) -> str | None:
         skills = self.findings.skills

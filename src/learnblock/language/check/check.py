@@ -10,8 +10,9 @@ from learnblock.i18n import Phrase
 from learnblock.language.blocktext.names import state_of
 from learnblock.language.check.call_checker import CallChecker
 from learnblock.language.check.device_checker import check_devices
+from learnblock.language.check.endings import LOOPS
 from learnblock.language.check.findings import Findings, is_whole, python_error
-from learnblock.language.check.flow_checker import LOOPS, FlowChecker
+from learnblock.language.check.flow_checker import FlowChecker
 from learnblock.language.check.python_checker import check_python
 from learnblock.language.check.speed_checker import check_speeds
 from learnblock.language.check.type_checker import check_types
@@ -183,6 +184,7 @@ class _Checker:
         if isinstance(item, Comment | Blank | Pass | Import):
             return
         self.calls.own_expressions(item)
+        self.calls.unused(item)
         if isinstance(item, Activate | Deactivate):
             self.activation(item)
         elif isinstance(item, Break | Continue) and not loops:

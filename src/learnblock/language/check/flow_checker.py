@@ -5,6 +5,8 @@ from types import MappingProxyType
 from typing import Any
 
 from learnblock.i18n import Phrase
+from learnblock.language.blocktext.names import state_of
+from learnblock.language.check.endings import START, Endings, breaks, is_endless
 from learnblock.language.check.findings import Findings, constant
 from learnblock.language.tree.nodes import (
     Activate,
@@ -13,7 +15,6 @@ from learnblock.language.tree.nodes import (
     Break,
     Call,
     Comment,
-    Constant,
     Continue,
     Def,
     Expression,
@@ -35,11 +36,20 @@ from learnblock.language.tree.nodes import (
 )
 from learnblock.language.tree.traversal import bodies, statements, within
 
-LOOPS = (While, Repeat, ForEach, ForRange)
 _JUMPS = (Break, Continue, Return)
+_QUESTION = "is_front_obstacle()"
+_UNCHANGED = {"loop": "check-unchanged-in-loop", "wait": "check-unchanged-in-wait"}
+_SAME_STATE = {
+    "loop": ("check-state-in-loop", "check-state-in-loop-python"),
+    "wait": ("check-state-in-wait", "check-state-in-wait-python"),
+}
+_IN_PYTHON = {
+    "check-events-never-run": "check-events-never-run-python",
+    "check-events-held-up-by-event": "check-events-held-up-by-event-python",
+}
+_ADDING = frozenset(("append", "extend", "insert"))
+_TAKING = frozenset(("pop", "remove", "clear"))
 _NOTHING = (Pass, Comment, Blank)
-#: The event that runs at the start, without a condition.
-_START = "start"
 
 
 class FlowChecker:
@@ -48,6 +58,8 @@ class FlowChecker:
     def __init__(self, findings: Findings) -> None:
         self.findings = findings
         self.report = findings.report
+        self.endings = Endings(findings)
+        self.reported: set[int] = set()
 
     def run(self) -> None:
         for item in self.findings.everything:
@@ -55,7 +67,7 @@ class FlowChecker:
             if check is not None:
                 check(self, item)
         if self.findings.whens:
-            self.events_behind_loop()
+            self.events_behind_loops()
 
     def unreachable(self, body: tuple[Item, ...]) -> None:
         """Report the first statement that can never be reached."""
@@ -66,7 +78,7 @@ class FlowChecker:
             if left is not None:
                 self.report("unreachable", _unreachable(left), item.span, "warning")
                 return
-            if _leaves(item):
+            if self.leaves(item):
                 left = item
         if left is not None and self.findings.main and body is self.findings.top:
             main = self.findings.main[0].span
@@ -103,20 +115,66 @@ class FlowChecker:
         return Phrase("check-never-repeats-python", count=_spelled(stop + 1))
 
     def loop(self, item: While) -> None:
-        """Report a loop that does nothing while nothing else changes its condition."""
-        if _is_idle(item.body) and self.is_fixed(item.condition):
+        """Report a loop that nothing ends, unless its author wrote that it is endless."""
+        endless = is_endless(item)
+        fixed = None if endless else self.endings.fixed(item)
+        if fixed is not None:
+            self.report("idle-loop", self.unchanged("loop", fixed), item.condition.span, "warning")
+        elif endless and _is_idle(item.body):
             self.report("idle-loop", Phrase("check-idle-loop"), item.span, "warning")
+        elif endless and (way_out := self.endings.fixed_exit(item)) is not None:
+            condition, part = way_out
+            self.report("idle-loop", self.unchanged("loop", part), condition.span, "warning")
+
+    def each(self, item: ForEach) -> None:
+        """Report a loop that adds to the list that it goes through."""
+        name = item.values.name if isinstance(item.values, Name) else ""
+        changes = [
+            one.call
+            for one in statements(item.body)
+            if isinstance(one, Perform) and isinstance(one.call, Call) and one.call.arguments
+            if isinstance(target := one.call.arguments[0], Name) and target.name == name
+        ]
+        always = {id(one.call) for one in item.body if isinstance(one, Perform)}
+        grows = any(one.name in _ADDING and id(one) in always for one in changes)
+        shrinks = any(one.name in _TAKING for one in changes)
+        leaves = breaks(item.body) or any(isinstance(one, Return) for one in statements(item.body))
+        if grows and not shrinks and not leaves:
+            code = self.findings.worded("check-growing-list", "check-growing-list-python")
+            message = Phrase(code, name=name, target=", ".join(one.name for one in item.targets))
+            self.report("idle-loop", message, item.values.span, "warning")
 
     def waiting(self, item: WaitUntil) -> None:
         """Report waiting for something that only other statements could change."""
-        if not any(map(_may_change, within(item.condition))):
-            message = Phrase("check-idle-wait", skill=self.findings.called("is_front_obstacle()"))
-            self.report("idle-wait", message, item.condition.span, "warning")
+        fixed = self.endings.fixed(item)
+        if fixed is not None:
+            message = self.unchanged("wait", fixed)
+        elif any(map(_may_change, within(item.condition))):
+            return
+        else:
+            message = Phrase("check-idle-wait", skill=self.findings.called(_QUESTION))
+        self.report("idle-wait", message, item.condition.span, "warning")
 
-    def is_fixed(self, condition: Expression) -> bool:
-        if isinstance(condition, Constant):
-            return condition.value is True
-        return not self.findings.whens and not any(map(_may_change, within(condition)))
+    def unchanged(self, place: str, part: Name | SkillCall) -> Phrase:
+        """The message about what stays the same while a loop or a wait asks for it.
+
+        Args:
+            place: ``loop`` or ``wait``.
+            part: what is asked for.
+        """
+        skill = self.findings.called(_QUESTION)
+        if isinstance(part, SkillCall):
+            return Phrase("check-told-stays", name=self.findings.called(part.name), skill=skill)
+        found = state_of(part.name, self.findings.whens.keys())
+        if found is None:
+            return Phrase(_UNCHANGED[place], name=part.name, skill=skill)
+        event, value = found
+        name = f"{event}.{value}" if self.findings.in_python else part.name
+        if value == "time":
+            code = self.findings.worded("check-time-stays", "check-time-stays-python")
+            return Phrase(code, name=name, event=event, sleep=self.findings.called("sleep(2)"))
+        code = self.findings.worded(*_SAME_STATE[place])
+        return Phrase(code, name=name, event=event, skill=skill)
 
     # Functions and events.
 
@@ -124,7 +182,9 @@ class FlowChecker:
         """Report a function that calls itself before it can return."""
         for one in item.body:
             match one:
-                case Perform(call=Call(name=item.name) as call):
+                case Perform(call=Call(name=name) as call) if (
+                    name == item.name or item.name in self.endings.always_called(name)
+                ):
                     code = self.findings.worded("check-calls-itself", "check-calls-itself-python")
                     message = Phrase(code, name=item.name)
                     self.report("calls-itself", message, call.span, "warning")
@@ -134,7 +194,7 @@ class FlowChecker:
 
     def event(self, item: When) -> None:
         """Report an event without a condition that nothing starts."""
-        runs = item.condition is not None or item.name == _START
+        runs = item.condition is not None or item.name == START
         if not runs and not _is_idle(item.body) and not self.is_started(item.name):
             message = Phrase(
                 self.findings.worded("check-never-started", "check-never-started-python"),
@@ -151,22 +211,58 @@ class FlowChecker:
             if isinstance(one, Activate | Raw)
         )
 
-    def events_behind_loop(self) -> None:
-        """Report an endless loop before the events: these run after the rest of the program."""
-        name = next((name for name in self.findings.whens if name != _START), None)
-        for item in (*self.findings.top, *self.findings.main):
-            if name is not None and isinstance(item, While) and _leaves(item):
-                message = Phrase(
-                    self.findings.worded("check-events-never-run", "check-events-never-run-python"),
-                    name=name,
-                )
-                self.report("events-never-run", message, item.span, "warning")
+    def events_behind_loops(self) -> None:
+        """Report endless loops that keep events from running: only one thing runs at a time."""
+        top = (*self.findings.top, *self.findings.main)
+        self.events_behind("", top)
+        for name, when in self.findings.whens.items():
+            self.events_behind(name, when.body)
+
+    def events_behind(self, place: str, body: tuple[Item, ...]) -> None:
+        """Report endless loops in a body, or in a function that it calls.
+
+        Args:
+            place: the event whose body it is, "" for what runs before the events.
+            body: the statements.
+        """
+        other = next((one for one in self.findings.whens if one not in {START, place}), None)
+        if other is None:
+            return
+        for loop in self.endings.endless(body):
+            is_before = place in {"", START}
+            if is_before and any(loop is one for one in body):
+                self.event_behind(loop, "check-events-never-run", other)
+            else:
+                held_up = "check-events-held-up" if is_before else "check-events-held-up-by-event"
+                self.event_behind(loop, held_up, other)
+        for function in self.endings.called_in(body):
+            for loop in self.endings.endless(function.body):
+                self.event_behind(loop, "check-events-held-up", other)
+
+    def event_behind(self, loop: While, code: str, other: str) -> None:
+        if id(loop) not in self.reported:
+            self.reported.add(id(loop))
+            message = Phrase(self.findings.worded(code, _IN_PYTHON.get(code, code)), name=other)
+            self.report("events-never-run", message, loop.span, "warning")
+
+    def leaves(self, item: Item) -> bool:
+        """Whether nothing that follows in the same body can ever be reached."""
+        if isinstance(item, _JUMPS):
+            return True
+        if isinstance(item, While):
+            return is_endless(item) and not breaks(item.body)
+        if isinstance(item, Perform):
+            return isinstance(item.call, Call) and item.call.name in self.endings.endless_functions
+        if isinstance(item, If) and item.otherwise is not None:
+            return all(any(map(self.leaves, body)) for body in bodies(item))
+        return False
 
 
 _CHECKS: Mapping[type, Callable[[FlowChecker, Any], None]] = MappingProxyType(
     {
         Repeat: FlowChecker.repeat,
         ForRange: FlowChecker.counting,
+        ForEach: FlowChecker.each,
         While: FlowChecker.loop,
         WaitUntil: FlowChecker.waiting,
         Def: FlowChecker.function,
@@ -184,30 +280,7 @@ def _spelled(number: float) -> str:
 
 
 def _may_change(node: Expression) -> bool:
-    if isinstance(node, Name):
-        return node.name.startswith(("state_", "time_"))
-    return isinstance(node, Call | SkillCall | RawExpression)
-
-
-def _leaves(item: Item) -> bool:
-    """Whether nothing that follows in the same body can ever be reached."""
-    if isinstance(item, _JUMPS):
-        return True
-    if isinstance(item, While):
-        return item.is_endless and not _breaks(item.body)
-    if isinstance(item, If) and item.otherwise is not None:
-        return all(any(map(_leaves, body)) for body in bodies(item))
-    return False
-
-
-def _breaks(body: Body) -> bool:
-    """Whether a ``break``, or raw Python that may contain one, leaves the loop of this body."""
-    for item in body:
-        if isinstance(item, Break | Raw):
-            return True
-        if not isinstance(item, LOOPS) and any(map(_breaks, bodies(item))):
-            return True
-    return False
+    return isinstance(node, Name | Call | SkillCall | RawExpression)
 
 
 def _unreachable(left: Item) -> Phrase:
@@ -218,4 +291,6 @@ def _unreachable(left: Item) -> Phrase:
         return Phrase("check-unreachable-after-jump", word=word, line=line)
     if isinstance(left, While):
         return Phrase("check-unreachable-after-loop", line=line)
+    if isinstance(left, Perform):
+        return Phrase("check-unreachable-after-call", name=left.call.name, line=line)
     return Phrase("check-unreachable-after-branches", line=line)

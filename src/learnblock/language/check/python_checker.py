@@ -9,13 +9,13 @@ from collections.abc import Iterator
 from learnblock.blocks.source.importable import missing_import
 from learnblock.errors import Severity, nearest
 from learnblock.i18n import Phrase
-from learnblock.language.blocktext.slips import write_instead
+from learnblock.language.blocktext.other_names import FUNCTIONS, VALUES
 from learnblock.language.check.findings import Findings
-from learnblock.language.check.other_names import FUNCTIONS, VALUES
 from learnblock.language.check.python_event_checker import event_slips
 from learnblock.language.check.python_order_checker import early_uses
 from learnblock.language.python.generation import DEFAULT_ROBOT
 from learnblock.language.python.skeleton import unusual
+from learnblock.language.tree.characters import write_instead
 from learnblock.language.tree.nodes import Span
 
 _BUILTINS = frozenset((*dir(builtins), "__file__", "__doc__", "__spec__", "__annotations__"))

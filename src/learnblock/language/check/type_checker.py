@@ -8,6 +8,7 @@ from learnblock.errors import Severity
 from learnblock.i18n import Phrase
 from learnblock.language.check.findings import Findings, is_whole
 from learnblock.language.check.list_checker import check_lists
+from learnblock.language.check.number_checker import random_limits, rounded_side
 from learnblock.language.check.types import KNOWN, NUMBERS, TEXTS, Type, Types
 from learnblock.language.tree.builtins import FUNCTIONS
 from learnblock.language.tree.nodes import (
@@ -241,7 +242,9 @@ class _TypeChecker:
     # Expressions.
 
     def binary(self, node: Binary) -> None:
-        if node.operator not in {"and", "or"}:
+        if node.operator in {"and", "or"}:
+            self.is_bare_value(node)
+        else:
             self.operands(node.operator, node.left, node.right)
 
     def operands(self, operator: str, left: Expression, right: Expression) -> None:
@@ -303,6 +306,9 @@ class _TypeChecker:
             elif mixed and operator in _EQUALITIES and Type.BOOLEAN not in kinds:
                 message = Phrase("check-never-equal", advice=self.advice(text))
                 self.report(message, text, "warning")
+            elif operator in _EQUALITIES and (found := rounded_side(self.types, left, right)):
+                message, rounded = found
+                self.report(message, rounded, "warning")
 
     def index(self, node: Index) -> None:
         if self.types.of(node.value) in NUMBERS:
@@ -322,8 +328,8 @@ class _TypeChecker:
         elif self.findings.is_of_language(node.name):
             self.arguments(node, _TAKES.get(node.name, ()))
             if node.name == "random":
-                for bound in node.arguments:
-                    self.decimal(bound)
+                for message, bound in random_limits(self.types, node):
+                    self.report(message, bound)
 
     def called_variable(self, node: Call, kind: Type) -> Phrase:
         value = self.spelled(node.arguments[0]) if node.arguments else "0"

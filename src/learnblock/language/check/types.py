@@ -2,6 +2,8 @@
 
 from collections.abc import Mapping
 from enum import IntEnum, auto
+from fractions import Fraction
+from math import isfinite
 from types import MappingProxyType
 
 from learnblock.language.check.findings import Findings, is_whole
@@ -27,6 +29,7 @@ from learnblock.language.tree.nodes import (
     Unary,
 )
 from learnblock.language.tree.traversal import set_by, statements
+from learnblock.language.workspace.literals import value_of
 
 
 class Type(IntEnum):
@@ -86,6 +89,8 @@ _WITH_DECIMALS = frozenset(
         *("atan2", "pi", "random_fraction"),
     )
 )
+#: The functions whose result is nearly always rounded.
+_ROUNDED = frozenset(("exp", "log", "log10", "sin", "cos", "tan", "asin", "acos", "atan", "atan2"))
 #: The number of passes over the assignments; types in longer chains of variables stay unknown.
 _PASSES = 8
 
@@ -101,10 +106,16 @@ class Types:
         self.parameters: frozenset[str] = frozenset()  # those of the checked function
         self.hidden = findings.raw_names | _all_parameters(findings)
         self.variables: dict[str, Type] = {}
+        #: The variables whose value is never a whole number for Python.
+        self.fractions: set[str] = set()
+        #: The variables that are calculated with decimals.
+        self.rounded: set[str] = set()
         if not findings.imports:
             self.work_out()
+            self.work_out_fractions()
+            self.work_out_rounded()
 
-    def has_decimals(self, node: Expression) -> bool:
+    def has_decimals(self, node: Expression) -> bool:  # noqa: PLR0911 - as `of`
         """Whether a value is certainly no whole number for Python, even one such as 5.0."""
         match node:
             case Number(text=text):
@@ -116,9 +127,67 @@ class Types:
                 return is_number and (self.has_decimals(left) or self.has_decimals(right))
             case Unary(operator="-" | "+", operand=operand):
                 return self.has_decimals(operand)
+            case Name(name=name):
+                return name in self.fractions and self.of(node) is Type.NUMBER
             case Call(name=name):
                 return name in _WITH_DECIMALS and self.findings.is_of_language(name)
         return False
+
+    def is_rounded(self, node: Expression) -> bool:
+        """Whether a number is calculated with decimals, which computers round."""
+        match node:
+            case Binary(operator="+" | "-" | "*", left=left, right=right):
+                is_number = {self.of(left), self.of(right)} <= NUMBERS
+                return is_number and (self._is_rough(left) or self._is_rough(right))
+            case Unary(operator="-" | "+", operand=operand):
+                return self.is_rounded(operand)
+            case Name(name=name):
+                return name in self.rounded and self.of(node) is Type.NUMBER
+            case Call(name=name):
+                return name in _ROUNDED and self.findings.is_of_language(name)
+        return False
+
+    def _is_rough(self, node: Expression) -> bool:
+        """Whether a number, when it is calculated with, is not exact: 0.1, but not 0.5."""
+        if isinstance(node, Number):
+            value = value_of(node.text)
+            if not isinstance(value, float) or not isfinite(value) or value.is_integer():
+                return False
+            return Fraction(node.text.replace("_", "")) != Fraction(value)
+        return self.is_rounded(node)
+
+    def work_out_rounded(self) -> None:
+        """Find the variables that are calculated with decimals somewhere."""
+        items = [item for item in self.findings.everything if isinstance(item, Assign)]
+        for _ in range(_PASSES):
+            before = set(self.rounded)
+            for item in items:
+                changes = item.operator in {"+=", "-=", "*="} and self._is_rough(item.value)
+                if changes or (item.operator == "=" and self.is_rounded(item.value)):
+                    self.rounded.update(set(set_by(item)) - self.hidden)
+            if before == self.rounded:
+                return
+
+    def work_out_fractions(self) -> None:
+        """Find the variables that hold numbers with decimals wherever they are set."""
+        setting: dict[str, list[Item]] = {}
+        for item in self.findings.everything:
+            for name in set_by(item):
+                setting.setdefault(name, []).append(item)
+        for _ in range(_PASSES):
+            found = {
+                name
+                for name, items in setting.items()
+                if name not in self.hidden and all(map(self._sets_decimals, items))
+            }
+            if found == self.fractions:
+                return
+            self.fractions = found
+
+    def _sets_decimals(self, item: Item) -> bool:
+        if not isinstance(item, Assign):
+            return False
+        return item.operator == "/=" or (item.operator == "=" and self.has_decimals(item.value))
 
     def work_out(self) -> None:
         """Derive the types of the variables from each other until nothing changes."""

@@ -8,10 +8,10 @@ from itertools import chain
 from learnblock.errors import nearest
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.names import state_of
-from learnblock.language.blocktext.slips import write_instead
+from learnblock.language.blocktext.other_names import QUESTIONS, VALUES
+from learnblock.language.check.endings import LOOPS
 from learnblock.language.check.findings import Findings
-from learnblock.language.check.flow_checker import LOOPS
-from learnblock.language.check.other_names import VALUES
+from learnblock.language.tree.characters import write_instead
 from learnblock.language.tree.markers import raw_names
 from learnblock.language.tree.nodes import (
     Assign,
@@ -75,13 +75,20 @@ class _Values:
             return
         findings.report("unknown-name", self.advice(name, own), node.span)
 
+    def instead(self, name: str) -> str | None:
+        """Our value, or question for the robot, in place of one of another language."""
+        question = QUESTIONS.get(name, "")
+        if question.partition("(")[0] in self.findings.skills:
+            return self.findings.called(question)
+        return VALUES.get(name)
+
     def advice(self, name: str, own: set[str]) -> Phrase:
         if name in self.findings.whens:
             return Phrase("check-when-as-variable", name=name)
         if name in self.findings.functions:
             return Phrase("check-function-as-variable", name=name)
-        if name in VALUES:
-            return write_instead(name, VALUES[name])
+        if (instead := self.instead(name)) is not None:
+            return write_instead(name, instead)
         if name in self.findings.skills:
             return Phrase("check-skill-as-name", name=name, skill=self.findings.called(name))
         near = nearest(name, self.known | own)

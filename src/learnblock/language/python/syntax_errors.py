@@ -8,6 +8,7 @@ import re
 import warnings
 
 from learnblock.i18n import Phrase
+from learnblock.language.tree.characters import foreign
 
 # A complete Python message, and the code of ours; the named groups become its values.
 _MESSAGES = tuple(
@@ -33,6 +34,7 @@ _MESSAGES = tuple(
         (r"unexpected EOF while parsing", "python-unexpected-end"),
         (r"invalid decimal literal", "python-bad-number"),
         (r"invalid character '(?P<character>.)' .*", "python-bad-character"),
+        (r"invalid non-printable character (?P<character>U\+[0-9A-F]+)", "python-bad-character"),
         (r"cannot assign to .+ here\. Maybe you meant '==' instead of '='\?", "python-comparison"),
         (r"cannot assign to .+", "python-bad-target"),
         (r"unexpected character after line continuation character", "python-after-backslash"),
@@ -66,8 +68,17 @@ def syntax_message(error: SyntaxError, text: str) -> Phrase:
     for pattern, code in _MESSAGES:
         found = pattern.fullmatch(error.msg)
         if found:
-            return _with_advice(Phrase(code, **found.groupdict()), error, _Lines(text))
+            message = Phrase(code, **found.groupdict())
+            if code == "python-bad-character":
+                return foreign(_character(found)) or message
+            return _with_advice(message, error, _Lines(text))
     return Phrase("python-syntax", reason=error.msg)
+
+
+def _character(found: re.Match[str]) -> str:
+    """The character of a message, which may have its number in place of it."""
+    text = found["character"]
+    return chr(int(text[2:], 16)) if len(text) > 1 else text
 
 
 class _Lines:

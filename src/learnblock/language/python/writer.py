@@ -10,6 +10,7 @@ from learnblock.language.python import imports
 from learnblock.language.tree import markers, ranges
 from learnblock.language.tree.builtins import LOOPED, MODULES, TEMPLATES, is_builtin
 from learnblock.language.tree.expression_writer import LOOSEST, SIGN, TIGHTEST
+from learnblock.language.tree.identifiers import IDENTIFIER
 from learnblock.language.tree.layout import placed, prologue_length
 from learnblock.language.tree.nodes import (
     Activate,
@@ -45,7 +46,7 @@ from learnblock.language.tree.nodes import (
 from learnblock.language.tree.traversal import set_by, statements
 from learnblock.language.tree.writer import ProgramWriter, comment_text
 
-_RAW_ATOM = re.compile(r"[^\W\d]\w*(?:\.[^\W\d]\w*)*")
+_RAW_ATOM = re.compile(rf"{IDENTIFIER}(?:\.{IDENTIFIER})*")
 
 
 def global_names(body: Body, parameters: tuple[str, ...], whens: AbstractSet[str]) -> list[str]:

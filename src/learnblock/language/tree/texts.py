@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterable
 
+from learnblock.language.tree.identifiers import IDENTIFIER
 from learnblock.language.tree.nodes import (
     Binary,
     Call,
@@ -20,7 +21,7 @@ from learnblock.language.tree.traversal import within
 _UNESCAPED = re.compile(r"[^'\"\\]*")
 #: A brace that is written twice; the braces of an escape are not.
 _BRACES = re.compile(r"\\N\{[^}]*\}|\\.|(\{)\{|(\})\}")
-_DOTTED = re.compile(r"[^\W\d]\w*(?:\.[^\W\d]\w*)*")
+_DOTTED = re.compile(rf"{IDENTIFIER}(?:\.{IDENTIFIER})*")
 
 
 def is_plain(value: Expression) -> bool:

@@ -7,6 +7,7 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from learnblock.language.blocktext.lexer import KEYWORDS
+from learnblock.language.tree.identifiers import MARKS, normal
 
 COMMENT = "lb_comment"
 MAIN, START, WHEN = "lb_main", "lb_start", "lb_when"
@@ -116,12 +117,9 @@ def variable_fields(count: int) -> tuple[str, ...]:
     return ("VAR", *(f"VAR{place}" for place in range(1, count)))
 
 
-_NAME = re.compile(r"[^\W\d]\w*")
-
-
 def is_word(text: str) -> bool:
     """Whether a string can name a skill or an argument."""
-    return bool(_NAME.fullmatch(text)) and unicodedata.normalize("NFKC", text) == text
+    return normal(text) == text
 
 
 def is_name(text: str) -> bool:
@@ -131,7 +129,7 @@ def is_name(text: str) -> bool:
 
 def as_name(text: str) -> str:
     """The valid name most similar to a string."""
-    plain = re.sub(r"\W+", "_", unicodedata.normalize("NFKC", text).strip())
-    if not _NAME.fullmatch(plain):
+    plain = re.sub(rf"[^\w{MARKS}]+", "_", unicodedata.normalize("NFKC", text).strip())
+    if not plain.isidentifier():
         plain = "_" + plain
     return plain + "_" if plain in KEYWORDS else plain

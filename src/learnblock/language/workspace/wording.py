@@ -32,6 +32,11 @@ _IN_BLOCKS: Mapping[str, str] = MappingProxyType(
         "check-unknown-when-near": "workspace-unknown-when-near",
         "check-never-started": "workspace-never-started",
         "check-events-never-run": "workspace-events-never-run",
+        "check-events-held-up": "workspace-events-held-up",
+        **dict.fromkeys(
+            ("check-events-held-up-by-event", "check-events-held-up-by-event-python"),
+            "workspace-events-held-up-by-event",
+        ),
         "check-defined-twice": "workspace-defined-twice",
         **dict.fromkeys(
             ("check-value-of-event", "check-value-of-event-python"), "workspace-value-of-event"
@@ -57,7 +62,20 @@ _IN_BLOCKS: Mapping[str, str] = MappingProxyType(
         "check-counts-up": "workspace-counts-up",
         "check-never-repeats": "workspace-never-repeats",
         "check-idle-loop": "workspace-idle-loop",
+        **dict.fromkeys(
+            ("check-growing-list", "check-growing-list-python"), "workspace-growing-list"
+        ),
         "check-idle-wait": "workspace-idle-wait",
+        "check-unchanged-in-wait": "workspace-unchanged-in-wait",
+        "check-unchanged-in-loop": "workspace-unchanged-in-loop",
+        "check-told-stays": "workspace-told-stays",
+        **dict.fromkeys(
+            ("check-state-in-wait", "check-state-in-wait-python"), "workspace-state-in-wait"
+        ),
+        **dict.fromkeys(
+            ("check-state-in-loop", "check-state-in-loop-python"), "workspace-state-in-loop"
+        ),
+        **dict.fromkeys(("check-time-stays", "check-time-stays-python"), "workspace-time-stays"),
         "check-speed-as-angle": "workspace-speed-as-angle",
         "check-convert-to-number": "workspace-convert-to-number",
         "check-answer-for-number": "workspace-answer-for-number",
@@ -67,6 +85,7 @@ _IN_BLOCKS: Mapping[str, str] = MappingProxyType(
         "check-join-text": "workspace-join-text",
         "check-append": "workspace-append",
         "check-never-equal": "workspace-never-equal",
+        **dict.fromkeys(("check-rounded", "check-rounded-sum"), "workspace-rounded"),
         "check-repeat-whole-number": "workspace-repeat-whole-number",
         "check-for-number": "workspace-for-number",
         "check-for-dictionary": "workspace-for-dictionary",
@@ -74,6 +93,7 @@ _IN_BLOCKS: Mapping[str, str] = MappingProxyType(
         "check-number-as-condition": "workspace-number-as-condition",
         "check-action-as-condition": "workspace-action-as-condition",
         "check-no-result": "workspace-no-result",
+        "check-unused-answer": "workspace-unused-answer",
         "check-bare-value": "workspace-bare-value",
         "check-divide-by-zero": "workspace-divide-by-zero",
         "check-length-of-number": "workspace-length-of-number",
@@ -94,6 +114,7 @@ _IN_BLOCKS: Mapping[str, str] = MappingProxyType(
         "check-outside-function": "workspace-outside-function",
         "check-unreachable-after-jump": "workspace-unreachable-after-jump",
         "check-unreachable-after-loop": "workspace-unreachable-after-loop",
+        "check-unreachable-after-call": "workspace-unreachable-after-call",
         "check-unreachable-after-branches": "workspace-unreachable-after-branches",
         **dict.fromkeys(
             ("check-sensor-outside-loop", "check-sensor-outside-loop-python"),

@@ -4,21 +4,23 @@ import re
 from dataclasses import dataclass, field
 from functools import cached_property
 
+from learnblock.language.tree.identifiers import IDENTIFIER, MARKS
+
 _TOKEN = re.compile(
     r"""
     (?P<text>"(?:[^"\\]|\\.)*(?:"|$)|'(?:[^'\\]|\\.)*(?:'|$)|`[^`]*(?:`|$))
     |(?P<comment>\#.*)
-    |(?P<name>[^\W\d]\w*(?:\s*\.\s*[^\W\d]\w*)*)
+    |(?P<name>IDENTIFIER(?:\s*\.\s*IDENTIFIER)*)
     |(?P<sign>[=!<>]=|\S)
-    """,
+    """.replace("IDENTIFIER", IDENTIFIER),
     re.VERBOSE,
 )
 #: The end of an unfinished f-string, from the value that is open.
 _OPEN_VALUE = re.compile(r"(?<!\{)(?:\{\{)*\{([^{}]*)$")
 _OPENING, _CLOSING = frozenset("([{"), frozenset(")]}")
-_TYPED = re.compile(r"[^\W\d]\w*$")
-_DOTTED = re.compile(r"([^\W\d]\w*)\s*\.\s*$")
-_REST = re.compile(r"\w*")
+_TYPED = re.compile(rf"{IDENTIFIER}$")
+_DOTTED = re.compile(rf"({IDENTIFIER})\s*\.\s*$")
+_REST = re.compile(rf"[\w{MARKS}]*")
 _ARGUMENT = re.compile(r"\s*=(?!=)")
 
 

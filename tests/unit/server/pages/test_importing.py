@@ -30,11 +30,12 @@ def test_a_project_opens_with_its_blocks_in_place_and_a_report(page):
     assert page.hear("Opened")["name"] == "my robot"
     document = page.hear("Document")
     assert "function.move_straight()" in document["blocktext"]
-    (stack,) = document["workspace"]["stacks"]
+    stack = document["workspace"]["stacks"][0]
     assert (stack[0]["type"], stack[0]["x"], stack[0]["y"]) == ("lb_main", 12, 34)
     report = page.hear("OriginalImported")
     assert "now called 'move_straight'" in english(report["changed"][0])
-    assert "'subscribe'" in english(report["missing"][0])
+    assert any("'when message = function.received()'" in english(one) for one in report["changed"])
+    assert "when message = function.received():" in document["blocktext"]
 
 
 def test_projects_of_every_version_open_without_errors(page):

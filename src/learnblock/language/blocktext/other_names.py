@@ -27,10 +27,82 @@ SKILLS: Mapping[str, str] = MappingProxyType(
         **dict.fromkeys(("beep", "tone", "play_tone", "playTone"), "play_frequency(440, 500)"),
         **dict.fromkeys(("note", "playNote", "play_notes", "tocar_nota"), 'play_note("C4", 1)'),
         **dict.fromkeys(("tempo", "setTempo", "change_tempo"), "set_tempo(120)"),
-        **dict.fromkeys(("key", "key_pressed", "is_key_down"), 'is_key_pressed("up")'),
+        **dict.fromkeys(
+            ("key", "key_pressed", "is_key_down", "is_pressed", "pressed", "button_pressed"),
+            'is_key_pressed("up")',
+        ),
+        **dict.fromkeys(("broadcast", "send_message"), 'send("go")'),
+        **dict.fromkeys(("receive", "on_received"), 'received("go")'),
+        **dict.fromkeys(("time", "timer", "stopwatch"), "get_timer()"),
+        **dict.fromkeys(("resetTimer", "reset_time"), "reset_timer()"),
+        **dict.fromkeys(("heading", "angle", "direction", "yaw"), "get_heading()"),
+        **dict.fromkeys(("touching", "touch", "bumped", "is_touching"), "is_bumped()"),
+        **dict.fromkeys(("light", "brightness", "light_level"), "get_light()"),
+        **dict.fromkeys(("point_in_direction", "set_heading", "turn_to"), "set_orientation(90)"),
+        **dict.fromkeys(("show_string", "showString"), 'show_text("hello")'),
+        **dict.fromkeys(("show_icon", "showIcon", "show_leds"), 'matrix_icon("heart")'),
+        **dict.fromkeys(("steer", "tank", "move_tank", "drive_tank"), "set_move(40, 20)"),
         **dict.fromkeys(("distance", "get_distance", "ultrasonic"), "get_min_distance()"),
         **dict.fromkeys(("obstacle", "is_obstacle"), "is_front_obstacle()"),
         **dict.fromkeys(("tag", "is_any_tags", "sees_tag"), "is_any_tag()"),
+    }
+)
+
+#: The same where they are called with a value, in place of ``{0}``.
+SKILLS_WITH_VALUE: Mapping[str, str] = MappingProxyType(
+    {
+        **dict.fromkeys(
+            (
+                *("forward", "forwards", "go", "move", "straight", "advance", "move_forward"),
+                *("move_steps", "drive_forward", "driveDistance", "fd", "avanzar", "adelante"),
+            ),
+            "drive_distance({0})",
+        ),
+        **dict.fromkeys(
+            (
+                *("back", "backward", "backwards", "reverse", "move_backward", "drive_backward"),
+                *("bk", "retroceder", "atras"),
+            ),
+            "drive_distance(-{0})",
+        ),
+        **dict.fromkeys(
+            ("left", "rotate_left", "spin_left", "lt", "turnLeft", "turn_degrees_left"),
+            "turn(-{0})",
+        ),
+        **dict.fromkeys(
+            ("right", "rotate_right", "spin_right", "rt", "turnRight", "turn_degrees_right"),
+            "turn({0})",
+        ),
+        **dict.fromkeys(("rotate", "spin", "turn_degrees"), "turn({0})"),
+        **dict.fromkeys(("point_in_direction", "set_heading", "turn_to"), "set_orientation({0})"),
+        **dict.fromkeys(("wait", "pause", "delay", "wait_seconds", "esperar"), "sleep({0})"),
+        **dict.fromkeys(("say", "speak", "talk", "tell", "decir", "hablar"), "say_Text({0})"),
+        **dict.fromkeys(("broadcast", "publish", "send_message", "radio_send"), "send({0})"),
+        **dict.fromkeys(("when_i_receive", "receive", "subscribe", "on_received"), "received({0})"),
+        **dict.fromkeys(
+            ("show_string", "showString", "display_text", "text", "screen_print"), "show_text({0})"
+        ),
+        **dict.fromkeys(("showNumber", "display_number"), "show_number({0})"),
+        **dict.fromkeys(
+            (
+                *("is_pressed", "pressed", "key_pressed", "is_key_down", "button_pressed"),
+                *("button_is_pressed", "keyDown", "isPressed"),
+            ),
+            "is_key_pressed({0})",
+        ),
+        **dict.fromkeys(("setSpeed", "set_speed", "run"), "move_straight({0})"),
+    }
+)
+
+#: What pupils name without brackets, and the question that answers it.
+QUESTIONS: Mapping[str, str] = MappingProxyType(
+    {
+        **dict.fromkeys(("timer", "time", "stopwatch", "cronometro"), "get_timer()"),
+        **dict.fromkeys(("distance", "ultrasonic", "distancia"), "get_min_distance()"),
+        **dict.fromkeys(("heading", "direction", "yaw", "gyro"), "get_heading()"),
+        **dict.fromkeys(("light", "brightness", "light_level", "luz"), "get_light()"),
+        **dict.fromkeys(("touching", "bumped", "bumper", "touch"), "is_bumped()"),
+        **dict.fromkeys(("obstacle", "obstaculo"), "is_front_obstacle()"),
     }
 )
 
