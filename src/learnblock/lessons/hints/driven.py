@@ -6,6 +6,7 @@ from itertools import accumulate, pairwise
 from typing import Any
 
 from learnblock.language.tree.nodes import (
+    Branch,
     Expression,
     ForEach,
     ForRange,
@@ -228,10 +229,15 @@ def _ending_conditions(situation: Situation) -> Iterator[tuple[int, Expression]]
     for node in statements:
         if isinstance(node, While | WaitUntil):
             yield node.span.line, node.condition
-    decisions = [part for node in statements if isinstance(node, If) for part in node.branches]
-    for part in [*decisions, *(node for node in statements if isinstance(node, When))]:
-        if part.condition and any(call.name in OBSTACLES for call in asked_in(part.condition)):
-            yield part.span.line, part.condition
+    for node in statements:
+        parts: Sequence[Branch | When] = ()
+        if isinstance(node, If):
+            parts = node.branches
+        elif isinstance(node, When):
+            parts = (node,)
+        for part in parts:
+            if part.condition and any(one.name in OBSTACLES for one in asked_in(part.condition)):
+                yield part.span.line, part.condition
 
 
 def turned(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
