@@ -13,7 +13,7 @@ from lesson_tries import unnoticed
 from right_programs import is_right, known
 
 #: The gate tries so many programs of a step.
-FEW = 8
+FEW = 6
 
 opened = cache(find_lesson)
 STEPS = [
@@ -38,7 +38,7 @@ def made(name, step):
     return [one for one in found if not is_right("swaps", name, step, one.what)]
 
 
-@pytest.mark.sample(5)
+@pytest.mark.sample(4)
 @pytest.mark.slow
 @pytest.mark.spread
 @pytest.mark.timeout(900)  # all programs of a step are up to a hundred runs of a minute each
