@@ -13,37 +13,25 @@ why. They are counted on their own.
 """
 
 import argparse
-import hashlib
 import sys
-import tomllib
 from collections.abc import Iterator, Sequence
 from dataclasses import astuple, dataclass
-from fnmatch import fnmatchcase
-from functools import cache
 from itertools import islice
 from math import ceil
 from pathlib import Path
-from typing import Any
-
-import msgspec
 
 from learnblock.lessons.checks import Size, Uses
 from learnblock.lessons.judging import is_done
 from learnblock.lessons.mutants import mutants
 from learnblock.lessons.reading import OpenLesson, find_lesson, shipped
-from learnblock.lessons.trying import Attempt, Tried, attempts
+from learnblock.lessons.trying import Tried, attempts
 from learnblock.lessons.variations import variations
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "helpers"))
 
 from hint_cases import Case, hints_for, lesson_cases, own_cases
-from lesson_tries import tried
-from places import ROOT
-
-ACCEPTED = ROOT / "tests" / "cases" / "mutants.toml"
-
-#: What of a trace is behaviour: not which lines ran, nor which skills asked what.
-_BEHAVIOUR = ("pose", "device", "print", "goal", "send", "stroke", "end")
+from lesson_tries import behaviour, tried, tried_until_failed
+from right_programs import is_right
 
 
 @dataclass
@@ -85,38 +73,6 @@ class Tally:
         )
 
 
-def behaviour(trace: bytes) -> str:
-    """What a run's trace shows of its behaviour, as a hash."""
-    kept = hashlib.sha256()
-    for text in trace.splitlines():
-        line = msgspec.json.decode(text)
-        if not any(kind in line for kind in _BEHAVIOUR):
-            continue
-        kept.update(text)
-    return kept.hexdigest()
-
-
-def tried_until_failed(
-    opened: OpenLesson,
-    step: int,
-    sources: Sequence[str],
-    wanted: Sequence[Attempt],
-    right: Sequence[Tried],
-) -> list[list[Tried]]:
-    """Try programs; one that fails in the first attempt, in another way, has no others."""
-    first = tried(opened, step, sources, wanted[:1])
-    open_ = [
-        number
-        for number, [one] in enumerate(first)
-        if is_done(one.verdicts) or behaviour(one.trace) == behaviour(right[0].trace)
-    ]
-    if wanted[1:]:
-        more = tried(opened, step, [sources[number] for number in open_], wanted[1:])
-        for number, others in zip(open_, more, strict=True):
-            first[number] += others
-    return first
-
-
 @dataclass(frozen=True)
 class Samples:
     """How many programs a step is tried with, and which.
@@ -149,14 +105,14 @@ def measure(opened: OpenLesson, step: int, options: Samples) -> Tally:
         return tally
     expected = [behaviour(one.trace) for one in right]
     made = list(islice(mutants(solution, options.seed), options.mutants))
-    results = tried_until_failed(opened, step, [one.source for one in made], wanted, right)
+    results = tried_until_failed(opened, step, [one.source for one in made], right)
     for mutant, done in zip(made, results, strict=True):
         tally.made += 1
         if [behaviour(one.trace) for one in done] == expected:
             tally.equal += 1
         elif not all(is_done(one.verdicts) for one in done):
             tally.caught += 1
-        elif solves(opened.name, step, mutant.what):
+        elif is_right("mutants", opened.name, step, mutant.what):
             tally.solving += 1
         elif options.verbose:
             print(f"  step {step}: not caught: {mutant.what}")
@@ -166,26 +122,6 @@ def measure(opened: OpenLesson, step: int, options: Samples) -> Tally:
         if not tally.count_variation(done) and options.verbose:
             print(f"  step {step}: refused: {variation.what}")
     return tally
-
-
-def solves(lesson: str, step: int, what: str) -> bool:
-    """Whether the task is solved with all differences of a mutant, together or each of them."""
-    known = [
-        pattern
-        for one in accepted()
-        if one["lesson"] == lesson and one.get("step", step) == step
-        for pattern in one["what"]
-    ]
-    return what in known or all(
-        any(fnmatchcase(part, one) for one in known) for part in what.split("; ")
-    )
-
-
-@cache
-def accepted() -> list[dict[str, Any]]:
-    """The differences with which a task is solved all the same."""
-    found: list[dict[str, Any]] = tomllib.loads(ACCEPTED.read_text("utf-8"))["accepted"]
-    return found
 
 
 def measure_lesson(opened: OpenLesson, options: argparse.Namespace) -> Tally:

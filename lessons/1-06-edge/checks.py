@@ -1,11 +1,17 @@
-"""Whether the robot backs off at each edge, by about 100 mm."""
+"""Whether the robot backs off at each edge, by about 100 mm, and does not fall."""
 
 import math
 from itertools import pairwise
 
 EDGES = 3
+#: Degrees by which all turns together may be off.
+OFF = 40
+#: Degrees in 0.1 s that are no turn.
+DRIFT = 0.8
 SHORTEST = 65
 LONGEST = 145
+#: How far the middle of a robot may be from that of the table before it falls, mm.
+EAST, NORTH = 440, 340
 #: Less than this is no backing off, mm.
 NOTHING = 15
 
@@ -38,3 +44,30 @@ def ways_back(path):
         elif found[-1]:
             found.append(0.0)
     return [way for way in found if way > NOTHING]
+
+
+def stays_on_the_table(run):
+    """Whether the middle of the robot stays above the table."""
+    if all(abs(x) <= EAST and abs(y) <= NORTH for _, x, y, _ in run.path):
+        return True
+    return {
+        "en": "The robot drives too far over the edge, and falls.",
+        "es": "El robot sale demasiado del borde y se cae.",
+    }
+
+
+def turns_around(run):
+    """Whether it turns around at each edge, to either side."""
+    turned = sum(turn_between(before[3], after[3]) for before, after in pairwise(run.path))
+    if abs(turned - 180 * EDGES) <= OFF:
+        return True
+    return {
+        "en": f"The robot turned by {turned:.0f}° in all.",
+        "es": f"El robot ha girado {turned:.0f}° en total.",
+    }
+
+
+def turn_between(before, after):
+    """The degrees between two headings, to either side; drift is none."""
+    turned = abs((after - before + 180) % 360 - 180)
+    return turned if turned > DRIFT else 0

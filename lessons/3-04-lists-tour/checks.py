@@ -18,6 +18,8 @@ PLACES = (
 NEAR = 60
 #: Seconds between two moments of the path.
 TICK = 0.11
+#: Seconds of the shortest note that counts as one beat: half of one.
+SHORTEST_NOTE = 0.25
 
 
 def at_120(run):
@@ -64,6 +66,18 @@ def name_and_note_at_each_place(run):
                 "es": f"En este sitio se tocan {len(notes)} notas: {spanish}.",
             }
         after = stay[1]
+    return notes_last(run)
+
+
+def notes_last(run):
+    """Whether each note can be heard: the program goes on when a note is over."""
+    calls = [*run.calls, (run.time, "")]
+    for (start, skill), (end, _) in pairwise(calls):
+        if skill == "play_note" and end - start < SHORTEST_NOTE:
+            return {
+                "en": "A note is too short: how many beats does it have?",
+                "es": "Una nota es demasiado corta: ¿cuántos tiempos dura?",
+            }
     return True
 
 

@@ -1,4 +1,4 @@
-"""Whether the robot backs away from the bench, and turns by 120 degrees."""
+"""Whether the robot prints bench at the bench, backs away from it and turns by 120 degrees."""
 
 import math
 from itertools import pairwise
@@ -6,6 +6,11 @@ from itertools import pairwise
 #: The mm that it has to drive back, and the degrees that it has to turn.
 LEAST_BACK = 60
 TURN = (105, 135)
+#: The bench: its middle and its half size, mm.
+BENCH = (300, 0)
+HALF = (40, 150)
+#: From the middle of the robot to the bench when its sensor sees it, mm, and to the side, degrees.
+SEEN, ASIDE = 260, 70
 #: Two lines in so many seconds are one meeting with the bench, printed twice.
 APART = 2
 
@@ -52,3 +57,30 @@ def forward(before, after):
     heading = math.radians(before[3])
     east, north = after[1] - before[1], after[2] - before[2]
     return east * math.cos(heading) - north * math.sin(heading)
+
+
+def bench_at_the_bench(run):
+    """Whether it prints bench only where the bench is ahead."""
+    for time, text in run.prints:
+        if text.strip().lower() == "bench" and not is_bench_ahead(place_at(run.path, time)):
+            return {
+                "en": f"After {time:.1f} s it prints bench, and the bench is not ahead.",
+                "es": f"A los {time:.1f} s escribe bench y no tiene el banco delante.",
+            }
+    return True
+
+
+def place_at(path, time):
+    """Where the robot is at a time."""
+    return min(path, key=lambda placed: abs(placed[0] - time))
+
+
+def is_bench_ahead(placed):
+    _, x, y, heading = placed
+    east, north = (
+        min(max(here, middle - half), middle + half) - here
+        for here, middle, half in zip((x, y), BENCH, HALF, strict=True)
+    )
+    bearing = -math.degrees(math.atan2(north, east))
+    aside = abs((bearing - heading + 180) % 360 - 180)
+    return math.hypot(east, north) <= SEEN and aside <= ASIDE

@@ -1,4 +1,4 @@
-"""Whether the average is right, ten measurements are made each time, and drives are short."""
+"""Whether averages are right, and it measures often, drives little and reports at the end."""
 
 import math
 import re
@@ -8,6 +8,9 @@ NUMBER = r"-?\d+(?:\.\d+)?"
 #: mm in 0.1 s from which on it drives, and the longest drive between two measurements, mm.
 MOVING = 0.5
 LONGEST_DRIVE = 36
+#: The distance at which it parks, and by how much a good average may be off, mm.
+PARKED = 300
+OFF = 45
 
 
 def five_and_average(run):
@@ -53,6 +56,51 @@ def short_drives(run):
         "en": f"Between two measurements the robot drives {longest:.0f} mm.",
         "es": f"Entre dos medidas el robot avanza {longest:.0f} mm.",
     }
+
+
+def reports_at_the_end(run):
+    """Whether it prints a new measurement when it has parked."""
+    reports = [
+        (time, float(found[1]))
+        for time, text in run.prints
+        if (found := re.fullmatch(rf"parked at ({NUMBER}) mm", text.strip(), re.IGNORECASE))
+    ]
+    if not reports:
+        return {
+            "en": "It has to print: parked at, the distance, mm.",
+            "es": "Tiene que escribir: parked at, la distancia, mm.",
+        }
+    time, distance = reports[-1]
+    if time < last_drive(run.path):
+        return {"en": "It prints before it has parked.", "es": "Escribe antes de aparcar."}
+    if abs(distance - PARKED) > OFF:
+        return {
+            "en": f"{distance:.0f} mm is not the distance at which it parks.",
+            "es": f"{distance:.0f} mm no es la distancia a la que aparca.",
+        }
+    return True
+
+
+def shows_it_at_the_end(run):
+    """Whether it shows one text, when it has parked."""
+    texts = [(time, text.strip().lower()) for time, text in run.shows]
+    if [text for _, text in texts] != ["parked"]:
+        return {"en": "It has to show parked, once.", "es": "Tiene que mostrar parked una vez."}
+    if texts[0][0] < last_drive(run.path):
+        return {"en": "It shows it before it has parked.", "es": "Lo muestra antes de aparcar."}
+    return True
+
+
+def last_drive(path):
+    """When the robot drove for the last time, in seconds; the moment before it stood."""
+    return max(
+        (
+            before[0]
+            for before, after in pairwise(path)
+            if math.hypot(after[1] - before[1], after[2] - before[2]) >= MOVING
+        ),
+        default=0,
+    )
 
 
 def drives_in(path):

@@ -1,11 +1,16 @@
-"""Whether the robot asks its camera before it shows a feeling."""
+"""Whether the robot asks its camera before it shows a feeling, and stays with each friend."""
+
+from itertools import pairwise
 
 #: The question that fits a feeling.
 QUESTIONS = {
-    "joy": "is_any_face_happy",
-    "surprise": "is_any_face_surprised",
-    "sadness": "is_any_face_sad",
+    "expressJoy": "is_any_face_happy",
+    "expressSurprise": "is_any_face_surprised",
+    "expressSadness": "is_any_face_sad",
 }
+#: Degrees in 0.1 s from which on it turns, and the seconds that it stays before, at least.
+TURNING = 2
+STAYS = 1.7
 
 NEVER = {"en": "The robot never shows a face.", "es": "El robot no pone nunca una cara."}
 
@@ -14,15 +19,35 @@ def asks_before_each_face(run):
     """Whether the fitting question was asked since the face before, for each face shown."""
     if not run.shows:
         return NEVER
-    before = -1.0
-    for number, (time, face) in enumerate(run.shows, 1):
-        asked = {name for at, name in run.calls if before < at <= time}
+    asked, number = set(), 0
+    for _, skill in run.calls:
+        asked.add(skill)
+        if not skill.startswith("express"):
+            continue
+        number += 1
         # A neutral face is for when nobody is there: then all questions were in vain.
-        wanted = {QUESTIONS[face]} if face in QUESTIONS else set(QUESTIONS.values())
+        wanted = {QUESTIONS[skill]} if skill in QUESTIONS else set(QUESTIONS.values())
         if not asked & wanted:
             return {
                 "en": f"The robot shows face number {number} without asking what it sees.",
                 "es": f"El robot pone la cara número {number} sin preguntar qué ve.",
             }
-        before = time
+        asked.clear()
     return True
+
+
+def stays_with_each_friend(run):
+    """Whether it stands for two seconds after each face that it shows."""
+    turns = [before[0] for before, after in pairwise(run.path) if is_turn(before, after)]
+    for number, (shown, _) in enumerate(run.shows, 1):
+        next_turn = min((time for time in turns if time >= shown), default=run.time)
+        if next_turn - shown < STAYS:
+            return {
+                "en": f"After face number {number} the robot does not wait 2 seconds.",
+                "es": f"Después de la cara número {number} el robot no espera 2 segundos.",
+            }
+    return True
+
+
+def is_turn(before, after):
+    return abs((after[3] - before[3] + 180) % 360 - 180) > TURNING

@@ -55,7 +55,8 @@ _CHANGED_AGAIN = 12
 _COUNTABLE = 12
 
 _LOOPS = (While, Repeat, ForEach, ForRange)
-_SILENT = (Comment, Blank, Pass, Import, Setup, Def, When)
+#: Statements whose place doesn't matter.
+SILENT = (Comment, Blank, Pass, Import, Setup, Def, When)
 #: What is easily taken for the other, in the names of skills.
 _CONFUSED = (
     ("left", "right"),
@@ -69,7 +70,7 @@ _CONFUSED = (
     ("down", "up"),
 )
 _OPPOSITE = {"<": ">=", ">": "<=", "<=": ">", ">=": "<", "==": "!=", "!=": "=="}
-_TURNED = {"<": ">", ">": "<", "<=": ">=", ">=": "<="}
+TURNED = {"<": ">", ">": "<", "<=": ">=", ">=": "<="}
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,11 +153,12 @@ def _number(node: Number) -> Iterator[tuple[Any, str]]:
     if value:
         yield Unary("-", node), f"number {node.text} negated"
         yield Number("0"), f"number {node.text} is 0"
-    for other, how in _other_numbers(value):
+    for other, how in other_numbers(value):
         yield Number(f"{other:g}"), f"number {node.text} {how}"
 
 
-def _other_numbers(value: float) -> Iterator[tuple[float, str]]:
+def other_numbers(value: float) -> Iterator[tuple[float, str]]:
+    """Numbers that learners write instead of another, and how each differs."""
     if value == int(value) and 0 < value <= _COUNTABLE:
         yield value + 1, "one more"
         yield value - 1, "one less"
@@ -190,7 +192,7 @@ def _binary(node: Binary) -> Iterator[tuple[Any, str]]:
 
 
 def _compare(node: Compare) -> Iterator[tuple[Any, str]]:
-    for table in (_OPPOSITE, _TURNED):
+    for table in (_OPPOSITE, TURNED):
         for index, operator in enumerate(node.operators):
             if operator in table:
                 operators = list(node.operators)
@@ -347,10 +349,10 @@ def _reordered(sequence: Sequence) -> Iterator[tuple[tuple[Any, ...], int, str]]
             continue
         if not isinstance(statement, Def | When):
             yield (*before, *after) or (Pass(),), index, "statement missing"
-        if isinstance(statement, _SILENT):
+        if isinstance(statement, SILENT):
             continue
         yield (*before, statement, *statements[index:]), index, "statement twice"
-        if after and not isinstance(after[0], _SILENT):
+        if after and not isinstance(after[0], SILENT):
             yield (*before, after[0], statement, *after[1:]), index, "statements swapped"
         yield from _moved(sequence, index)
     yield from _wrapped(sequence)
@@ -367,7 +369,7 @@ def _moved(sequence: Sequence, index: int) -> Iterator[tuple[tuple[Any, ...], in
         yield outer, index, "last statement outside the loop"
         outer = (*before, loop.body[0], replace(loop, body=loop.body[1:]), *after)
         yield outer, index, "first statement before the loop"
-    if after and not isinstance(after[0], _SILENT):
+    if after and not isinstance(after[0], SILENT):
         inner = replace(loop, body=(*loop.body, after[0]))
         yield (*before, inner, *after[1:]), index, "next statement in the loop"
     inner_only = (*before, *(one for one in loop.body if not isinstance(one, Break | Continue)))
@@ -382,5 +384,5 @@ def _wrapped(sequence: Sequence) -> Iterator[tuple[tuple[Any, ...], int, str]]:
     if not any(isinstance(one, While) and one.is_endless for one in statements):
         yield (While(Constant(value=True), statements),), 0, "everything forever"
     for index in range(1, len(statements)):
-        if not isinstance(statements[index - 1], _SILENT):
+        if not isinstance(statements[index - 1], SILENT):
             yield statements[:index], index, "everything from here missing"

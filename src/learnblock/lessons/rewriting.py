@@ -1,6 +1,6 @@
-"""Replace one node of a program at a time."""
+"""Replace nodes of a program."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, fields, is_dataclass, replace
 from typing import Any
 
@@ -47,6 +47,28 @@ def sequences(program: Program) -> Iterator[Sequence]:
             statements = getattr(place.node, name, None)
             if isinstance(statements, tuple) and not _is_list(place.node):
                 yield Sequence(statements, place.node, _putter(place, name))
+
+
+def substitute(program: Program, changes: Mapping[int, Any]) -> Program:
+    """The program with other nodes in the place of some.
+
+    Args:
+        program: the program.
+        changes: the nodes instead, by the identity of each; nothing inside them is changed.
+    """
+    changed: Program = _substituted(replace(program, python=None), changes)
+    return changed
+
+
+def _substituted(node: Any, changes: Mapping[int, Any]) -> Any:
+    if isinstance(node, tuple) and not hasattr(node, "_fields"):
+        return tuple(_substituted(part, changes) for part in node)
+    if not is_dataclass(node) or isinstance(node, type):
+        return node
+    if id(node) in changes:
+        return changes[id(node)]
+    parts = {one.name: getattr(node, one.name) for one in fields(node)}
+    return replace(node, **{key: _substituted(part, changes) for key, part in parts.items()})
 
 
 def _is_list(node: Any) -> bool:

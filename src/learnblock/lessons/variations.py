@@ -1,12 +1,14 @@
 """Other correct programs made from a correct one, to find out whether a lesson's checks refuse any.
 
 A variation does the same in another way: other names, another kind of loop, a wait in two parts, a
-function for a part of the program, a number in a variable, a condition the other way round.
+function for a part of the program, a number in a variable, a condition the other way round, events
+instead of a decision.
 """
 
 import random
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import reduce
 from itertools import count, pairwise
 from typing import Any
 
@@ -118,6 +120,7 @@ def _changes(program: Program) -> Iterator[_Change]:
         yield from _in_sequence(program, sequence)
     yield from _renamed(program)
     yield from _number_in_variable(program)
+    yield from _as_events(program)
 
 
 # Names.
@@ -165,6 +168,34 @@ def _imports(program: Program) -> tuple[Any, ...]:
 
 def _rest(program: Program) -> tuple[Any, ...]:
     return tuple(one for one in program.items if type(one).__name__ not in {"Import", "Setup"})
+
+
+# Events.
+
+
+def _as_events(program: Program) -> Iterator[_Change]:
+    """A decision that a program makes forever, as an event for each of its cases."""
+    match program.main:
+        case Main(body=(*before, While(body=(If() as decision, *after)) as loop)):
+            pass
+        case _:
+            return
+    if not loop.is_endless or decision.otherwise is None or _leaves_or_goes_on(loop.body):
+        return
+    cases = [(branch.condition, branch.body) for branch in decision.branches]
+    cases.append((Constant(value=True), decision.otherwise.body))
+    earlier: tuple[Expression, ...] = ()
+    whens = []
+    for number, (condition, body) in enumerate(cases, 1):
+        parts = [_opposite(one) for one in earlier]
+        if number < len(cases):
+            parts.append(condition)
+        state = reduce(lambda one, other: Binary("and", one, other), parts)
+        whens.append(When(_new_name(program, f"case_{number}"), state, (*body, *after)))
+        earlier = (*earlier, condition)
+    start = (When("start", None, tuple(before)),) if before else ()
+    changed = replace(program, items=(*program.items, *start, *whens), main=None)
+    yield changed, "an event for each case", frozenset({"loop", "forever", "if", "else"})
 
 
 # Loops and conditions.
@@ -289,11 +320,24 @@ def _instead(statement: Any) -> Iterator[tuple[tuple[Any, ...], str, frozenset[s
             angle: Any = Number(angles[name])
             angle = Unary("-", angle) if name == "turn_90_left" else angle
             yield (Perform(SkillCall("turn", (angle,))),), "turned by its angle", _NONE
+        case Perform(call=SkillCall(name="turn", arguments=(Number(text="180"),))):
+            around = SkillCall("turn", (Unary("-", Number("180")),))
+            yield (Perform(around),), "turned around to the left", _NONE
         case Repeat(count=Number(text=text), body=body) if text.isdigit():
+            if not _leaves_or_goes_on(body):
+                yield _counting(statement), "a counter in a loop", frozenset({"repeat"})
             if 0 < int(text) <= _FEW and not _leaves_or_goes_on(body):
                 yield body * int(text), "written out", frozenset({"repeat", "loop"})
                 fewer = Repeat(Number(f"{int(text) - 1}"), body)
                 yield (fewer, *body), "the last round written out", _NONE
+
+
+def _counting(node: Repeat) -> tuple[Any, ...]:
+    """The same loop with a variable that counts its rounds."""
+    name = Name(_unused_in(node, "round_"))
+    count_on = Assign(name, "+=", Number("1"))
+    loop = While(Compare(("<",), (name, node.count)), (*node.body, count_on))
+    return Assign(name, "=", Number("0")), loop
 
 
 def _extracted(program: Program, sequence: Sequence) -> Iterator[_Change]:

@@ -1,6 +1,5 @@
 """The lessons that come with LearnBlock; `learnblock lesson check` tries them on more robots."""
 
-import tomllib
 from collections.abc import Iterator, Mapping
 from functools import cache
 
@@ -8,26 +7,48 @@ import pytest
 
 from learnblock.i18n import Phrase, translate
 from learnblock.i18n.names import goal_phrase
-from learnblock.lessons.hints import gives_away, hints
+from learnblock.lessons.checking import hints_for
+from learnblock.lessons.checks import Size, Uses
+from learnblock.lessons.hints import gives_away
 from learnblock.lessons.hints.guess import Hint
-from learnblock.lessons.lesson import HintRule, Wrong
+from learnblock.lessons.lesson import HintRule
 from learnblock.lessons.reading import OpenLesson, find_lesson, shipped
+from learnblock.lessons.texts import in_language
 from learnblock.lessons.trying import Attempt, Tried, attempts, read_program
 from learnblock.running.batch import WarmProcess
 from lesson_tries import tried
-from places import ROOT
+from right_programs import known
 
 LESSONS = shipped()
 LANGUAGES = {"en", "es"}
-#: Mutants that solve a task all the same: see `benchmarks/lessons.py`.
-KNOWN = tomllib.loads((ROOT / "tests" / "cases" / "mutants.toml").read_text("utf-8"))["accepted"]
+#: Mutants and swaps that solve a task all the same: see `benchmarks/lessons.py`.
+KNOWN = [*known("mutants"), *known("swaps")]
 PHASES = ["predict", "run", "investigate", "modify", "make"]
 LARGEST_PICTURE = 40_000
 
-#: Of each lesson so many wrong programs are tried here; `benchmarks/lessons.py --hints` tries all.
+#: Each lesson has so many wrong programs, at least.
 WRONG = 3
 
+#: How a task may name a part that a program must have; other solutions must be as right.
+BUILT_OF = {
+    "function": {"en": ["function"], "es": ["función"]},
+    "if": {"en": ["(*if*)"], "es": ["(*si*)"]},
+    "list": {"en": ["list"], "es": ["lista"]},
+    "loop": {"en": ["loop"], "es": ["bucle"]},
+    "message_value": {"en": ["value"], "es": ["valor"]},
+    "parameter": {"en": ["parameter", "(number)"], "es": ["parámetro", "(number)"]},
+    "return": {"en": ["returns"], "es": ["devuelv"]},
+    "size": {"en": ["at most six"], "es": ["como mucho, seis"]},
+    "variable": {"en": ["variable"], "es": ["variable"]},
+}
+
 opened = cache(find_lesson)
+EVERY_WRONG = [
+    (name, wrong)
+    for name in LESSONS
+    if (teacher := opened(name).teacher)
+    for wrong in teacher.wrong
+]
 every_lesson = pytest.mark.parametrize("name", LESSONS)
 
 
@@ -79,15 +100,6 @@ def failed_checks(tried: Tried) -> set[str]:
     return kinds | {check.name for check in checks if check.name}
 
 
-def hint_of(lesson: OpenLesson, wrong: Wrong, tried: Tried) -> Hint:
-    program = read_program(lesson.text(f"teacher/wrong/{wrong.program}")).tree
-    world = lesson.described_world(wrong.step)
-    step = lesson.step(wrong.step)
-    found = hints(step, program, tried.verdicts, tried.evidence, world=world)
-    assert found, f"no hint for {wrong.program}"
-    return found[0]
-
-
 @pytest.mark.parametrize("level", [1, 2, 3, 4])
 def test_there_are_six_lessons_of_a_level(level):
     assert [opened(name).lesson.level for name in LESSONS].count(level) == 6
@@ -137,6 +149,23 @@ def test_every_step_with_checks_has_a_solution_and_hints_of_its_own(name):
 
 
 @every_lesson
+@pytest.mark.parametrize("language", sorted(LANGUAGES))
+def test_a_task_names_what_its_program_has_to_be_built_of(name, language):
+    lesson = opened(name)
+    for number, step in enumerate(lesson.lesson.step, 1):
+        task = in_language(step.text, language).casefold()
+        for check in step.check:
+            if isinstance(check, Uses | Size):
+                words = BUILT_OF[_part(check)][language]
+                assert any(word in task for word in words), (number, check)
+
+
+def _part(check):
+    """The construct, or the skill, that a check of a program's text asks for."""
+    return "size" if isinstance(check, Size) else check.construct or check.skill
+
+
+@every_lesson
 def test_no_hint_of_a_lesson_contains_a_statement_of_the_solution(name):
     lesson = opened(name)
     for number, source in solved_steps(lesson).items():
@@ -145,12 +174,12 @@ def test_no_hint_of_a_lesson_contains_a_statement_of_the_solution(name):
             assert gives_away(as_hint(rule), solution) is None
 
 
-@pytest.mark.parametrize("known", KNOWN, ids=lambda known: known["lesson"])
-def test_a_difference_that_solves_a_task_is_one_of_a_lessons_solution(known):
-    lesson = opened(known["lesson"])
-    assert "step" not in known or lesson.solution(known["step"]) is not None
-    assert known["what"]
-    assert known["because"]
+@pytest.mark.parametrize("right", KNOWN, ids=lambda right: right["lesson"])
+def test_a_difference_that_solves_a_task_is_one_of_a_lessons_solution(right):
+    lesson = opened(right["lesson"])
+    assert "step" not in right or lesson.solution(right["step"]) is not None
+    assert right["what"]
+    assert right["because"]
 
 
 def as_hint(rule: HintRule) -> Hint:
@@ -177,16 +206,25 @@ def test_every_solution_passes_on_every_robot_that_it_names(runs, name):
         assert [line for one in done for line in unmet(one)] == []
 
 
-@pytest.mark.sample(6)
+@every_lesson
+def test_a_lesson_has_at_least_three_wrong_programs(name):
+    teacher = opened(name).teacher
+    assert teacher
+    assert len(teacher.wrong) >= WRONG
+
+
+@pytest.mark.sample(24)
 @pytest.mark.slow
 @pytest.mark.spread
-@every_lesson
-def test_at_least_three_wrong_programs_fail_as_said_and_get_the_hint(runs, name):
+@pytest.mark.parametrize(
+    ("name", "wrong"),
+    EVERY_WRONG,
+    ids=[f"{name}-{wrong.program.removesuffix('.bt')}" for name, wrong in EVERY_WRONG],
+)
+def test_a_wrong_program_fails_as_said_and_gets_its_hint_first(runs, name, wrong):
     lesson = opened(name)
-    assert lesson.teacher
-    assert len(lesson.teacher.wrong) >= WRONG
-    for wrong in lesson.teacher.wrong[:WRONG]:
-        source = lesson.text(f"teacher/wrong/{wrong.program}")
-        [[done]] = tried(lesson, wrong.step, [source], attempts(lesson, wrong.step)[:1], runs)
-        assert wrong.check in failed_checks(done), wrong.program
-        assert hint_of(lesson, wrong, done).rule == wrong.hint, wrong.program
+    source = lesson.text(f"teacher/wrong/{wrong.program}")
+    [[done]] = tried(lesson, wrong.step, [source], attempts(lesson, wrong.step)[:1], runs)
+    assert wrong.check in failed_checks(done)
+    program = read_program(source).tree
+    assert hints_for(lesson, wrong.step, program, done)[0].rule == wrong.hint

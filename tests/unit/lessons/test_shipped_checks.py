@@ -18,7 +18,9 @@ def check(lesson, name):
 
 def run(**seen):
     """What a check gets to see of a run."""
-    return SimpleNamespace(**{"path": (), "prints": (), "calls": (), "shows": (), **seen})
+    return SimpleNamespace(
+        **{"path": (), "prints": (), "calls": (), "shows": (), "time": 60, **seen}
+    )
 
 
 @pytest.mark.parametrize("y", [0, 250, -300])
@@ -64,11 +66,23 @@ def test_a_name_or_note_elsewhere_is_told_with_its_place():
 
 def test_a_face_counts_only_after_the_camera_was_asked():
     asks = check("4-03-faces", "asks_before_each_face")
-    shows = [(1, "joy"), (4, "surprise"), (7, "neutral")]
-    calls = [(1, "is_any_face_happy"), (4, "is_any_face_surprised"), (7, "is_any_face_sad")]
-    assert asks(run(shows=shows, calls=calls)) is True
-    assert "number 2" in asks(run(shows=shows, calls=[calls[0], calls[2]]))["en"]
-    assert asks(run(shows=shows))["en"].startswith("The robot shows face number 1")
+    joy, surprise, neutral = "expressJoy", "expressSurprise", "expressNeutral"
+    happy, surprised, sad = "is_any_face_happy", "is_any_face_surprised", "is_any_face_sad"
+
+    def told(*skills):
+        return asks(run(shows=[(1, "joy")], calls=[(1, skill) for skill in skills]))
+
+    assert told(happy, joy, surprised, surprise, sad, neutral) is True
+    assert "number 2" in told(happy, joy, sad, surprise)["en"]
+    # At the same moment, but before the question.
+    assert "number 1" in told(joy, happy)["en"]
+
+
+def test_a_robot_waits_two_seconds_after_each_face():
+    stays = check("4-03-faces", "stays_with_each_friend")
+    path = [(tick / 10, 0, 0, max(0, tick - 20) * 9) for tick in range(30)]
+    assert stays(run(path=path, shows=[(0, "joy")])) is True
+    assert "number 1" in stays(run(path=path, shows=[(1.9, "joy")]))["en"]
 
 
 @pytest.fixture(scope="module")
@@ -90,3 +104,117 @@ def test_a_time_noted_after_backing_away_is_too_late(noted):
     assert right["true"].state == "met"
     assert late["true"].state == "failed"
     assert "too late" in str(late["true"].reason)
+
+
+DECISION = """main:
+    forever:
+        if function.is_front_obstacle(100):
+            function.expressFear()
+            function.turn(-90)
+        else:
+            function.expressJoy()
+            function.move_straight(80)
+        end
+    end
+end
+"""
+EVENTS = """when ahead = function.is_front_obstacle(100):
+    function.expressFear()
+    function.turn(90)
+end
+
+when free = not function.is_front_obstacle(100):
+    function.expressJoy()
+    function.move_straight(80)
+end
+"""
+WAIT = """main:
+    forever:
+        function.expressJoy()
+        function.move_straight(80)
+        wait until function.is_front_obstacle(100)
+        function.expressFear()
+        function.turn(90)
+    end
+end
+"""
+FUNCTION = """def get_away():
+    function.expressFear()
+    function.turn(90)
+end
+
+main:
+    while 1 == 1:
+        if not function.is_front_obstacle(100):
+            function.expressJoy()
+            function.set_move(80, 0)
+        else:
+            get_away()
+        end
+    end
+end
+"""
+
+
+@pytest.mark.slow
+def test_a_careful_robot_may_turn_to_either_side_and_decide_in_any_style():
+    lesson = find_lesson("2-01-avoid-a-box")
+    found = tried(lesson, 5, [DECISION, EVENTS, WAIT, FUNCTION], attempts(lesson, 5)[:1])
+    for [done] in found:
+        assert {one.check.name: one.state for one in done.verdicts} == dict.fromkeys(
+            ["faces", "bump", "turn", "far", "box"], "met"
+        )
+
+
+def turning_robot(turning, driving):
+    """A robot that drives, turns and drives, and the faces that it shows meanwhile."""
+    path = [(tick / 10, tick * 8, 0, 0) for tick in range(20)]
+    path += [(2 + tick / 10, 160, 0, tick * 9) for tick in range(11)]
+    path += [(3.1 + tick / 10, 160, -tick * 8, 90) for tick in range(20)]
+    return run(path=path, shows=[(0, driving), (2, turning), (3.1, driving)])
+
+
+def test_a_robot_is_scared_while_it_turns_and_happy_while_it_drives():
+    faces = check("2-01-avoid-a-box", "happy_on_the_way_and_scared_at_obstacles")
+    assert faces(turning_robot("fear", "joy")) is True
+    assert "turns, and does not look scared" in faces(turning_robot("joy", "fear"))["en"]
+    assert "drives, and does not look happy" in faces(turning_robot("fear", "sadness"))["en"]
+
+
+@pytest.mark.parametrize(("x", "falls"), [(392, False), (-430, False), (470, True)])
+def test_a_robot_falls_when_its_middle_is_beyond_the_edge(x, falls):
+    stays = check("1-06-edge", "stays_on_the_table")
+    assert (stays(run(path=[(0, 0, 0, 0), (9, x, 0, 0)])) is not True) == falls
+
+
+def test_turns_around_to_either_side_count_alike():
+    around = check("1-06-edge", "turns_around")
+    for side in (-1, 1):
+        headings = [side * min(tick * 10, 540) for tick in range(60)]
+        path = [(number / 10, 0, 0, heading % 360) for number, heading in enumerate(headings)]
+        assert around(run(path=path)) is True
+        assert "360°" in around(run(path=path[:37]))["en"]
+
+
+@pytest.mark.parametrize(
+    ("place", "is_right"),
+    [((1, 170, 0, 0), True), ((1, 170, 0, 180), False), ((1, -400, 0, 0), False)],
+)
+def test_bench_is_printed_only_where_the_bench_is_ahead(place, is_right):
+    at_bench = check("3-06-events", "bench_at_the_bench")
+    assert (at_bench(run(path=[place], prints=[(1, "bench")])) is True) == is_right
+
+
+@pytest.mark.parametrize(("surprised", "is_right"), [(14, True), (13, False), (15, False)])
+def test_a_robot_is_surprised_four_seconds_after_it_got_lost(surprised, is_right):
+    after_four = check("3-02-line-with-states", "surprised_after_4_seconds")
+    shows = [(0, "joy"), (5, "sadness"), (6, "joy"), (10, "sadness"), (surprised, "surprise")]
+    assert (after_four(run(shows=shows)) is True) == is_right
+
+
+def test_a_report_counts_only_when_the_robot_has_parked():
+    reports = check("4-01-noisy-sensor", "reports_at_the_end")
+    path = [(0, 0, 0, 0), (1, 0, 0, 0), (2, 100, 0, 0), (3, 100, 0, 0)]
+    assert reports(run(path=path, prints=[(3, "parked at 297 mm")])) is True
+    assert "before it has parked" in reports(run(path=path, prints=[(0, "parked at 297 mm")]))["en"]
+    assert "not the distance" in reports(run(path=path, prints=[(3, "parked at 700 mm")]))["en"]

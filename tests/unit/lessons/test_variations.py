@@ -46,6 +46,8 @@ def test_the_same_program_always_has_the_same_variations():
         (SQUARE, "number_1 = 200"),
         (SQUARE, "def part_1():"),
         ("main:\n    function.sleep(4)\nend\n", "function.sleep(2)\n    function.sleep(2)"),
+        (SQUARE, "while round_1 < 4:"),
+        ("main:\n    function.turn(180)\nend\n", "function.turn(-180)"),
         ("main:\n    wait until x\nend\n", "while not x:"),
         ("main:\n    forever:\n        a()\n    end\nend\n", "while 1 == 1:"),
         ("x = 0\n\nmain:\n    x += 1\nend\n", "x = x + 1"),
@@ -61,3 +63,16 @@ def test_a_variation_does_the_same_in_another_way(source, instead):
 def test_a_variation_says_which_construct_it_no_longer_has():
     counted = next(one for one in first(SQUARE) if "for turn_1" in one.source)
     assert counted.without == {"repeat"}
+
+
+def test_a_decision_made_forever_becomes_an_event_for_each_case():
+    source = (
+        "main:\n    a()\n    forever:\n        if x:\n            b()\n        elif y:\n"
+        "            c()\n        else:\n            d()\n        end\n    end\nend\n"
+    )
+    events = (
+        "when start:\n    a()\nend\n\nwhen case_11 = x:\n    b()\nend\n\n"
+        "when case_21 = not x and y:\n    c()\nend\n\n"
+        "when case_31 = not x and not y:\n    d()\nend\n"
+    )
+    assert events in {one.source for one in first(source)}

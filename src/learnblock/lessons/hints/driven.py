@@ -2,11 +2,32 @@
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from itertools import pairwise
+from itertools import accumulate, pairwise
 from typing import Any
 
-from learnblock.language.tree.nodes import ForEach, ForRange, Repeat, SkillCall, WaitUntil, While
-from learnblock.lessons.checks import At, Drives, EndsAt, Happens, InOrder, Never, Reaches, Turns
+from learnblock.language.tree.nodes import (
+    Branch,
+    Expression,
+    ForEach,
+    ForRange,
+    If,
+    Repeat,
+    SkillCall,
+    WaitUntil,
+    When,
+    While,
+)
+from learnblock.lessons.checks import (
+    At,
+    Drives,
+    EndsAt,
+    Event,
+    Happens,
+    InOrder,
+    Never,
+    Reaches,
+    Turns,
+)
 from learnblock.lessons.evidence import Placed
 from learnblock.lessons.happening import heading_between
 from learnblock.lessons.hints import driving
@@ -53,13 +74,21 @@ def _misdrive(situation: Situation, verdict: Verdict, path: Sequence[Placed]) ->
         case Reaches():
             return _goal(situation, verdict.check, path)
         case InOrder(events=events):
-            points = [one for one in events if isinstance(one, At)]
-            if len(points) == len(events):
+            points = list(_first_places(events))
+            if points:
                 places_ = [(one.x, one.y) for one in points]
                 return _tour(path, places_, min(one.radius for one in points))
         case Happens(what=At(x=x, y=y, radius=radius), at_least=1):
             return driving.through(path, (x, y), radius) or _tour(path, [(x, y)], radius)
     return None
+
+
+def _first_places(events: Sequence[Event]) -> Iterator[At]:
+    """The places at which events have to begin."""
+    for event in events:
+        if not isinstance(event, At):
+            return
+        yield event
 
 
 def _ended(
@@ -135,7 +164,7 @@ def _guess(situation: Situation, found: Misdrive) -> Iterator[Guess]:
         return
     line = _line_at(situation, found.time)
     about = _about(situation, line)
-    sensor = None if found.turned else _ending_sensor(situation, found, about)
+    sensor = None if found.turned else _ending_sensor(situation, about)
     if sensor and found.slip in {"too-short", "too-long"}:
         # The robot stops where a sensor tells it to.
         line, skill = sensor
@@ -162,9 +191,12 @@ _OTHER = {"too-short": "too-long", "too-long": "too-short"}
 
 def _line_at(situation: Situation, time: float) -> int:
     """The line whose command moved the robot from a time on."""
-    lines = [
-        one.line for one in situation.calls if one.skill in DRIVING and one.time <= time + _DELAY
-    ]
+    return _line_before(situation, time + _DELAY)
+
+
+def _line_before(situation: Situation, time: float) -> int:
+    """The line whose command was the last to move the robot until a time."""
+    lines = [one.line for one in situation.calls if one.skill in DRIVING and one.time <= time]
     return lines[-1] if lines else 0
 
 
@@ -177,26 +209,43 @@ def _about(situation: Situation, line: int) -> frozenset[str]:
     )
 
 
-def _ending_sensor(
-    situation: Situation, found: Misdrive, about: frozenset[str]
-) -> tuple[int, str] | None:
+def _ending_sensor(situation: Situation, about: frozenset[str]) -> tuple[int, str] | None:
     """The line and the skill of a sensor that decides how long the robot drives."""
     if not about & LASTING:
         return None
-    del found
-    for node in situation.statements:
-        if isinstance(node, While | WaitUntil):
-            for call in asked_in(node.condition):
-                if call.name in sensors():
-                    return node.span.line, call.name
+    for line, condition in _ending_conditions(situation):
+        for call in asked_in(condition):
+            if call.name in sensors():
+                return line, call.name
     return None
+
+
+def _ending_conditions(situation: Situation) -> Iterator[tuple[int, Expression]]:
+    """Conditions that may end a drive, the likeliest first.
+
+    An ``if`` or an event ends one if it asks for an obstacle: other sensors steer.
+    """
+    statements = situation.statements
+    for node in statements:
+        if isinstance(node, While | WaitUntil):
+            yield node.span.line, node.condition
+    for node in statements:
+        parts: Sequence[Branch | When] = ()
+        if isinstance(node, If):
+            parts = node.branches
+        elif isinstance(node, When):
+            parts = (node,)
+        for part in parts:
+            if part.condition and any(one.name in OBSTACLES for one in asked_in(part.condition)):
+                yield part.span.line, part.condition
 
 
 def turned(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
     """The robot turned by another angle in all."""
     if not isinstance(verdict.check, Turns) or situation.evidence is None:
         return
-    real = _turned(situation.evidence.path)
+    path = situation.evidence.path
+    real = _turned(path)
     wanted, tolerance = verdict.check.by, verdict.check.tolerance
     first = next((one for one in situation.calls if one.skill in DRIVING and _is_turn(one)), None)
     lines = (first.line,) if first and first.line else ()
@@ -208,7 +257,22 @@ def turned(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
     elif abs(real) < abs(wanted):
         yield Guess("value-too-small", lines, about, sign="value_too_small", surely=5)
     else:
-        yield Guess("value-too-large", lines, about, sign="value_too_large", surely=5)
+        turns = [abs(_turned(pair)) for pair in pairwise(path)]
+        line = _line_beyond(situation, turns, abs(wanted) + tolerance)
+        yield _too_large(situation, line, surely=5)
+
+
+def _line_beyond(situation: Situation, parts: Sequence[float], most: float) -> int:
+    """The line whose command added what was too much; each part is of 0.1 s of the way."""
+    path = situation.evidence.path if situation.evidence else ()
+    beyond = (number for number, total in enumerate(accumulate(parts)) if total > most)
+    number = next(beyond, None)
+    return 0 if number is None else _line_before(situation, path[number].moment.time)
+
+
+def _too_large(situation: Situation, line: int, surely: int) -> Guess:
+    about = _about(situation, line)
+    return Guess("value-too-large", (line,) if line else (), about, {}, "value_too_large", surely)
 
 
 def _turned(path: Sequence[Placed]) -> float:
@@ -223,12 +287,14 @@ def drove(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
     """The robot drove too little or too much, along its way."""
     if not isinstance(verdict.check, Drives) or situation.evidence is None:
         return
+    path = situation.evidence.path
     first = next((one for one in situation.calls if one.skill in DRIVING), None)
     lines = (first.line,) if first and first.line else ()
     about = frozenset({first.skill}) if first else frozenset[str]()
     most = verdict.check.at_most
     if most is not None and situation.evidence.distance > most:
-        yield Guess("value-too-large", lines, about, sign="value_too_large", surely=-5)
+        driven = [math.dist(one[1:3], other[1:3]) for one, other in pairwise(path)]
+        yield _too_large(situation, _line_beyond(situation, driven, most), surely=-5)
     elif situation.evidence.distance >= 1:
         yield Guess("value-too-small", lines, about, sign="value_too_small", surely=-5)
 
@@ -237,9 +303,7 @@ def forbidden_place(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
     """The robot came to a place that it must keep away from."""
     if isinstance(verdict.check, Never) and isinstance(verdict.check.what, At):
         at = verdict.at if verdict.at is not None else situation.end
-        line = _line_at(situation, at)
-        about = _about(situation, line)
-        yield Guess("value-too-large", (line,) if line else (), about, {}, "value_too_large", -10)
+        yield _too_large(situation, _line_at(situation, at), surely=-10)
 
 
 def never_moved(situation: Situation, verdict: Verdict) -> Iterator[Guess]:

@@ -374,7 +374,21 @@ def facing(path: Sequence[Placed], wanted: float) -> Misdrive | None:
     before = last.heading - turn
     if abs(heading_between(before - turn, wanted)) < _NO_TURN:
         return Misdrive("wrong-direction", turned_at, turned=True)
-    return Misdrive(_compared(turn, heading_between(before, wanted)), turned_at, turned=True)
+    slip = _compared(turn, heading_between(before, wanted))
+    if slip == "turn-too-large":
+        turned_at = _left(path, wanted, turned_at)
+    return Misdrive(slip, turned_at, turned=True)
+
+
+def _left(path: Sequence[Placed], wanted: float, since: float) -> float:
+    """When a robot last stood and faced right before it turned on, in seconds."""
+    for before, after in reversed(list(pairwise(path))):
+        if before.moment.time <= since:
+            break
+        has_stood = abs(heading_between(before.heading, after.heading)) < _TURNS / 2
+        if has_stood and abs(heading_between(after.heading, wanted)) < _NO_TURN:
+            return after.moment.time
+    return since
 
 
 def _compared(turn: float, wanted: float) -> Slip:

@@ -103,7 +103,9 @@ def _never_runs(situation: Situation, about: str | None) -> tuple[int, ...] | No
 
 def _no_loop(situation: Situation, about: str | None) -> tuple[int, ...] | None:
     del about
-    return None if situation.loops else ()
+    # What is inside an event runs again and again, too.
+    has_event = any(isinstance(one, When) for one in situation.statements)
+    return None if situation.loops or has_event else ()
 
 
 def _collision(situation: Situation, about: str | None) -> tuple[int, ...] | None:

@@ -369,3 +369,34 @@ def test_a_hint_says_why_it_was_chosen(found):
     for given in found("function.drive_distance(100)", AHEAD):
         assert isinstance(given.because, Phrase)
         assert translate(given.because, "es") != translate(given.because, "en")
+
+
+def lines_of(given, rule):
+    """The lines that the hint of a rule names."""
+    return next(one.lines for one in given if one.rule == f"hint-{rule}")
+
+
+def test_a_robot_that_turns_away_too_early_is_told_of_the_limit_in_its_decision(found):
+    program = (
+        "forever:\n    if function.is_front_obstacle(100):\n        function.turn(90)\n"
+        "    else:\n        function.move_straight(80)\n    end\nend"
+    )
+    way = checks.InOrder(events=(checks.At(x=480, y=0, radius=30), checks.At(x=410, y=-300)))
+    given = found(program, way, world="parking", seconds=20)
+    assert lines_of(given, "value-too-large") == (3,)
+    assert "hint-wrong-order" not in rules(given)
+
+
+def test_a_turn_too_many_after_a_loop_is_named_and_not_one_inside(found):
+    program = (
+        "repeat 4:\n    function.drive_distance(100)\n    function.turn(90)\nend\nfunction.turn(90)"
+    )
+    home = checks.EndsAt(x=0, y=0, radius=60, heading=0)
+    assert lines_of(found(program, home), "value-too-large") == (6,)
+    assert lines_of(found(program, checks.Turns(by=360)), "value-too-large") == (6,)
+
+
+def test_a_drive_too_many_after_a_loop_is_named_and_not_one_inside(found):
+    program = "repeat 2:\n    function.drive_distance(100)\nend\nfunction.drive_distance(90)"
+    given = found(program, checks.Drives(at_most=220))
+    assert lines_of(given, "value-too-large") == (5,)

@@ -1,0 +1,257 @@
+"""Programs that do the right things at the wrong time, to the wrong side or in the wrong case.
+
+Unlike `mutants`, which is a sample of all that learners do wrong, this is everything of a few kinds
+that a check easily overlooks, as each of these programs has all parts of the correct one: what it
+shows has changed places, it goes the other way, its statements are in another order, the halves of
+a decision are exchanged, or a condition has another number.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from itertools import combinations
+from typing import Any, Literal
+
+from learnblock.blocks import builtin
+from learnblock.blocks.groups import group_of
+from learnblock.language.blocktext.format import format as format_program
+from learnblock.language.blocktext.parser import parse, recover
+from learnblock.language.tree.nodes import (
+    Binary,
+    Branch,
+    Call,
+    Compare,
+    ForRange,
+    FString,
+    If,
+    Number,
+    Perform,
+    Program,
+    Repeat,
+    SkillCall,
+    String,
+    Unary,
+    WaitUntil,
+    When,
+    While,
+)
+from learnblock.language.tree.traversal import within
+from learnblock.lessons.mutants import SILENT, TURNED, Mutant, other_numbers
+from learnblock.lessons.rewriting import places, sequences, substitute
+
+#: What is exchanged.
+Kind = Literal["shown", "direction", "half", "order", "limit"]
+
+#: The groups of blocks by which a robot shows something.
+_SHOWING = {"show", "sound"}
+_SIDES = (("left", "right"), ("Left", "Right"))
+#: Which numbers of a skill have a direction.
+_DIRECTED = {
+    "move_straight": (0,),
+    "move_left": (0, 1),
+    "move_right": (0, 1),
+    "turn_left": (0,),
+    "turn_right": (0,),
+    "turn": (0,),
+    "set_move": (0, 1),
+    "drive_distance": (0,),
+    "drive_arc": (0, 1),
+    "go_to": (0, 1),
+}
+#: Of these, the numbers that say to which side.
+_SIDEWAYS = {"turn": 0, "set_move": 1, "drive_arc": 1}
+
+#: What takes the place of nodes, by the identity of each.
+_Changes = dict[int, Any]
+
+
+def swaps(source: str) -> Iterator[tuple[Kind, Mutant]]:
+    """Make all programs of these kinds that differ from a correct one, in its order.
+
+    Args:
+        source: the program in Block-Text.
+
+    Raises:
+        ProgramError: the program is invalid.
+    """
+    program = parse(source)
+    seen = {format_program(program)}
+    for kind, find in _KINDS.items():
+        for changes, what in find(program):
+            changed = format_program(substitute(program, changes))
+            if changed not in seen and not recover(changed)[1]:
+                seen.add(changed)
+                yield kind, Mutant(changed, what)
+
+
+def _exchanged(one: Any, other: Any) -> _Changes:
+    return {id(one): other, id(other): one}
+
+
+def _lines(one: Any, other: Any) -> str:
+    return f"line {one.span.line} and {other.span.line}"
+
+
+def _nodes(program: Program) -> list[Any]:
+    return [place.node for place in places(program)]
+
+
+# What it shows, says, plays or prints.
+
+
+def _shown(program: Program) -> Iterator[tuple[_Changes, str]]:
+    nodes = _nodes(program)
+    calls = [node.call for node in nodes if isinstance(node, Perform) and _shows(node.call)]
+    texts = [node for node in nodes if isinstance(node, String | FString)]
+    for kind, found in (("shown things", calls), ("texts", texts)):
+        for one, other in combinations(found, 2):
+            yield _exchanged(one, other), f"{_lines(one, other)}: {kind} swapped"
+
+
+def _shows(call: Call | SkillCall) -> bool:
+    if isinstance(call, Call):
+        return call.name == "print"
+    skill = builtin().get(call.name)
+    return call.name == "send" or (skill is not None and group_of(skill.category) in _SHOWING)
+
+
+# Where it goes.
+
+
+def _directions(program: Program) -> Iterator[tuple[_Changes, str]]:
+    calls = [node for node in _nodes(program) if isinstance(node, SkillCall)]
+    mirrored: _Changes = {}
+    for call in calls:
+        for number in _DIRECTED.get(call.name, ())[: len(call.arguments)]:
+            value = call.arguments[number]
+            yield {id(value): _negated(value)}, f"line {call.span.line}: {call.name} backwards"
+        if (name := _other_side(call.name)) is not None:
+            yield (
+                {id(call): replace(call, name=name)},
+                f"line {call.span.line}: {name} instead of {call.name}",
+            )
+        mirrored.update(_mirrored(call))
+    yield mirrored, "left and right swapped everywhere"
+    commands = {key: new for key, new in mirrored.items() if key in _commands(program)}
+    yield commands, "left and right swapped in all movements"
+
+
+def _negated(value: Any) -> Any:
+    is_negative = isinstance(value, Unary) and value.operator == "-"
+    return value.operand if is_negative else Unary("-", value)
+
+
+def _other_side(name: str) -> str | None:
+    for one, other in _SIDES:
+        for here, there in ((one, other), (other, one)):
+            if here in name and (new := name.replace(here, there)) in builtin():
+                return new
+    return None
+
+
+def _mirrored(call: SkillCall) -> _Changes:
+    """The call with the other side."""
+    if (name := _other_side(call.name)) is not None:
+        return {id(call): replace(call, name=name)}
+    number = _SIDEWAYS.get(call.name)
+    if number is None or number >= len(call.arguments):
+        return {}
+    arguments = list(call.arguments)
+    arguments[number] = _negated(arguments[number])
+    return {id(call): replace(call, arguments=tuple(arguments))}
+
+
+def _commands(program: Program) -> set[int]:
+    return {id(node.call) for node in _nodes(program) if isinstance(node, Perform)}
+
+
+# In which order.
+
+
+def _orders(program: Program) -> Iterator[tuple[_Changes, str]]:
+    for sequence in sequences(program):
+        found = [one for one in sequence.statements if not isinstance(one, SILENT)]
+        for one, other in combinations(found, 2):
+            yield _exchanged(one, other), f"{_lines(one, other)}: statements swapped"
+    calls = [node for node in _nodes(program) if isinstance(node, Perform)]
+    for one, other in combinations(calls, 2):
+        yield _exchanged(one, other), f"{_lines(one, other)}: commands swapped"
+
+
+# What it does in which case.
+
+
+def _halves(program: Program) -> Iterator[tuple[_Changes, str]]:
+    nodes = _nodes(program)
+    for node in nodes:
+        if isinstance(node, If):
+            halves = [*node.branches, *([node.otherwise] if node.otherwise else [])]
+            yield from _bodies(halves)
+            yield from _negations(node.branches)
+        elif isinstance(node, WaitUntil | While | When) and node.condition is not None:
+            yield from _negations([node])
+    yield from _bodies([node for node in nodes if isinstance(node, When)])
+
+
+def _bodies(halves: Sequence[Any]) -> Iterator[tuple[_Changes, str]]:
+    for one, other in combinations(halves, 2):
+        changes = {
+            id(one): replace(one, body=other.body),
+            id(other): replace(other, body=one.body),
+        }
+        yield changes, f"{_lines(one, other)}: what is inside swapped"
+
+
+def _negations(nodes: Sequence[Any]) -> Iterator[tuple[_Changes, str]]:
+    for node in nodes:
+        condition = node.condition
+        is_negative = isinstance(condition, Unary) and condition.operator == "not"
+        new = condition.operand if is_negative else Unary("not", condition)
+        yield {id(condition): new}, f"line {node.span.line}: condition negated"
+
+
+# Up to where, how often, how near.
+
+
+def _limits(program: Program) -> Iterator[tuple[_Changes, str]]:
+    for node in _nodes(program):
+        parts = (part for condition in _conditions(node) for part in within(condition))
+        for part in parts:
+            for new, how in _other_limits(part):
+                yield {id(part): new}, f"line {node.span.line}: {how}"
+
+
+def _conditions(node: Any) -> Sequence[Any]:
+    match node:
+        case Branch(condition=found) | While(condition=found) | WaitUntil(condition=found):
+            return [found]
+        case When(condition=found):
+            return [found] if found is not None else []
+        case Repeat(count=found):
+            return [found]
+        case ForRange(start=start, stop=stop):
+            return [start, stop]
+        case _:
+            return []
+
+
+def _other_limits(part: Any) -> Iterator[tuple[Any, str]]:
+    match part:
+        case Number(text=text):
+            for value, how in other_numbers(float(text)):
+                yield Number(f"{value:g}"), f"limit {text} {how}"
+            yield Number(f"{float(text) * 4:g}"), f"limit {text} four times as large"
+            yield Number("0"), f"limit {text} is 0"
+        case Compare(operators=(operator,)) if operator in TURNED:
+            yield replace(part, operators=(TURNED[operator],)), f"{operator!r} is the other way"
+        case Binary(operator="and" | "or" as operator):
+            other = "or" if operator == "and" else "and"
+            yield replace(part, operator=other), f"{operator!r} is {other!r}"
+
+
+_KINDS: dict[Kind, Callable[[Program], Iterator[tuple[_Changes, str]]]] = {
+    "shown": _shown,
+    "direction": _directions,
+    "half": _halves,
+    "order": _orders,
+    "limit": _limits,
+}

@@ -1,0 +1,65 @@
+"""The checks of our lessons notice programs that do the right things at the wrong time or side."""
+
+from fnmatch import fnmatchcase
+from functools import cache
+
+import pytest
+
+from gate import IS_GATE
+from learnblock.lessons.reading import find_lesson, shipped
+from learnblock.lessons.swaps import swaps
+from learnblock.running.batch import WarmProcess
+from lesson_tries import unnoticed
+from right_programs import is_right, known
+
+#: The gate tries so many programs of a step.
+FEW = 6
+
+opened = cache(find_lesson)
+STEPS = [
+    (name, number)
+    for name in shipped()
+    for number, step in enumerate(opened(name).lesson.step, 1)
+    if step.check and opened(name).solution(number) is not None
+]
+
+
+@pytest.fixture(scope="module")
+def runs():
+    """The process that makes all runs: it starts once."""
+    kept = WarmProcess()
+    yield kept
+    kept.end()
+
+
+def made(name, step):
+    """The programs of a step that have to fail."""
+    found = [mutant for _, mutant in swaps(opened(name).solution(step))]
+    return [one for one in found if not is_right("swaps", name, step, one.what)]
+
+
+@pytest.mark.sample(4)
+@pytest.mark.slow
+@pytest.mark.spread
+@pytest.mark.timeout(900)  # all programs of a step are up to a hundred runs of a minute each
+@pytest.mark.parametrize(("name", "step"), STEPS)
+def test_a_program_with_two_parts_swapped_fails_a_check_or_is_listed_as_right(
+    runs, request, name, step
+):
+    programs = made(name, step)
+    if request.config.stash[IS_GATE]:
+        programs = programs[:: max(1, len(programs) // FEW)]
+    found = [one.what for one in unnoticed(opened(name), step, programs, runs)]
+    assert found == []
+
+
+@pytest.mark.parametrize("right", known("swaps"), ids=lambda right: right["lesson"])
+def test_each_difference_that_is_listed_as_right_is_one_that_is_made(right):
+    steps = (
+        [right["step"]] if "step" in right else [n for name, n in STEPS if name == right["lesson"]]
+    )
+    found = [
+        mutant.what for step in steps for _, mutant in swaps(opened(right["lesson"]).solution(step))
+    ]
+    for pattern in right["what"]:
+        assert any(fnmatchcase(what, pattern) for what in found), pattern
