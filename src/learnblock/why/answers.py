@@ -311,7 +311,7 @@ class _Answering:
                 return
         if not named:
             self._telling.say_of_line("why-no-goal", 0, until)
-        self._doing.first_bump(until)
+        self._first_bump(until)
         self._now("", until, None)
 
     def _goals(self, name: str) -> list[dict[str, Any]]:

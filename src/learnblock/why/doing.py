@@ -207,7 +207,9 @@ class Doing:
                 self._reaching.tell(number, until, started)
 
     def _long_pause(self, command: int, until: int) -> None:
-        """Tell that one pause made a movement last long."""
+        """Tell that one pause made a movement last long; a robot may well stand still for long."""
+        if self._movement(command) == STAND:
+            return
         for pause in self._history.uses_back_from(until):
             if pause.begun < command:
                 return
@@ -399,8 +401,8 @@ class Doing:
         if not use or not mine:
             return 0
         first = history.events[mine[-1]]
-        # What comes right after the moment replaced it as well.
-        last = history.at(history.time(until) + _SOON)
+        # What comes in the same moment replaced it as well, but nothing later did.
+        last = history.at(history.time(until))
         for index in range(mine[-1] + 1, last + 1):
             other = history.events[index]
             if other[0] != Op.COMMAND or other[1] != first[1] or other[2] != first[2]:

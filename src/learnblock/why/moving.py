@@ -110,12 +110,12 @@ class Moving:
 
     def _is_long_over(self, name: str, command: int, time: float | None) -> bool:
         """Whether another movement has replaced one long before a moment."""
+        if time is None or not self._doing.is_moment(time):
+            return False
         commands = self._slices.of_base
         later = commands[bisect_right(commands, command) :]
         end = next((index for index in later if name not in self._names(index)), -1)
-        return (
-            self._doing.is_moment(time) and end >= 0 and time - self._history.time(end) > LONG_AGO
-        )
+        return end >= 0 and time - self._history.time(end) > LONG_AGO
 
     def _stands(self, until: int, time: float | None) -> bool:
         """Tell why the robot stands still though no command says so; False if it does not."""
