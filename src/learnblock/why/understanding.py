@@ -90,6 +90,7 @@ class _Parsing:
             self._label,
             self._meant,
             self._mentioned,
+            self._print_of_unknown,
         ):
             found = reading()
             if found is not None:
@@ -185,6 +186,11 @@ class _Parsing:
         subject = quoted[1] if quoted else self._rest[found.end() :]
         is_known = quoted or not subject or any(plain(subject) in one for one in self._texts())
         return self._signed(Ask.PRINT, subject) if is_known else None
+
+    def _print_of_unknown(self) -> Question | None:
+        """A text that no line prints: the answer says so."""
+        found = _PRINTS.match(self._rest)
+        return self._signed(Ask.PRINT, self._rest[found.end() :]) if found else None
 
     def _texts(self) -> Iterator[str]:
         """What the lines that print say, and what they printed."""
