@@ -348,9 +348,10 @@ class Reaching:
             self._others_activated(node.name)
 
     def _only_each_other(self, name: str, until: int) -> bool:
-        """Whether only events start a `when` that it starts itself, or that wait for it."""
+        """Whether a `when` is started only by events that wait for it themselves."""
         nodes, found, new = self._history.nodes, set[str](), {name}
         conditional = {node.name for node in nodes if node.kind is Kind.WHEN}
+        is_circle = False
         while new:
             found |= new
             functions = [
@@ -362,8 +363,10 @@ class Reaching:
                 return False
             if any(self._events(one, 0, until) for one in functions):
                 return False
-            new = {nodes[one].name for one in functions} - found
-        return _START not in found and found.isdisjoint(conditional)
+            names = {nodes[one].name for one in functions}
+            is_circle = is_circle or name in names
+            new = names - found
+        return is_circle and _START not in found and found.isdisjoint(conditional)
 
     def _others_activated(self, name: str) -> None:
         """Tell what was switched on instead: perhaps the wrong `when`."""
