@@ -22,11 +22,12 @@ def write_program():
     Path(name).write_text(program, encoding="utf-8")
 
 
-def test_the_worked_example_prints_what_the_page_shows(tmp_path, monkeypatch):
+def test_the_worked_examples_print_what_the_page_shows(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("LEARNBLOCK_LANGUAGE", "en")
     write_program()
-    [session] = re.findall(r"^```console\n(.*?)^```", PAGE, re.MULTILINE | re.DOTALL)
+    sessions = re.findall(r"^```console\n(.*?)^```", PAGE, re.MULTILINE | re.DOTALL)
+    session = "".join(sessions)
     for command, shown in re.findall(
         r"^\$ learnblock (.*)\n((?:[^$].*\n)*)", session, re.MULTILINE
     ):

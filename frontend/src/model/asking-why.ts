@@ -21,6 +21,8 @@ export class AskingWhy {
   readonly answer = signal<WhyAnswer | null>(null);
   /** Whether the user has asked something in this run, or its questions have been read. */
   isUsed = false;
+  /** Whether the questions are those about the run, rather than about a block or a moment. */
+  private isWholeRun = false;
   /** Whether the questions are only those about the robot at one moment. */
   readonly isAboutMoment = signal(false);
 
@@ -38,13 +40,15 @@ export class AskingWhy {
     connection.on("WhyAnswer", (answer) => (this.answer.value = answer));
     connection.on("RunState", ({ state }) => {
       if (state === "starting" || state === "idle") this.forget();
+      // What could be asked when the list was read is not all that can be asked now.
+      if ((state === "paused" || state === "held") && this.isWholeRun && !this.answer.value) this.read();
     });
     connection.on("RunShown", () => this.forget());
   }
 
   private forget(): void {
     this.questions.value = this.answer.value = null;
-    this.isUsed = false;
+    this.isUsed = this.isWholeRun = false;
   }
 
   /** Whether there is a run to ask about. */
@@ -54,7 +58,7 @@ export class AskingWhy {
 
   /** Read what can be asked about the run. */
   read(): void {
-    this.isUsed = true;
+    this.isUsed = this.isWholeRun = true;
     this.answer.value = null;
     this.isAboutMoment.value = false;
     this.connection.send({ kind: "ReadQuestions" });
@@ -70,7 +74,7 @@ export class AskingWhy {
   aboutBlock(block: string): void {
     this.isUsed = true;
     this.answer.value = null;
-    this.isAboutMoment.value = false;
+    this.isAboutMoment.value = this.isWholeRun = false;
     this.show();
     this.connection.send({ kind: "ReadQuestions", block, time: this.time });
   }
@@ -79,6 +83,7 @@ export class AskingWhy {
   aboutRobot(): void {
     const time = this.time ?? this.running.timeline.peek()?.end ?? this.running.telemetry.peek()?.time ?? 0;
     this.isAboutMoment.value = true;
+    this.isWholeRun = false;
     this.connection.send({ kind: "ReadQuestions", time });
     this.ask({ ask: "now", subject: "", time });
   }

@@ -2002,7 +2002,7 @@ export interface WhyAnswer {
 }
 
 export interface WhyQuestion {
-  ask: "bump" | "emotion" | "end" | "goal" | "line" | "movement" | "not-line" | "not-movement" | "not-print" | "not-skill" | "not-when" | "now" | "print" | "printed" | "reached" | "skill" | "value" | "when";
+  ask: "bump" | "emotion" | "end" | "fall" | "goal" | "line" | "long" | "lost" | "movement" | "not-end" | "not-line" | "not-movement" | "not-print" | "not-skill" | "not-when" | "nothing" | "now" | "print" | "printed" | "reached" | "skill" | "speed" | "value" | "when";
   subject: string;
   time: number | null;
 }

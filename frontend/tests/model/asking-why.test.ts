@@ -74,3 +74,23 @@ test("another run is another matter", () => {
   connection.tell({ kind: "RunState", state: "starting" });
   expect([why.questions.value, why.isUsed]).toEqual([null, false]);
 });
+
+test.each(["paused", "held"])("the list is read again when the run is %s", (state) => {
+  const [why, connection] = asking();
+  why.read();
+  connection.tell({ kind: "Questions", questions: [LINE, NOT_LINE], block: "" });
+  connection.tell({ kind: "RunState", state });
+  expect(connection.sent).toEqual([{ kind: "ReadQuestions" }, { kind: "ReadQuestions" }]);
+});
+
+test("a pause replaces neither an answer nor the questions about a block", () => {
+  const [why, connection] = asking();
+  why.aboutBlock("b3");
+  connection.tell({ kind: "Questions", questions: [LINE, NOT_LINE], block: "b3" });
+  connection.tell({ kind: "RunState", state: "paused" });
+  expect(connection.sent).toHaveLength(1);
+  why.read();
+  connection.tell({ kind: "WhyAnswer", question: LINE, sentences: [], more: [] });
+  connection.tell({ kind: "RunState", state: "paused" });
+  expect(connection.sent).toHaveLength(2);
+});

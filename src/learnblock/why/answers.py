@@ -1,17 +1,17 @@
 """Answers to questions about a run."""
 
-from bisect import bisect_right
 from collections.abc import Callable
-from math import dist
 from typing import Any
 
 from learnblock.i18n.names import goal_phrase
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import Kind, Node
 from learnblock.why.because import Because
-from learnblock.why.doing import LONG_AGO, Doing
+from learnblock.why.doing import ABOUT, Doing
 from learnblock.why.ending import Ending
 from learnblock.why.history import History
+from learnblock.why.moving import LINES, Moving
+from learnblock.why.overall import Overall
 from learnblock.why.questions import Ask, Question
 from learnblock.why.reaching import Reaching
 from learnblock.why.readings import Readings
@@ -20,12 +20,6 @@ from learnblock.why.sentences import Answer, Telling
 from learnblock.why.slicing import Slices
 from learnblock.why.standing import Standing
 from learnblock.why.unused import Unused
-from learnblock.why.wording import MOVEMENTS, STAND, movement
-
-#: A robot that has not moved so many mm stands still.
-_STILL = 2.0
-#: The time of what is asked about may be so many seconds off: people round it.
-_ABOUT = 0.06
 
 
 def answer(history: History, question: Question, seen: Seen | None = None) -> Answer:
@@ -57,9 +51,15 @@ class Answers:
     def answer(self, question: Question) -> Answer:
         """Answer a question."""
         telling = Telling(self._history)
-        _Answering(self._slices, self._readings, self._unused, telling, question.time).answer(
-            question
+        answering = _Answering(
+            self._slices,
+            self._readings,
+            self._unused,
+            telling,
+            time=question.time,
+            since=question.since,
         )
+        answering.answer(question)
         return with_things(telling.answer(), self._seen)
 
 
@@ -72,7 +72,9 @@ class _Answering:
         readings: Readings,
         unused: Unused,
         telling: Telling,
+        *,
         time: float | None,
+        since: float | None,
     ) -> None:
         self._history: History = slices.history
         self._slices = slices
@@ -81,7 +83,24 @@ class _Answering:
         self._because = Because(slices, readings, unused, telling)
         self._ending = Ending(slices, self._because, telling, time)
         self._reaching = Reaching(slices, readings, self._because, telling, self._ending)
-        self._doing = Doing(slices, self._because, self._reaching, telling)
+        self._since = since
+        self._doing = Doing(slices, self._because, self._reaching, telling, since)
+        self._overall = Overall(
+            slices,
+            readings,
+            because=self._because,
+            doing=self._doing,
+            reaching=self._reaching,
+            ending=self._ending,
+            telling=telling,
+        )
+        self._moving = Moving(
+            slices,
+            doing=self._doing,
+            ending=self._ending,
+            overall=self._overall,
+            telling=telling,
+        )
 
     def answer(self, question: Question) -> None:
         history = self._history
@@ -92,103 +111,40 @@ class _Answering:
         until = len(history.events) - 1
         if question.time is not None:
             # What the robot does at a moment does not depend on what it is told right after.
-            about = 0.0 if question.ask is Ask.NOW else _ABOUT
+            about = 0.0 if question.ask is Ask.NOW else ABOUT
             until = max(0, history.at(question.time + about))
         _ANSWERS[question.ask](self, question.subject, until, question.time)
         if not len(self._telling):
             self._telling.say_of_line("why-unknown", 0)
 
     def _movement(self, name: str, until: int, time: float | None) -> None:
-        name = name if name in MOVEMENTS else ""
-        wanted = self._told_to(name, until, time)
-        soon = self._about_to(name, until)
-        if wanted >= 0 and not self._is_long_over(name, wanted, time):
-            self._doing.moved(wanted, until)
-        elif soon >= 0:
-            self._doing.moved(soon, until)
-        elif name == STAND and self._stands(until, time):
-            return
-        elif wanted >= 0:
-            self._telling.say_of_line("why-not-then", 0, until, time=time or 0.0)
-            self._doing.moved(self._in_force(until), until)
-        else:
-            self._not_happened(until, time)
-            self._doing.not_moved(name, until, time)
-
-    def _told_to(self, name: str, until: int, time: float | None) -> int:
-        """The last command of a movement up to an event; -1 if there was none.
-
-        What was in force at the very moment is meant rather than what came right after it.
-        """
-        exact = self._in_force(until if time is None else self._history.at(time))
-        if exact >= 0 and name in self._names(exact):
-            return exact
-        commands = self._slices.of_base
-        before = reversed(commands[: bisect_right(commands, until)])
-        return next((index for index in before if name in self._names(index)), -1)
-
-    def _in_force(self, until: int) -> int:
-        """The last command to the wheels up to an event; -1 if there was none."""
-        return self._history.last_of(self._slices.of_base, until)
-
-    def _about_to(self, name: str, until: int) -> int:
-        """The first command of a movement by the skill that lasts at an event; -1 if none."""
-        commands, use = self._slices.of_base, self._standing.running(until)
-        later = commands[bisect_right(commands, until) :] if use else []
-        own = (one for one in later if self._doing.outermost(one) is use)
-        return next((one for one in own if name in self._names(one)), -1)
-
-    def _not_happened(self, until: int, time: float | None) -> None:
-        at = self._history.end if time is None else min(time, self._history.end)
-        self._telling.say_of_line("why-not-happened", 0, until, time=round(at, 2))
-
-    def _is_long_over(self, name: str, command: int, time: float | None) -> bool:
-        """Whether another movement has replaced one long before a moment."""
-        commands = self._slices.of_base
-        later = commands[bisect_right(commands, command) :]
-        end = next((index for index in later if name not in self._names(index)), -1)
-        return time is not None and end >= 0 and time - self._history.time(end) > LONG_AGO
-
-    def _stands(self, until: int, time: float | None) -> bool:
-        """Tell why the robot stands still though no command says so; False if it does not."""
-        if self._in_force(until) < 0:
-            self._doing.not_moving(until, time)
-            return True
-        bump = self._blocking(time)
-        if bump is not None:
-            self._doing.bumped(bump, until)
-        elif self._ending.is_over(until):
-            if not self._ending.failed(until):
-                self._ending.stop_reason(until)
-            self._telling.say_of_line("why-stops-at-end", 0, until)
-            self._doing.moved(self._in_force(until), until)
-        return bump is not None or self._ending.is_over(until)
-
-    def _blocking(self, time: float | None) -> dict[str, Any] | None:
-        """The collision since which the robot has not moved, at a time; None if there is none."""
-        lines = self._history.recorded.lines
-        at = self._history.end if time is None else time
-        places = [line["pose"] for line in lines if "pose" in line and at - 0.5 <= line["t"] <= at]
-        bumps = [line for line in lines if "bump" in line and line["t"] <= at]
-        is_still = places and all(dist(one[:2], places[0][:2]) < _STILL for one in places)
-        return bumps[-1] if bumps and is_still else None
-
-    def _names(self, index: int) -> tuple[str, ...]:
-        """The names of a movement; a question need not tell turning on the spot from a curve."""
-        name = movement(*self._history.events[index][3][:2])
-        return (name, name.replace("curve", "spin"), *(("",) if "-" in name else ()))
+        self._moving.why(name, until, time)
 
     def _not_movement(self, name: str, until: int, time: float | None) -> None:
-        name = name if name in MOVEMENTS else ""
-        self._doing.not_moved(name, until, time)
+        self._moving.why_not(name, until, time)
 
     def _skill(self, name: str, until: int, time: float | None) -> None:
-        ran = self._doing.results(self._skills(name), until)
-        if ran:
-            self._doing.ran(ran[-1], until)
-        else:
-            self._not_happened(until, time)
+        if not self._ran(self._skills(name), until, time):
+            self._doing.not_happened(until, time)
             self._doing.not_done(self._skills(name), name, until, time)
+
+    def _ran(self, numbers: list[int], until: int, time: float | None) -> bool:
+        """Tell why statements ran; each of them if no moment is meant. False if none ran."""
+        ran = [one for one in self._doing.results(numbers, until) if self._doing.in_span(one)]
+        if not ran:
+            return False
+        last = {self._line_of(event): event for event in ran}
+        if self._doing.is_moment(time):
+            last = {0: ran[-1]}
+        for event in [*reversed(last.values())][:LINES]:
+            self._telling.begin_part()
+            self._doing.ran(event, until)
+        return True
+
+    def _line_of(self, event: int) -> int:
+        use = self._history.skills.get(event)
+        number = self._standing.call_of(use) if use else self._history.events[event][1]
+        return self._history.line(number) if number >= 0 else 0
 
     def _not_skill(self, name: str, until: int, time: float | None) -> None:
         self._doing.not_done(self._skills(name), name, until, time)
@@ -205,12 +161,17 @@ class _Answering:
 
     def _print(self, subject: str, until: int, time: float | None) -> None:
         calls = self._prints(subject)
-        ran = self._doing.results(calls, until)
+        ran = [one for one in self._doing.results(calls, until) if self._doing.in_span(one)]
         if ran:
-            self._doing.ran(ran[-1], until)
+            self._print_ran(ran[-1], until)
         else:
-            self._not_happened(until, time)
+            self._doing.not_happened(until, time)
             self._doing.not_done(calls, "print", until, time)
+
+    def _print_ran(self, event: int, until: int) -> None:
+        self._doing.ran(event, until)
+        if self._history.events[event][0] == Op.RESULT:
+            self._because.not_yet(self._history.events[event][1], event)
 
     def _not_print(self, subject: str, until: int, time: float | None) -> None:
         self._doing.not_done(self._prints(subject), "print", until, time)
@@ -218,7 +179,7 @@ class _Answering:
     def _printed(self, text: str, until: int, time: float | None) -> None:
         event = self._printing(text, time)
         if event >= 0:
-            self._doing.ran(event, until)
+            self._print_ran(event, until)
         else:
             self._print(text, until, time)
 
@@ -228,7 +189,7 @@ class _Answering:
         calls = self._calls(lambda node: node.name == "print" and not node.base)
         events = sorted(event for call in calls for event in history.of_node.get(call, ()))
         done = [event for event in events if history.events[event][0] == Op.RESULT]
-        limit = history.end if time is None else time + _ABOUT
+        limit = history.end if time is None else time + ABOUT
         texts = [line for line in history.recorded.lines if "print" in line]
         if len(done) == len(texts):
             alike = [
@@ -239,7 +200,7 @@ class _Answering:
             return alike[-1] if alike else -1
         # The log has lost some: of those that are left, one of the same moment printed it.
         times = [line["t"] for line in texts if str(line["print"]) == text and line["t"] <= limit]
-        there = [event for event in done if times and abs(history.time(event) - times[-1]) < _ABOUT]
+        there = [event for event in done if times and abs(history.time(event) - times[-1]) < ABOUT]
         return there[-1] if there else -1
 
     def _prints(self, subject: str) -> list[int]:
@@ -256,7 +217,7 @@ class _Answering:
             event
             for number in numbers
             for event in self._history.of_node.get(number, ())
-            if event <= until
+            if self._doing.first <= event <= until
         )
         if not ran:
             self._not_line(subject, until, time)
@@ -282,7 +243,7 @@ class _Answering:
             event
             for number in self._functions(name)
             for event in self._history.of_node.get(number, ())
-            if event <= until and self._history.events[event][0] == Op.ENTER
+            if self._doing.first <= event <= until and self._history.events[event][0] == Op.ENTER
         ]
         if not entered:
             self._not_when(name, until, time)
@@ -335,7 +296,7 @@ class _Answering:
         for goal in named[:1]:
             state, name = str(goal.get("state")), str(goal.get("name"))
             reached = goal.get("time")
-            is_later = reached is not None and time is not None and reached > time + _ABOUT
+            is_later = reached is not None and time is not None and reached > time + ABOUT
             if reached is None or is_later:
                 state, event = "open", until
                 at = self._history.end if time is None else min(time, self._history.end)
@@ -368,13 +329,19 @@ class _Answering:
             for index, event in enumerate(self._history.events[: until + 1])
             if event[0] == Op.COMMAND and event[2] == "show_emotion" and event[3][:1] == [name]
         ]
-        use = self._history.skills.get(shown[-1]) if shown else None
-        while use is not None and use.within is not None:
-            use = use.within
-        if use is not None:
-            self._doing.ran(use.result if use.result >= 0 else use.begun, until)
+        found: dict[int, int] = {}
+        for index in reversed(shown):
+            use = self._doing.outermost(index)
+            if use is not None and index >= self._doing.first:
+                event = use.result if 0 <= use.result <= until else use.begun
+                found.setdefault(self._line_of(event), event)
+        several = 1 if self._doing.is_moment(time) else LINES
+        for event in [*found.values()][:several]:
+            self._telling.begin_part()
+            self._doing.ran(event, until)
+        if found:
             return
-        self._not_happened(until, time)
+        self._doing.not_happened(until, time)
         self._now("", until, time)
 
     def _first_bump(self, until: int) -> None:
@@ -388,28 +355,59 @@ class _Answering:
             for line in self._history.recorded.lines
             if "bump" in line
             and (time is None or line.get("t", 0.0) <= time + 0.5)
+            and (self._since is None or line.get("t", 0.0) >= self._since - ABOUT)
             and name in ("", line["bump"])
         ]
         if not bumps:
-            self._telling.say_of_line("why-no-bump", 0, until)
+            if any("bump" in line for line in self._history.recorded.lines):
+                self._doing.not_happened(until, time)
+            else:
+                self._telling.say_of_line("why-no-bump", 0, until)
             return
-        self._doing.bumped(bumps[-1] if time is not None else bumps[0], until)
+        self._doing.bumped(bumps[-1] if self._doing.is_moment(time) else bumps[0], until)
 
     def _end(self, subject: str, until: int, time: float | None) -> None:
         del subject, until, time
         last = len(self._history.events) - 1
         if self._ending.failed(last):
             return
+        self._ending.stop_reason(last)
+        self._overall.came_to_end(last)
         self._now("", last, None)
 
     def _now(self, subject: str, until: int, time: float | None) -> None:
         """What the robot was doing, and what the program was busy with."""
         del subject, time
         self._ending.stop_reason(until)
+        if self._since is not None:
+            self._overall.say_commands(self._doing.first, until)
         last = self._history.last_of(self._slices.of_base, until)
         if last >= 0:
             self._doing.moved(last, until)
         self._reaching.busy(until)
+
+    def _not_end(self, subject: str, until: int, time: float | None) -> None:
+        if not self._overall.not_end(until):
+            self._end(subject, until, time)
+
+    def _nothing(self, subject: str, until: int, time: float | None) -> None:
+        if not self._overall.nothing(self._doing.since(time), until):
+            self._now(subject, until, time)
+
+    def _speed(self, which: str, until: int, time: float | None) -> None:
+        self._overall.speed(which, self._doing.since(time), until)
+
+    def _long(self, name: str, until: int, time: float | None) -> None:
+        if not self._overall.long(name, self._doing.since(time), until):
+            self._movement(name, until, time)
+
+    def _lost(self, subject: str, until: int, time: float | None) -> None:
+        del subject, time
+        self._overall.lost(self._doing.first, until)
+
+    def _fall(self, subject: str, until: int, time: float | None) -> None:
+        del subject, time
+        self._overall.fall(until)
 
 
 _ANSWERS: dict[Ask, Callable[[_Answering, str, int, float | None], None]] = {
@@ -430,5 +428,11 @@ _ANSWERS: dict[Ask, Callable[[_Answering, str, int, float | None], None]] = {
     Ask.EMOTION: _Answering._emotion,  # noqa: SLF001
     Ask.END: _Answering._end,  # noqa: SLF001
     Ask.BUMP: _Answering._bump,  # noqa: SLF001
+    Ask.NOT_END: _Answering._not_end,  # noqa: SLF001
+    Ask.NOTHING: _Answering._nothing,  # noqa: SLF001
+    Ask.SPEED: _Answering._speed,  # noqa: SLF001
+    Ask.LONG: _Answering._long,  # noqa: SLF001
+    Ask.LOST: _Answering._lost,  # noqa: SLF001
+    Ask.FALL: _Answering._fall,  # noqa: SLF001
     Ask.NOW: _Answering._now,  # noqa: SLF001
 }

@@ -6,6 +6,7 @@ from heapq import heappop, heappush
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import CONDITIONS, Kind, Node
 from learnblock.why.camera import Camera
+from learnblock.why.decimals import ALL, FEW
 from learnblock.why.history import Frame, History
 from learnblock.why.readings import Readings
 from learnblock.why.sentences import Telling
@@ -152,6 +153,21 @@ class Because:
                 self._telling.say("why-own-place", node.function, name=name, function=function)
                 return
 
+    def not_yet(self, number: int, event: int) -> None:
+        """Tell which lines change what a statement uses, but had not run by an event."""
+        history = self._history
+        for name in history.nodes[number].reads:
+            write = self._slices.last_write(name, event)
+            for other, node in enumerate(history.nodes):
+                is_writer = node.kind is Kind.ASSIGN and name in node.writes
+                ran = history.last_of(history.of_node.get(other, []), event)
+                is_same = node.function == history.nodes[number].function
+                if write >= 0 and is_writer and is_same and ran < 0:
+                    self._telling.say("why-not-yet", other, event, name=name)
+
+    def _number(self, event: int) -> int:
+        return int(self._history.events[event][1])
+
     def state(self, when: str, event: int, cost: float = 0.0) -> None:
         """Tell what made a `when` active or not, when `finish` is called."""
         asked = self._history.last_of(self._conditions_of(when), event)
@@ -162,6 +178,13 @@ class Because:
     def condition(self, event: int, cost: float = 0.0) -> None:
         """Add what made a condition true or not, without the condition itself."""
         self._add_data(event, cost, None)
+
+    def around(self, event: int) -> None:
+        """Tell what let a condition be asked: the one around it."""
+        cause = self._slices.control(event)
+        if cause >= 0 and self._history.events[cause][0] == Op.CONDITION:
+            self._wait(cause, "", 0.0)
+            self.finish()
 
     def _conditions_of(self, when: str) -> list[int]:
         history = self._history
@@ -242,6 +265,8 @@ class Because:
             self._say("why-loop-over", event, facts=facts)
         else:
             self._say("why-condition-was", event, true=true, facts=facts, inner=name)
+        if self._readings.is_inexact(event):
+            self._telling.say_of_line("why-decimals", 0, event)
         self._add_causes(event, cost, None)
 
     def _tell_entered(self, event: int, node: Node, name: str, cost: float) -> None:
@@ -256,7 +281,9 @@ class Because:
             self._wait(cause, node.name, cost)
             self._not_deactivated(cause, event, node)
         else:
-            self._say("why-called", cause, name=node.name)
+            if not self._telling.has("why-given", self._history.line(self._number(cause))):
+                # Who gave it something also called it.
+                self._say("why-called", cause, name=node.name)
             self._add_causes(cause, cost + 0.1, ())
 
     def _not_deactivated(self, cause: int, event: int, node: Node) -> None:
@@ -287,7 +314,9 @@ class Because:
         self._add_causes(call, cost, reads)
 
     def _tell_written(self, event: int, node: Node, name: str, cost: float) -> None:
-        value = value_phrase(self._history.events[event][2])
+        # Where exactness matters, it matters here, too.
+        count = ALL if self._telling.has("why-decimals", 0) else FEW
+        value = value_phrase(self._history.events[event][2], count)
         if name in node.writes:
             self._not_used.tell_not_changed(name, event)
             self._say("why-set", event, name=name, value=value)

@@ -12,7 +12,7 @@ from learnblock.why.history import History, SkillUse
 from learnblock.why.reaching import Reaching
 from learnblock.why.sentences import Telling
 from learnblock.why.slicing import Slices
-from learnblock.why.standing import Standing
+from learnblock.why.standing import LONG, Standing
 from learnblock.why.steering import may_do, movement_of
 from learnblock.why.wording import (
     FORWARD,
@@ -23,10 +23,14 @@ from learnblock.why.wording import (
     thing_phrase,
 )
 
+#: The time of what is asked about may be so many seconds off: people round it.
+ABOUT = 0.06
 #: So long before a moment, in s, a statement counts as run at it.
 LONG_AGO = 1.0
 #: A command that another replaces within so many seconds had no effect.
 _SOON = 0.15
+#: A pause of so many s may be too long.
+_LONG_PAUSE = 5.0
 #: With more sentences than this, what was before is too far away.
 _FEW = 2
 
@@ -39,10 +43,16 @@ class Doing:
         because: tells why something happened.
         reaching: tells why a statement was not reached.
         telling: the answer.
+        since: the start of the time that is asked about, in s; None for a moment or the whole run.
     """
 
     def __init__(
-        self, slices: Slices, because: Because, reaching: Reaching, telling: Telling
+        self,
+        slices: Slices,
+        because: Because,
+        reaching: Reaching,
+        telling: Telling,
+        since: float | None = None,
     ) -> None:
         self._history: History = slices.history
         self._slices = slices
@@ -50,9 +60,32 @@ class Doing:
         self._because = because
         self._reaching = reaching
         self._telling = telling
+        self._start = since
+        #: The first event of the time that is asked about.
+        self.first = 0 if since is None else max(0, self._history.at(since - ABOUT) + 1)
+
+    def is_moment(self, time: float | None) -> bool:
+        """Whether a question is about one moment, rather than a time or the whole run."""
+        return time is not None and self._start is None
+
+    def in_span(self, event: int) -> bool:
+        """Whether what an event began happened in the time that is asked about, if only in part."""
+        use = self._history.skills.get(event)
+        return event >= self.first or (use is not None and not 0 <= use.ended < self.first)
+
+    def not_happened(self, until: int, time: float | None) -> None:
+        """Tell that what is asked about had not happened."""
+        at = round(self._history.end if time is None else min(time, self._history.end), 2)
+        if self._start is None:
+            self._telling.say_of_line("why-not-happened", 0, until, time=at)
+        else:
+            since = round(self._start, 2)
+            self._telling.say_of_line("why-not-between", 0, until, since=since, time=at)
 
     def since(self, time: float | None) -> int:
-        """The first event that counts for a question about a moment."""
+        """The first event that counts for a question about a moment or a time."""
+        if self._start is not None:
+            return self.first
         if time is None or time >= self._history.end:
             return 0
         # The last event may be long before the moment: it began a wait.
@@ -81,22 +114,60 @@ class Doing:
 
     def moved(self, command: int, until: int) -> None:
         """Tell why the wheels were told to move so."""
-        history = self._history
-        use, command = self.outermost(command), self._first_alike(command)
-        name = movement(*history.events[command][3][:2])
+        use = self.say_moved(command)
         if use is None:
-            self._telling.say_of_line("why-moved-alone", 0, command, motion=movement_phrase(name))
             return
         call = self._standing.call_of(use)
-        self._telling.say("why-moved", call, command, motion=movement_phrase(name))
+        if use.name == "slow_down":
+            self._slowed(use)
+        if self._standing.waiting(until) > command:
+            # Nothing else was told since, because the program still waits for something.
+            self._reaching.busy(until)
+        self._long_pause(command, until)
         self._causes(use, call)
         self._after(use, call)
         self._not_stopped(use, until)
-        if use.name == "slow_down":
-            self._slowed(use)
         if self._standing.running(until) not in (None, use):
             # Nothing else was told since, because the program did something else.
             self._reaching.busy(until)
+
+    def say_moved(self, command: int) -> SkillUse | None:
+        """Tell which line told the wheels to move so; the skill that it used, None if none did."""
+        use, command = self.outermost(command), self._first_alike(command)
+        motion = movement_phrase(self._movement(command))
+        if use is None:
+            self._telling.say_of_line("why-moved-alone", 0, command, motion=motion)
+        else:
+            self._telling.say("why-moved", self._standing.call_of(use), command, motion=motion)
+        return use
+
+    def is_main(self, command: int) -> bool:
+        """Whether a command is what its skill is for: a turn begins and ends with a stop."""
+        use, commands = self.outermost(command), self._slices.of_base
+        if use is None or self._movement(command) != STAND:
+            return True
+        end = use.ended if use.ended >= 0 else len(self._history.events)
+        own = commands[bisect_left(commands, use.begun) : bisect_left(commands, end)]
+        return all(self._movement(one) == STAND for one in own)
+
+    def is_movement(self, command: int, name: str) -> bool:
+        """Whether a command makes a movement; a question need not tell a turn from a curve."""
+        made = self._movement(command)
+        return name in (made, made.replace("curve", "spin")) or (not name and "-" in made)
+
+    def lasting(self, command: int, until: int) -> None:
+        """Tell what the program was busy with since a command, for the longest time."""
+        history = self._history
+        uses = [
+            use
+            for use in history.uses_back_from(until)
+            if command < use.begun and self._standing.end(use) - history.time(use.begun) > LONG
+        ]
+        if uses:
+            longest = max(uses, key=lambda use: self._standing.end(use) - history.time(use.begun))
+            self._reaching.say_busy(longest)
+        elif not self._reaching.busy(until):
+            self._reaching.in_loop(until)
 
     def _first_alike(self, command: int) -> int:
         """The first of the commands of one skill that made the same movement without a break."""
@@ -135,6 +206,28 @@ class Doing:
             if one.kind is Kind.CALL and (one.base, one.name) == (when, "deactivate"):
                 self._reaching.tell(number, until, started)
 
+    def _long_pause(self, command: int, until: int) -> None:
+        """Tell that one pause made a movement last long; a robot may well stand still for long."""
+        if self._movement(command) == STAND:
+            return
+        for pause in self._history.uses_back_from(until):
+            if pause.begun < command:
+                return
+            lasted = self._standing.end(pause) - self._history.time(pause.begun)
+            if pause.name == "sleep" and lasted > _LONG_PAUSE:
+                self._reaching.say_busy(pause)
+                return
+
+    def never_stopped(self, function: int) -> None:
+        """Tell that no line stops a `when` that a line has started, if that is so."""
+        history = self._history
+        if function < 0 or not history.nodes[function].is_when:
+            return
+        name = history.nodes[function].name
+        calls = {one.name for one in history.nodes if one.base == name and one.kind is Kind.CALL}
+        if "activate" in calls and "deactivate" not in calls:
+            self._telling.say("why-never-stopped", function, name=name)
+
     def _after(self, use: SkillUse, call: int) -> None:
         """Tell for how long the statement before lasted: it decides about the time."""
         before = self._standing.lasted_before(use, call)
@@ -167,8 +260,9 @@ class Doing:
         begun = self._history.skills[event].begun if event in self._history.skills else event
         self._telling.say("why-ran", self._history.events[event][1], begun)
         self._because.tell(event)
+        self.never_stopped(self._history.frames[event].node)
         if until:
-            self._without_effect(event, until)
+            self.without_effect(event)
 
     # It did not.
 
@@ -207,13 +301,15 @@ class Doing:
         """Tell why none of some statements ran, or why it had no effect."""
         if not numbers:
             self._not_in_program(skill, movement_name, until)
+            if movement_name and self._history.last_of(self._slices.of_base, until) < 0:
+                self.not_moving(until, time)
             return
         since = self.since(time)
         ran = {number: self.results([number], until) for number in numbers}
         recent = [number for number in numbers if ran[number] and ran[number][-1] >= since]
         for number in recent:
             self._did(number, ran[number][-1], until)
-        for number in self._nearest_first([one for one in numbers if one not in recent], until):
+        for number in self.nearest_first([one for one in numbers if one not in recent], until):
             if ran[number]:
                 self._did_before(number, ran[number][-1], until)
             else:
@@ -221,7 +317,11 @@ class Doing:
 
     def _did_before(self, number: int, last: int, until: int) -> None:
         """Tell of a run long ago, and why there was no other since."""
-        if self._without_effect(last, until):
+        if self.without_effect(last):
+            return
+        if self._start is not None:
+            # That it ran before is not what was asked.
+            self._reaching.tell(number, until, self.first)
             return
         self._say_it_did(number, last, until)
         overriding = self._overridden(last, until)
@@ -237,13 +337,16 @@ class Doing:
                 "why-no-such-movement", 0, until, motion=movement_phrase(name)
             )
         elif skill:
-            self._telling.say_of_line("why-no-such-skill", 0, until, skill=skill_phrase(skill))
+            self._telling.say_of_line("why-no-such-skill", 0, until, skill=skill_phrase(skill, []))
         last = self._history.last_of(self._slices.of_base, until)
         if last >= 0:
             self.moved(last, until)
         self._reaching.busy(until)
+        if name == STAND:
+            # Anything else that it could have done instead would do.
+            self.not_prevented(until)
 
-    def _nearest_first(self, numbers: list[int], until: int) -> list[int]:
+    def nearest_first(self, numbers: list[int], until: int) -> list[int]:
         """Statements whose own condition was asked last come first."""
 
         def asked(number: int) -> int:
@@ -254,7 +357,7 @@ class Doing:
         return sorted(numbers, key=asked)
 
     def _did(self, number: int, event: int, until: int) -> None:
-        if self._without_effect(event, until):
+        if self.without_effect(event):
             return
         self._say_it_did(number, event, until)
         overriding = self._overridden(event, until)
@@ -273,9 +376,8 @@ class Doing:
         end = round(self._standing.end(use), 2)
         self._telling.say("why-it-did", number, use.begun, lasted=lasted, until=end)
 
-    def _without_effect(self, event: int, until: int) -> bool:
+    def without_effect(self, event: int) -> bool:
         """Tell if a skill found its device missing."""
-        del until
         use = self._history.skills.get(event)
         if use is None or not use.missing:
             return False
@@ -299,8 +401,8 @@ class Doing:
         if not use or not mine:
             return 0
         first = history.events[mine[-1]]
-        # What comes right after the moment replaced it as well.
-        last = history.at(history.time(until) + _SOON)
+        # What comes in the same moment replaced it as well, but nothing later did.
+        last = history.at(history.time(until))
         for index in range(mine[-1] + 1, last + 1):
             other = history.events[index]
             if other[0] != Op.COMMAND or other[1] != first[1] or other[2] != first[2]:
@@ -348,9 +450,9 @@ class Doing:
         if last >= 0:
             self.moved(last, until)
         self._reaching.busy(event)
-        self._not_prevented(event)
+        self.not_prevented(event)
 
-    def _not_prevented(self, event: int) -> None:
+    def not_prevented(self, event: int) -> None:
         """Tell why the robot was not told to stop or to go elsewhere."""
         others = [
             number
@@ -361,7 +463,7 @@ class Doing:
             and movement_of(node) not in (None, FORWARD)
         ]
         recent = self.since(self._history.time(event))
-        for number in self._nearest_first(others, event):
+        for number in self.nearest_first(others, event):
             ran = self.results([number], event)
             if not ran or ran[-1] < recent:
                 self._reaching.tell(number, event, recent)

@@ -7,10 +7,10 @@ from typing import Any
 
 from learnblock.i18n import Phrase, Value
 from learnblock.i18n.names import goal_phrase
-from learnblock.runtime.log.nodes import Kind
+from learnblock.runtime.log.nodes import Kind, Node
 from learnblock.why.history import History, SkillUse
 from learnblock.why.slicing import movements
-from learnblock.why.steering import movement_of
+from learnblock.why.steering import movement_of, written_values
 from learnblock.why.wording import (
     MOVEMENTS,
     STAND,
@@ -56,6 +56,18 @@ class Ask(StrEnum):
     EMOTION = "emotion"
     #: Why did the program end?
     END = "end"
+    #: Why did it not?
+    NOT_END = "not-end"
+    #: Why did nothing happen?
+    NOTHING = "nothing"
+    #: Why did the robot go on with a movement for so long? The subject is the movement.
+    LONG = "long"
+    #: Why is the robot so slow or fast? The subject is ``slow`` or ``fast``.
+    SPEED = "speed"
+    #: Why did the robot leave the line?
+    LOST = "lost"
+    #: Why did the robot fall?
+    FALL = "fall"
     #: Why did the robot bump into something?
     BUMP = "bump"
     #: What was going on?
@@ -79,6 +91,12 @@ _CODES = {
     Ask.REACHED: "why-ask-reached",
     Ask.EMOTION: "why-ask-emotion",
     Ask.END: "why-ask-end",
+    Ask.NOT_END: "why-ask-not-end",
+    Ask.NOTHING: "why-ask-nothing",
+    Ask.LONG: "why-ask-long",
+    Ask.SPEED: "why-ask-speed",
+    Ask.LOST: "why-ask-lost",
+    Ask.FALL: "why-ask-fall",
     Ask.BUMP: "why-ask-bump",
     Ask.NOW: "why-ask-now",
 }
@@ -103,20 +121,28 @@ class Question:
     Args:
         ask: its kind.
         subject: what it is about: a movement, a skill, a name, a line's number, a text.
-        time: the moment, in s; None for the whole run.
-        args: those of a call of the skill, for its words; None if it was not called.
+        time: the moment, in s, or the end of the time that is meant; None for the whole run.
+        since: the start of the time that is meant, in s; None for a moment or the whole run.
     """
 
     ask: Ask
     subject: str = ""
     time: float | None = None
-    args: tuple[Any, ...] | None = field(default=None, compare=False)
+    since: float | None = None
+    #: The skill with the values of its call; "" for a skill without them, and for others.
+    said: Value = field(default="", compare=False)
 
     @property
     def phrase(self) -> Phrase:
         """The question in words."""
-        time: Value = "" if self.time is None else Phrase("why-at", time=round(self.time, 2))
-        return Phrase(self._code(), subject=self._subject(), time=time)
+        return Phrase(self._code(), subject=self._subject(), time=self._when())
+
+    def _when(self) -> Value:
+        if self.since is not None and self.time is not None:
+            return Phrase("why-between", since=round(self.since, 2), time=round(self.time, 2))
+        if self.since is not None:
+            return Phrase("why-since", time=round(self.since, 2))
+        return "" if self.time is None else Phrase("why-at", time=round(self.time, 2))
 
     def _code(self) -> str:
         if not self.subject:
@@ -126,10 +152,10 @@ class Question:
         return _CODES[self.ask]
 
     def _subject(self) -> Value:
-        if self.ask in (Ask.MOVEMENT, Ask.NOT_MOVEMENT) and self.subject in MOVEMENTS:
+        if self.ask in (Ask.MOVEMENT, Ask.NOT_MOVEMENT, Ask.LONG) and self.subject in MOVEMENTS:
             return movement_phrase(self.subject)
         if self.ask in (Ask.SKILL, Ask.NOT_SKILL):
-            return skill_phrase(self.subject, None if self.args is None else list(self.args))
+            return self.said or skill_phrase(self.subject)
         if self.ask is Ask.BUMP:
             return thing_phrase(self.subject)
         if self.ask in (Ask.GOAL, Ask.REACHED):
@@ -151,7 +177,7 @@ def questions(history: History) -> tuple[Question, ...]:
         *_emotions(history),
         *_goals(history),
         *_lines(history),
-        Question(Ask.END, "", round(history.end, 2)),
+        *_endings(history),
     ]
     return tuple(dict.fromkeys(found))
 
@@ -175,6 +201,14 @@ def questions_about_moment(history: History, time: float) -> tuple[Question, ...
     return tuple(dict.fromkeys(found))
 
 
+def with_values(history: History, question: Question) -> Question:
+    """A question whose skill is said with the values of its call."""
+    for one in _skills(history):
+        if (one.ask, one.subject) == (question.ask, question.subject):
+            return replace(question, said=one.said)
+    return question
+
+
 def _at_first(history: History) -> str:
     """The movement before the first command: none that could be asked about without wheels."""
     return STAND if any(_possible(history)) else ""
@@ -185,7 +219,7 @@ def askable(history: History) -> Iterator[Question]:
     yield from (replace(one, time=None) for one in questions(history))
     subjects: dict[tuple[Ask, Ask], Iterable[str]] = {
         (Ask.MOVEMENT, Ask.NOT_MOVEMENT): MOVEMENTS,
-        (Ask.SKILL, Ask.NOT_SKILL): _called(history),
+        (Ask.SKILL, Ask.NOT_SKILL): _calls(history),
         (Ask.WHEN, Ask.NOT_WHEN): (node.name for node in history.nodes if node.is_when),
         (Ask.PRINT, Ask.NOT_PRINT): (one.subject for one in _prints(history)),
         (Ask.LINE, Ask.NOT_LINE): map(str, _runs_of_lines(history)),
@@ -243,27 +277,26 @@ def _movements(history: History) -> Iterator[Question]:
 
 def _skills(history: History) -> Iterator[Question]:
     ran: dict[str, SkillUse] = {}
-    last: dict[str, tuple[Any, ...]] = {}
     for use in history.own_uses:
         ran.setdefault(use.name, use)
-        last[use.name] = tuple(use.args)
-    for name in _called(history):
+    for name, call in _calls(history).items():
         block = blocks().get(name)
         if block is not None and block.returns_value:
             continue
+        written = skill_phrase(name, written_values(call.text))
         if name in ran:
-            first = ran[name]
-            yield Question(Ask.SKILL, name, history.time(first.begun), tuple(first.args))
-        yield Question(Ask.NOT_SKILL, name, round(history.end, 2), last.get(name))
+            said, time = skill_phrase(name, ran[name].args), history.time(ran[name].begun)
+            yield Question(Ask.SKILL, name, time, said=said)
+        yield Question(Ask.NOT_SKILL, name, round(history.end, 2), said=written)
 
 
-def _called(history: History) -> Iterable[str]:
-    """The skills that the program uses."""
-    return dict.fromkeys(
-        node.name
-        for node in history.nodes
-        if node.kind is Kind.CALL and node.base == "robot" and node.name not in _UNSEEN
-    )
+def _calls(history: History) -> dict[str, Node]:
+    """The skills that the program uses, each with its first call."""
+    found: dict[str, Node] = {}
+    for node in history.nodes:
+        if node.kind is Kind.CALL and node.base == "robot" and node.name not in _UNSEEN:
+            found.setdefault(node.name, node)
+    return found
 
 
 def _whens(history: History) -> Iterator[Question]:
@@ -307,6 +340,15 @@ def _goals(history: History) -> Iterator[Question]:
     for goal in history.recorded.ending.get("goals") or ():
         is_reached = goal.get("state") == "reached"
         yield Question(Ask.REACHED if is_reached else Ask.GOAL, str(goal.get("name")))
+
+
+def _endings(history: History) -> Iterator[Question]:
+    """Why it ended; of a run that goes on, or that was stopped, why it did not."""
+    ended = history.recorded.ending.get("ended")
+    if ended:
+        yield Question(Ask.END, "", round(history.end, 2))
+    if ended not in ("finished", "error"):
+        yield Question(Ask.NOT_END, "", round(history.end, 2))
 
 
 def _lines(history: History) -> Iterator[Question]:

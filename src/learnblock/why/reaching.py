@@ -7,7 +7,7 @@ from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import LOOPS, Kind, Node
 from learnblock.why.because import Because
 from learnblock.why.ending import Ending
-from learnblock.why.history import History
+from learnblock.why.history import History, SkillUse
 from learnblock.why.readings import Readings
 from learnblock.why.sentences import Telling
 from learnblock.why.slicing import Slices
@@ -18,6 +18,8 @@ from learnblock.why.wording import movement, movement_phrase
 _DEEPEST = 8
 #: With more sentences, what the robot did meanwhile is no news.
 _ENOUGH = 2
+#: A condition of a `when` that has not been asked for so long, in s, was held up.
+_LONG_UNASKED = 1.0
 #: The `when` that runs once.
 _START = "start"
 
@@ -177,11 +179,14 @@ class Reaching:
             loop=str(control.kind in LOOPS).lower(),
             closest=self._closest(asked),
         )
+        if self._readings.is_inexact(last):
+            self._telling.say_of_line("why-decimals", 0, last)
         for jump in self._slices.jumps_past(node.control, last, until):
             self._telling.say("why-left-loop", self._history.events[jump][1], jump)
             self._because.tell(jump, names=())
         self._because.condition(last)
         self._because.finish()
+        self._because.around(last)
         self._hidden_now(node.control, last, until)
         self._asked_once(node.control, control, asked, until)
         self._meanwhile(last)
@@ -283,6 +288,9 @@ class Reaching:
                 self._held_up(condition, since, until)
                 continue
             last = asked[-1]
+            if self._ending.moment(until) - self._history.time(last) > _LONG_UNASKED:
+                # Something else held it up: one statement keeps all other events waiting.
+                self.busy(until)
             self._telling.say(
                 "why-when-never",
                 condition,
@@ -330,12 +338,35 @@ class Reaching:
             for index, one in enumerate(self._history.nodes)
             if one.kind is Kind.CALL and (one.base, one.name) == (node.name, "activate")
         ]
+        if switches and self._only_each_other(node.name, until):
+            self._telling.say("why-only-each-other", function, until, name=node.name)
         for switch in switches:
             self._telling.say("why-activate-not-run", switch, name=node.name)
             self.tell(switch, until, since)
         if not switches:
             self._telling.say("why-never-activated", function, name=node.name)
             self._others_activated(node.name)
+
+    def _only_each_other(self, name: str, until: int) -> bool:
+        """Whether a `when` is started only by events that wait for it themselves."""
+        nodes, found, new = self._history.nodes, set[str](), {name}
+        conditional = {node.name for node in nodes if node.kind is Kind.WHEN}
+        is_circle = False
+        while new:
+            found |= new
+            functions = [
+                node.function
+                for node in nodes
+                if node.kind is Kind.CALL and node.name == "activate" and node.base in new
+            ]
+            if any(one < 0 or not nodes[one].is_when for one in functions):
+                return False
+            if any(self._events(one, 0, until) for one in functions):
+                return False
+            names = {nodes[one].name for one in functions}
+            is_circle = is_circle or name in names
+            new = names - found
+        return is_circle and _START not in found and found.isdisjoint(conditional)
 
     def _others_activated(self, name: str) -> None:
         """Tell what was switched on instead: perhaps the wrong `when`."""
@@ -365,29 +396,39 @@ class Reaching:
         elif not (self._ending.failed(until) or self._in_loop(number, until) or self.busy(until)):
             self._ending.stop_reason(until)
 
+    def in_loop(self, until: int) -> bool:
+        """Tell which loop kept the program from its end, if it was in one."""
+        loop = self._standing.loop(-1, until)
+        if loop >= 0:
+            self._say_loop("why-loop-goes-on", loop, until)
+        return loop >= 0
+
     def _in_loop(self, number: int, until: int) -> bool:
-        """Tell which loop the program was still in, if it was in one."""
+        """Tell which loop ahead of a statement the program was still in, if it was in one."""
         loop = self._standing.loop(number, until)
-        if loop < 0:
-            return False
+        if loop >= 0:
+            self._say_loop("why-in-loop", loop, until, inner=self._line(number))
+        return loop >= 0
+
+    def _say_loop(self, code: str, loop: int, until: int, **values: str) -> None:
+        """Tell of a loop that was still going on, and what kept it going."""
         asked = self._events(loop, 0, until)
         last = asked[-1]
         is_endless = self._history.nodes[loop].text == "True"
         self._telling.say(
-            "why-in-loop",
+            code,
             loop,
             last,
-            inner=self._line(number),
             endless=str(is_endless).lower(),
             time=round(self._ending.moment(until), 2),
             facts="" if is_endless else self._readings.summary(last),
             closest="" if is_endless else self._closest(asked),
+            **values,
         )
         self._because.condition(last)
         self._because.finish()
         self._no_break(loop, until)
         self.busy(until)
-        return True
 
     def _no_break(self, loop: int, until: int) -> None:
         """Tell why no `break` left a loop."""
@@ -406,11 +447,15 @@ class Reaching:
         use = self._standing.running(until)
         if use is None:
             return self._waited(until)
+        self.say_busy(use)
+        return True
+
+    def say_busy(self, use: SkillUse) -> None:
+        """Tell how long a statement kept the program from doing anything else."""
         since = round(self._history.time(use.begun), 2)
         end = round(self._standing.end(use), 2)
         call = self._standing.call_of(use)
         self._telling.say("why-busy", call, use.begun, since=since, until=end)
-        return True
 
     def _waited(self, until: int) -> bool:
         """Tell which `wait until` the program was in, if it was in one."""

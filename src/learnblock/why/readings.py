@@ -8,6 +8,7 @@ from learnblock.i18n import Phrase, Value
 from learnblock.language.check.robots import need_phrase
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import Kind
+from learnblock.why.decimals import FEW, decimals, is_compared_exactly
 from learnblock.why.history import History, SkillUse
 from learnblock.why.seeing import thing_at
 from learnblock.why.slicing import Slices
@@ -17,6 +18,8 @@ from learnblock.why.wording import answer_phrase, blocks, skill_phrase, unpacked
 FAR = 1999
 #: Percent below which the floor is dark.
 _DARK = 50
+#: Of a measurement.
+_MOST_DECIMALS = 6
 _LINES = frozenset({"black-line", "red-line", "blue-line"})
 
 
@@ -38,8 +41,9 @@ class Readings:
     def facts(self, event: int) -> tuple[Value, ...]:
         """What made a condition true or not: its operands in words, without repetitions."""
         found: dict[str, Value] = {}
+        count = self._decimals(event)
         for part in self._slices.parts(event):
-            fact = self._fact(part)
+            fact = self._fact(part, count)
             if fact is not None:
                 found.setdefault(str(fact), fact)
         return tuple(found.values())
@@ -49,23 +53,39 @@ class Readings:
         facts = self.facts(event)
         return Phrase("why-facts", facts=tuple(map(_shown, facts))) if facts else ""
 
-    def _fact(self, part: int) -> Phrase | None:
+    def is_inexact(self, event: int) -> bool:
+        """Whether a condition asked if a decimal is exactly what it only nearly was."""
+        is_exact = is_compared_exactly(self._history.node(event).text)
+        return is_exact and self._decimals(event) > FEW
+
+    def _decimals(self, event: int) -> int:
+        """How many decimals the operands of a condition need, so that it reads as it came out."""
+        history, outcome = self._history, self._history.events[event][2]
+        if history.events[event][0] != Op.CONDITION or not isinstance(outcome, bool):
+            return FEW
+        values = {
+            history.node(one).text: history.events[one][2] for one in self._slices.parts(event)
+        }
+        return decimals(history.node(event).text, values, was_true=outcome)
+
+    def _fact(self, part: int, count: int) -> Phrase | None:
         node, value = self._history.node(part), self._history.events[part][2]
         if node.kind is Kind.NAME:
-            return Phrase("why-name-was", name=node.name, value=value_phrase(value))
+            return Phrase("why-name-was", name=node.name, value=value_phrase(value, count))
         if node.kind is Kind.STATE:
             if node.name == "time":
-                return Phrase("why-when-time", name=node.base, seconds=round(value, 1))
+                seconds = value_phrase(float(value), count if count > FEW else 1)
+                return Phrase("why-when-time", name=node.base, seconds=seconds)
             return Phrase("why-when-state", name=node.base, active=str(value).lower())
         use = self._history.skills.get(part)
         if use is not None:
-            return self.answered(use, part)
+            return self.answered(use, part, count)
         if node.kind is Kind.CALL and not node.base and self._slices.called(part):
-            return Phrase("why-own-gave", name=node.name, value=value_phrase(value))
+            return Phrase("why-own-gave", name=node.name, value=value_phrase(value, count))
         return None
 
-    def answered(self, use: SkillUse, result: int) -> Phrase:
-        """What a skill answered, in words."""
+    def answered(self, use: SkillUse, result: int, count: int = FEW) -> Phrase:
+        """What a skill answered, in words, with so many decimals."""
         value = self._history.events[result][2]
         if use.missing:
             device = need_phrase(use.missing[0])
@@ -73,10 +93,12 @@ class Readings:
                 "why-never-answers", device=device, skill=skill_phrase(use.name, use.args)
             )
         return (
-            self._measured(use, result)
+            (self._measured(use, result) if count == FEW else None)
             or self._time_asked(use, result)
             or Phrase(
-                "why-answered", skill=skill_phrase(use.name, use.args), value=answer_phrase(value)
+                "why-answered",
+                skill=skill_phrase(use.name, use.args),
+                value=answer_phrase(value, count),
             )
         )
 
@@ -95,6 +117,12 @@ class Readings:
             if kind == "Camera" and "tag" in use.name:
                 return self._tags(result)
         return None
+
+    def values(self, reading: int) -> tuple[float, ...]:
+        """The numbers of a reading that has one for each side."""
+        values = unpacked(self._history.events[reading][2])
+        numbers = values.values() if isinstance(values, dict) else ()
+        return tuple(float(one) for one in numbers if _is_number(one))
 
     def closest(self, events: Iterable[int]) -> tuple[float, str, int] | None:
         """The smallest distance that some conditions asked about, its side, and the result."""
@@ -174,10 +202,12 @@ class Readings:
     def _time_asked(self, use: SkillUse, result: int) -> Phrase | None:
         if use.name != "elapsedTime" or not use.args or not _is_number(use.args[0]):
             return None
-        time = round(self._history.time(result), 1)
+        time, limit = self._history.time(result), use.args[0]
         is_over = self._history.events[result][2]
         return Phrase(
-            "why-time-was-over" if is_over else "why-time-was", time=time, limit=use.args[0]
+            "why-time-was-over" if is_over else "why-time-was",
+            time=_apart(time, limit, 1, is_more=bool(is_over)),
+            limit=limit,
         )
 
     def _reading(self, device: str, use: SkillUse | None, before: int) -> int | None:
@@ -213,7 +243,16 @@ def _on(side: str) -> Phrase:
 
 def _exact(mm: float, limit: float | None) -> float:
     """A distance in whole millimetres, or as exact as is needed beside its limit."""
-    return round(mm, 1) if limit is not None and round(mm) == limit else round(mm)
+    return round(mm) if limit is None else _apart(mm, limit, 0, is_more=mm > limit)
+
+
+def _apart(value: float, limit: float, count: int, *, is_more: bool) -> float:
+    """A number with at least so many decimals, and enough to be on its side of a limit."""
+    for more in range(count, _MOST_DECIMALS):
+        shown = round(value, more)
+        if (shown > limit) == is_more and (shown == limit) == (value == limit):
+            return shown
+    return value
 
 
 def _is_number(value: Any) -> bool:

@@ -7,6 +7,8 @@ from learnblock.why.history import History
 
 #: So many sentences come first; the others are behind "more".
 FIRST = 4
+#: So many sentences of a part come before those of the next.
+_HEAD = 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,9 +61,20 @@ class Telling:
     def __init__(self, history: History) -> None:
         self._history = history
         self._told: dict[tuple[str, int, str], Sentence] = {}
+        #: How many sentences were told before each part but the first.
+        self._parts: list[int] = []
 
     def __len__(self) -> int:
         return len(self._told)
+
+    def has(self, code: str, line: int) -> bool:
+        """Whether a sentence has told something about a line."""
+        return any((one, of) == (code, line) for one, of, _ in self._told)
+
+    def begin_part(self) -> None:
+        """Begin another answer to the same question: the heads of all parts come first."""
+        if self._told:
+            self._parts.append(len(self._told))
 
     def say(self, code: str, node: int = -1, event: int = -1, **values: Value) -> None:
         """Add a sentence about a place in the program.
@@ -98,8 +111,14 @@ class Telling:
 
     def answer(self) -> Answer:
         """The sentences so far."""
-        told = tuple(self._told.values())
+        told = self._in_order(tuple(self._told.values()))
         return Answer(told[:FIRST], told[FIRST:])
+
+    def _in_order(self, told: tuple[Sentence, ...]) -> tuple[Sentence, ...]:
+        ends = [*self._parts, len(told)]
+        parts = [told[start:end] for start, end in zip([0, *self._parts], ends, strict=True)]
+        heads = [one for part in parts for one in part[:_HEAD]]
+        return (*heads, *(one for part in parts for one in part[_HEAD:]))
 
 
 def quoted(history: History, line: int) -> str:

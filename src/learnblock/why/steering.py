@@ -1,6 +1,7 @@
 """What a call of a skill makes the robot's wheels do, by its name and its numbers."""
 
 import ast
+from typing import Any
 
 from learnblock.runtime.log.nodes import Node
 from learnblock.why.wording import (
@@ -33,12 +34,20 @@ _FIXED = {
 
 def may_do(node: Node, name: str) -> bool:
     """Whether a call could make the robot move so."""
+    if _turns_either_way(node):
+        return not name or name.startswith("spin")
     movement_name = movement_of(node)
     if not name:
         return movement_name is not None and "-" in movement_name
     if movement_name is None:
         return False
     return name in (movement_name, movement_name.replace("curve", "spin"))
+
+
+def _turns_either_way(node: Node) -> bool:
+    """Whether only a value decides to which side a call makes the robot turn."""
+    is_unknown = node.name == "turn" and not _numbers(node.text) and "(" in node.text
+    return node.name == "set_orientation" or (is_unknown and not node.text.endswith("()"))
 
 
 def movement_of(node: Node) -> str | None:
@@ -53,6 +62,22 @@ def movement_of(node: Node) -> str | None:
     if node.name in ("move_straight", "drive_distance") and numbers and numbers[0] < 0:
         return BACK
     return _FIXED.get(node.name)
+
+
+def written_values(text: str) -> list[Any]:
+    """The arguments of a call as they are written: plain values, and other expressions as text."""
+    try:
+        call = ast.parse(text, mode="eval").body
+    except (SyntaxError, ValueError):
+        return []
+    return [_written(one) for one in call.args] if isinstance(call, ast.Call) else []
+
+
+def _written(argument: ast.expr) -> Any:
+    try:
+        return ast.literal_eval(argument)
+    except ValueError:
+        return ast.unparse(argument)
 
 
 def _numbers(text: str) -> list[float]:

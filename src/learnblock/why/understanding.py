@@ -1,66 +1,36 @@
 """Questions as a person writes them, in English or Spanish: "not turn left at 8.9"."""
 
 import re
-import unicodedata
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
-from difflib import get_close_matches
+from functools import cached_property
 
 from learnblock.blocks.labels import label
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase, languages, translate
 from learnblock.i18n.names import goal_phrase
 from learnblock.runtime.log.nodes import Kind, Node
-from learnblock.why import wording
+from learnblock.why import mentions, wording
 from learnblock.why.history import History
-from learnblock.why.questions import Ask, Question, askable
+from learnblock.why.meaning import Meaning, Reader, main_part
+from learnblock.why.near import nearest
+from learnblock.why.places import place_time
+from learnblock.why.questions import Ask, Question, askable, questions
+from learnblock.why.spans import Span, take_span
+from learnblock.why.vocabulary import Concept, concept, corrected, plain, words
 
-_TIME = re.compile(
-    r"(?:\b(?:at|by|until|before|around|after|t|en|a los|a las|a)\b|@|=)\s*"
-    r"(?:el segundo|second|t\s*=?)?\s*"
-    r"(\d+(?:[.,]\d+)?)\s*(?:s|sec|seconds|segundos)?\s*$"
-)
 _LINE = re.compile(r"\b(?:line|block|linea|bloque)\s+(\d+)\b")
 _NOT = re.compile(r"\b(?:not|no|never|nunca|didnt|doesnt|wasnt|isnt|hasnt)\b|n't\b|n’t\b")
 _OPENING = re.compile(
     r"^(?:why|por que|porque|what made|did|does|do|is|was|has|have|the|robot|it|el|la|se|ha|ran|run"
-    r"|still|todavia|program|programa|my|mi|then|keeps?|sigue|hizo|hace|esta|estaba)\b\s*"
+    r"|what|which|still|todavia|program|programa|my|mi|then|keeps?|sigue|hizo|hace|esta|estaba)\b\s*"
 )
 _QUOTED = re.compile(r"[\"'“«](.+?)[\"'”»]")
-
-#: Words for movements, the more exact ones first; without accents.
-_MOVEMENTS = (
-    (r"curve\w* (?:to the )?left|curva a la izquierda", wording.CURVE_LEFT),
-    (r"curve\w* (?:to the )?right|curva a la derecha", wording.CURVE_RIGHT),
-    (r"(?:turn|spin|rotat|go|gir|dobl)\w*(?: \w+)*? (?:left|izquierda)", wording.SPIN_LEFT),
-    (r"(?:turn|spin|rotat|go|gir|dobl)\w*(?: \w+)*? (?:right|derecha)", wording.SPIN_RIGHT),
-    (r"^(?:turn|spin|rotate|gir(?:ar|a|o))\w*$|\bcurv", ""),
-    (r"back(?:wards?|s? up|ing)?\b|reverse|atras|retroced\w*", wording.BACK),
-    (
-        r"(?:drive|drove|go|move|moving|driving)\w*(?: straight)?(?: on| ahead| forwards?)?$"
-        r"|straight|forwards?\b|avanz\w*|recto|adelante"
-        r"|\b(?:so|too|very|tan|demasiado|muy) (?:slow|fast|lent|despacio|rapid)",
-        wording.FORWARD,
-    ),
-    (
-        r"st(?:op|opp?ed|and|ood|anding)(?: still)?$|par(?:ar|a|o|ado)$|quieto|deten\w*|detuv\w*",
-        wording.STAND,
-    ),
-)
-#: Behind the words of blocks, such as "turn around".
-_TURNS = re.compile(r"^(?:turn|spin|rotat|gir|dobl)")
-_PROGRAM_ENDS = re.compile(r"\bprogram (?:stop|over)|\bse (?:paro|detuvo) el prog")
 _NOW = re.compile(
     r"^(?:what|que)\b.*\b(?:do|doing|happen\w*|hac\w+|pas\w+)\b|^(?:what|que|now|ahora)$"
+    r"|\b(?:doing|does|did|do) (?:that|this)$|\bha(?:ce|cia|ciendo) eso$"
 )
-_ENDS = re.compile(
-    r"^(?:end|ended|fail|failed|error|crash|finish|finished"
-    r"|terminar|termino|acabar|acabo|fallar|fallo)\b"
-)
-_BUMPS = re.compile(r"\b(?:bump|bumped|collide|collided|hit|chocar|choco|choque|tropez\w*)\b")
 _GOALS = re.compile(r"\b(?:goal|reach|reached|objetivo|meta|alcanz\w+)\b")
-_SHOWS = re.compile(r"^(?:show|showed|mostrar|mostro)\b\s*")
-_EMOTIONS = ("joy", "sadness", "anger", "fear", "disgust", "surprise", "neutral")
 _PRINTS = re.compile(r"^(?:print|printed|say|escribir|escribio|imprimir)\b\s*")
 _SAYS = re.compile(r"^(?:say|said|decir|dijo)\b\s*")
 _PRINTED = re.compile(r"\b(?:printed|escribio|imprimio)\b")
@@ -68,23 +38,11 @@ _VARIABLES = re.compile(
     r"^(?:variable|value of|value|valor de|valor|la variable|the value of"
     r"|cambio|tiene|vale|valia)\s+"
 )
-_DIRECTIONS = re.compile(r"\b(?:left|right|izquierda|derecha)\b")
+#: What a program calls the state of a `when`, and for how long it has been active.
+_STATES = re.compile(r"^(?:state|time)_")
 _QUOTES = re.compile(r"[\"'“”«»]")
-#: How similar a text has to be to the words of a block, so that a slip of a key is understood.
-_ALIKE = 0.85
-#: Words for what a robot has, and for the skills that use it.
-_DEVICES = (
-    (r"\b(?:lamp|light|led|luz|luces|lampara)s?\b", r"led|RGBled"),
-    (
-        r"\b(?:sound|noise|tone|note|music|beep|sonido|sonar|musica|nota)s?\b",
-        r"play_|rest|.*_action",
-    ),
-    (r"\b(?:speak|talk|say|hablar|hablo|decir|dijo)\b", r"say_Text|play_audio"),
-    (r"\b(?:screen|pantalla|show text)\b", r"show_|matrix_|clear_screen"),
-    (r"\b(?:camera|camara|look (?:down|up))\b", r"look_|setAngleCamera|.*_camera"),
-    (r"\b(?:face|emotion|cara|emocion)s?\b", r"express"),
-    (r"\b(?:pen|draw|lapiz|dibujar|dibujo)\b", r"pen_|.*_pen"),
-)
+#: Behind a name that is also a word, as in "drive backwards", these make it a name.
+_ABOUT_WHEN = re.compile(r"^(?:active|run|ran|running|activo|activa|start\w*|happen\w*)\b")
 _NEGATED = {
     Ask.MOVEMENT: Ask.NOT_MOVEMENT,
     Ask.SKILL: Ask.NOT_SKILL,
@@ -109,13 +67,16 @@ class _Parsing:
     def __init__(self, text: str, history: History) -> None:
         self._text = text
         self._history = history
-        self._plain = plain = _plain(text)
-        found = _TIME.search(plain)
-        self._time = float(found[1].replace(",", ".")) if found else None
-        rest = plain[: found.start()].strip() if found else plain
-        self._is_negative = bool(_NOT.search(rest))
-        self._without_time = rest
-        self._rest = _without_opening(_QUOTES.sub(" ", _NOT.sub(" ", rest)))
+        written = plain(text)
+        self._span, self._without_time = take_span(written)
+        if self._span == Span():
+            # Perhaps there is a slip in "between".
+            corrected_text = " ".join(map(self._corrected, written.split()))
+            span, without = take_span(corrected_text)
+            if span != Span():
+                self._span, self._without_time = span, without
+        self._is_negative = bool(_NOT.search(self._without_time))
+        self._rest = _without_opening(_QUOTES.sub(" ", _NOT.sub(" ", self._without_time)))
 
     def question(self) -> Question:
         for reading in (
@@ -126,72 +87,90 @@ class _Parsing:
             self._named,
             self._skill_by_name,
             self._print,
-            self._emotion,
-            self._ending,
-            self._words,
+            self._label,
+            self._meant,
+            self._mentioned,
+            self._print_of_unknown,
         ):
             found = reading()
             if found is not None:
                 return found
-        if not self._rest and self._time is not None:
-            return Question(Ask.NOW, "", self._time)
-        raise self._not_understood()
+        if not self._rest and self._span.time is not None:
+            return self._made(Ask.NOW)
+        first, second, third = (one.phrase for one in nearest(self._text, self._history))
+        raise LearnBlockError(
+            "why-not-understood", question=self._text, first=first, second=second, third=third
+        )
 
-    def _made(self, ask: Ask, subject: str) -> Question:
-        return Question(_NEGATED.get(ask, ask) if self._is_negative else ask, subject, self._time)
+    def _made(self, ask: Ask, subject: str = "") -> Question:
+        return Question(ask, subject, self._span.time, self._span.since)
+
+    def _signed(self, ask: Ask, subject: str) -> Question:
+        return self._made(_NEGATED.get(ask, ask) if self._is_negative else ask, subject)
+
+    # In set words.
 
     def _listed(self) -> Question | None:
         """A question in the words of the lists."""
         wanted = _without_quotes(self._without_time)
         for one in askable(self._history):
-            words = (translate(one.phrase, language) for language in languages())
-            if any(_without_quotes(_plain(text)) == wanted for text in words):
-                return replace(one, time=self._time)
+            written = (translate(one.phrase, language) for language in languages())
+            if any(_without_quotes(plain(text)) == wanted for text in written):
+                return replace(one, time=self._span.time, since=self._span.since)
         return None
 
     def _now(self) -> Question | None:
-        return Question(Ask.NOW, "", self._time) if _NOW.match(self._without_time) else None
+        if not _NOW.search(self._without_time):
+            return None
+        return self._asked(Meaning(Ask.NOW))
 
     def _line(self) -> Question | None:
         found = _LINE.search(self._rest)
-        return self._made(Ask.LINE, found[1]) if found else None
+        return self._signed(Ask.LINE, found[1]) if found else None
 
     def _named(self) -> Question | None:
         """A `when` or a variable."""
         stated = _VARIABLES.match(self._rest)
-        words = [_VARIABLES.sub("", self._rest), *self._rest.split()[:3]]
-        whens = {_plain(node.name): node.name for node in self._history.nodes if node.is_when}
+        parts = [_VARIABLES.sub("", self._rest), *self._rest.split()[:3]]
+        whens = {plain(node.name): node.name for node in self._history.nodes if node.is_when}
         # Python's own names have an underscore behind them.
         written = [name for name in self._history.writes if name not in ("_", "robot")]
-        names = {_plain(name.removesuffix("_")): name for name in written}
-        names |= {_plain(name): name for name in written}
-        for word in words:
-            name = word.removeprefix("when ").split(" ")[0] if word else ""
-            name = word.removeprefix("when ").split(" ")[0] if name != "when" else name
-            if name in whens and not stated and self._is_about(name):
-                return self._made(Ask.WHEN, whens[name])
-            is_direction = _DIRECTIONS.search(self._rest.removeprefix(name))
-            if name in names and self._is_about(name) and not is_direction:
-                return Question(Ask.VALUE, names[name], self._time)
+        names = {plain(name.removesuffix("_")): name for name in written}
+        names |= {plain(name): name for name in written}
+        for part in parts:
+            name = part.removeprefix("when ").split(" ")[0] if part else ""
+            name = part.removeprefix("when ").split(" ")[0] if name != "when" else name
+            if not self._is_about(name):
+                continue
+            when = name if name in whens else _STATES.sub("", name)
+            if when in whens and not stated:
+                return self._signed(Ask.WHEN, whens[when])
+            if name in names:
+                return self._made(Ask.VALUE, names[name])
         return None
 
     def _is_about(self, name: str) -> bool:
         """Whether a name is the subject, and not a word such as in "turn left"."""
-        first = _VARIABLES.sub("", self._rest).removeprefix("when ").removeprefix("activate ")
-        return first.split(" ")[0] == name
+        rest = _VARIABLES.sub("", self._rest)
+        stated = rest != self._rest or rest.startswith(("when ", "activate "))
+        first = rest.removeprefix("when ").removeprefix("activate ")
+        if first.split(" ")[0] != name:
+            return False
+        behind = first.removeprefix(name).strip()
+        is_word = concept(name) is not None and any(
+            concept(word) not in (None, Concept.FILLER) for word in words(behind)
+        )
+        return stated or not is_word or bool(_ABOUT_WHEN.match(behind))
 
     def _skill_by_name(self) -> Question | None:
-        called = {_plain(node.name): node.name for node in self._calls()}
-        known = {_plain(name): name for name in wording.blocks()}
+        called = {plain(node.name): node.name for node in self._calls()}
+        known = {plain(name): name for name in wording.blocks()}
         if self._rest == "turn":
             # A movement, which other skills make as well.
             return None
         first = re.sub(r"\(.*\)", "", self._rest).removeprefix("function.")
         name = called.get(first.removeprefix("robot.")) or known.get(first.removeprefix("robot."))
-        return self._made(Ask.SKILL, name) if name else None
-
-    def _called(self) -> Iterable[str]:
-        return dict.fromkeys(node.name for node in self._calls())
+        return self._signed(Ask.SKILL, name) if name else None
 
     def _calls(self) -> list[Node]:
         nodes = self._history.nodes
@@ -200,28 +179,35 @@ class _Parsing:
     def _print(self) -> Question | None:
         quoted = _QUOTED.search(self._text)
         found = _PRINTS.match(self._rest) or (quoted and _PRINTED.search(self._rest))
-        if not found or self._is_said():
+        if not found or self._is_said(quoted[1] if quoted else self._rest[found.end() :]):
             return None
-        printed = {str(line["print"]) for line in self._history.recorded.lines if "print" in line}
-        if quoted and quoted[1] in printed and not self._is_negative:
-            return Question(Ask.PRINTED, quoted[1], self._time)
+        if quoted and quoted[1] in self._printed and not self._is_negative:
+            return self._made(Ask.PRINTED, quoted[1])
         subject = quoted[1] if quoted else self._rest[found.end() :]
-        return self._made(Ask.PRINT, subject)
+        is_known = quoted or not subject or any(plain(subject) in one for one in self._texts())
+        return self._signed(Ask.PRINT, subject) if is_known else None
 
-    def _is_said(self) -> bool:
-        """Whether the program says something aloud, and prints no such text."""
-        found = _SAYS.match(self._rest)
-        text = self._rest[found.end() :] if found else ""
-        prints = (node.text for node in self._history.nodes if node.name == "print")
-        is_printed = any(text in _plain(one) for one in prints)
-        return bool(text) and not is_printed and bool(self._used(self._called()))
+    def _print_of_unknown(self) -> Question | None:
+        """A text that no line prints: the answer says so."""
+        found = _PRINTS.match(self._rest)
+        return self._signed(Ask.PRINT, self._rest[found.end() :]) if found else None
 
-    def _ending(self) -> Question | None:
-        if _ENDS.match(self._rest) or _PROGRAM_ENDS.search(self._plain):
-            return Question(Ask.END, "", self._time)
-        if _BUMPS.search(self._rest):
-            return Question(Ask.BUMP, "", self._time)
-        return Question(Ask.GOAL, "", self._time) if _GOALS.search(self._rest) else None
+    def _texts(self) -> Iterator[str]:
+        """What the lines that print say, and what they printed."""
+        yield from (plain(node.text) for node in mentions.prints(self._history))
+        yield from map(plain, self._printed)
+
+    @cached_property
+    def _printed(self) -> frozenset[str]:
+        lines = self._history.recorded.lines
+        return frozenset(str(line["print"]) for line in lines if "print" in line)
+
+    def _is_said(self, text: str) -> bool:
+        """Whether the program says a text aloud or shows it, and prints no such text."""
+        if not text or any(plain(text) in one for one in self._texts()):
+            return False
+        is_elsewhere = any(plain(text) in plain(node.text) for node in self._calls())
+        return is_elsewhere or bool(_SAYS.match(self._rest) and self._reader.skills())
 
     def _goal_by_name(self) -> Question | None:
         """A goal by its name alone, or behind the word for goal."""
@@ -232,46 +218,114 @@ class _Parsing:
             names = {name}
             if isinstance(phrase, Phrase):
                 names |= {translate(phrase, one) for one in languages()}
-            if rest and rest in map(_plain, names):
+            if rest and rest in map(plain, names):
                 is_reached = goal.get("state") == "reached" and not self._is_negative
-                return Question(Ask.REACHED if is_reached else Ask.GOAL, name, self._time)
+                return self._made(Ask.REACHED if is_reached else Ask.GOAL, name)
         return None
 
-    def _emotion(self) -> Question | None:
-        """An emotion in the words of a language: "show joy"."""
-        found = _SHOWS.match(self._rest)
-        rest = self._rest[found.end() :] if found else ""
-        for emotion in _EMOTIONS if rest and not self._is_negative else ():
-            phrase = Phrase("why-emotion", emotion=emotion)
-            if rest in {emotion, *(_plain(translate(phrase, one)) for one in languages())}:
-                return Question(Ask.EMOTION, emotion, self._time)
+    def _label(self) -> Question | None:
+        """A skill in the words of its block."""
+        by_words = {text: name for name in wording.blocks() for text in _words_of(name)}
+        known = frozenset(self._reader.concepts) - {Concept.NOT, Concept.KEEP}
+        is_movement = known and known <= {
+            Concept.TURN,
+            Concept.LEFT,
+            Concept.RIGHT,
+            Concept.STOP,
+            Concept.MOVE,
+            Concept.FORWARD,
+            Concept.BACK,
+        }
+        has_side = known & {Concept.LEFT, Concept.RIGHT, Concept.BACK, Concept.FORWARD}
+        if is_movement and (has_side or len(self._rest.split()) == 1):
+            return None
+        for text in (self._rest, f"look {self._rest}"):
+            if text in by_words:
+                return self._signed(Ask.SKILL, by_words[text])
         return None
 
-    def _words(self) -> Question | None:
-        """A skill in the words of its block, or a movement."""
-        by_words = {words: name for name in [*wording.blocks()] for words in _words_of(name)}
-        for pattern, movement in _MOVEMENTS:
-            if re.search(pattern, self._rest):
-                return self._made(Ask.MOVEMENT, movement)
-        for words in (self._rest, f"look {self._rest}"):
-            if words in by_words:
-                return self._made(Ask.SKILL, by_words[words])
-        if name := self._used(self._called()):
-            return self._made(Ask.SKILL, name)
-        if _TURNS.match(self._rest):
-            return self._made(Ask.MOVEMENT, "")
-        near = get_close_matches(self._rest, by_words, n=1, cutoff=_ALIKE)
-        return self._made(Ask.SKILL, by_words[near[0]]) if near else None
+    # In plain sentences.
 
-    def _used(self, called: Iterable[str]) -> str | None:
-        """The skill of the program that uses the device that the question names."""
-        for words, skills in _DEVICES:
-            if re.search(words, self._rest):
-                return next((name for name in called if re.match(skills, name)), None)
-        return None
+    @cached_property
+    def _reader(self) -> Reader:
+        text = main_part(self._without_time)
+        return Reader(text, self._history, self._corrected)
 
-    def _not_understood(self) -> LearnBlockError:
-        return LearnBlockError("why-not-understood", question=self._text)
+    def _corrected(self, word: str) -> str:
+        if concept(word) is not None or mentions.root(word) in self._program_words:
+            return word
+        return corrected(word, self._program_words)
+
+    @cached_property
+    def _program_words(self) -> frozenset[str]:
+        """What the program calls things: its names, its texts, and the words of its blocks."""
+        found = {*mentions.words_of(" ".join(self._history.writes))}
+        for node in self._history.nodes:
+            found |= mentions.words_of(f"{node.name} {node.text if node.kind is Kind.CALL else ''}")
+        for text in self._printed:
+            found |= mentions.words_of(text)
+        return frozenset(found)
+
+    def _meant(self) -> Question | None:
+        """What the words of a sentence mean."""
+        meaning = self._reader.meaning()
+        if self._is_about_print(meaning):
+            return self._about_print()
+        return self._asked(meaning) if meaning else None
+
+    def _asked(self, meaning: Meaning) -> Question:
+        found = self._made(meaning.ask, meaning.subject)
+        if found.time is not None or found.since is not None:
+            return found
+        if meaning.is_first:
+            return self._first(found)
+        time = place_time(self._history, self._without_time)
+        return found if time is None or meaning.ask is Ask.BUMP else replace(found, time=time)
+
+    def _first(self, question: Question) -> Question:
+        """A question about the first time that something happened."""
+        times = [
+            one.time
+            for one in questions(self._history)
+            if one.ask is question.ask
+            and one.time is not None
+            and (one.subject == question.subject or (not question.subject and "-" in one.subject))
+        ]
+        return replace(question, time=min(times)) if times else question
+
+    def _is_about_print(self, meaning: Meaning | None) -> bool:
+        known = self._reader.concepts
+        if not any(True for _ in mentions.prints(self._history)):
+            return False
+        says = Concept.SAY in known or (Concept.SHOW in known and meaning is None)
+        return Concept.PRINT in known or (says and (meaning is None or meaning.ask is not Ask.BUMP))
+
+    def _about_print(self) -> Question | None:
+        wanted = mentions.content(self._reader.tokens)
+        if self._reader.is_negative:
+            return self._made(Ask.NOT_PRINT, mentions.print_with(self._history, wanted) or "")
+        printed = mentions.printed_text(self._history, wanted)
+        if printed is not None:
+            return self._made(Ask.PRINTED, printed)
+        return self._made(Ask.PRINT, mentions.print_with(self._history, wanted) or "")
+
+    def _mentioned(self) -> Question | None:
+        """What of the program the words mention."""
+        reader = self._reader
+        name = mentions.variable_with(self._history, reader.tokens)
+        if name is not None:
+            return self._made(Ask.VALUE, name)
+        if (when := mentions.when_with(self._history, reader.tokens)) is not None:
+            return self._made(Ask.NOT_WHEN if reader.is_negative else Ask.WHEN, when)
+        printed = mentions.printed_text(self._history, mentions.names_in(reader.tokens))
+        if printed is not None and not reader.is_negative:
+            return self._made(Ask.PRINTED, printed)
+        number = mentions.line_with(self._history, mentions.names_in(reader.tokens))
+        if number is not None:
+            ask = Ask.NOT_LINE if reader.is_negative else Ask.LINE
+            return self._made(ask, str(self._history.line(number)))
+        is_endless = Concept.KEEP in reader.concepts and not reader.unknown
+        return self._made(Ask.NOT_END) if is_endless else None
 
 
 def _words_of(name: str) -> Iterator[str]:
@@ -279,7 +333,7 @@ def _words_of(name: str) -> Iterator[str]:
     block = wording.blocks().get(name)
     for language in languages() if block else ():
         text = re.sub(r"\(.*?\)\S*|mm/s|°/s", " ", label(block, language))  # type: ignore[arg-type] # there is one
-        yield re.sub(r"\s+(?:at|by|to|a)$", "", " ".join(_plain(text).replace(",", " ").split()))
+        yield re.sub(r"\s+(?:at|by|to|a)$", "", " ".join(plain(text).replace(",", " ").split()))
 
 
 def _without_quotes(text: str) -> str:
@@ -292,10 +346,3 @@ def _without_opening(text: str) -> str:
             return ""
         text = text[found.end() :]
     return text.strip()
-
-
-def _plain(text: str) -> str:
-    """A text in small letters without accents, question marks and double spaces."""
-    apart = unicodedata.normalize("NFKD", text.casefold())
-    plain = "".join(one for one in apart if not unicodedata.combining(one))
-    return " ".join(re.sub(r"[¿?!¡:]", " ", plain).split())

@@ -9,6 +9,7 @@ from learnblock.blocks.known import all_configurations
 from learnblock.blocks.labels import Filling, direction, sentence, spoken
 from learnblock.i18n import Multilingual, Phrase, Value
 from learnblock.i18n.words import languages
+from learnblock.why.decimals import FEW, rounded
 
 #: Names of movements: the ends of their codes in ``why.ftl``.
 STAND = "stand"
@@ -32,6 +33,10 @@ _ANSWER_CODES = {None: "why-value-none", True: "why-answer-true", False: "why-an
 _NUMBERED = frozenset({"tag", "face"})
 #: mm/s and degrees/s below which a robot hardly moves: it corrects its course.
 _CREEPING, _STEERING = 1.0, 1.0
+
+
+#: Numbers with more decimals would be cut.
+_FORMATTED = 3
 
 
 @cache
@@ -84,14 +89,16 @@ def thing_phrase(name: str) -> Phrase:
     return Phrase("why-name", word=kind if kind in _NUMBERED else word, rest=rest, name=name)
 
 
-def value_phrase(value: Any) -> Value:
-    """A snapshot of a value as a reader of the program knows it."""
+def value_phrase(value: Any, decimals: int = FEW) -> Value:
+    """A snapshot of a value as a reader of the program knows it, with so many decimals."""
     if value is None:
         return Phrase(_ANSWER_CODES[value])
     if isinstance(value, bool):
         return str(value)
     if isinstance(value, float):
-        return round(value, 2)
+        # A number of many decimals is written as in the program.
+        shown = rounded(value, decimals)
+        return shown if decimals <= _FORMATTED else repr(shown)
     if isinstance(value, int):
         return value if abs(value) < 10**6 else str(value)
     if isinstance(value, str):
@@ -99,10 +106,10 @@ def value_phrase(value: Any) -> Value:
     return _structure(value)
 
 
-def answer_phrase(value: Any) -> Value:
+def answer_phrase(value: Any, decimals: int = FEW) -> Value:
     """A snapshot of what a skill answered: yes or no rather than a value of the program."""
     is_yes_or_no = value is None or isinstance(value, bool)
-    return Phrase(_ANSWER_CODES[value]) if is_yes_or_no else value_phrase(value)
+    return Phrase(_ANSWER_CODES[value]) if is_yes_or_no else value_phrase(value, decimals)
 
 
 def _structure(value: Any) -> str:

@@ -14,7 +14,7 @@ def history(tmp_path_factory):
 
 def test_a_run_that_goes_on_is_not_said_to_have_been_stopped(history):
     given = answered(history, "at 6")
-    assert told(given) == [("why-moved", 3), ("why-after", 2), ("why-busy", 4)]
+    assert told(given) == [("why-moved", 3), ("why-busy", 4), ("why-after", 2)]
 
 
 def test_a_run_that_was_stopped_is_said_to_be_at_its_end(history):

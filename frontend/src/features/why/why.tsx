@@ -14,7 +14,7 @@ const GROUPS = [
     title: "page-why-happened",
     kinds: ["goal", "reached", "bump", "end", "now", "movement", "emotion", "skill", "when", "print"],
   },
-  { title: "page-why-did-not", kinds: ["not-movement", "not-skill", "not-when", "not-print"] },
+  { title: "page-why-did-not", kinds: ["not-end", "not-movement", "not-skill", "not-when", "not-print"] },
   { title: "page-why-values", kinds: ["value"] },
   { title: "page-why-lines", kinds: ["line", "not-line"] },
 ] as const;

@@ -1,11 +1,13 @@
 # Answers to questions about a run. $line is a line's number, $code its text, $time seconds.
 
-why-not-understood = LearnBlock does not understand "{ $question }". Ask for a skill or a movement ("turn left at 8.9", "not stop"), "line 5", a variable ("x at 3"), "print", "bump", "goal" or "end". Without a question, the command lists what you can ask.
+why-not-understood = LearnBlock does not understand "{ $question }". Ask, for example: { $first } { $second } { $third }
 
 why-answer-true = yes
 why-answer-false = no
 why-value-none = nothing
 why-at = { " " }at { $time } s
+why-between = { " " }between { $since } and { $time } s
+why-since = { " " }after { $time } s
 
 # Movements, after "was told to".
 why-move-stand = stand still
@@ -44,6 +46,15 @@ why-emotion = { $emotion ->
    *[other] { $emotion }
 }
 why-ask-end = Why did the program end?
+why-ask-not-end = Why did the program not end{ $time }?
+why-ask-nothing = Why did nothing happen{ $time }?
+why-ask-long = Why did the robot { $subject } for so long{ $time }?
+why-ask-speed = Why was the robot so { $subject ->
+    [fast] fast
+   *[slow] slow
+}{ $time }?
+why-ask-lost = Why did the robot leave the line{ $time }?
+why-ask-fall = Why did the robot fall{ $time }?
 why-ask-bump = Why did the robot bump into { $subject }{ $time }?
 why-ask-print-text = Why was "{ $subject }" printed{ $time }?
 why-ask-not-print-text = Why was "{ $subject }" not printed{ $time }?
@@ -210,6 +221,23 @@ why-never-read = Line { $line }, { $code }, sets { $name }, but no line reads { 
 why-result-lost = Line { $line }, { $code }, gave { $value } at { $time } s, but nothing uses what { $name } gives.
 why-last-line = Line { $line }, { $code }, was the last one of { $name } that ran, and it is no "return".
 why-same-list = Line { $line }, { $code }, copies no list: { $name } is only another name for it.
+
+why-loop-goes-on = { $endless ->
+    [true] The loop in line { $line }, { $code }, never ends by itself.
+   *[other] The loop in line { $line }, { $code }, was still going on at { $time } s{ $facts }.{ $closest }
+}
+why-when-goes-on = A program with events goes on as long as one of them can run: "when { $name }" in line { $line } was active at { $time } s.
+why-no-acts = No line of your program makes the robot do anything.
+why-paused = Line { $line }, { $code }, waited for { $seconds } s in all.
+why-line-not-asked = No line of your program looked for a line on the floor.
+why-line-never-seen = Line { $line }, { $code }, never saw the line.
+why-line-seen = Line { $line }, { $code }, saw the line at { $time } s, and then not for long.
+why-no-floor = There was no floor under a sensor at { $time } s.
+why-only-each-other = "when { $name }" in line { $line } was not active: only events that had not run start it.
+why-decimals = A computer stores most decimals only nearly: 0.1 + 0.2 is 0.30000000000000004. Ask for less or more, or round first.
+why-never-stopped = "when { $name }" in line { $line } runs again and again: no line stops it.
+why-not-between = That did not happen between { $since } and { $time } s.
+why-not-yet = Line { $line }, { $code }, changes { $name }, too, but had not run yet.
 
 ## Two runs of one program.
 

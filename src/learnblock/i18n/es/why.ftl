@@ -1,11 +1,13 @@
 # Respuestas a preguntas sobre una ejecución.
 
-why-not-understood = LearnBlock no entiende «{ $question }». Pregunta por una acción o un movimiento («girar a la izquierda en 8,9», «no parar»), «línea 5», una variable («x en 3»), «print», «chocar», «objetivo» o «terminar». Sin pregunta, la orden muestra lo que puedes preguntar.
+why-not-understood = LearnBlock no entiende «{ $question }». Pregunta, por ejemplo: { $first } { $second } { $third }
 
 why-answer-true = sí
 why-answer-false = no
 why-value-none = nada
 why-at = { " " }en el segundo { $time }
+why-between = { " " }entre los segundos { $since } y { $time }
+why-since = { " " }después del segundo { $time }
 
 why-move-stand = quedarse quieto
 why-move-forward = avanzar en línea recta
@@ -42,6 +44,15 @@ why-emotion = { $emotion ->
    *[other] { $emotion }
 }
 why-ask-end = ¿Por qué terminó el programa?
+why-ask-not-end = ¿Por qué no terminó el programa{ $time }?
+why-ask-nothing = ¿Por qué no pasó nada{ $time }?
+why-ask-long = ¿Por qué el robot tardó tanto en dejar de { $subject }{ $time }?
+why-ask-speed = ¿Por qué iba el robot tan { $subject ->
+    [fast] rápido
+   *[slow] lento
+}{ $time }?
+why-ask-lost = ¿Por qué se salió el robot de la línea{ $time }?
+why-ask-fall = ¿Por qué se cayó el robot{ $time }?
 why-ask-bump = ¿Por qué chocó el robot con { $subject }{ $time }?
 why-ask-print-text = ¿Por qué se escribió «{ $subject }»{ $time }?
 why-ask-not-print-text = ¿Por qué no se escribió «{ $subject }»{ $time }?
@@ -204,6 +215,23 @@ why-never-read = La línea { $line }, { $code }, da un valor a { $name }, pero n
 why-result-lost = La línea { $line }, { $code }, dio { $value } en el segundo { $time }, pero nada usa lo que da { $name }.
 why-last-line = La línea { $line }, { $code }, fue la última de { $name } que se ejecutó, y no es un «return».
 why-same-list = La línea { $line }, { $code }, no copia la lista: { $name } es solo otro nombre para ella.
+
+why-loop-goes-on = { $endless ->
+    [true] El bucle de la línea { $line }, { $code }, no termina nunca por sí solo.
+   *[other] El bucle de la línea { $line }, { $code }, seguía en el segundo { $time }{ $facts }.{ $closest }
+}
+why-when-goes-on = Un programa con eventos sigue mientras alguno pueda ejecutarse: «when { $name }», en la línea { $line }, estaba activo en el segundo { $time }.
+why-no-acts = Ninguna línea de tu programa hace que el robot haga algo.
+why-paused = La línea { $line }, { $code }, esperó { $seconds } s en total.
+why-line-not-asked = Ninguna línea de tu programa buscó una línea en el suelo.
+why-line-never-seen = La línea { $line }, { $code }, no vio nunca la línea.
+why-line-seen = La línea { $line }, { $code }, vio la línea en el segundo { $time }, y después no en mucho tiempo.
+why-no-floor = Bajo un sensor no había suelo en el segundo { $time }.
+why-only-each-other = «when { $name }», en la línea { $line }, no estaba activo: solo lo activan eventos que no se habían ejecutado.
+why-decimals = Un ordenador guarda la mayoría de los decimales solo de forma aproximada: 0.1 + 0.2 es 0.30000000000000004. Pregunta por menor o mayor, o redondea antes.
+why-never-stopped = «when { $name }», en la línea { $line }, se repite una y otra vez: ninguna línea lo para.
+why-not-between = Eso no pasó entre los segundos { $since } y { $time }.
+why-not-yet = La línea { $line }, { $code }, también cambia { $name }, pero aún no se había ejecutado.
 
 ## Dos ejecuciones de un programa.
 

@@ -101,6 +101,12 @@ class WhyQuestion(Struct, frozen=True):
         "reached",
         "emotion",
         "end",
+        "not-end",
+        "nothing",
+        "long",
+        "speed",
+        "lost",
+        "fall",
         "bump",
         "now",
     ]

@@ -170,7 +170,7 @@ class Looking:
     def answer(self, question: messages.WhyQuestion) -> messages.WhyAnswer:
         """The answer to a question."""
         from learnblock.why.answers import Answers  # noqa: PLC0415 - as above
-        from learnblock.why.questions import Ask, Question  # noqa: PLC0415
+        from learnblock.why.questions import Ask, Question, with_values  # noqa: PLC0415
         from learnblock.why.seeing import seen_in  # noqa: PLC0415
 
         asked = Question(Ask(question.ask), question.subject, question.time)
@@ -179,6 +179,7 @@ class Looking:
             if self._answers is None:
                 self._answers = Answers(history, seen_in(self._world) if self._world else None)
             given = self._answers.answer(asked)
+            asked = with_values(history, asked)
         return messages.WhyAnswer(
             self._asked(history, asked),
             tuple(self._sentence(history, one) for one in given.sentences),

@@ -1,0 +1,305 @@
+"""Answers about a run as a whole: why nothing happened, why it did not end, why it was so slow."""
+
+from bisect import bisect_right
+from collections import defaultdict
+from collections.abc import Iterator
+
+from learnblock.runtime.log.events import Op
+from learnblock.runtime.log.nodes import Kind, Node
+from learnblock.why.because import Because
+from learnblock.why.doing import Doing
+from learnblock.why.ending import Ending
+from learnblock.why.history import History, SkillUse
+from learnblock.why.reaching import Reaching
+from learnblock.why.readings import Readings
+from learnblock.why.sentences import Telling
+from learnblock.why.slicing import Slices
+from learnblock.why.standing import Standing
+from learnblock.why.steering import movement_of
+from learnblock.why.wording import STAND, blocks, movement
+
+#: Skills that wait, or only begin or end something.
+_QUIET = frozenset({"sleep", "wait_until", "activate", "deactivate", "Robot", "run", "when"})
+_QUIET_STARTS = ("reset_", "look_", "when")
+#: A floor that is darker, in percent, is none.
+_NO_FLOOR = 5
+#: Pauses that take a smaller part of a run do not make it slow.
+_MUCH = 0.2
+#: So many s before an event, what the program did led to it.
+_BEFORE = 0.03
+_LINE_NEEDS = ("black-line", "red-line", "blue-line", "ground-line")
+
+
+class Overall:
+    """Tells about a run as a whole.
+
+    Args:
+        slices: of the run.
+        readings: of the run.
+        because: tells why something happened.
+        doing: tells why statements ran.
+        reaching: tells why a statement was not reached.
+        ending: tells how the run ended.
+        telling: the answer.
+    """
+
+    def __init__(
+        self,
+        slices: Slices,
+        readings: Readings,
+        *,
+        because: Because,
+        doing: Doing,
+        reaching: Reaching,
+        ending: Ending,
+        telling: Telling,
+    ) -> None:
+        self._history: History = slices.history
+        self._slices = slices
+        self._readings = readings
+        self._standing = Standing(slices)
+        self._because = because
+        self._doing = doing
+        self._reaching = reaching
+        self._ending = ending
+        self._telling = telling
+
+    # Nothing, and no end.
+
+    def nothing(self, first: int, until: int) -> bool:
+        """Tell why nothing happened between two events; False if something did."""
+        acting = [number for number, node in enumerate(self._history.nodes) if _acts(node)]
+        if not acting:
+            self._telling.say_of_line("why-no-acts", 0, until)
+            return True
+        ran = {number: self._doing.results([number], until) for number in acting}
+        recent = [number for number in acting if ran[number] and ran[number][-1] >= first]
+        for number in recent:
+            self._doing.without_effect(ran[number][-1])
+        if self._reaching.busy(until):
+            self._told_to(until)
+        for number in self._doing.nearest_first([n for n in acting if n not in recent], until):
+            self._reaching.tell(number, until, first)
+        return bool(len(self._telling))
+
+    def _told_to(self, until: int) -> None:
+        last = self._history.last_of(self._slices.of_base, until)
+        if last >= 0:
+            self._doing.say_moved(last)
+
+    def not_end(self, until: int) -> bool:
+        """Tell what kept a program from ending; False if it did end."""
+        if self._history.recorded.ending.get("ended") in ("finished", "error"):
+            return False
+        if not self._reaching.in_loop(until) and not self._reaching.busy(until):
+            self._of_events(until)
+        return True
+
+    def came_to_end(self, last: int) -> None:
+        """Tell what let a finished program come to its end: the loops ahead of its last line."""
+        if self._history.recorded.ending.get("ended") != "finished":
+            return
+        for event in range(last, -1, -1):
+            op, frame = self._history.events[event][0], self._history.frames[event]
+            if op in (Op.RESULT, Op.CONDITION, Op.WRITE, Op.TURN) and frame.node < 0:
+                self._because.tell(event, names=())
+                return
+
+    def say_commands(self, first: int, until: int) -> None:
+        """Tell what the wheels were told between two events."""
+        for command, _ in self._commands(first, until):
+            if self._doing.is_main(command):
+                self._doing.say_moved(command)
+
+    def _of_events(self, until: int) -> None:
+        """A program with events goes on as long as one of them can run."""
+        history = self._history
+        whens = [number for number, node in enumerate(history.nodes) if node.is_when]
+        ran = [(history.last_of(history.of_node.get(one, []), until), one) for one in whens]
+        last, number = max(ran, default=(-1, -1))
+        if last >= 0:
+            self._telling.say("why-when-goes-on", number, last, name=history.nodes[number].name)
+            self._because.tell(last, names=())
+            self._doing.never_stopped(number)
+        self._ending.stop_reason(until)
+
+    # How fast, and for how long.
+
+    def speed(self, which: str, first: int, until: int) -> None:
+        """Tell which line decided how fast the robot was."""
+        spent = self._time_by_command(first, until)
+        advancing = [one for one in spent if not self._is(one, STAND) and self._advance(one)]
+        paused = self._longest_pause(first, until) if which == "slow" else None
+        is_pause_first = paused is not None and paused[1] > sum(spent[one] for one in advancing) / 2
+        if paused is not None and is_pause_first:
+            self._say_pause(*paused)
+        if advancing:
+            fastest = max(advancing, key=self._advance)
+            longest = max(advancing, key=lambda one: spent[one])
+            self._doing.moved(longest if which == "slow" else fastest, until)
+        if paused is not None:
+            self._say_pause(*paused)
+
+    def _say_pause(self, number: int, seconds: float, event: int) -> None:
+        self._telling.say("why-paused", number, event, seconds=round(seconds, 2))
+
+    def _longest_pause(self, first: int, until: int) -> tuple[int, float, int] | None:
+        """The call that waited longest in all, for how long, in s, and its last event."""
+        took: dict[int, float] = defaultdict(float)
+        last: dict[int, int] = {}
+        for use in self._history.own_uses:
+            if use.name == "sleep" and first <= use.begun <= until and self._stands(use.begun):
+                number = self._standing.call_of(use)
+                took[number] += self._lasted(use, until)
+                last[number] = use.begun
+        number = max(took, key=lambda one: took[one], default=-1)
+        if number < 0 or took[number] < _MUCH * self._history.time(until):
+            return None
+        return number, took[number], last[number]
+
+    def _stands(self, event: int) -> bool:
+        last = self._history.last_of(self._slices.of_base, event)
+        return last < 0 or self._is(last, STAND)
+
+    def _lasted(self, use: SkillUse, until: int) -> float:
+        times = self._history.times[use.begun]
+        end = min(self._standing.end(use), max(self._ending.moment(until), 0.0))
+        return max(0.0, end - self._history.time(use.begun)) * times
+
+    def _advance(self, command: int) -> float:
+        return abs(float(self._history.events[command][3][0]))
+
+    def _is(self, command: int, name: str) -> bool:
+        return movement(*self._history.events[command][3][:2]) == name
+
+    def _time_by_command(self, first: int, until: int) -> dict[int, float]:
+        """By the first command of its line, how long commands of that line were in force, in s."""
+        history, spent = self._history, dict[int, float]()
+        of_line: dict[int, int] = {}
+        for command, lasted in self._commands(first, until):
+            use = self._doing.outermost(command)
+            number = self._standing.call_of(use) if use else -1
+            one = of_line.setdefault(number, command)
+            spent[one] = spent.get(one, 0.0) + lasted * history.times[command]
+        return spent
+
+    def _commands(self, first: int, until: int) -> Iterator[tuple[int, float]]:
+        """The commands to the wheels that were in force between two events, and for how long."""
+        history, commands = self._history, self._slices.of_base
+        start = max(0, bisect_right(commands, first) - 1)
+        mine = commands[start : bisect_right(commands, until)]
+        for index, command in enumerate(mine):
+            end = history.time(mine[index + 1]) if index + 1 < len(mine) else history.end
+            yield command, max(0.0, end - max(history.time(command), history.time(first)))
+
+    def long(self, name: str, first: int, until: int) -> bool:
+        """Tell what kept the robot in a movement for long; False if it never moved so."""
+        fitting = [
+            (lasted, command)
+            for command, lasted in self._commands(first, until)
+            if self._doing.is_movement(command, name)
+        ]
+        if not fitting:
+            return False
+        lasted, command = max(fitting)
+        end = min(until, self._history.at(self._history.time(command) + lasted - _BEFORE))
+        self._doing.say_moved(command)
+        self._doing.lasting(command, end)
+        self._doing.moved(command, command)
+        return True
+
+    # The line, and the floor.
+
+    def lost(self, first: int, until: int) -> None:
+        """Tell what the robot did when it last saw the line before it did not for longest."""
+        asked = self._line_asked(until)
+        seen = [event for event in asked if self._history.events[event][2] not in (None, False)]
+        if not asked or not seen:
+            code = "why-line-never-seen" if asked else "why-line-not-asked"
+            number = self._history.events[asked[-1]][1] if asked else -1
+            self._telling.say(code, number, asked[-1] if asked else until)
+            self._told_by_last(until)
+            return
+        last = self._before_longest_gap([one for one in seen if one >= first] or seen, until)
+        self._telling.say("why-line-seen", self._history.events[last][1], last)
+        for command in self._after_line(last, until):
+            self._doing.moved(command, command)
+
+    def _line_asked(self, until: int) -> list[int]:
+        """The answers to questions for a line."""
+        of_node = self._history.of_node
+        events = (
+            event
+            for number, node in enumerate(self._history.nodes)
+            if self._asks_for_line(node)
+            for event in of_node.get(number, ())
+        )
+        is_result = self._history.events
+        return sorted(one for one in events if one <= until and is_result[one][0] == Op.RESULT)
+
+    def _before_longest_gap(self, seen: list[int], until: int) -> int:
+        """The sight of the line before the longest time without one."""
+        history = self._history
+        ends = [*(history.time(one) for one in seen[1:]), self._ending.moment(until)]
+        gaps = [end - history.time(one) for one, end in zip(seen, ends, strict=True)]
+        return seen[max(range(len(seen)), key=lambda index: gaps[index])]
+
+    def _after_line(self, seen: int, until: int) -> list[int]:
+        """What the sight of the line made the robot do, and what it did when it was gone."""
+        commands = self._slices.of_base
+        after = bisect_right(commands, seen)
+        later = [
+            one
+            for one in commands[after : bisect_right(commands, until)]
+            if self._doing.is_main(one)
+        ]
+        if not later:
+            return commands[-1:]
+        other = next((one for one in later if not self._is_alike(one, later[0])), -1)
+        return [later[0], *([other] if other >= 0 else [])]
+
+    def _is_alike(self, command: int, other: int) -> bool:
+        return bool(self._history.events[command][3][:2] == self._history.events[other][3][:2])
+
+    def _asks_for_line(self, node: Node) -> bool:
+        block = blocks().get(node.name) if node.base == "robot" else None
+        return block is not None and any(need.startswith(_LINE_NEEDS) for need in block.needs)
+
+    def _told_by_last(self, until: int) -> None:
+        last = self._history.last_of(self._slices.of_base, until)
+        if last >= 0:
+            self._doing.moved(last, until)
+
+    def fall(self, until: int) -> None:
+        """Tell what the robot was told when there was no floor any more."""
+        history = self._history
+        gone = next((i for i in range(until + 1) if self._is_without_floor(i)), -1)
+        event = history.at(max(0.0, history.time(gone) - _BEFORE)) if gone >= 0 else until
+        if gone >= 0:
+            self._telling.say_of_line("why-no-floor", 0, gone)
+        last = history.last_of(self._slices.of_base, event)
+        if last >= 0:
+            self._doing.say_moved(last)
+        self._reaching.busy(event)
+        if last >= 0:
+            self._doing.moved(last, event)
+        self._doing.not_prevented(event)
+
+    def _is_without_floor(self, index: int) -> bool:
+        event = self._history.events[index]
+        if event[0] != Op.READING or not str(event[1]).startswith("GroundSensors"):
+            return False
+        values = self._readings.values(index)
+        return bool(values) and min(values) < _NO_FLOOR
+
+
+def _acts(node: Node) -> bool:
+    """Whether a call does something that can be seen or heard."""
+    if node.kind is not Kind.CALL:
+        return False
+    if node.name == "print" and not node.base:
+        return True
+    if node.base != "robot" or node.name in _QUIET or node.name.startswith(_QUIET_STARTS):
+        return False
+    block = blocks().get(node.name)
+    return movement_of(node) is not None or block is None or not block.returns_value

@@ -1,0 +1,42 @@
+"""When a run came to a place that a question names: "at the wall", "en el borde"."""
+
+import re
+
+from learnblock.runtime.log.events import Op
+from learnblock.why.history import History
+from learnblock.why.vocabulary import Concept, concept, plain, words
+from learnblock.why.wording import unpacked
+
+_PLACE = re.compile(
+    r"\b(?:at|by|near|into|against|in front of|next to|en|ante|delante de|junto a|cerca de|contra"
+    r"|con|delante del|al lado de)"
+    r" (?:the |a |an |that |el |la |un |una |los |las )?(\w+)"
+)
+#: A sensor that measures less, in mm, is near a thing.
+_NEAR = 200.0
+
+
+def place_time(history: History, text: str) -> float | None:
+    """When the robot first was at the place that a plain text names, in s; None for no place."""
+    found = _PLACE.search(text)
+    name = words(found[1])[-1] if found and words(found[1]) else ""
+    if concept(name) not in (Concept.WALL, Concept.EDGE, Concept.TAG):
+        return None
+    bumps = [line for line in history.recorded.lines if "bump" in line]
+    named = [line for line in bumps if name in plain(str(line["bump"])).split()]
+    if concept(name) is Concept.WALL and (named or bumps):
+        return round(float((named or bumps)[0]["t"]), 2)
+    return _nearest(history) if concept(name) is Concept.WALL else None
+
+
+def _nearest(history: History) -> float | None:
+    """When the front sensor first measured least; None if it saw nothing near."""
+    found: list[tuple[float, float]] = []
+    for index, event in enumerate(history.events):
+        if event[0] == Op.READING and str(event[1]).startswith("DistanceSensors"):
+            values = unpacked(event[2])
+            front = values.get("front") if isinstance(values, dict) else None
+            near = [mm for mm in front or () if isinstance(mm, int | float)]
+            if near and min(near) < _NEAR:
+                found.append((min(near), history.time(index)))
+    return min(found)[1] if found else None
