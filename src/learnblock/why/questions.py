@@ -3,7 +3,6 @@
 from collections.abc import Container, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
-from typing import Any
 
 from learnblock.i18n import Phrase, Value
 from learnblock.i18n.names import goal_phrase
