@@ -10,7 +10,6 @@ from importlib import metadata, util
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote, urlsplit
-from urllib.request import url2pathname
 
 from learnblock.shell import command_line
 
@@ -96,6 +95,8 @@ def requirements(extra: str) -> tuple[str, ...]:
 
 def _checkout() -> Path | None:
     """The folder of an editable installation."""
+    from urllib.request import url2pathname  # noqa: PLC0415 - it loads slowly
+
     origin = metadata.distribution(DISTRIBUTION).read_text("direct_url.json")
     described: Mapping[str, Any] = json.loads(origin) if origin else {}
     if not described.get("dir_info", {}).get("editable"):
