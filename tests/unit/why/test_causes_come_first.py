@@ -66,7 +66,7 @@ def histories():
 
     def find(name, robot, world):
         if name not in found:
-            run = logged_example(name, robot, world=world, seconds=8, seed=0)
+            run = logged_example(name, robot, world=world, seconds=6, seed=0)
             found[name] = run.history, Answers(run.history)
         return found[name]
 
@@ -94,7 +94,7 @@ def assert_causes_come_first(history: History, answers: Answers, question: Quest
             )
 
 
-@pytest.mark.sample(4)
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(("name", "robot", "world"), RUNS, ids=[one[0] for one in RUNS])
 def test_no_cause_of_a_listed_question_is_later_than_its_effect(name, robot, world, histories):
     history, answers = histories(name, robot, world)
@@ -102,12 +102,12 @@ def test_no_cause_of_a_listed_question_is_later_than_its_effect(name, robot, wor
         assert_causes_come_first(history, answers, question)
 
 
-@pytest.mark.sample(4)
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(("name", "robot", "world"), RUNS, ids=[one[0] for one in RUNS])
 def test_no_cause_at_any_moment_is_later_than_its_effect(name, robot, world, histories):
     history, answers = histories(name, robot, world)
 
-    @settings(max_examples=15, deadline=None)
+    @settings(max_examples=6, deadline=None)
     @given(st.floats(0, history.end))
     def check(time):
         asked = questions_about_moment(history, time)
@@ -122,7 +122,7 @@ def test_no_cause_at_any_moment_is_later_than_its_effect(name, robot, world, his
 @pytest.mark.parametrize(("name", "robot", "world"), RUNS[:4], ids=[one[0] for one in RUNS[:4]])
 def test_what_is_told_of_a_span_happened_in_it_or_led_to_it(name, robot, world, histories):
     history, answers = histories(name, robot, world)
-    for start, end in ((0.5, 2.0), (3.0, 5.0), (6.0, 7.5)):
+    for start, end in ((0.5, 2.0), (3.0, 5.0)):
         for question in questions(history):
             of_span = Question(question.ask, question.subject, end, start)
             if question.ask in (Ask.END, Ask.NOT_END):
