@@ -1,16 +1,13 @@
 """A run ends within two seconds of Stop, whatever its program and its robot do."""
 
 import contextlib
-import gc
 import os
 import threading
 from time import monotonic
 
 import pytest
 
-from learnblock.running import ProgramRun
 from learnblock.server.runs import playing
-from learnblock.simulator import World
 from pages import english
 from waiting import wait_for
 
@@ -164,28 +161,3 @@ def test_a_run_is_over_even_if_its_end_can_not_be_kept(page, monkeypatch):
     page.run()
     monkeypatch.undo()
     assert page.run()["ended"] == "finished"
-
-
-def test_nothing_of_a_run_is_left_when_it_has_ended(page):
-    page.say("New", name="line", example="line-ebo")
-    page.hear("Scene")
-    page.say("WatchCamera", on=True)
-
-    def left():
-        return {
-            kind: sum(type(one) is kind for one in gc.get_objects()) for kind in (ProgramRun, World)
-        }
-
-    def run():
-        page.say("Run")
-        page.hear("RunState", state="running")
-        stopped(page)
-
-    before = left()[ProgramRun]
-    run()
-    wait_for(lambda: left()[ProgramRun] == before, "the run is gone")
-    # One world is shown until the next run.
-    after = left()
-    for _ in range(2):
-        run()
-    wait_for(lambda: left() == after, "the worlds are gone")
