@@ -91,6 +91,7 @@ class _Parsing:
             self._meant,
             self._mentioned,
             self._print_of_unknown,
+            self._at_place,
         ):
             found = reading()
             if found is not None:
@@ -326,6 +327,11 @@ class _Parsing:
             return self._made(ask, str(self._history.line(number)))
         is_endless = Concept.KEEP in reader.concepts and not reader.unknown
         return self._made(Ask.NOT_END) if is_endless else None
+
+    def _at_place(self) -> Question | None:
+        """A place alone: what the robot did when it was there."""
+        time = place_time(self._history, self._without_time)
+        return None if time is None else replace(self._made(Ask.NOW), time=time)
 
 
 def _words_of(name: str) -> Iterator[str]:
