@@ -27,7 +27,7 @@ def test_another_seed_parts_where_a_reading_decides_otherwise():
     )
     found = parting(one, other)
     texts = [translate(sentence.phrase, "en") for sentence in (found.first, found.second)]
-    assert "was true: the front sensor measured 98 mm" in texts[0]
+    assert "was true: the front sensor measured 96 mm" in texts[0]
     assert "was not true: the front sensor measured 101 mm" in texts[1]
     assert found.first.line == found.second.line == 5
 
@@ -154,8 +154,8 @@ def test_one_sentence_says_what_was_measured_in_both_runs():
         )
     )
     assert words([found.parting.because]) == [
-        "At 30.26 s line 5, if is_front_obstacle(100), was true in the first run, because the "
-        "front sensor measured 98 mm, less than 100 mm, and not true in the second, because the "
+        "At 26.93 s line 5, if is_front_obstacle(100), was true in the first run, because the "
+        "front sensor measured 96 mm, less than 100 mm, and not true in the second, because the "
         "front sensor measured 101 mm, not less than 100 mm."
     ]
 
@@ -179,5 +179,5 @@ def test_the_command_tells_both_decisions(tmp_path):
         CliRunner().invoke(main, ["run", *given, "--why", str(log)])
         logs.append(str(log))
     output = CliRunner().invoke(main, ["compare", *logs]).output
-    assert output.startswith("Both runs made the same decisions until 30.26 s.\n1.why: At 30.26 s")
-    assert "2.why: At 30.26 s line 5, if is_front_obstacle(100), was not true" in output
+    assert output.startswith("Both runs made the same decisions until 26.93 s.\n1.why: At 26.93 s")
+    assert "2.why: At 26.93 s line 5, if is_front_obstacle(100), was not true" in output
