@@ -33,6 +33,9 @@ EXAMPLE = "line-ebo"
 AIM = 20
 #: The numbers of runs after which memory is measured.
 MEASURED = (0, 1, 5, 10, 20)
+#: Seconds in which memory becomes level, and the number of looks in a row, each half a second after
+#: the one before, that have to be within 1 MB.
+SETTLING, LEVEL = 60, 6
 #: Pupils who join in one second.
 JOINING = 0.5
 
@@ -85,10 +88,21 @@ async def repeated(
             if number:
                 await page.run(seconds)
             if number in MEASURED:
-                # What a run has left is given back at its end, by its own thread.
-                await asyncio.sleep(1)
-                found.append(megabytes(server()))
+                found.append(await settled(server()))
     return found
+
+
+async def settled(server: int) -> float:
+    """Return the memory of a server once it has been level for a moment.
+
+    A run gives its memory back after its end, which may take a while on a busy computer.
+    """
+    found = [megabytes(server)]
+    async with asyncio.timeout(SETTLING):
+        while len(found) < LEVEL or max(found[-LEVEL:]) - min(found[-LEVEL:]) > 1:
+            await asyncio.sleep(0.5)
+            found.append(megabytes(server))
+    return found[-1]
 
 
 async def alone(seconds: float) -> list[float]:

@@ -23,6 +23,7 @@ import msgspec
 from learnblock.classroom import pupil_server
 from learnblock.classroom.pupil_server import Order
 from learnblock.runtime.containment import kernel
+from learnblock.server.runs.memory import share_one_heap
 
 #: What pupils' servers load when they need it.
 _PRELOADED = (
@@ -187,6 +188,8 @@ def main() -> None:
     """Run as ``python -m learnblock.classroom.nursery FD``: FD is our end of the connection."""
     kernel.die_with_parent(signal.SIGTERM)
     connection = socket.socket(fileno=int(sys.argv[1]))
+    # Every server that is forked here has this setting.
+    share_one_heap()
     for module in _PRELOADED:
         import_module(module)
     # A server that collected what we have loaded would copy all of it.

@@ -30,6 +30,7 @@ from learnblock.server.http.protection import Protection, is_loopback, offered_t
 from learnblock.server.http.requests import Headers, Identify, TimedRequests
 from learnblock.server.last_resort import Deadlines, EndingServer, LastResort
 from learnblock.server.projects.writer import Access
+from learnblock.server.runs.memory import share_one_heap
 
 DEFAULT_HOST = "127.0.0.1"
 DEFAULT_PORT = 8421
@@ -226,6 +227,7 @@ class _Server(EndingServer):
 def _server(
     service: Service, show: Callable[[str], object] | None
 ) -> Iterator[tuple[_Server, socket.socket]]:
+    share_one_heap()
     token = the_token(new=service.new_token)
     app = create_app(
         service.folder,

@@ -1,15 +1,13 @@
 """A single run of the program, as the event loop sees it."""
 
 import asyncio
-import ctypes
-import gc
-import sys
 import threading
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, Protocol
+from weakref import ref
 
 from learnblock.devices import Pose
 from learnblock.monitor.monitor import GoalNow
@@ -24,6 +22,7 @@ from learnblock.server import messages
 from learnblock.server.program.document import Document
 from learnblock.server.runs.console import Voice
 from learnblock.server.runs.looking import Looking
+from learnblock.server.runs.memory import give_back_memory
 from learnblock.server.runs.trial import Trial
 from learnblock.server.runs.watcher import RunWatcher
 from learnblock.storage import skill_files
@@ -36,13 +35,8 @@ if TYPE_CHECKING:
 Played = Document | Trial
 #: The seed of the command line, so that the same run can be repeated there.
 SEED = 0
-#: Seconds in which the event loop lets go of a run that has ended; it usually takes 0.2 s.
-_RELEASING = 10.0
-
-
-#: Runs programs to their ends and reports them; returns what is set when the event loop has let go
-#: of each of them.
-Play = Callable[[Sequence["Playing"]], Sequence[threading.Event]]
+#: Runs programs to their ends and reports them.
+Play = Callable[[Sequence["Playing"]], None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -234,29 +228,29 @@ def follow(playings: Sequence[Playing], play: Play) -> None:
         RuntimeError: the system has no thread for them.
         MemoryError: there is no memory for them.
     """
-    handed: list[Callable[[], Sequence[threading.Event]]] = [partial(play, playings)]
-    thread = threading.Thread(target=_followed, args=(handed,), name="run", daemon=True)
+    handed = [partial(play, playings)]
+    runs = [ref(playing.run) for playing in playings]
+    thread = threading.Thread(target=_followed, args=(handed, runs), name="run", daemon=True)
     for playing in playings:
         playing.run.report_variables(enabled=True)
         playing.played_by(thread)
     thread.start()
 
 
-def play_one(playings: Sequence[Playing]) -> Sequence[threading.Event]:
+def play_one(playings: Sequence[Playing]) -> None:
     """Run a program to its end; see `Play`."""
     (playing,) = playings
     try:
         outcome: Report | Exception = playing.run.run()
     except Exception as error:  # noqa: BLE001 - a driver may raise any exception
         outcome = error
-    return [playing.watcher.ended(outcome)]
+    playing.watcher.ended(outcome)
 
 
-def _followed(handed: list[Callable[[], Sequence[threading.Event]]]) -> None:
+def _followed(handed: list[Callable[[], None]], runs: Sequence[ref[Controlled]]) -> None:
     # Taken out, because a thread keeps its arguments, and so would keep the world of the run.
-    for released in handed.pop()():
-        released.wait(_RELEASING)
-    give_back_memory()
+    handed.pop()()
+    give_back_memory(lambda: not any(run() for run in runs))
 
 
 def prepared(
@@ -311,19 +305,3 @@ def lines(played: Played, blocks: Iterable[str]) -> frozenset[int]:
     """The lines of Python that begin these blocks."""
     found = map(played.python_line, blocks)
     return frozenset(line for line in found if line is not None)
-
-
-def give_back_memory() -> None:
-    """Return unused memory to the system, as after a run.
-
-    Robot, world, recorder and host of a run refer to each other, and are some 30 MB with a camera.
-    They are few objects, so that Python would not look for such garbage before the end of a lesson.
-    The threads of a run also leave holes in the heap, which glibc keeps.
-    """
-    gc.collect()
-    if sys.platform != "linux":
-        return
-    trim = getattr(ctypes.CDLL(None), "malloc_trim", None)
-    # Another C library, such as musl, returns it by itself.
-    if trim is not None:
-        trim(0)

@@ -1,6 +1,5 @@
 """Several robots of a project in one world, and one run of all their programs."""
 
-import threading
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -232,15 +231,14 @@ async def play_together(participants: Sequence[Participant]) -> None:
             one.player.take_back(error)
 
 
-def _play(team: "TeamRun", playings: Sequence[Playing]) -> Sequence[threading.Event]:
+def _play(team: "TeamRun", playings: Sequence[Playing]) -> None:
     outcomes: Sequence[Report | Exception]
     try:
         outcomes = _outcomes(team.run())
     except Exception as error:  # noqa: BLE001 - a driver may raise any exception
         outcomes = [error] * len(playings)
-    return [
-        playing.watcher.ended(outcome) for playing, outcome in zip(playings, outcomes, strict=True)
-    ]
+    for playing, outcome in zip(playings, outcomes, strict=True):
+        playing.watcher.ended(outcome)
 
 
 def _outcomes(report: "TeamReport") -> Sequence[Report]:

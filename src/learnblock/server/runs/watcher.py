@@ -14,9 +14,6 @@ from learnblock.server.runs.console import Voice
 if TYPE_CHECKING:
     from learnblock.server.runs.player import Player
 
-#: Seconds in which everything that takes part in a run lets go of it.
-_LETTING_GO = 0.2
-
 
 class RunWatcher(Watcher):
     """Watches one run.
@@ -80,13 +77,9 @@ class RunWatcher(Watcher):
             self._pass_on(self._player.on_keys_wanted)
         return self._player.held_keys()
 
-    def ended(self, report: Report | Exception) -> threading.Event:
-        """Report the end of the run; return what is set once the event loop has let go of it."""
-        released = threading.Event()
+    def ended(self, report: Report | Exception) -> None:
+        """Report the end of the run."""
         self._pass_on(self._player.on_ended, report)
-        # Those who wait for the end, or look at the world, still have it for a moment.
-        self._loop.call_soon_threadsafe(self._loop.call_later, _LETTING_GO, released.set)
-        return released
 
     # The event loop.
 

@@ -144,7 +144,7 @@ def test_a_run_whose_thread_dies_without_a_word_is_over(page, monkeypatch):
     page.open(text=DRIVING)
     monkeypatch.setattr("threading.excepthook", lambda failed: None)
 
-    def die(handed):
+    def die(handed, runs):
         raise MemoryError
 
     monkeypatch.setattr(playing, "_followed", die)
