@@ -25,7 +25,7 @@ from attacks import (
     try_shared,
 )
 from learnblock.runtime.limits import Limits
-from learnblock.runtime.messages import Printed, Setup
+from learnblock.runtime.messages import Contained, Printed, Setup
 from learnblock.runtime.process import ProcessWorker
 from learnblock.runtime.standby import Standby
 
@@ -61,7 +61,8 @@ def start(kind: type[Standby]) -> float:
     worker = ProcessWorker(kind())
     try:
         worker.link.send(Setup("print(1)", "start.py", "", (), (), None, Limits()))
-        message = worker.link.receive(30)
+        while isinstance(message := worker.link.receive(30), Contained):
+            pass
         if not isinstance(message, Printed):
             raise SystemExit(f"expected a print, got {message}")
         return (perf_counter() - began) * 1000

@@ -81,7 +81,7 @@ def grade(handed_in: Sequence[Path], wish: Wish) -> bool:
         finally:
             # Also of what was made until the workers were lost.
             write_results(grading, wish.out, language(), lesson=wish.lesson)
-    say("grade-written", file=str(wish.out / "results.html"), err=True)
+            say("grade-written", file=str(wish.out / "results.html"), err=True)
     return _say_what_is_missing(grading)
 
 

@@ -7,19 +7,22 @@ import re
 import signal
 import subprocess
 import sys
-from contextlib import contextmanager
+from concurrent.futures import BrokenExecutor
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 import pytest
 from distributed import Client
 
-from gradings import GOOD, HEAD, SHORT, handed_in, lesson, plan
+from gradings import GOOD, HEAD, LESSON, SHORT, START, handed_in, lesson, plan
 from learnblock.errors import LearnBlockError
 from learnblock.lessons.grading.executors import cluster, local
 from learnblock.lessons.grading.grading import Grading
+from learnblock.lessons.grading.journal import NAME as JOURNAL
 from learnblock.lessons.grading.journal import opened_journal
 from learnblock.lessons.grading.output import TABLE, write_results
 from places import ROOT
+from ports import free_ports
 from waiting import wait_for
 
 pytestmark = [pytest.mark.wire, pytest.mark.slow]
@@ -48,13 +51,21 @@ def end(process):
     process.wait()
 
 
+@contextmanager
+def scheduling(file, port=0):
+    """Run a Dask scheduler on this computer, which writes its address to a file."""
+    file.unlink(missing_ok=True)
+    command = ("dask_scheduler", *DASK, "--port", str(port), "--scheduler-file", str(file))
+    with started(*command) as process:
+        wait_for(lambda: file.exists() and '"address"' in file.read_text(), "the scheduler")
+        yield process
+
+
 @pytest.fixture
 def scheduler(tmp_path):
-    """The address of a Dask scheduler on this computer."""
+    """The file with the address of a Dask scheduler."""
     file = tmp_path / "scheduler.json"
-    command = ("dask_scheduler", *DASK, "--port", "0", "--scheduler-file", str(file))
-    with started(*command):
-        wait_for(lambda: file.exists() and '"address"' in file.read_text(), "the scheduler")
+    with scheduling(file):
         yield str(file)
 
 
@@ -100,6 +111,78 @@ def test_two_workers_make_the_same_table_also_if_one_of_them_is_killed(scheduler
 
         assert graded(lambda: cluster(there), tmp_path / "one", each=kill) == here
         assert doomed.returncode == -signal.SIGKILL
+
+
+def test_a_restarted_scheduler_makes_the_same_table(tmp_path):
+    file, [port] = tmp_path / "scheduler.json", free_ports(1)
+    here = graded(lambda: local(2), tmp_path / "here")
+    with ExitStack() as stack:
+        doomed = stack.enter_context(scheduling(file, port))
+        stack.enter_context(worker(str(file)))
+
+        def restart(progress):
+            if progress.done == 3:
+                end(doomed)
+                stack.enter_context(scheduling(file, port))
+                stack.enter_context(worker(str(file)))
+
+        there = address(file)
+        assert graded(lambda: cluster(there), tmp_path / "there", each=restart) == here
+        assert doomed.returncode == -signal.SIGKILL
+
+
+#: The command, which waits less long for a scheduler.
+IMPATIENT = """
+from learnblock.cli.entry import main
+from learnblock.lessons.grading import executors
+
+executors.PATIENCE = 3.0
+main()
+"""
+
+
+@pytest.mark.certain
+def test_a_lost_scheduler_is_reported_in_one_sentence_and_leaves_the_results_so_far(tmp_path):
+    (tmp_path / "drive" / "programs").mkdir(parents=True)
+    (tmp_path / "drive" / "lesson.toml").write_text(LESSON)
+    (tmp_path / "drive" / "programs" / "start.bt").write_text(START)
+    (tmp_path / "ana.bt").write_text(GOOD)
+    file, journal = tmp_path / "scheduler.json", tmp_path / "out" / JOURNAL
+    with scheduling(file) as doomed, worker(str(file)):
+        options = ("--lesson", "drive", "--variants", "50", "--out", "out")
+        command = (sys.executable, "-c", IMPATIENT, "grade", "ana.bt", *options)
+        made = subprocess.Popen(
+            [*command, "--scheduler", address(file)],
+            cwd=tmp_path,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        try:
+            wait_for(lambda: journal.exists() and b"\n" in journal.read_bytes(), "a result")
+            end(doomed)
+            _, said = made.communicate(timeout=50)
+        finally:
+            made.kill()
+    _, written, reported = (line for line in said.splitlines() if line)
+    assert written.endswith("results.html")
+    assert "No Dask scheduler answers" in reported
+    assert made.returncode != 0
+    table = (tmp_path / "out" / TABLE).read_text("utf-8-sig").splitlines()
+    assert len(table) == 1 + 51
+    assert 0 < sum("not finished" not in row for row in table[1:]) < 51
+
+
+@pytest.mark.certain
+def test_a_result_that_is_lost_on_its_way_ends_the_piece(monkeypatch, scheduler):
+    async def lost(*_, **__):
+        raise OSError
+
+    with worker(scheduler), cluster(address(scheduler)) as workers:
+        assert workers.executor.submit(len, "abc").result(timeout=50) == 3
+        monkeypatch.setattr(Client, "_gather", lost)
+        with pytest.raises(BrokenExecutor):
+            workers.executor.submit(len, "abc").result(timeout=50)
 
 
 def test_a_cluster_without_a_scheduler_is_reported(monkeypatch):

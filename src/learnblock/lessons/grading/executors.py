@@ -1,11 +1,13 @@
 """Where pieces are made: in processes of this computer, or on the workers of a Dask cluster."""
 
+import asyncio
+import logging
 import multiprocessing
 import os
 import signal
 import sys
 from collections.abc import Callable, Iterator
-from concurrent.futures import Executor, ProcessPoolExecutor
+from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
 from typing import Any
@@ -63,28 +65,74 @@ def cluster(address: str) -> Iterator[Workers]:
 
     Raises:
         LearnBlockError: the extra is not installed, or there is no scheduler or worker.
+        BrokenExecutor: the scheduler was lost.
     """
     try:
         from distributed import Client  # noqa: PLC0415 - an extra
     except ImportError as error:
         raise LearnBlockError("grade-no-dask", command=add_on("cluster")) from error
+    with _unlogged("distributed.client"):
+        try:
+            client: Any = Client(  # type: ignore[no-untyped-call] # Dask has few types
+                address, timeout=PATIENCE, set_as_default=False
+            )
+        except (OSError, ValueError) as error:
+            raise LearnBlockError("grade-no-scheduler", address=address) from error
+        # Closing it cancels what is still being made.
+        with client:
+            yield Workers(_Cluster(client), AHEAD * _threads(client, address))
+
+
+def _threads(client: Any, address: str) -> int:
+    """How many pieces the workers make at the same time, once there is a worker."""
     try:
-        client: Any = Client(  # type: ignore[no-untyped-call] # Dask has few types
-            address, timeout=PATIENCE, set_as_default=False
-        )
-    except (OSError, ValueError) as error:
-        raise LearnBlockError("grade-no-scheduler", address=address) from error
-    with client:
+        client.wait_for_workers(1, timeout=PATIENCE)
+        return sum(client.nthreads().values())
+    except TimeoutError as error:
+        raise LearnBlockError("grade-no-workers", address=address) from error
+    except OSError as error:
+        raise BrokenExecutor from error
+
+
+class _Cluster(Executor):
+    """Gives pieces to a cluster.
+
+    With Dask's own executor, a piece whose result was on its way never ends if its scheduler is
+    lost. Here it ends with `BrokenExecutor`.
+
+    Args:
+        client: of the cluster.
+    """
+
+    def __init__(self, client: Any) -> None:
+        self._client = client
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **options: Any) -> Future[Any]:
+        """Have a function called by a worker."""
+        made = self._made(fn, args, options)
+        return asyncio.run_coroutine_threadsafe(made, self._client.loop.asyncio_loop)
+
+    async def _made(self, function: Callable[..., Any], args: Any, options: Any) -> Any:
+        piece = None
         try:
-            client.wait_for_workers(1, timeout=PATIENCE)
-        except TimeoutError as error:
-            raise LearnBlockError("grade-no-workers", address=address) from error
-        # Not pure: each piece is made, even if the cluster knows the result of an equal one.
-        executor = client.get_executor(pure=False, retries=TRIES)
-        try:
-            yield Workers(executor, AHEAD * sum(client.nthreads().values()))
-        finally:
-            executor.shutdown(wait=False)
+            # Not pure: each piece is made, even if the cluster knows the result of an equal one.
+            piece = self._client.submit(function, *args, pure=False, retries=TRIES, **options)
+            return await piece
+        except Exception as error:
+            if piece is not None and piece.status == "error":
+                raise
+            raise BrokenExecutor from error
+
+
+@contextmanager
+def _unlogged(name: str) -> Iterator[None]:
+    """Leave out what a library logs about errors of which the grading itself tells."""
+    logger = logging.getLogger(name)
+    before, logger.disabled = logger.disabled, True
+    try:
+        yield
+    finally:
+        logger.disabled = before
 
 
 def _begin(parent: int) -> None:
