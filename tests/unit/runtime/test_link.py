@@ -70,7 +70,7 @@ def of(kind):
     return st.builds(kind, **fields)
 
 
-def values_of(info):  # noqa: PLR0911 - one for each type
+def values_of(info):  # noqa: C901, PLR0911 - one for each type
     match info:
         case inspect.IntType(ge=least, le=most):
             return st.integers(-(2**63) if least is None else least, most or 2**63 - 1)
@@ -88,7 +88,9 @@ def values_of(info):  # noqa: PLR0911 - one for each type
             return st.one_of(*map(values_of, types))
         case inspect.EnumType(cls=cls):
             return st.sampled_from(cls)
-        case inspect.StructType(cls=cls):
+        case inspect.DataclassType(cls=cls) if cls is Phrase:
+            return phrases
+        case inspect.StructType(cls=cls) | inspect.DataclassType(cls=cls):
             return of(cls)
     return PLAIN[type(info)]
 
@@ -97,7 +99,6 @@ PLAIN = {
     inspect.AnyType: values,
     inspect.BoolType: st.booleans(),
     inspect.BytesType: st.binary(max_size=99),
-    inspect.DataclassType: phrases,
     inspect.NoneType: st.none(),
     inspect.RawType: values.map(msgspec.msgpack.encode).map(msgspec.Raw),
     inspect.StrType: texts,

@@ -46,7 +46,7 @@ def test_a_turn_that_is_about_to_begin_is_told(history):
 
 def test_a_statement_that_took_time_is_told_with_its_begin_and_end(history):
     words = answered(history, "why did it not turn left").words("en")
-    assert words[0] == "It did: line 7, turn(-90), ran from 5 to 6.84 s."
+    assert words[0] == "It did: line 7, turn(-90), ran from 5 to 6.82 s."
 
 
 def test_a_statement_that_lasts_is_told_with_its_begin(history):

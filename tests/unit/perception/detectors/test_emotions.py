@@ -5,7 +5,6 @@ import numpy as np
 import pytest
 
 from learnblock.errors import WeightsMissingError
-from learnblock.i18n import Phrase
 from learnblock.perception import Sight, detect
 from learnblock.perception.detectors import emotions
 from learnblock.perception.detectors.emotions import detect_emotions, emotions_of
@@ -83,7 +82,8 @@ def test_missing_weights_are_reported_with_their_path(monkeypatch):
     with pytest.raises(WeightsMissingError) as refused:
         detect_emotions(frame_with("joy"))
     path = str(Path("nowhere") / "emotions.onnx")
-    assert refused.value.phrase == Phrase("perception-no-weights", path=path)
+    phrase = refused.value.phrase
+    assert (phrase.code, phrase.values["path"]) == ("perception-no-weights", path)
     emotions._net.cache_clear()
 
 
