@@ -222,10 +222,15 @@ class Sessions:
         async with self._opening:
             for task in self._ending.values():
                 task.cancel()
-            closing = [session.close() for session in self._open.values()]
-            for failure in await asyncio.gather(*closing, return_exceptions=True):
+            sessions = tuple(self._open.values())
+            closing = [session.close() for session in sessions]
+            results = await asyncio.gather(*closing, return_exceptions=True)
+            for session, failure in zip(sessions, results, strict=True):
                 if isinstance(failure, Exception):
                     _log.error("a project was not closed", exc_info=failure)
+                    # What kept it from closing, such as a lack of threads, kept it from saving.
+                    if problem := session.archive.save_here():
+                        _log.error("a project was not saved: %s", problem)
             self._open.clear()
 
     async def _save(self) -> None:
