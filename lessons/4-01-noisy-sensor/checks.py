@@ -92,7 +92,7 @@ def shows_it_at_the_end(run):
 
 
 def last_drive(path):
-    """When the robot drove for the last time, in seconds; the moment before it stood."""
+    """The time of the last moment in which the robot drove, in seconds."""
     return max(
         (
             before[0]

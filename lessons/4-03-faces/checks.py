@@ -37,7 +37,7 @@ def asks_before_each_face(run):
 
 
 def stays_with_each_friend(run):
-    """Whether it stands for two seconds after each face that it shows."""
+    """Whether it waits two seconds after each face that it shows."""
     turns = [before[0] for before, after in pairwise(run.path) if is_turn(before, after)]
     for number, (shown, _) in enumerate(run.shows, 1):
         next_turn = min((time for time in turns if time >= shown), default=run.time)

@@ -11,7 +11,7 @@ from typing import NamedTuple
 LONGEST, MOST_MARKS = 30, 6
 #: The most bytes of a first name, so that it fits into the name of a folder.
 MOST_BYTES = 200
-#: What stands inside names besides letters, their signs and digits: spaces, hyphens and
+#: What names contain besides letters, their signs and digits: spaces, hyphens and
 #: apostrophes, and the dots of Catalan, Japanese and Tibetan.
 _BETWEEN = frozenset(" .-'`´‘’‐‑·・･་׳״")
 #: A name can begin with an apostrophe, as in Tongan.
@@ -52,7 +52,7 @@ def length(text: str) -> int:
 
 
 def hidden_character(text: str) -> str | None:
-    """The first character that nobody sees: a control, a mark of direction, a filler."""
+    """The first invisible character: a control, a mark of direction, a filler."""
     return next((c for i, c in enumerate(text) if _is_hidden(text, i)), None)
 
 

@@ -65,7 +65,7 @@ test("the teacher lets more pupils in, or not", () => {
   ]);
 });
 
-test("nothing is asked while nobody waits", () => {
+test("nothing is asked while no pupil waits", () => {
   open(["Ana"]);
   expect(screen.queryByText(/Waiting for you/)).toBeNull();
 });

@@ -1,4 +1,4 @@
-"""A steady pace: how often somebody may do something."""
+"""A steady pace: how often a pupil or an address may do something."""
 
 import time
 from collections import OrderedDict

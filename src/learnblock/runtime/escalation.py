@@ -4,9 +4,7 @@ Every wait for an end has a deadline, and something that is done when it has pas
 then give up and say so.
 """
 
-import asyncio
 from collections.abc import Callable, Iterable
-from contextlib import suppress
 from dataclasses import dataclass
 
 
@@ -57,25 +55,3 @@ def escalate(measures: Iterable[Measure], wait: Callable[[float], bool]) -> bool
         if wait(measure.seconds):
             return True
     return False
-
-
-async def escalate_async(measures: Iterable[Measure], ended: asyncio.Event) -> bool:
-    """Take measures until an event has happened; return whether it has.
-
-    Args:
-        measures: the measures, the weakest first.
-        ended: set at the end.
-    """
-    for measure in measures:
-        measure.take()
-        if await happens(ended, measure.seconds):
-            return True
-    return False
-
-
-async def happens(event: asyncio.Event, seconds: float) -> bool:
-    """Wait at most so many seconds for an event; return whether it has happened."""
-    with suppress(TimeoutError):
-        async with asyncio.timeout(seconds):
-            await event.wait()
-    return event.is_set()

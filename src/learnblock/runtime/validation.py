@@ -157,7 +157,7 @@ class Validator:
         _require(len(self._missed) <= MOST_MISSED, "too many skills without effect")
 
     def _check_logged(self, message: messages.Logged) -> None:
-        _require(self._log, "events that nobody keeps")
+        _require(self._log, "events that are not kept")
         is_in_order = self._ticks <= message.first <= message.last
         _require(is_in_order, "events at a time before the last ones")
         self._ticks = message.last

@@ -41,8 +41,8 @@ class LastResort:
             could not be saved.
         announce: shows the user what happens.
         deadlines: how long the server may take.
-        is_asked: whether somebody else asks the server to end, such as one that takes over.
-        begin: begins the end of the server when somebody else asks for it.
+        is_asked: whether another server asks this one to end, such as one that takes over.
+        begin: begins the end of the server when another one asks for it.
         end: ends the process with a status.
     """
 

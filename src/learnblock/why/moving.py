@@ -13,9 +13,9 @@ from learnblock.why.slicing import Slices
 from learnblock.why.standing import Standing
 from learnblock.why.wording import MOVEMENTS, STAND, movement
 
-#: So many lines are told about that did what is asked about, if no moment is meant.
+#: The most lines that an answer names, if the question has no moment.
 LINES = 2
-#: A robot that has not moved so many mm stands still.
+#: A robot that has moved less than this, in mm, stands still.
 _STILL = 2.0
 
 

@@ -2,19 +2,13 @@
 
 import pytest
 
+from clocks import Clock
 from learnblock.classroom.attempts import Attempts, TooManyAttemptsError
-
-
-class Clock:
-    time = 100.0
-
-    def __call__(self):
-        return self.time
 
 
 @pytest.fixture
 def clock():
-    return Clock()
+    return Clock(100.0)
 
 
 @pytest.fixture

@@ -4,6 +4,7 @@ import asyncio
 
 import pytest
 
+from clocks import Clock
 from learnblock.classroom import messages as ours
 from learnblock.classroom.entrance import Entrance
 from learnblock.classroom.roster import Roster
@@ -12,16 +13,9 @@ from learnblock.errors import LearnBlockError
 WRONG = ("apple", "apple", "apple", "apple")
 
 
-class Clock:
-    time = 100.0
-
-    def __call__(self):
-        return self.time
-
-
 @pytest.fixture
 def clock():
-    return Clock()
+    return Clock(100.0)
 
 
 @pytest.fixture

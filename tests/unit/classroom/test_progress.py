@@ -6,6 +6,7 @@ import typing
 import msgspec
 import pytest
 
+from clocks import Clock
 from learnblock.classroom import progress as module
 from learnblock.classroom.pins import Pin, new_pictures
 from learnblock.classroom.progress import Progress
@@ -17,16 +18,9 @@ pytestmark = pytest.mark.realtime
 PUPIL = Pupil("a" * 10, "Ana", Pin.of(new_pictures()), 0.0)
 
 
-class Clock:
-    time = 1000.0
-
-    def __call__(self):
-        return self.time
-
-
 @pytest.fixture
 def clock():
-    return Clock()
+    return Clock(1000.0)
 
 
 @pytest.fixture

@@ -1,10 +1,8 @@
 """Something that does not end is ended by stronger and stronger measures."""
 
-import asyncio
-
 import pytest
 
-from learnblock.runtime.escalation import Measure, Patience, escalate, escalate_async
+from learnblock.runtime.escalation import Measure, escalate
 
 
 class Stubborn:
@@ -44,16 +42,3 @@ def test_a_stronger_measure_follows_only_when_the_time_of_the_weaker_one_is_up(
     program = Stubborn(gives_way_to)
     ended = escalate(program.measures(stop=1.5, kill=1), program.wait)
     assert (ended, program.taken, program.waited) == (gives_way_to != "nothing", taken, waited)
-
-
-def test_the_event_loop_escalates_in_the_same_way():
-    async def end(kills):
-        ended, taken = asyncio.Event(), []
-        kill = ended.set if kills else bool
-        measures = Patience(0.01, 0.01).measures(
-            lambda: taken.append("stop"), lambda: (taken.append("kill"), kill())
-        )
-        return await escalate_async(measures, ended), taken
-
-    assert asyncio.run(end(kills=True)) == (True, ["stop", "kill"])
-    assert asyncio.run(end(kills=False)) == (False, ["stop", "kill"])

@@ -11,8 +11,8 @@ from learnblock.robots import RobotEntry
 from learnblock.robots.real import RealRobot
 from learnblock.running.connection import RobotConnection
 from learnblock.running.hands import ACTIONS, possible
-from learnblock.runtime.escalation import happens
 from learnblock.server import messages
+from learnblock.server.runs.escalation import happens
 from learnblock.server.runs.viewers import Viewer
 
 if TYPE_CHECKING:

@@ -14,13 +14,14 @@ from learnblock.monitor.monitor import GoalNow
 from learnblock.robots import RobotEntry
 from learnblock.running import Options, ProgramRun, Report
 from learnblock.runtime.debugger import Debugger
-from learnblock.runtime.escalation import PATIENCE, Patience, escalate_async
+from learnblock.runtime.escalation import PATIENCE, Patience
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.program import Program
 from learnblock.runtime.trace import Recorder
 from learnblock.server import messages
 from learnblock.server.program.document import Document
 from learnblock.server.runs.console import Voice
+from learnblock.server.runs.escalation import escalate_async
 from learnblock.server.runs.looking import Looking
 from learnblock.server.runs.memory import give_back_memory
 from learnblock.server.runs.trial import Trial

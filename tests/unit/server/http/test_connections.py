@@ -5,6 +5,7 @@ from contextlib import ExitStack
 
 import pytest
 
+from clocks import Clock
 from learnblock.server.http.connections import (
     MOST_KNOWN,
     MOST_UNKNOWN,
@@ -13,13 +14,6 @@ from learnblock.server.http.connections import (
     Connections,
     network_of,
 )
-
-
-class Clock:
-    time = 0.0
-
-    def __call__(self):
-        return self.time
 
 
 @pytest.fixture

@@ -4,14 +4,8 @@ import logging
 
 import pytest
 
+from clocks import Clock
 from learnblock.server.http.faults import SaidOnce
-
-
-class Clock:
-    time = 0.0
-
-    def __call__(self):
-        return self.time
 
 
 @pytest.fixture

@@ -4,22 +4,18 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from clocks import Clock
 from learnblock.errors import UnknownNameError
 from learnblock.server.messages import PastRun
 from learnblock.server.projects.history import MOST_RUNS, MOST_VERSIONS, History
 from learnblock.server.projects.project import Project
 
-
-class Clock:
-    time = 1_700_000_000.0
-
-    def __call__(self):
-        return self.time
+START = 1_700_000_000.0
 
 
 @pytest.fixture
 def clock():
-    return Clock()
+    return Clock(START)
 
 
 @pytest.fixture
@@ -40,7 +36,7 @@ def test_a_version_is_read_as_it_was_saved(history):
     assert history.read(kept) == project("x = 1\ny = 2\n")
     (version,) = history.versions()
     assert (version.id, version.reason, version.lines) == (kept, "run", 3)
-    assert version.time == Clock.time
+    assert version.time == START
 
 
 def test_versions_are_listed_newest_first(history, clock):
