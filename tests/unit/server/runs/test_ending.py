@@ -39,6 +39,7 @@ class Robot(Client):
 DRIVING = """\
 main:
     function.move_straight(50)
+    print("moves")
     while True:
         function.sleep(0.1)
     end
@@ -76,7 +77,7 @@ def stopped(page):
 
 
 def writer_of(fifo):
-    """Open a named pipe that somebody waits for; the reader goes on when it is closed."""
+    """Open a named pipe once a reader waits for it; the reader goes on when it is closed."""
     found = []
 
     def opens():
@@ -99,10 +100,10 @@ def test_a_robot_that_hangs_is_left_behind_and_the_page_says_so(home, server, tm
         page.open(text=DRIVING)
         page.say("ChooseRobot", name="mine")
         page.say("Run")
-        if call == "connect":
-            stack.callback(os.close, writer_of(fifo))
+        if call == "disconnect":
+            page.hear("Printed")
         else:
-            page.hear("RunState", state="running")
+            stack.callback(os.close, writer_of(fifo))
         ended, seconds = stopped(page)
         assert ended["message"]["code"] == "play-given-up-real"
         assert seconds < 2.5
