@@ -328,6 +328,13 @@ def shortage(error: BaseException) -> Phrase | None:
     return Phrase("system-threads") if str(error) == "can't start new thread" else None
 
 
+def phrase_of(error: Exception) -> Phrase:
+    """The phrase of an error; of another library's exception, what is missing or its text."""
+    if isinstance(error, LearnBlockError):
+        return error.phrase
+    return shortage(error) or Phrase(str(error) or type(error).__name__)
+
+
 def _summary(diagnostics: Sequence[Diagnostic]) -> Phrase:
     """Combine the first mistakes in a file into one phrase, which says how many more there are.
 

@@ -415,7 +415,6 @@ export interface Describe {
 
 export interface Description {
   kind: "Description";
-  request: number;
   title?: string;
   text?: string;
   needs?: string[];
@@ -426,6 +425,7 @@ export interface Description {
   to_column?: number;
   sort?: "" | "function" | "variable" | "when";
   name?: string;
+  request: number;
 }
 
 export interface DisconnectRobot {

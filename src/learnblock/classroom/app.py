@@ -29,13 +29,12 @@ from learnblock.classroom.room import Room
 from learnblock.classroom.roster import AsksTeacherError, Pupil, checked_name
 from learnblock.classroom.servers import Place
 from learnblock.classroom.wall import Board, ProjectorView, View, WallView
-from learnblock.errors import LearnBlockError
+from learnblock.errors import LearnBlockError, phrase_of
 from learnblock.i18n import Phrase
 from learnblock.server.http import static_files
 from learnblock.server.http.connections import network_of
 from learnblock.server.http.protection import SUBPROTOCOL, Guard, Protection
 from learnblock.server.messages import Failed
-from learnblock.server.messages.base import phrase_of
 
 #: Close codes: this browser may not be here; it has too many pages; the pupil's server is not ready
 #: yet.

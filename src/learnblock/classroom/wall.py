@@ -12,8 +12,7 @@ from learnblock.classroom import messages as ours
 from learnblock.classroom.room import Room
 from learnblock.classroom.roster import MORE
 from learnblock.classroom.teaching import do
-from learnblock.errors import LearnBlockError
-from learnblock.server.messages.base import phrase_of
+from learnblock.errors import LearnBlockError, phrase_of
 
 #: Seconds between two looks at the class.
 _PERIOD = 0.5

@@ -14,6 +14,7 @@ from msgspec import inspect, json
 from learnblock.monitor import worlds
 from learnblock.monitor.sensors import QUANTITIES, Quantity
 from learnblock.server import messages
+from learnblock.server.program import views
 
 _HEADER = """\
 /** The conversation with the server; written by `python -m learnblock.server.typescript`. */
@@ -39,7 +40,7 @@ _SCALARS: dict[type[inspect.Type], str] = {
 def typescript() -> str:
     """The whole module."""
     unions = {"FromPage": messages.FROM_PAGE, "ToPage": messages.TO_PAGE}
-    aliases = {name: getattr(messages, name) for name in ("Notation", "View")}
+    aliases = {"Notation": views.Notation, "View": views.View}
     quantities = _constant("QUANTITIES", dict[str, Quantity], dict(QUANTITIES))
     return module(_HEADER, unions, aliases, [Quantity]) + quantities + limits(messages.FROM_PAGE)
 

@@ -2,14 +2,13 @@
 
 from importlib.metadata import version
 
-from learnblock.errors import LearnBlockError
+from learnblock.errors import LearnBlockError, phrase_of
 from learnblock.i18n import Phrase
 from learnblock.perception import tag_names
 from learnblock.server.catalog.examples import example_choices
 from learnblock.server.catalog.robots import robot_choices
 from learnblock.server.catalog.worlds import world_choices
 from learnblock.server.messages import Tags, Welcome
-from learnblock.server.messages.base import phrase_of
 
 
 def welcome(

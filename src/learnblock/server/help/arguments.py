@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from learnblock.blocks import Parameter
 from learnblock.errors import TagNamesError
 from learnblock.perception.tag_names import tag_names
-from learnblock.server.messages import Completion
+from learnblock.server.help.completion import Completion
 
 
 def value_options(parameter: Parameter) -> Iterator[Completion]:

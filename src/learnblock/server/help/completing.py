@@ -7,10 +7,10 @@ from learnblock.blocks import BlockConfiguration, Parameter
 from learnblock.language.blocktext.names import attribute_to_python
 from learnblock.language.tree.builtins import BUILTINS, FUNCTIONS
 from learnblock.server.help.arguments import value_options
+from learnblock.server.help.completion import Completion
 from learnblock.server.help.cursor import Cursor, OpenCall
 from learnblock.server.help.vocabulary import Vocabulary
 from learnblock.server.help.words import Words, library_parameters, signature
-from learnblock.server.messages import Completion
 
 # `${...}` marks the next cursor position, as in CodeMirror's snippets.
 _BLOCKTEXT_STATEMENTS: Mapping[str, tuple[str, str]] = {

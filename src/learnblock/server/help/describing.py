@@ -3,6 +3,9 @@
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from typing import Literal
+
+from msgspec import Struct
 
 from learnblock.blocks import BlockConfiguration
 from learnblock.i18n import Phrase
@@ -11,13 +14,40 @@ from learnblock.language.check.robots import serving, serving_phrase
 from learnblock.server.help.cursor import Cursor
 from learnblock.server.help.vocabulary import Vocabulary
 from learnblock.server.help.words import Words, library_parameters, signature
-from learnblock.server.messages import Description
 
 #: Words that are names, except at the beginning of a line.
 _AT_START = frozenset(("repeat", "forever", "wait", "python"))
 _ONLY_BLOCKTEXT = frozenset(
     ("end", "main", "when", "activate", "deactivate", "function", "until", *_AT_START)
 )
+
+
+class Description(Struct, frozen=True, omit_defaults=True):
+    """Help on a position of a text.
+
+    Args:
+        title: the name with its parameters; empty if there is no help.
+        text: the help.
+        needs: required devices that the chosen robot lacks.
+        serves: what serves its senses on the chosen robot; None if it has none, or is unknown.
+        line: the line of its definition in the same text, from 1; 0 for none.
+        column: the column of its definition.
+        from_column: the column where its name starts.
+        to_column: the column after its name.
+        sort: ``variable``, ``function`` or ``when`` if it can be renamed, else empty.
+        name: the name for `Rename`.
+    """
+
+    title: str = ""
+    text: str = ""
+    needs: tuple[str, ...] = ()
+    serves: Phrase | None = None
+    line: int = 0
+    column: int = 0
+    from_column: int = 0
+    to_column: int = 0
+    sort: Literal["variable", "function", "when", ""] = ""
+    name: str = ""
 
 
 @dataclass(frozen=True)
@@ -59,23 +89,22 @@ class Describer:
     cursor: Cursor
     words: Words
 
-    def description(self, request: int) -> Description:
+    def description(self) -> Description:
         """The word at the cursor or, inside the brackets of a call, the called function."""
         cursor = self.cursor
         if cursor.is_in_text:
-            return Description(request)
+            return Description()
         meaning = self.meaning(cursor.word) if cursor.word else None
         start, end = cursor.start, cursor.start + len(cursor.word)
         if meaning is None and not cursor.word and cursor.call:
             start = cursor.call.start
             end = start + len(cursor.call.name)
             meaning = self.called(cursor.call.name)
-        return Description(request) if meaning is None else self.told(meaning, request, start, end)
+        return Description() if meaning is None else self.told(meaning, start, end)
 
-    def told(self, meaning: Meaning, request: int, start: int, end: int) -> Description:
+    def told(self, meaning: Meaning, start: int, end: int) -> Description:
         line, column = self.definition(meaning)
         return Description(
-            request=request,
             title=meaning.title,
             text=meaning.text,
             needs=meaning.needs,

@@ -1,12 +1,13 @@
 """Completion and help in both notations, even in programs with errors."""
 
 from learnblock.server.help.completing import Completer
+from learnblock.server.help.completion import Completions
 from learnblock.server.help.cursor import Cursor
-from learnblock.server.help.describing import Describer
+from learnblock.server.help.describing import Describer, Description
 from learnblock.server.help.vocabulary import Vocabulary
 from learnblock.server.help.words import Words
-from learnblock.server.messages import Completions, Description, Notation
 from learnblock.server.program.document import Document
+from learnblock.server.program.views import Notation
 
 
 def complete(
@@ -16,7 +17,6 @@ def complete(
     column: int,
     *,
     language: str = "en",
-    request: int = 0,
 ) -> Completions:
     """Find the completions at a position.
 
@@ -26,12 +26,11 @@ def complete(
         line: the line, from 1.
         column: the column, from 1.
         language: the language of the descriptions.
-        request: the number of the request.
     """
     vocabulary = Vocabulary(document, notation, line)
     cursor = Cursor.at(vocabulary.text, line, column)
     options = Completer(vocabulary, cursor, Words(language)).options()
-    return Completions(request, cursor.start + 1, tuple(options))
+    return Completions(cursor.start + 1, tuple(options))
 
 
 def describe(
@@ -41,9 +40,8 @@ def describe(
     column: int,
     *,
     language: str = "en",
-    request: int = 0,
 ) -> Description:
     """Describe the word at a position; see `complete`."""
     vocabulary = Vocabulary(document, notation, line)
     cursor = Cursor.at(vocabulary.text, line, column)
-    return Describer(vocabulary, cursor, Words(language)).description(request)
+    return Describer(vocabulary, cursor, Words(language)).description()

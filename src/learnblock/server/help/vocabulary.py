@@ -10,8 +10,8 @@ from learnblock.language.blocktext.names import state_of
 from learnblock.language.edit.symbols import Symbols
 from learnblock.language.tree.builtins import FUNCTIONS
 from learnblock.language.tree.nodes import Def, When
-from learnblock.server.messages import Notation
 from learnblock.server.program.document import Document
+from learnblock.server.program.views import Notation
 
 _TOP_LEVEL = re.compile(r"(?:async\s+)?def\s+(\w+)|\S")
 

@@ -4,28 +4,19 @@ from typing import Annotated, Literal
 
 from msgspec import Meta, MsgspecError, Struct, json
 
-from learnblock.errors import LearnBlockError, shortage
-from learnblock.i18n import Phrase
+from learnblock.server.program.views import LONGEST_TEXT
 
-#: The limit of a program in characters: 6,000 lines. A longer one would keep other pages waiting.
-LONGEST_TEXT = 250_000
 #: The limit in characters of other files, such as blocks or a library.
 LONGEST_FILE = 1_000_000
 #: That of a file with a picture in it: a world, or a project with its world.
 LONGEST_CONTENT = 3_500_000
-#: The maximum number of block sets saved in one project.
-MOST_CARRIED = 8
 
-Notation = Literal["blocktext", "python"]
-View = Literal["blocks", "blocktext", "python"]
 StateName = Literal["idle", "starting", "running", "paused", "held", "input", "done", "ended"]
 Text = Annotated[str, Meta(max_length=LONGEST_TEXT)]
 FileText = Annotated[str, Meta(max_length=LONGEST_FILE)]
 Name = Annotated[str, Meta(min_length=1, max_length=100)]
 #: A name or an empty string.
 ShortText = Annotated[str, Meta(max_length=100)]
-#: The id of a block.
-Id = Annotated[str, Meta(min_length=1, max_length=100)]
 Coordinate = Annotated[float, Meta(ge=-5000, le=5000)]
 
 
@@ -72,10 +63,3 @@ class FromReader(FromPage, frozen=True):
 
 class ToPage(Message, frozen=True):
     """A message to a page."""
-
-
-def phrase_of(error: Exception) -> Phrase:
-    """The phrase of an error; of another library's exception, what is missing or its text."""
-    if isinstance(error, LearnBlockError):
-        return error.phrase
-    return shortage(error) or Phrase(str(error) or type(error).__name__)

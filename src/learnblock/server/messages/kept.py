@@ -7,11 +7,10 @@ from msgspec import Meta, Struct
 from learnblock.i18n import Phrase
 from learnblock.server.messages.base import FromPage, FromReader, ToPage
 from learnblock.server.messages.looking import CallGraph
+from learnblock.server.projects.kept_runs import LONGEST_RUN_NAME, KeptRun
 
 #: A kept run: the time at which it began in milliseconds since 1970, and a number.
 RunId = Annotated[str, Meta(pattern=r"^[0-9]{13,15}-[0-9]{1,3}$")]
-#: The limit in characters of the name of a run.
-LONGEST_RUN_NAME = 60
 RunName = Annotated[str, Meta(max_length=LONGEST_RUN_NAME)]
 
 # From the page.
@@ -62,46 +61,6 @@ class ReadCallsBeside(FromReader, frozen=True):
 
 
 # From the server.
-
-
-class KeptRun(Struct, frozen=True, omit_defaults=True):
-    """A run of the project that was kept.
-
-    Args:
-        id: distinguishes it from the others.
-        time: when it began, or was opened from a file, in seconds since 1970.
-        size: its size in bytes.
-        name: empty unless the user has named it.
-        program: the name of the program, and of the robot among several.
-        identity: a hash of the program, independent of the robot.
-        robot: the robot's id.
-        world: the name of its world; empty for a real robot.
-        variant: the number of the world's variant.
-        seconds: its length.
-        ended: one word, as in `Ended`; empty if its log was cut off.
-        reached: the goals that were reached.
-        missed: the number of the others.
-        foreign: whether it was opened from a file.
-        damaged: whether nothing of it can be read.
-        version: the version of the project that ran; empty if none was saved.
-    """
-
-    id: str
-    time: float
-    size: int = 0
-    name: str = ""
-    program: str = ""
-    identity: str = ""
-    robot: str = ""
-    world: str = ""
-    variant: int = 0
-    seconds: float = 0.0
-    ended: str = ""
-    reached: tuple[str, ...] = ()
-    missed: int = 0
-    foreign: bool = False
-    damaged: bool = False
-    version: str = ""
 
 
 class KeptRuns(ToPage, frozen=True):

@@ -12,7 +12,8 @@ from learnblock.i18n import Phrase
 from learnblock.language.workspace.blocks import Workspace
 from learnblock.lessons.editing import EditedLesson
 from learnblock.server.messages.base import FromPage, FromReader, ToPage
-from learnblock.server.messages.lessons import LessonName, LessonText, LessonWords
+from learnblock.server.messages.lessons import LessonText, LessonWords
+from learnblock.server.projects.lesson_folder import LessonName
 
 # From the page.
 

@@ -13,14 +13,10 @@ from learnblock.lessons.archive import MOST_FILES
 from learnblock.lessons.lesson import Phase
 from learnblock.server.messages.base import FromPage, FromReader, Name, ShortText, ToPage
 from learnblock.server.messages.running import VariantNumber
+from learnblock.server.projects.lesson_folder import BrowserId, LessonName, StepNumber
 
 #: The limit of a lesson's file in bytes; in base 64 it fits into a message.
 LARGEST_LESSON = 2_500_000
-#: The name of a lesson: of its folder or file.
-LessonName = Annotated[str, Meta(pattern=r"^[\w][\w .-]{0,78}\w$")]
-#: A random id that a browser keeps: 128 bits in hexadecimal.
-BrowserId = Annotated[str, Meta(pattern="^[0-9a-f]{32}$")]
-StepNumber = Annotated[int, Meta(ge=1, le=30)]
 #: A text in every language alike, or by language.
 LessonText = str | dict[str, str]
 

@@ -7,13 +7,13 @@ from msgspec import Meta, Struct, field
 from learnblock.i18n import Phrase
 from learnblock.server.messages.base import (
     LONGEST_FILE,
-    LONGEST_TEXT,
     FromPage,
     FromReader,
     Name,
     ShortText,
     ToPage,
 )
+from learnblock.server.program.views import LONGEST_TEXT
 
 #: The maximum number of libraries in one import.
 MOST_LIBRARIES = 20

@@ -6,18 +6,17 @@ from msgspec import Meta, Struct
 
 from learnblock.i18n import Phrase
 from learnblock.language.workspace.blocks import Workspace
+from learnblock.server.help import describing
+from learnblock.server.help.completion import Completion
 from learnblock.server.messages.base import (
     FromPage,
     FromReader,
-    Id,
     Name,
-    Notation,
     Text,
     ToPage,
-    View,
 )
-
-MOST_BREAKPOINTS = 1000
+from learnblock.server.program.views import Notation, Place, Problem, View
+from learnblock.server.projects.project import MOST_BREAKPOINTS, BlockId
 
 # From the page.
 
@@ -119,7 +118,7 @@ class ReadRunsOn(FromReader, frozen=True):
 class SetBreakpoints(FromReader, frozen=True):
     """Set breakpoints at these blocks."""
 
-    blocks: Annotated[list[Id], Meta(max_length=MOST_BREAKPOINTS)]
+    blocks: Annotated[list[BlockId], Meta(max_length=MOST_BREAKPOINTS)]
 
 
 # To the page.
@@ -144,42 +143,6 @@ class RunsOn(ToPage, frozen=True):
     """Which robots can run the program."""
 
     robots: tuple[Verdict, ...]
-
-
-class Problem(Struct, frozen=True, omit_defaults=True):
-    """An error or a warning.
-
-    Args:
-        code: the kind of problem, for scripts and help.
-        message: what happened and what to do.
-        severity: an error keeps the program from running.
-        view: the text of `line` and `column`; `blocks` if only the block is known.
-        line: the line, from 1; 0 for all of it.
-        column: the column, from 1; 0 for the whole line.
-        end_column: the column after the last character; 0 if unknown.
-        block: the block it belongs to, if any.
-        in_blocks: the message for a reader of blocks; None if it is the same.
-    """
-
-    code: str
-    message: Phrase
-    severity: Literal["error", "warning"]
-    view: View
-    line: int = 0
-    column: int = 0
-    end_column: int = 0
-    block: str | None = None
-    in_blocks: Phrase | None = None
-
-
-class Place(Struct, frozen=True, array_like=True):
-    """The position of a statement in each view; lines are counted from 1, and 0 means nowhere."""
-
-    block: str
-    blocktext: int
-    blocktext_end: int
-    python: int
-    python_end: int
 
 
 class Document(ToPage, frozen=True):
@@ -226,26 +189,6 @@ class Conflict(ToPage, frozen=True):
     by: Literal["page", "before", "file"]
 
 
-class Completion(Struct, frozen=True, omit_defaults=True):
-    """A suggestion for the text at the cursor.
-
-    Args:
-        label: the text to show and filter by.
-        insert: the text to insert.
-        sort: the kind: skill, function, variable, when, keyword, robot, library.
-        detail: the parameters.
-        help: one sentence of help.
-        category: the category of a skill, as named in block sets.
-    """
-
-    label: str
-    insert: str
-    sort: str
-    detail: str = ""
-    help: str = ""
-    category: str = ""
-
-
 class Completions(ToPage, frozen=True):
     """Suggestions for the text from `from_column` (from 1) to the requested position."""
 
@@ -254,30 +197,7 @@ class Completions(ToPage, frozen=True):
     options: tuple[Completion, ...]
 
 
-class Description(ToPage, frozen=True):
-    """Help on a position of a text.
-
-    Args:
-        title: the name with its parameters; empty if there is no help.
-        text: the help.
-        needs: required devices that the chosen robot lacks.
-        serves: what serves its senses on the chosen robot; None if it has none, or is unknown.
-        line: the line of its definition in the same text, from 1; 0 for none.
-        column: the column of its definition.
-        from_column: the column where its name starts.
-        to_column: the column after its name.
-        sort: ``variable``, ``function`` or ``when`` if it can be renamed, else empty.
-        name: the name for `Rename`.
-    """
+class Description(describing.Description, ToPage, frozen=True, kw_only=True):
+    """Help on a position of a text."""
 
     request: int
-    title: str = ""
-    text: str = ""
-    needs: tuple[str, ...] = ()
-    serves: Phrase | None = None
-    line: int = 0
-    column: int = 0
-    from_column: int = 0
-    to_column: int = 0
-    sort: Literal["variable", "function", "when", ""] = ""
-    name: str = ""

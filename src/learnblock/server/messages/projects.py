@@ -9,7 +9,6 @@ from learnblock.i18n import Phrase
 from learnblock.server.messages.base import (
     LONGEST_CONTENT,
     LONGEST_FILE,
-    LONGEST_TEXT,
     FromPage,
     FromReader,
     Name,
@@ -17,11 +16,13 @@ from learnblock.server.messages.base import (
     ToPage,
 )
 from learnblock.server.messages.worlds import WorldChoice
+from learnblock.server.program.views import LONGEST_TEXT
+from learnblock.server.projects.history import PastRun, Version
+from learnblock.server.projects.picture import LARGEST_PICTURE
+from learnblock.server.projects.project import ProjectEntry
 
 #: The maximum number of libraries that come with a project.
 MOST_BESIDE = 10
-#: The limit of a project's picture in bytes.
-LARGEST_PICTURE = 20_000
 
 Stage = Literal["starter", "explorer", "coder"]
 
@@ -253,20 +254,6 @@ class Welcome(ToPage, frozen=True):
     address: str | None = None
 
 
-class ProjectEntry(Struct, frozen=True):
-    """A project.
-
-    Args:
-        name: its name.
-        changed: when it was changed, in seconds since 1970.
-        picture: when its picture was taken; 0 if it has none.
-    """
-
-    name: str
-    changed: float
-    picture: float = 0.0
-
-
 class Projects(ToPage, frozen=True):
     """All projects, the last changed first."""
 
@@ -318,35 +305,6 @@ class File(ToPage, frozen=True):
 
     filename: str
     text: str
-
-
-class Version(Struct, frozen=True):
-    """A version of the program to restore.
-
-    Args:
-        id: the id for `Restore`.
-        time: the time in seconds since 1970.
-        reason: why it was saved.
-        lines: the number of lines of its Block-Text.
-    """
-
-    id: str
-    time: float
-    reason: Literal["run", "time", "restored", "outside", "conflict"]
-    lines: int
-
-
-class PastRun(Struct, frozen=True):
-    """A run of the program: see `Ended`."""
-
-    time: float
-    robot: str
-    world: str
-    ended: str
-    seconds: float
-    goals: tuple[str, ...]
-    trace_sha256: str
-    version: str
 
 
 class History(ToPage, frozen=True):

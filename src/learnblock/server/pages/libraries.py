@@ -8,14 +8,13 @@ from collections.abc import Callable, Mapping
 from anyio import to_thread
 
 from learnblock.blocks.known import all_configurations
-from learnblock.errors import Diagnostic, LearnBlockError, ProjectError
+from learnblock.errors import Diagnostic, LearnBlockError, ProjectError, phrase_of
 from learnblock.extensions import libraries
 from learnblock.extensions.libraries import ENDING, Library, Shelved
 from learnblock.i18n import Phrase
 from learnblock.language.edit.extraction import extracted, with_needed
 from learnblock.language.tree.nodes import Def, Program
 from learnblock.server import messages
-from learnblock.server.messages.base import phrase_of
 from learnblock.server.pages.page import Handlers, Page
 
 HANDLERS = Handlers()

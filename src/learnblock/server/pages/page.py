@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, TypeVar
 import msgspec
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
-from learnblock.errors import LearnBlockError, shortage
+from learnblock.errors import LearnBlockError, phrase_of, shortage
 from learnblock.i18n import Multilingual, Phrase
 from learnblock.server import messages
-from learnblock.server.messages.base import phrase_of
 from learnblock.server.pages.boxes import Inbox, Outbox, OutboxFullError
-from learnblock.server.program.shown import Shown
+from learnblock.server.program.views import LONGEST_TEXT
+from learnblock.server.runs.shown import Shown
 from learnblock.server.sessions.lesson_trials import LessonTrial
 from learnblock.server.sessions.quota import new_projects
 
@@ -31,7 +31,7 @@ H = TypeVar("H", bound=Handler)
 #: The limit in bytes, larger than any message of a page.
 LARGEST_MESSAGE = 4 * 1024 * 1024
 #: What msgspec says about a program that is too long.
-_TOO_LONG = f"Expected `str` of length <= {messages.LONGEST_TEXT}"
+_TOO_LONG = f"Expected `str` of length <= {LONGEST_TEXT}"
 #: Close code: try again later.
 _TOO_SLOW = 1013
 
@@ -281,7 +281,7 @@ def decode(text: str | bytes) -> messages.FromPage:
         message: messages.FromPage = _decoder.decode(text)
     except msgspec.MsgspecError as error:
         if _TOO_LONG in str(error):
-            raise MessageError("server-text-too-long", limit=messages.LONGEST_TEXT) from error
+            raise MessageError("server-text-too-long", limit=LONGEST_TEXT) from error
         raise MessageError("server-message-unknown", reason=str(error)) from error
     except (RecursionError, UnicodeError) as error:
         raise MessageError("server-message-broken") from error

@@ -17,7 +17,6 @@ from learnblock.language.tree.nodes import Program as Tree
 from learnblock.language.workspace.blocks import Workspace
 from learnblock.language.workspace.idle_blocks import idle_blocks
 from learnblock.runtime.program import Program
-from learnblock.server.messages import Notation, Place, Problem, View
 from learnblock.server.program.notations import (
     Blocks,
     Notations,
@@ -30,6 +29,7 @@ from learnblock.server.program.notations import (
 )
 from learnblock.server.program.problems import owners, problem, problems
 from learnblock.server.program.renames import rename_between
+from learnblock.server.program.views import Notation, Place, Problem, View
 from learnblock.wheels import Drivetrain
 
 VIEWS: tuple[View, ...] = ("blocks", "blocktext", "python")

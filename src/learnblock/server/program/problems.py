@@ -10,8 +10,8 @@ from learnblock.language.tree.extents import Extent, every
 from learnblock.language.tree.nodes import Expression, Item, Main, Program, Raw
 from learnblock.language.tree.traversal import expressions, within
 from learnblock.language.workspace.wording import in_blocks
-from learnblock.server.messages import Problem, View
 from learnblock.server.program.notations import Notations, Target, Written
+from learnblock.server.program.views import Problem, View
 
 
 def problems(notations: Notations, target: Target) -> tuple[Problem, ...]:

@@ -17,10 +17,10 @@ from dataclasses import dataclass
 import msgspec
 
 from learnblock.language.workspace.blocks import Workspace
-from learnblock.server.messages import View
 from learnblock.server.program.document import VIEWS, Document
 from learnblock.server.program.keystrokes import Typing, looks_alike, typed
 from learnblock.server.program.notations import Target
+from learnblock.server.program.views import View
 
 #: The last revisions, on which pages may still base their edits.
 MOST_REVISIONS = 256

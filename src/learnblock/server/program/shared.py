@@ -6,11 +6,9 @@ from functools import cached_property
 
 from learnblock.language.edit.merge import merge
 from learnblock.language.workspace.blocks import Workspace
-from learnblock.server import messages
-from learnblock.server.messages import View
 from learnblock.server.program.document import BYTE_ORDER_MARK, Document
 from learnblock.server.program.revisions import Revisions
-from learnblock.server.program.shown import Shown
+from learnblock.server.program.views import View
 
 #: What a view shows: a text, or blocks.
 Content = str | Workspace
@@ -169,19 +167,19 @@ class SharedProgram:
     def __init__(self, document: Document) -> None:
         self.revisions = Revisions(document)
         #: Who wrote the text that can't be parsed, if there is one.
-        self._unread_by: Shown | None = None
+        self._unread_by: object = None
 
     @property
     def document(self) -> Document:
         """The current program."""
         return self.revisions.document
 
-    def merge(self, edit: Edit, by: Shown | None = None) -> Merged:
+    def merge(self, edit: Edit, by: object = None) -> Merged:
         """Merge an edit.
 
         Args:
             edit: the edit.
-            by: the program as shown by the page that made the edit; None for another program.
+            by: who made the edit, such as a page; None for another program.
         """
         keeps_unread = by is None or self._unread_by is not by
         found = merged(self.document, edit, keeps_unread=keeps_unread)
@@ -189,9 +187,6 @@ class SharedProgram:
         unread = found.document.unread
         if unread is None or unread.view == edit.view:
             self._unread_by = by
-        if by and found.left is not None:
-            # An edit of blocks that can't be parsed has no text; the next one has the same base.
-            by.left(edit.view, found.left)
         return found
 
     def change(self, edit: Callable[[Document], Document]) -> None:
@@ -215,8 +210,3 @@ class SharedProgram:
         """Redo the last undone edit, if there is one."""
         self.revisions.redo()
         self.document.settled()
-
-    def update(self, page: Shown) -> messages.Document:
-        """Return the message that brings a page up to date."""
-        now = self.revisions
-        return page.update(now.document, now.number, can_undo=now.can_undo, can_redo=now.can_redo)

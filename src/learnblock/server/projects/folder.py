@@ -26,19 +26,19 @@ from learnblock.errors import (
 from learnblock.i18n import Phrase
 from learnblock.language.python.generation import ROBOT_IMPORT
 from learnblock.running import DEFAULT_ROBOT, forbid_network, move_network
-from learnblock.server.messages import (
-    LARGEST_PICTURE,
-    LONGEST_TEXT,
-    PastRun,
-    ProjectEntry,
-    Version,
-)
-from learnblock.server.projects.history import History, Reason
+from learnblock.server.program.views import LONGEST_TEXT
+from learnblock.server.projects.history import History, PastRun, Reason, Version
 from learnblock.server.projects.kept_runs import KeptRuns
 from learnblock.server.projects.lesson_folder import LessonFolder
 from learnblock.server.projects.packing import encode_whole
-from learnblock.server.projects.picture import PictureError, check_picture
-from learnblock.server.projects.project import LONGEST_NAME, Project, ProjectPart, checked_name
+from learnblock.server.projects.picture import LARGEST_PICTURE, PictureError, check_picture
+from learnblock.server.projects.project import (
+    LONGEST_NAME,
+    Project,
+    ProjectEntry,
+    ProjectPart,
+    checked_name,
+)
 from learnblock.server.projects.project_file import ENDING, LARGEST, decode, encode
 from learnblock.storage.files import is_device_name, save
 

@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Literal, cast
 
 import msgspec
+from msgspec import Struct
 
 from learnblock.errors import UnknownNameError
-from learnblock.server.messages import PastRun, Version
 from learnblock.server.projects.carried import NOTHING
 from learnblock.server.projects.project import Project
 from learnblock.server.projects.project_file import ENDING, LARGEST, decode, encode
@@ -24,6 +24,37 @@ MOST_RUNS = 200
 
 #: The time in milliseconds since 1970, the reason for the version, its number of lines.
 _ID = re.compile(r"(\d{13,15})-(run|time|restored|outside|conflict)-(\d{1,7})")
+
+
+class Version(Struct, frozen=True):
+    """A version of the program to restore.
+
+    Args:
+        id: the id for `Restore`.
+        time: the time in seconds since 1970.
+        reason: why it was saved.
+        lines: the number of lines of its Block-Text.
+    """
+
+    id: str
+    time: float
+    reason: Reason
+    lines: int
+
+
+class PastRun(Struct, frozen=True):
+    """A run of the program: see `Ended`."""
+
+    time: float
+    robot: str
+    world: str
+    ended: str
+    seconds: float
+    goals: tuple[str, ...]
+    trace_sha256: str
+    version: str
+
+
 _read_runs = msgspec.json.Decoder(list[PastRun]).decode
 
 

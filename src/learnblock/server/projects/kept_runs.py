@@ -14,12 +14,12 @@ from pathlib import Path
 from typing import Any
 
 import msgspec
+from msgspec import Struct
 from msgspec.structs import replace
 
 from learnblock.errors import LearnBlockError
 from learnblock.runtime.log.blocks import MAGIC, Block, Stream, stored
 from learnblock.runtime.log.noting import TICK
-from learnblock.server.messages.kept import LONGEST_RUN_NAME, KeptRun
 from learnblock.storage.files import save
 
 #: How many runs without a name are kept, and their total size in bytes.
@@ -29,9 +29,53 @@ MOST_NAMED, MOST_NAMED_BYTES = 100, 512 * 1024 * 1024
 #: The largest file that is read, and the largest entry of a list.
 LARGEST, LARGEST_ENTRY = 40 * 1024 * 1024, 20_000
 ENDING = ".why"
+#: The limit in characters of the name of a run.
+LONGEST_RUN_NAME = 60
 
 _ID = re.compile(r"[0-9]{13,15}-[0-9]{1,3}")
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]")
+
+
+class KeptRun(Struct, frozen=True, omit_defaults=True):
+    """A run of the project that was kept.
+
+    Args:
+        id: distinguishes it from the others.
+        time: when it began, or was opened from a file, in seconds since 1970.
+        size: its size in bytes.
+        name: empty unless the user has named it.
+        program: the name of the program, and of the robot among several.
+        identity: a hash of the program, independent of the robot.
+        robot: the robot's id.
+        world: the name of its world; empty for a real robot.
+        variant: the number of the world's variant.
+        seconds: its length.
+        ended: one word, as in `Ended`; empty if its log was cut off.
+        reached: the goals that were reached.
+        missed: the number of the others.
+        foreign: whether it was opened from a file.
+        damaged: whether nothing of it can be read.
+        version: the version of the project that ran; empty if none was saved.
+    """
+
+    id: str
+    time: float
+    size: int = 0
+    name: str = ""
+    program: str = ""
+    identity: str = ""
+    robot: str = ""
+    world: str = ""
+    variant: int = 0
+    seconds: float = 0.0
+    ended: str = ""
+    reached: tuple[str, ...] = ()
+    missed: int = 0
+    foreign: bool = False
+    damaged: bool = False
+    version: str = ""
+
+
 _read_entry = msgspec.json.Decoder(KeptRun).decode
 
 

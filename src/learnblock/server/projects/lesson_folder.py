@@ -15,7 +15,6 @@ from msgspec import Meta, Struct, field
 from msgspec.structs import replace
 
 from learnblock.errors import ProjectError
-from learnblock.server.messages.lessons import BrowserId, LessonName, StepNumber
 from learnblock.server.projects.carried import NOTHING
 from learnblock.server.projects.project import Project
 from learnblock.server.projects.project_file import LARGEST as LARGEST_PROGRAM
@@ -30,6 +29,11 @@ MOST = 100_000
 #: The names of stars: all checks in one run, all variants and robots, the question, the puzzle.
 GOALS, EVERYWHERE, QUIZ, PUZZLE = "goals", "everywhere", "quiz", "puzzle"
 
+#: The name of a lesson: of its folder or file.
+LessonName = Annotated[str, Meta(pattern=r"^[\w][\w .-]{0,78}\w$")]
+#: A random id that a browser keeps: 128 bits in hexadecimal.
+BrowserId = Annotated[str, Meta(pattern="^[0-9a-f]{32}$")]
+StepNumber = Annotated[int, Meta(ge=1, le=30)]
 Star = Annotated[str, Meta(pattern="^(goals|everywhere|quiz|puzzle|check-[0-9]{1,2})$")]
 Number = Annotated[int, Meta(ge=0, le=MOST)]
 

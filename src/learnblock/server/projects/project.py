@@ -4,6 +4,9 @@ import re
 import unicodedata
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Annotated
+
+from msgspec import Meta, Struct
 
 from learnblock.blocks.block_sets import EVERYTHING, BlockSet
 from learnblock.errors import Diagnostic, ProjectError
@@ -16,6 +19,11 @@ from learnblock.storage.files import is_device_name
 LONGEST_NAME = 100
 #: The maximum number of characters of a robot's name.
 LONGEST_PART_NAME = 40
+MOST_BREAKPOINTS = 1000
+#: The maximum number of block sets saved in one project.
+MOST_BLOCK_SETS = 8
+
+BlockId = Annotated[str, Meta(min_length=1, max_length=100)]
 
 # No separators, no first character that hides a file on Unix, no last one that Windows strips.
 _NAME = re.compile(r"[^\W_](?:[\w .-]*[\w-])?")
@@ -120,6 +128,20 @@ class Project:
             breakpoints=first.breakpoints,
             others=tuple(others),
         )
+
+
+class ProjectEntry(Struct, frozen=True):
+    """A project in the list of a folder.
+
+    Args:
+        name: its name.
+        changed: when it was changed, in seconds since 1970.
+        picture: when its picture was taken; 0 if it has none.
+    """
+
+    name: str
+    changed: float
+    picture: float = 0.0
 
 
 def is_plain(name: str) -> bool:

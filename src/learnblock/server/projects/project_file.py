@@ -48,11 +48,13 @@ from learnblock.i18n import Phrase
 from learnblock.language.workspace.blocks import Workspace
 from learnblock.perception.tag_names import LAST_TAG
 from learnblock.running import DEFAULT_ROBOT, MOST_ROBOTS
-from learnblock.server.messages import MOST_BREAKPOINTS, MOST_CARRIED, Id
 from learnblock.server.projects.carried import NOTHING, Carried, CarriedWorld, Code, TagNames
 from learnblock.server.projects.project import (
     LONGEST_NAME,
     LONGEST_PART_NAME,
+    MOST_BLOCK_SETS,
+    MOST_BREAKPOINTS,
+    BlockId,
     Project,
     ProjectPart,
     is_part_name,
@@ -86,7 +88,7 @@ class _Part(Struct, forbid_unknown_fields=True, omit_defaults=True):
     name: PartName
     blocktext: list[str]
     robot: Choice = DEFAULT_ROBOT
-    breakpoints: Annotated[list[Id], Meta(max_length=MOST_BREAKPOINTS)] = field(
+    breakpoints: Annotated[list[BlockId], Meta(max_length=MOST_BREAKPOINTS)] = field(
         default_factory=list
     )
     python: list[str] | None = None
@@ -101,11 +103,11 @@ class _File(Struct, forbid_unknown_fields=True):
     blocktext: list[str]
     robot: Choice = DEFAULT_ROBOT
     world: Choice = ""
-    breakpoints: Annotated[list[Id], Meta(max_length=MOST_BREAKPOINTS)] = field(
+    breakpoints: Annotated[list[BlockId], Meta(max_length=MOST_BREAKPOINTS)] = field(
         default_factory=list
     )
     shown: Choice = EVERYTHING
-    block_sets: Annotated[tuple[BlockSet, ...], Meta(max_length=MOST_CARRIED)] = ()
+    block_sets: Annotated[tuple[BlockSet, ...], Meta(max_length=MOST_BLOCK_SETS)] = ()
     libraries: Annotated[dict[Name, Version], Meta(max_length=MOST_LIBRARIES)] = {}
     tags: TagNames = {}
     carried: Carried = NOTHING
@@ -263,7 +265,7 @@ _EXPECTED = {
     "world": Phrase("project-expects-world"),
     "breakpoints": Phrase("project-expects-breakpoints", limit=MOST_BREAKPOINTS),
     "shown": Phrase("project-expects-shown"),
-    "block_sets": Phrase("project-expects-block-sets", limit=MOST_CARRIED),
+    "block_sets": Phrase("project-expects-block-sets", limit=MOST_BLOCK_SETS),
     "libraries": Phrase("project-expects-libraries", example='{"dance": "1.2.0"}'),
     "tags": Phrase("project-expects-tags", example='{"door": 12}', last=LAST_TAG),
     "carried": Phrase("project-expects-carried"),

@@ -9,21 +9,17 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
-from learnblock.errors import LearnBlockError
+from learnblock.errors import LearnBlockError, phrase_of
 from learnblock.extensions import custom_blocks, libraries
 from learnblock.extensions.libraries import Library
 from learnblock.i18n import Phrase
 from learnblock.perception import tag_names
-from learnblock.server import messages
-from learnblock.server.messages.base import phrase_of
 from learnblock.server.projects.carried import Carried, CarriedWorld, Code
 from learnblock.server.projects.packing import block_file, library_file
 from learnblock.server.projects.project import Project
 from learnblock.storage.home import saved_home_id
 
 Value = TypeVar("Value")
-#: The limit in characters of what a page shows of one block or library.
-_LONGEST_SOURCE = 50_000
 
 
 @dataclass(frozen=True)
@@ -168,14 +164,6 @@ def _tags(own: Mapping[str, int], carried: Mapping[str, int], *, is_home: bool) 
     )
 
 
-def offer(code: Code) -> messages.CodeOffered:
-    """The message to pages, with the sources for the user to read."""
-    return messages.CodeOffered(
-        tuple(_block(name, file) for name, file in code.blocks.items()),
-        tuple(_library(name, files) for name, files in code.libraries.items()),
-    )
-
-
 def without(code: Code, installed: Code) -> Code:
     """The code that has not been installed."""
     return Code(
@@ -215,18 +203,3 @@ def _unpacked(name: str, files: Mapping[str, list[str]]) -> Library:
     return libraries.from_files(
         {file: "\n".join(lines).encode() for file, lines in files.items()}, name
     )
-
-
-def _block(name: str, file: Mapping[str, object]) -> messages.OfferedCode:
-    source = file.get("source")
-    lines = map(str, source) if isinstance(source, list) else ()
-    return _offered(name, "\n".join(lines), is_here=block_file(name) is not None)
-
-
-def _library(name: str, files: Mapping[str, list[str]]) -> messages.OfferedCode:
-    texts = (f"# {file}\n" + "\n".join(lines) for file, lines in files.items())
-    return _offered(name, "\n\n".join(texts), is_here=library_file(name) is not None)
-
-
-def _offered(name: str, source: str, *, is_here: bool) -> messages.OfferedCode:
-    return messages.OfferedCode(name, source[:_LONGEST_SOURCE], is_here)

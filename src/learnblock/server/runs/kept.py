@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from learnblock.i18n import Phrase
 from learnblock.server import messages
 from learnblock.server.program.document import Document
+from learnblock.server.projects.kept_runs import KeptRun
 from learnblock.server.runs import telemetry
 from learnblock.server.runs.console import MOST_KEPT
 from learnblock.server.runs.looking import Looking, call_graph, way
@@ -36,7 +37,7 @@ class OpenedRun:
     scene: messages.Scene | None
 
 
-def opened(run: messages.KeptRun, data: bytes, now: Document) -> OpenedRun:
+def opened(run: KeptRun, data: bytes, now: Document) -> OpenedRun:
     """Open a kept run.
 
     Args:
@@ -79,7 +80,7 @@ def _printed(recorded: "Recorded") -> str:
     return "".join(lines)[-MOST_KEPT:]
 
 
-def _remarks(run: messages.KeptRun, recorded: "Recorded", *, has_world: bool) -> tuple[Phrase, ...]:
+def _remarks(run: KeptRun, recorded: "Recorded", *, has_world: bool) -> tuple[Phrase, ...]:
     if has_world:
         return ()
     if "world" in recorded.robot:

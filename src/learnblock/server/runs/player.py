@@ -8,14 +8,13 @@ from typing import TYPE_CHECKING
 from anyio import to_thread
 from msgspec.structs import replace
 
-from learnblock.errors import LearnBlockError
+from learnblock.errors import LearnBlockError, phrase_of
 from learnblock.i18n import Phrase
 from learnblock.running import Report
 from learnblock.runtime.messages import Variables
 from learnblock.runtime.status import State
 from learnblock.runtime.trace import Collision
 from learnblock.server import messages
-from learnblock.server.messages.base import phrase_of
 from learnblock.server.runs import telemetry
 from learnblock.server.runs.console import Console, Voice, message_of
 from learnblock.server.runs.kept import OpenedRun

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import Protocol
 
 from learnblock.server.messages import ToPage
-from learnblock.server.program.shown import Shown
+from learnblock.server.runs.shown import Shown
 
 
 class Viewer(Protocol):

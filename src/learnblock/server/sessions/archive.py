@@ -9,13 +9,11 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from anyio import to_thread
 
-from learnblock.errors import LearnBlockError, shortage
+from learnblock.errors import LearnBlockError, phrase_of, shortage
 from learnblock.i18n import Phrase
 from learnblock.runtime.log.blocks import Block
-from learnblock.server.messages import PastRun
-from learnblock.server.messages.base import phrase_of
 from learnblock.server.projects.folder import FileChangedError, FileState, ProjectFolder
-from learnblock.server.projects.history import Reason
+from learnblock.server.projects.history import PastRun, Reason
 from learnblock.server.projects.project import Project
 
 if TYPE_CHECKING:

@@ -8,13 +8,12 @@ from typing import Generic, TypeVar
 from anyio import to_thread
 from msgspec.structs import replace
 
-from learnblock.errors import LearnBlockError
+from learnblock.errors import LearnBlockError, phrase_of
 from learnblock.i18n import Phrase
 from learnblock.lessons.checking import Follow, Result, check_lesson, count_attempts
 from learnblock.lessons.opened import OpenLesson
 from learnblock.lessons.trying import Attempt, StopSwitch, Tried, try_step
 from learnblock.server import messages
-from learnblock.server.messages.base import phrase_of
 
 Send = Callable[[messages.ToPage], object]
 Told = TypeVar("Told", messages.LessonChecked, messages.LessonTried)

@@ -9,9 +9,9 @@ from anyio import to_thread
 from learnblock.blocks import BlockConfiguration
 from learnblock.robots import RobotEntry
 from learnblock.server import messages
-from learnblock.server.messages import View
 from learnblock.server.program.document import Document
 from learnblock.server.program.shared import Content, Edit, Merged, SharedProgram, base_of
+from learnblock.server.program.views import View
 from learnblock.server.projects.project import ProjectPart
 from learnblock.server.runs.console import Console
 from learnblock.server.runs.player import Player
@@ -135,7 +135,7 @@ class Part:
 
     def join(self, page: Viewer, player: Player) -> None:
         """Send a page the program and the run of a robot, and all changes from now on."""
-        page.send(self.program.update(page.shown))
+        page.send(page.shown.update(self.program))
         player.join(page)
         # Only now, because it has just received what has been printed so far.
         self.viewers.add(page)
@@ -172,7 +172,7 @@ class Part:
             revisions = self.program.revisions
             base = page.shown.base(view, revision or revisions.number, revisions)
             merged = self.program.merge(Edit(view, content, base), page.shown)
-            page.shown.edited(number, view, content)
+            page.shown.edited(number, view, content, merged.left)
             return merged
 
         merged = await self._think(merge)
@@ -197,7 +197,7 @@ class Part:
         def merge() -> Merged:
             edit = Edit(view, content, base_of(self.document, base), wins=False)
             merged = self.program.merge(edit, page.shown)
-            page.shown.repeated(number, view)
+            page.shown.repeated(number, view, merged.left)
             return merged
 
         merged = await self._think(merge)
@@ -269,6 +269,6 @@ class Part:
         async with self._thinking:
             result = await to_thread.run_sync(change)
         for page in self.viewers:
-            page.send(self.program.update(page.shown))
+            page.send(page.shown.update(self.program))
         self._home.part_changed()
         return result

@@ -13,6 +13,7 @@ from learnblock.robots import RobotEntry
 from learnblock.running import may_use_network
 from learnblock.server import messages
 from learnblock.server.projects.folder import ProjectFolder
+from learnblock.server.projects.history import PastRun
 from learnblock.server.runs.playing import Setting
 from learnblock.server.runs.together import Participant, play_together, staged
 from learnblock.server.runs.trial import Trial
@@ -213,7 +214,7 @@ class Runs:
         first = self._endings[0]
         worst = next((one for one in self._endings if one.ended != "finished"), first)
         self._project.archive.add_run(
-            messages.PastRun(
+            PastRun(
                 time=began,
                 robot=", ".join(part.robot.name for part in self._parts),
                 world=self._project.world,

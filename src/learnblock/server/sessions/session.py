@@ -17,17 +17,19 @@ from learnblock.running import MOST_ROBOTS
 from learnblock.running.robot_names import robot_names
 from learnblock.server import catalog, messages
 from learnblock.server.program.document import Document
-from learnblock.server.program.shown import Shown
 from learnblock.server.projects.carried import Carried, Code
 from learnblock.server.projects.folder import ProjectFolder
+from learnblock.server.projects.kept_runs import KeptRun
 from learnblock.server.projects.lesson_folder import Progress
 from learnblock.server.projects.project import LONGEST_PART_NAME, Project, is_part_name
-from learnblock.server.projects.unpacking import offer, without
+from learnblock.server.projects.unpacking import without
 from learnblock.server.runs.keyboard import Keyboard
 from learnblock.server.runs.player import Player
+from learnblock.server.runs.shown import Shown
 from learnblock.server.runs.viewers import Viewer, Viewers
 from learnblock.server.sessions.archive import Archive
 from learnblock.server.sessions.coach import Coach
+from learnblock.server.sessions.offered_code import offer
 from learnblock.server.sessions.part import Part
 from learnblock.server.sessions.prepared import (
     DEFAULT_WORLD,
@@ -535,7 +537,7 @@ class Session:
             self.shown_blocks = found.shown_blocks
             self.viewers.send(self.shown_blocks.message())
 
-    def runs_kept(self, runs: tuple[messages.KeptRun, ...]) -> None:
+    def runs_kept(self, runs: tuple[KeptRun, ...]) -> None:
         """Tell every page which runs are kept."""
         self.viewers.send(messages.KeptRuns(runs))
 

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from learnblock.blocks import block_sets
 from learnblock.blocks.block_sets import EVERYTHING, BlockSet
 from learnblock.errors import UnknownNameError
-from learnblock.server.messages import MOST_CARRIED, BlocksShown
-from learnblock.server.projects.project import Project
+from learnblock.server.messages import BlocksShown
+from learnblock.server.projects.project import MOST_BLOCK_SETS, Project
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ class ShownBlocks:
             return ShownBlocks(chosen.name, self.carried)
         name = block_sets.checked_name(chosen.name)
         others = (one for one in self.carried if one.name != name)
-        return ShownBlocks(name, (chosen, *others)[:MOST_CARRIED])
+        return ShownBlocks(name, (chosen, *others)[:MOST_BLOCK_SETS])
 
     def message(self) -> BlocksShown:
         """The message to pages."""

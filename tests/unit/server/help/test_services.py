@@ -217,7 +217,6 @@ def test_completion_works_while_the_text_has_mistakes():
 
 def test_a_completion_replaces_the_word_from_its_start(program):
     assert complete(program, "blocktext", 5, 17).from_column == 14
-    assert complete(program, "blocktext", 1, 1, request=7).request == 7
 
 
 # Descriptions.

@@ -7,8 +7,8 @@ from learnblock.blocks import builtin
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.language.workspace.blocks import Block, Input, Workspace
-from learnblock.server.messages import Place
 from learnblock.server.program.document import Document
+from learnblock.server.program.views import Place
 from places import ROOT, TESTS
 from trees import Trees
 

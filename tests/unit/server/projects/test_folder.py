@@ -17,9 +17,9 @@ from learnblock.errors import (
 )
 from learnblock.language.workspace.blocks import Block, BlockComment, Input, Variable, Workspace
 from learnblock.running import allow_network, may_use_network
-from learnblock.server.messages import PastRun
 from learnblock.server.program.document import Document
 from learnblock.server.projects.folder import ProjectFolder
+from learnblock.server.projects.history import PastRun
 from learnblock.server.projects.project import Project, checked_name
 from learnblock.server.projects.project_file import LARGEST, decode, encode
 from learnblock.storage import files

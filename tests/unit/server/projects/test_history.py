@@ -6,8 +6,7 @@ from hypothesis import strategies as st
 
 from clocks import Clock
 from learnblock.errors import UnknownNameError
-from learnblock.server.messages import PastRun
-from learnblock.server.projects.history import MOST_RUNS, MOST_VERSIONS, History
+from learnblock.server.projects.history import MOST_RUNS, MOST_VERSIONS, History, PastRun
 from learnblock.server.projects.project import Project
 
 START = 1_700_000_000.0

@@ -7,9 +7,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from learnblock.errors import ProjectError
-from learnblock.server.messages import LARGEST_PICTURE
 from learnblock.server.projects.folder import ProjectFolder
-from learnblock.server.projects.picture import LARGEST_SIDE, PictureError, check_picture
+from learnblock.server.projects.picture import (
+    LARGEST_PICTURE,
+    LARGEST_SIDE,
+    PictureError,
+    check_picture,
+)
 from learnblock.server.projects.project import Project
 
 

@@ -5,9 +5,9 @@ from typing import TypeVar
 
 from learnblock.i18n import Phrase
 from learnblock.server import messages
-from learnblock.server.messages import Problem, View
-from learnblock.server.program.document import Document
 from learnblock.server.program.revisions import Revisions
+from learnblock.server.program.shared import SharedProgram
+from learnblock.server.program.views import Problem, View
 
 Content = TypeVar("Content")
 
@@ -34,15 +34,28 @@ class Shown:
         self._revision = 0
         self._own: dict[View, str] = {}
 
-    def edited(self, edit: int, view: View, content: object) -> None:
-        """Record that the page has edited a view."""
+    def edited(self, edit: int, view: View, content: object, left: str | None) -> None:
+        """Record that the page has edited a view.
+
+        Args:
+            edit: the number of the edit.
+            view: the view.
+            content: the view after the edit.
+            left: the text that the edit has left in it, see `Document.text_of`; None for blocks
+                that can't be parsed: the next edit has the same base.
+        """
         self.edit = edit
         self._views[view] = content
+        self._keep(view, left)
 
-    def repeated(self, edit: int, view: View) -> None:
-        """Record that the page has repeated an edit, which it may not show any more."""
+    def repeated(self, edit: int, view: View, left: str | None) -> None:
+        """Record that the page has repeated an edit, which it may not show any more.
+
+        See `edited`.
+        """
         self.edit = edit
         self._views.pop(view, None)
+        self._keep(view, left)
 
     def base(self, view: View, revision: int, revisions: Revisions) -> str | None:
         """The text that the page's next edit is made on; None if it is forgotten.
@@ -59,17 +72,12 @@ class Shown:
             return self._own[view]
         return revisions.text(revision, view)
 
-    def left(self, view: View, text: str) -> None:
-        """Record the text that the page's edit has left in a view; see `Document.text_of`."""
-        self._own[view] = text
-
-    def update(
-        self, document: Document, revision: int, *, can_undo: bool, can_redo: bool
-    ) -> messages.Document:
+    def update(self, program: SharedProgram) -> messages.Document:
         """Return the message that brings the page up to date."""
+        document, revisions = program.document, program.revisions
         return messages.Document(
             edit=self.edit,
-            revision=revision,
+            revision=revisions.number,
             origin=document.origin,
             blocktext=self._new("blocktext", document.blocktext),
             python=self._new("python", document.python),
@@ -78,9 +86,13 @@ class Shown:
             problems=_fewer(document.problems),
             stale=document.stale,
             asked=document.asked,
-            can_undo=can_undo,
-            can_redo=can_redo,
+            can_undo=revisions.can_undo,
+            can_redo=revisions.can_redo,
         )
+
+    def _keep(self, view: View, left: str | None) -> None:
+        if left is not None:
+            self._own[view] = left
 
     def _new(self, view: View, content: Content) -> Content | None:
         if self._views.get(view) == content:

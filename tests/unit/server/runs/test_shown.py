@@ -5,14 +5,15 @@ from collections import Counter
 from learnblock.blocks import builtin
 from learnblock.i18n import Phrase
 from learnblock.server.program.document import Document
-from learnblock.server.program.shown import MOST_PROBLEMS, Shown
+from learnblock.server.program.shared import SharedProgram
+from learnblock.server.runs.shown import MOST_PROBLEMS, Shown
 
 EBO = "learnblock.robots.sim_ebo"
 
 
 def shown(text):
     document = Document.from_text(text, EBO, builtin())
-    return Shown().update(document, 1, can_undo=False, can_redo=False).problems
+    return Shown().update(SharedProgram(document)).problems
 
 
 def test_all_problems_of_an_ordinary_program_are_listed():
@@ -44,5 +45,5 @@ def test_a_page_learns_what_answers_the_questions_of_the_program():
     document = Document.from_text(
         text, EBO, builtin(), equipment=frozenset({"DistanceSensors:left"})
     )
-    shown = Shown().update(document, 1, can_undo=False, can_redo=False)
+    shown = Shown().update(SharedProgram(document))
     assert shown.asked == ("DistanceSensors:left",)
