@@ -15,9 +15,9 @@ from typing import Any
 
 from playwright.sync_api import Browser, Page, sync_playwright
 
+from learnblock.project.files.folder import ProjectFolder
 from learnblock.server.messages import New
 from learnblock.server.pages import projecting
-from learnblock.server.projects.folder import ProjectFolder
 
 #: The project that every server has, and its example.
 STARTED = "square"

@@ -14,9 +14,9 @@ import pytest
 from playwright.sync_api import Browser, Error, expect, sync_playwright
 
 from browser.pupil import TIMEOUT, Pupil
+from learnblock.project.files.folder import ProjectFolder
 from learnblock.server.messages import New
 from learnblock.server.pages import projecting
-from learnblock.server.projects.folder import ProjectFolder
 from places import ROOT
 
 #: The folder for the screenshots of the tests.

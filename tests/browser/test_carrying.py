@@ -4,8 +4,8 @@ import pytest
 from playwright.sync_api import expect
 
 import homes
-from learnblock.server.projects.packing import encode_whole
-from learnblock.server.projects.project import Project
+from learnblock.project.files.packing import encode_whole
+from learnblock.project.files.project import Project
 from shared_worlds import ROOM
 
 WAVE = "main:\n    function.expressJoy()\nend\n"

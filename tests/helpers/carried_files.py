@@ -7,11 +7,12 @@ from unittest import mock
 
 from learnblock.extensions import worlds
 from learnblock.extensions.worlds import PackedWorld
-from learnblock.server.projects import unpacking
-from learnblock.server.projects.carried import Carried, CarriedWorld, Code
-from learnblock.server.projects.project import Project
-from learnblock.server.projects.project_file import decode, encode
-from learnblock.server.projects.unpacking import unpacked
+from learnblock.project.files import unpacking
+from learnblock.project.files.carried import Carried, CarriedWorld, Code
+from learnblock.project.files.project import Project
+from learnblock.project.files.project_file import decode, encode
+from learnblock.project.files.unpacking import unpacked
+from learnblock.server.sessions.offered_code import offer
 from shared_worlds import MAT, ROOM, png
 
 BLOCK = {"learnblock_block": 1, "name": "dance", "source": ["def waltz(robot): pass"]}
@@ -41,7 +42,7 @@ def read_project(text):
     """Open a project elsewhere, and install what it brings."""
     with _empty_home():
         project = unpacked(decode(text.encode("utf-8", "replace"), "p")).project
-        unpacking.offer(project.carried.offered)
+        offer(project.carried.offered)
         unpacking.install(project.carried.offered)
 
 

@@ -9,8 +9,8 @@ from learnblock.classroom.pupil_folder import PROJECTS
 from learnblock.classroom.roster import Pupil, Roster
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
-from learnblock.server.projects.folder import ProjectFolder
-from learnblock.server.projects.project import Project
+from learnblock.project.files.folder import ProjectFolder
+from learnblock.project.files.project import Project
 
 
 class Collected(NamedTuple):

@@ -16,13 +16,13 @@ from learnblock.classroom import limits
 from learnblock.classroom.memory import watch_programs
 from learnblock.classroom.pupil_folder import HOME, PROJECTS, TEMPORARY
 from learnblock.lessons.reading import shipped_folder
+from learnblock.project.files.writer import Access, Writer
 from learnblock.running.examples import examples_folder
 from learnblock.runtime.containment import kernel
 from learnblock.runtime.containment.fence import contain_server
 from learnblock.server import serve
 from learnblock.server.http.address import VARIABLE
 from learnblock.server.last_resort import Deadlines
-from learnblock.server.projects.writer import Access, Writer
 from learnblock.storage import quota
 
 #: So that a class is closed within 10 s of Ctrl-C, even if a program hangs.

@@ -11,7 +11,7 @@ import click
 from learnblock.cli.console import say, text, usage_error
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
-from learnblock.server.projects.writer import Access, Writer
+from learnblock.project.files.writer import Access, Writer
 
 if TYPE_CHECKING:
     from learnblock.cli.running_server import RunningServer

@@ -66,8 +66,8 @@ def _open(
     from learnblock.classroom.certificate import own_certificate  # noqa: PLC0415
     from learnblock.classroom.roster import Roster  # noqa: PLC0415
     from learnblock.classroom.serve import EVERYWHERE, ClassService, serve_class  # noqa: PLC0415
+    from learnblock.project.files.writer import Writer  # noqa: PLC0415
     from learnblock.server.catalog.lessons import lesson_choices  # noqa: PLC0415
-    from learnblock.server.projects.writer import Writer  # noqa: PLC0415
     from learnblock.server.serve import show_in_browser  # noqa: PLC0415
 
     with Writer(folder) as writer:

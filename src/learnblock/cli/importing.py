@@ -163,8 +163,8 @@ def _imported(
 
 def _project(source: Path) -> "_Converted":
     """A project for the page."""
-    from learnblock.server.projects import project_file  # noqa: PLC0415
-    from learnblock.server.projects.project import Project  # noqa: PLC0415
+    from learnblock.project.files import project_file  # noqa: PLC0415
+    from learnblock.project.files.project import Project  # noqa: PLC0415
 
     made = _read(source)
     project = Project(source.stem, made.blocktext, workspace=made.workspace)

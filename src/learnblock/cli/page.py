@@ -15,7 +15,7 @@ from learnblock.errors import LearnBlockError
 if TYPE_CHECKING:
     from learnblock.cli.running_server import RunningServer
     from learnblock.i18n import Phrase
-    from learnblock.server.projects.folder import Project, ProjectFolder
+    from learnblock.project.files.folder import Project, ProjectFolder
 
 
 @click.command("open")
@@ -64,8 +64,8 @@ def open_page(
         place: the address where the server listens.
     """
     from learnblock.cli.claiming import claimed  # noqa: PLC0415
+    from learnblock.project.files.writer import Access  # noqa: PLC0415
     from learnblock.server import serve  # noqa: PLC0415
-    from learnblock.server.projects.writer import Access  # noqa: PLC0415
     from learnblock.storage.home import home  # noqa: PLC0415 - `--help` needs none of it
 
     folder = projects or home() / "projects"
@@ -105,7 +105,7 @@ def _announce(phrase: "Phrase") -> None:
 
 def _project(folder: Path, file: Path, *, read_only: bool) -> str:
     """The project of a file, which a server that only reads can't add."""
-    from learnblock.server.projects.folder import ProjectFolder  # noqa: PLC0415
+    from learnblock.project.files.folder import ProjectFolder  # noqa: PLC0415
 
     def add(project: "Project") -> str:
         return ProjectFolder(folder).add(project).name
@@ -125,7 +125,7 @@ def _opened(folder: Path, file: Path, add: Callable[["Project"], str]) -> str:
         add: saves a new project, and returns the name of the project.
     """
     from learnblock import importing, running  # noqa: PLC0415
-    from learnblock.server.projects.folder import ProjectFolder  # noqa: PLC0415
+    from learnblock.project.files.folder import ProjectFolder  # noqa: PLC0415
 
     projects = ProjectFolder(folder)
     if file.suffix.lower() == ".learnblock" and file.resolve().parent == folder.resolve():

@@ -13,7 +13,7 @@ from learnblock.running import Source
 from learnblock.shell import command_line
 
 if TYPE_CHECKING:
-    from learnblock.server.projects.project import Project, ProjectPart
+    from learnblock.project.files.project import Project, ProjectPart
 
 ENDING = ".learnblock"
 
@@ -73,7 +73,7 @@ def opened_all(path: Path) -> Iterator[tuple[ProgramFile, ...]]:
     if path.suffix.lower() != ENDING:
         yield (ProgramFile(running.read(path)),)
         return
-    from learnblock.server.projects import unpacking  # noqa: PLC0415 - programs need none of it
+    from learnblock.project.files import unpacking  # noqa: PLC0415 - programs need none of it
 
     project = _project(path)
     if offered := unpacking.offered_code(project):
@@ -97,7 +97,7 @@ def read(path: Path) -> Source:
 
 
 def _project(path: Path) -> "Project":
-    from learnblock.server.projects.project_file import LARGEST, decode  # noqa: PLC0415 - as above
+    from learnblock.project.files.project_file import LARGEST, decode  # noqa: PLC0415 - as above
 
     with path.open("rb") as file:
         return decode(file.read(LARGEST + 1), path.stem)
@@ -123,7 +123,7 @@ def _source(path: Path, part: "ProjectPart") -> Source:
 @contextmanager
 def _world(project: "Project") -> Iterator[str | None]:
     from learnblock.extensions import worlds  # noqa: PLC0415 - as above
-    from learnblock.server.projects.unpacking import is_at_home  # noqa: PLC0415 - as above
+    from learnblock.project.files.unpacking import is_at_home  # noqa: PLC0415 - as above
 
     carried = project.carried.world
     is_newer_here = is_at_home(project) and project.world in worlds.own_names()

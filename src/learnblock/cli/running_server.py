@@ -10,12 +10,12 @@ from urllib.parse import urlsplit
 import msgspec
 
 from learnblock.errors import LearnBlockError
+from learnblock.project.files.project import Project
+from learnblock.project.files.project_file import ENDING, encode
+from learnblock.project.files.writer import Writer
 from learnblock.server import messages
 from learnblock.server.http.address import token as the_token
 from learnblock.server.http.protection import SUBPROTOCOL
-from learnblock.server.projects.project import Project
-from learnblock.server.projects.project_file import ENDING, encode
-from learnblock.server.projects.writer import Writer
 from learnblock.server.serve import whole_address
 
 if TYPE_CHECKING:

@@ -1,1 +1,1 @@
-"""The server of the page: sessions, projects, and the messages to and from browsers."""
+"""The server of the page: sessions, runs, and the messages to and from browsers."""

@@ -22,6 +22,7 @@ from starlette.requests import HTTPConnection
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.installation import add_on
+from learnblock.project.files.writer import Access
 from learnblock.server.app import create_app
 from learnblock.server.http.address import token as the_token
 from learnblock.server.http.connections import Connections, Listening, most_connections
@@ -29,7 +30,6 @@ from learnblock.server.http.faults import faults_said_once
 from learnblock.server.http.protection import Protection, is_loopback, offered_token
 from learnblock.server.http.requests import Headers, Identify, TimedRequests
 from learnblock.server.last_resort import Deadlines, EndingServer, LastResort
-from learnblock.server.projects.writer import Access
 from learnblock.server.runs.memory import share_one_heap
 
 DEFAULT_HOST = "127.0.0.1"

@@ -13,8 +13,8 @@ from msgspec import inspect, json
 
 from learnblock.monitor import worlds
 from learnblock.monitor.sensors import QUANTITIES, Quantity
+from learnblock.project.document import views
 from learnblock.server import messages
-from learnblock.server.program import views
 
 _HEADER = """\
 /** The conversation with the server; written by `python -m learnblock.server.typescript`. */

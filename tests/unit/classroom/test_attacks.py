@@ -10,8 +10,8 @@ import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from learnblock.classroom.roster import FILE
+from learnblock.project.files.folder import ProjectFolder
 from learnblock.runtime.containment.landlock import version as landlock_version
-from learnblock.server.projects.folder import ProjectFolder
 from pages import TIMEOUT
 
 pytestmark = [pytest.mark.realtime, pytest.mark.certain, pytest.mark.slow]

@@ -11,7 +11,7 @@ from io import BytesIO
 import pytest
 from websockets.exceptions import ConnectionClosed
 
-from learnblock.server.projects.folder import ProjectFolder
+from learnblock.project.files.folder import ProjectFolder
 
 pytestmark = [pytest.mark.realtime, pytest.mark.slow]
 

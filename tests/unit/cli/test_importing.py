@@ -9,7 +9,7 @@ from learnblock import language
 from learnblock.blocks import builtin
 from learnblock.cli import main
 from learnblock.extensions.libraries import find
-from learnblock.server.projects.project_file import decode
+from learnblock.project.files.project_file import decode
 from old_projects import LIBRARY, STYLES, Old, forever, project, skill
 from old_projects import main as main_block
 

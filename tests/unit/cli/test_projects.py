@@ -10,9 +10,9 @@ from learnblock.cli import main
 from learnblock.extensions import custom_blocks, worlds
 from learnblock.extensions.worlds import PackedWorld
 from learnblock.perception import tag_names
-from learnblock.server.projects.packing import encode_whole
-from learnblock.server.projects.project import Project, ProjectPart
-from learnblock.server.projects.project_file import encode
+from learnblock.project.files.packing import encode_whole
+from learnblock.project.files.project import Project, ProjectPart
+from learnblock.project.files.project_file import encode
 from shared_worlds import OTHER_ROOM, ROOM
 
 DRIVES = "main:\n    function.move_straight(100)\n    function.sleep(5)\nend\n"

@@ -4,8 +4,8 @@ import pytest
 from click.testing import CliRunner
 
 from learnblock.cli import main
+from learnblock.project.files.writer import Writer
 from learnblock.server import serve
-from learnblock.server.projects.writer import Writer
 from pages import TOKEN, serving
 
 PROGRAM = "main:\n    function.turn_back()\nend\n"

@@ -160,10 +160,10 @@ def test_texts_of_skills_are_required_in_every_language(write, tmp_path):
 def test_a_new_language_begins_with_the_english_words(write, tmp_path):
     write(f"{MESSAGES}/en/page/bar.ftl", "page-bar-run = Run")
     write("frontend/src/bar.tsx", 't("page-bar-run")')
-    write("src/learnblock/server/help/en.json", '{"variable": "A variable."}')
+    write("src/learnblock/project/help/en.json", '{"variable": "A variable."}')
     code, lines = run(tmp_path, "--add", "fr")
     files = [tmp_path / MESSAGES / "fr" / name for name in ("page/bar.ftl", "robot.ftl")]
-    help_file = tmp_path / "src/learnblock/server/help/fr.json"
+    help_file = tmp_path / "src/learnblock/project/help/fr.json"
     assert code == 0
     assert lines == [
         *(f"made {path.as_posix()}" for path in (*files, help_file)),

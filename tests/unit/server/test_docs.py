@@ -9,7 +9,7 @@ from learnblock.blocks import block_sets, builtin
 from learnblock.blocks.palette import palette
 from learnblock.cli import main
 from learnblock.errors import BlockSetError
-from learnblock.server.projects import project_file
+from learnblock.project.files import project_file
 from places import ROOT
 
 DOCS = ROOT / "docs"

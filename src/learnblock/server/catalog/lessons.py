@@ -139,7 +139,7 @@ def delete_lesson(name: str) -> None:
 
 
 def star_names(step: Step) -> Iterator[str]:
-    """The stars to be earned in a step; see `learnblock.server.projects.lesson_folder`."""
+    """The stars to be earned in a step; see `learnblock.project.files.lesson_folder`."""
     if any(not check.optional for check in step.check):
         yield "goals"
         if step.variants:

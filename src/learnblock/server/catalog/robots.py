@@ -10,10 +10,10 @@ from learnblock.blocks import builtin
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.language.check.robots import Verdict as Found
+from learnblock.project.document.document import Document
 from learnblock.robots.settings import given_names
 from learnblock.senses import SENSES, served_by
 from learnblock.server.messages import RobotChoice, RunsOn, Verdict
-from learnblock.server.program.document import Document
 
 if TYPE_CHECKING:
     from learnblock.client import Client

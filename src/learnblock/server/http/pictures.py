@@ -99,6 +99,6 @@ def _lesson(name: str, file: str) -> bytes | None:
 
 
 def _project(folder: Path, name: str) -> bytes | None:
-    from learnblock.server.projects.folder import ProjectFolder  # noqa: PLC0415
+    from learnblock.project.files.folder import ProjectFolder  # noqa: PLC0415
 
     return ProjectFolder(folder).picture(name)

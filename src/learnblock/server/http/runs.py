@@ -76,7 +76,7 @@ class RunFiles:
     # The server answers before these imports.
 
     def _file(self, name: str, run: str) -> Response:
-        from learnblock.server.projects.folder import ProjectFolder  # noqa: PLC0415
+        from learnblock.project.files.folder import ProjectFolder  # noqa: PLC0415
 
         kept = ProjectFolder(self._folder).kept_runs(name)
         title = quote(f"{kept.find(run).name or name}.why")
@@ -86,7 +86,7 @@ class RunFiles:
         )
 
     def _take_in(self, name: str, filename: str, data: bytes) -> Response:
-        from learnblock.server.projects.folder import ProjectFolder  # noqa: PLC0415
+        from learnblock.project.files.folder import ProjectFolder  # noqa: PLC0415
         from learnblock.why.verifying import verified  # noqa: PLC0415
 
         projects = ProjectFolder(self._folder, read_only=self._read_only)

@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 from msgspec import Meta, MsgspecError, Struct, json
 
-from learnblock.server.program.views import LONGEST_TEXT
+from learnblock.project.document.views import LONGEST_TEXT
 
 #: The limit in characters of other files, such as blocks or a library.
 LONGEST_FILE = 1_000_000

@@ -5,9 +5,9 @@ from typing import Annotated
 from msgspec import Meta, Struct
 
 from learnblock.i18n import Phrase
+from learnblock.project.files.kept_runs import LONGEST_RUN_NAME, KeptRun
 from learnblock.server.messages.base import FromPage, FromReader, ToPage
 from learnblock.server.messages.looking import CallGraph
-from learnblock.server.projects.kept_runs import LONGEST_RUN_NAME, KeptRun
 
 #: A kept run: the time at which it began in milliseconds since 1970, and a number.
 RunId = Annotated[str, Meta(pattern=r"^[0-9]{13,15}-[0-9]{1,3}$")]

@@ -11,9 +11,9 @@ from learnblock.i18n import Phrase
 from learnblock.language.workspace.blocks import Workspace
 from learnblock.lessons.archive import MOST_FILES
 from learnblock.lessons.lesson import Phase
+from learnblock.project.files.lesson_folder import BrowserId, LessonName, StepNumber
 from learnblock.server.messages.base import FromPage, FromReader, Name, ShortText, ToPage
 from learnblock.server.messages.running import VariantNumber
-from learnblock.server.projects.lesson_folder import BrowserId, LessonName, StepNumber
 
 #: The limit of a lesson's file in bytes; in base 64 it fits into a message.
 LARGEST_LESSON = 2_500_000

@@ -5,6 +5,7 @@ from typing import Annotated
 from msgspec import Meta, Struct, field
 
 from learnblock.i18n import Phrase
+from learnblock.project.document.views import LONGEST_TEXT
 from learnblock.server.messages.base import (
     LONGEST_FILE,
     FromPage,
@@ -13,7 +14,6 @@ from learnblock.server.messages.base import (
     ShortText,
     ToPage,
 )
-from learnblock.server.program.views import LONGEST_TEXT
 
 #: The maximum number of libraries in one import.
 MOST_LIBRARIES = 20

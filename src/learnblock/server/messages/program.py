@@ -6,8 +6,10 @@ from msgspec import Meta, Struct
 
 from learnblock.i18n import Phrase
 from learnblock.language.workspace.blocks import Workspace
-from learnblock.server.help import describing
-from learnblock.server.help.completion import Completion
+from learnblock.project.document.views import Notation, Place, Problem, View
+from learnblock.project.files.project import MOST_BREAKPOINTS, BlockId
+from learnblock.project.help import describing
+from learnblock.project.help.completion import Completion
 from learnblock.server.messages.base import (
     FromPage,
     FromReader,
@@ -15,8 +17,6 @@ from learnblock.server.messages.base import (
     Text,
     ToPage,
 )
-from learnblock.server.program.views import Notation, Place, Problem, View
-from learnblock.server.projects.project import MOST_BREAKPOINTS, BlockId
 
 # From the page.
 

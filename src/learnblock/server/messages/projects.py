@@ -6,6 +6,10 @@ from typing import Annotated, Literal
 from msgspec import Meta, Struct, field
 
 from learnblock.i18n import Phrase
+from learnblock.project.document.views import LONGEST_TEXT
+from learnblock.project.files.history import PastRun, Version
+from learnblock.project.files.picture import LARGEST_PICTURE
+from learnblock.project.files.project import ProjectEntry
 from learnblock.server.messages.base import (
     LONGEST_CONTENT,
     LONGEST_FILE,
@@ -16,10 +20,6 @@ from learnblock.server.messages.base import (
     ToPage,
 )
 from learnblock.server.messages.worlds import WorldChoice
-from learnblock.server.program.views import LONGEST_TEXT
-from learnblock.server.projects.history import PastRun, Version
-from learnblock.server.projects.picture import LARGEST_PICTURE
-from learnblock.server.projects.project import ProjectEntry
 
 #: The maximum number of libraries that come with a project.
 MOST_BESIDE = 10

@@ -7,8 +7,8 @@ from typing import TypeVar
 from anyio import to_thread
 from msgspec.structs import asdict
 
+from learnblock.project.help import services
 from learnblock.server import catalog, messages
-from learnblock.server.help import services
 from learnblock.server.pages.page import Handlers, Page
 
 HANDLERS = Handlers()

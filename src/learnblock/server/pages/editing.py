@@ -1,8 +1,8 @@
 """Handlers of messages about edits of the program."""
 
+from learnblock.project.document.document import Document
 from learnblock.server import messages
 from learnblock.server.pages.page import Handlers, Page
-from learnblock.server.program.document import Document
 
 Edit = messages.EditBlocks | messages.EditText | messages.RecoverBlocks | messages.RecoverText
 

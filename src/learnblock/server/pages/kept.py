@@ -2,9 +2,9 @@
 
 from anyio import to_thread
 
+from learnblock.project.files.kept_runs import KeptRuns
 from learnblock.server import messages
 from learnblock.server.pages.page import Handlers, Page
-from learnblock.server.projects.kept_runs import KeptRuns
 from learnblock.server.runs.kept import OpenedRun, calls_beside, compared, opened
 
 HANDLERS = Handlers()

@@ -7,9 +7,9 @@ from msgspec.structs import replace
 
 from learnblock.errors import LearnBlockError
 from learnblock.lessons.archive import received_files, zipped
+from learnblock.project.files.lesson_folder import Progress
 from learnblock.server import catalog, messages
 from learnblock.server.pages.page import Handlers, Page
-from learnblock.server.projects.lesson_folder import Progress
 from learnblock.server.sessions import lesson_stage
 from learnblock.server.sessions.coach import Coach
 

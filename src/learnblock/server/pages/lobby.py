@@ -9,6 +9,7 @@ from anyio import to_thread
 from starlette.websockets import WebSocket
 
 from learnblock.i18n import Phrase
+from learnblock.project.files.folder import ProjectFolder
 from learnblock.server import catalog
 from learnblock.server.pages import (
     asking,
@@ -31,7 +32,6 @@ from learnblock.server.pages import (
     world_editing,
 )
 from learnblock.server.pages.page import Page
-from learnblock.server.projects.folder import ProjectFolder
 from learnblock.server.sessions.sessions import Sessions
 
 HANDLERS = {

@@ -13,9 +13,9 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from learnblock.errors import LearnBlockError, phrase_of, shortage
 from learnblock.i18n import Multilingual, Phrase
+from learnblock.project.document.views import LONGEST_TEXT
 from learnblock.server import messages
 from learnblock.server.pages.boxes import Inbox, Outbox, OutboxFullError
-from learnblock.server.program.views import LONGEST_TEXT
 from learnblock.server.runs.shown import Shown
 from learnblock.server.sessions.lesson_trials import LessonTrial
 from learnblock.server.sessions.quota import new_projects

@@ -7,13 +7,13 @@ from anyio import to_thread
 
 from learnblock import robots, running
 from learnblock.i18n import Phrase
+from learnblock.project.files import unpacking
+from learnblock.project.files.packing import fits
+from learnblock.project.files.project import Project, ProjectPart
+from learnblock.project.files.project_file import LARGEST
 from learnblock.server import catalog, messages
 from learnblock.server.pages import custom_blocks, libraries
 from learnblock.server.pages.page import Handlers, Page
-from learnblock.server.projects import unpacking
-from learnblock.server.projects.packing import fits
-from learnblock.server.projects.project import Project, ProjectPart
-from learnblock.server.projects.project_file import LARGEST
 from learnblock.server.sessions.prepared import DEFAULT_WORLD, EMPTY
 
 HANDLERS = Handlers()

@@ -6,9 +6,9 @@ from difflib import SequenceMatcher
 from typing import TYPE_CHECKING
 
 from learnblock.i18n import Phrase
+from learnblock.project.document.document import Document
+from learnblock.project.files.kept_runs import KeptRun
 from learnblock.server import messages
-from learnblock.server.program.document import Document
-from learnblock.server.projects.kept_runs import KeptRun
 from learnblock.server.runs import telemetry
 from learnblock.server.runs.console import MOST_KEPT
 from learnblock.server.runs.looking import Looking, call_graph, way

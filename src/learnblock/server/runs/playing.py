@@ -11,6 +11,7 @@ from weakref import ref
 
 from learnblock.devices import Pose
 from learnblock.monitor.monitor import GoalNow
+from learnblock.project.document.document import Document
 from learnblock.robots import RobotEntry
 from learnblock.running import Options, ProgramRun, Report
 from learnblock.runtime.debugger import Debugger
@@ -19,7 +20,6 @@ from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.program import Program
 from learnblock.runtime.trace import Recorder
 from learnblock.server import messages
-from learnblock.server.program.document import Document
 from learnblock.server.runs.console import Voice
 from learnblock.server.runs.escalation import escalate_async
 from learnblock.server.runs.looking import Looking

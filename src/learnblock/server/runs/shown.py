@@ -4,10 +4,10 @@ from collections import Counter
 from typing import TypeVar
 
 from learnblock.i18n import Phrase
+from learnblock.project.document.revisions import Revisions
+from learnblock.project.document.shared import SharedProgram
+from learnblock.project.document.views import Problem, View
 from learnblock.server import messages
-from learnblock.server.program.revisions import Revisions
-from learnblock.server.program.shared import SharedProgram
-from learnblock.server.program.views import Problem, View
 
 Content = TypeVar("Content")
 

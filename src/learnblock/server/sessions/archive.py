@@ -11,10 +11,10 @@ from anyio import to_thread
 
 from learnblock.errors import LearnBlockError, phrase_of, shortage
 from learnblock.i18n import Phrase
+from learnblock.project.files.folder import FileChangedError, FileState, ProjectFolder
+from learnblock.project.files.history import PastRun, Reason
+from learnblock.project.files.project import Project
 from learnblock.runtime.log.blocks import Block
-from learnblock.server.projects.folder import FileChangedError, FileState, ProjectFolder
-from learnblock.server.projects.history import PastRun, Reason
-from learnblock.server.projects.project import Project
 
 if TYPE_CHECKING:
     from learnblock.server.sessions.session import Session

@@ -12,8 +12,7 @@ from learnblock.lessons.expert import Experts
 from learnblock.lessons.judging import Verdict, judge
 from learnblock.lessons.lesson import Step
 from learnblock.lessons.reading import OpenLesson
-from learnblock.server import catalog, messages
-from learnblock.server.projects.lesson_folder import (
+from learnblock.project.files.lesson_folder import (
     EVERYWHERE,
     GOALS,
     MOST,
@@ -23,7 +22,8 @@ from learnblock.server.projects.lesson_folder import (
     Progress,
     StepProgress,
 )
-from learnblock.server.projects.project import Project
+from learnblock.project.files.project import Project
+from learnblock.server import catalog, messages
 from learnblock.server.runs.viewers import Viewer
 from learnblock.server.sessions import lesson_stage as stage
 from learnblock.server.sessions import lesson_view as view

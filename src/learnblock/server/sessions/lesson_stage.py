@@ -7,8 +7,8 @@ from learnblock import robots
 from learnblock.blocks import block_sets
 from learnblock.blocks.block_sets import BlockNames, BlockSet
 from learnblock.lessons.reading import OpenLesson
+from learnblock.project.files.project import Project, ProjectPart
 from learnblock.server import catalog
-from learnblock.server.projects.project import Project, ProjectPart
 from learnblock.server.sessions.prepared import DEFAULT_WORLD, EMPTY
 
 #: The name of the block set of a step.

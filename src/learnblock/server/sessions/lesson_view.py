@@ -16,8 +16,8 @@ from learnblock.lessons.judging import Verdict
 from learnblock.lessons.lesson import Step
 from learnblock.lessons.reading import OpenLesson
 from learnblock.lessons.texts import MOST_DRAWINGS, drawn_blocks
+from learnblock.project.files.lesson_folder import PUZZLE, QUIZ, Progress, StepProgress
 from learnblock.server import catalog, messages
-from learnblock.server.projects.lesson_folder import PUZZLE, QUIZ, Progress, StepProgress
 
 #: The longest program that is drawn.
 _LONGEST_DRAWING = 4000

@@ -2,9 +2,9 @@
 
 from collections.abc import Mapping
 
+from learnblock.project.files.carried import Code
+from learnblock.project.files.packing import block_file, library_file
 from learnblock.server import messages
-from learnblock.server.projects.carried import Code
-from learnblock.server.projects.packing import block_file, library_file
 
 #: The limit in characters of what a page shows of one block or library.
 _LONGEST_SOURCE = 50_000

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, TypeVar
 from anyio import to_thread
 
 from learnblock.blocks import BlockConfiguration
+from learnblock.project.document.document import Document
+from learnblock.project.document.shared import Content, Edit, Merged, SharedProgram, base_of
+from learnblock.project.document.views import View
+from learnblock.project.files.project import ProjectPart
 from learnblock.robots import RobotEntry
 from learnblock.server import messages
-from learnblock.server.program.document import Document
-from learnblock.server.program.shared import Content, Edit, Merged, SharedProgram, base_of
-from learnblock.server.program.views import View
-from learnblock.server.projects.project import ProjectPart
 from learnblock.server.runs.console import Console
 from learnblock.server.runs.player import Player
 from learnblock.server.runs.viewers import Viewer, Viewers

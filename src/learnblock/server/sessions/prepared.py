@@ -7,13 +7,13 @@ from learnblock import robots, running
 from learnblock.blocks.known import all_configurations
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
+from learnblock.project.document.document import Document
+from learnblock.project.files.carried import Code
+from learnblock.project.files.project import Project, ProjectPart
+from learnblock.project.files.unpacking import only_read, unpacked
 from learnblock.robots import RobotEntry
 from learnblock.server import catalog
 from learnblock.server.messages import WorldChoice
-from learnblock.server.program.document import Document
-from learnblock.server.projects.carried import Code
-from learnblock.server.projects.project import Project, ProjectPart
-from learnblock.server.projects.unpacking import only_read, unpacked
 from learnblock.server.sessions.library_versions import LibraryVersions
 from learnblock.server.sessions.shown_blocks import ShownBlocks
 

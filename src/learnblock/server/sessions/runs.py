@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 from anyio import to_thread
 
 from learnblock.errors import LearnBlockError
+from learnblock.project.files.folder import ProjectFolder
+from learnblock.project.files.history import PastRun
 from learnblock.robots import RobotEntry
 from learnblock.running import may_use_network
 from learnblock.server import messages
-from learnblock.server.projects.folder import ProjectFolder
-from learnblock.server.projects.history import PastRun
 from learnblock.server.runs.playing import Setting
 from learnblock.server.runs.together import Participant, play_together, staged
 from learnblock.server.runs.trial import Trial

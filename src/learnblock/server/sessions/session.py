@@ -12,17 +12,17 @@ from learnblock.blocks.block_sets import BlockSet
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.lessons.reading import OpenLesson
+from learnblock.project.document.document import Document
+from learnblock.project.files.carried import Carried, Code
+from learnblock.project.files.folder import ProjectFolder
+from learnblock.project.files.kept_runs import KeptRun
+from learnblock.project.files.lesson_folder import Progress
+from learnblock.project.files.project import LONGEST_PART_NAME, Project, is_part_name
+from learnblock.project.files.unpacking import without
 from learnblock.robots import RobotEntry
 from learnblock.running import MOST_ROBOTS
 from learnblock.running.robot_names import robot_names
 from learnblock.server import catalog, messages
-from learnblock.server.program.document import Document
-from learnblock.server.projects.carried import Carried, Code
-from learnblock.server.projects.folder import ProjectFolder
-from learnblock.server.projects.kept_runs import KeptRun
-from learnblock.server.projects.lesson_folder import Progress
-from learnblock.server.projects.project import LONGEST_PART_NAME, Project, is_part_name
-from learnblock.server.projects.unpacking import without
 from learnblock.server.runs.keyboard import Keyboard
 from learnblock.server.runs.player import Player
 from learnblock.server.runs.shown import Shown

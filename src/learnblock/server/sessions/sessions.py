@@ -13,10 +13,10 @@ from learnblock.blocks import BlockConfiguration
 from learnblock.blocks.known import all_configurations
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
+from learnblock.project.files.folder import ProjectFolder
+from learnblock.project.files.project import Project, checked_name, is_same_program
 from learnblock.runtime.containment.survey import Finding, survey
 from learnblock.server.messages import PaletteChanged, ToPage
-from learnblock.server.projects.folder import ProjectFolder
-from learnblock.server.projects.project import Project, checked_name, is_same_program
 from learnblock.server.sessions.connections import Connections
 from learnblock.server.sessions.prepared import prepare
 from learnblock.server.sessions.quota import new_projects

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from learnblock.blocks import block_sets
 from learnblock.blocks.block_sets import EVERYTHING, BlockSet
 from learnblock.errors import UnknownNameError
+from learnblock.project.files.project import MOST_BLOCK_SETS, Project
 from learnblock.server.messages import BlocksShown
-from learnblock.server.projects.project import MOST_BLOCK_SETS, Project
 
 
 @dataclass(frozen=True)

@@ -10,9 +10,9 @@ from msgspec import inspect
 from learnblock.blocks import block_sets
 from learnblock.extensions import custom_blocks, libraries
 from learnblock.perception import tag_names
+from learnblock.project.document.views import LONGEST_TEXT
 from learnblock.server.messages import FROM_PAGE
 from learnblock.server.pages.page import LARGEST_MESSAGE
-from learnblock.server.program.views import LONGEST_TEXT
 from pages import english
 
 

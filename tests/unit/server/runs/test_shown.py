@@ -4,8 +4,8 @@ from collections import Counter
 
 from learnblock.blocks import builtin
 from learnblock.i18n import Phrase
-from learnblock.server.program.document import Document
-from learnblock.server.program.shared import SharedProgram
+from learnblock.project.document.document import Document
+from learnblock.project.document.shared import SharedProgram
 from learnblock.server.runs.shown import MOST_PROBLEMS, Shown
 
 EBO = "learnblock.robots.sim_ebo"

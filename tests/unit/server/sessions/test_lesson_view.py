@@ -16,7 +16,7 @@ from learnblock.lessons.checks import (
 )
 from learnblock.lessons.judging import Verdict
 from learnblock.lessons.reading import read_files
-from learnblock.server.projects.lesson_folder import StepProgress
+from learnblock.project.files.lesson_folder import StepProgress
 from learnblock.server.sessions import lesson_view as view
 
 RIGHT = ["function.expressJoy()", "function.sleep(1)", "function.stop_bot()"]

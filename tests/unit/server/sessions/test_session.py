@@ -2,7 +2,7 @@
 
 import json
 
-from learnblock.server.projects import folder
+from learnblock.project.files import folder
 from pages import english, serving
 
 PROGRAM = "main:\n    function.move_straight(50)\nend\n"

@@ -1,0 +1,527 @@
+"""The folder of a user's projects."""
+
+import os
+import re
+import time
+import unicodedata
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime
+from itertools import count, takewhile
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal, Self
+
+from learnblock import language, robots
+from learnblock.blocks.known import all_configurations
+from learnblock.errors import (
+    Diagnostic,
+    LearnBlockError,
+    ProgramError,
+    ProjectError,
+    SettingsError,
+    UnknownNameError,
+    shortage,
+)
+from learnblock.i18n import Phrase
+from learnblock.language.python.generation import ROBOT_IMPORT
+from learnblock.project.document.views import LONGEST_TEXT
+from learnblock.project.files.history import History, PastRun, Reason, Version
+from learnblock.project.files.kept_runs import KeptRuns
+from learnblock.project.files.lesson_folder import LessonFolder
+from learnblock.project.files.packing import encode_whole
+from learnblock.project.files.picture import LARGEST_PICTURE, PictureError, check_picture
+from learnblock.project.files.project import (
+    LONGEST_NAME,
+    Project,
+    ProjectEntry,
+    ProjectPart,
+    checked_name,
+)
+from learnblock.project.files.project_file import ENDING, LARGEST, decode, encode
+from learnblock.running import DEFAULT_ROBOT, forbid_network, move_network
+from learnblock.storage.files import is_device_name, save
+
+if TYPE_CHECKING:
+    from learnblock.importing import FindLibrary, Report
+
+__all__ = ["FileState", "Format", "Project", "ProjectFolder"]
+
+Format = Literal["bt", "py", "learnblock"]
+
+_NOT_IN_NAMES = re.compile(r"[^\w .-]+")
+
+
+class FileChangedError(Exception):
+    """Another program has changed a file since it was read or written last."""
+
+
+@dataclass(frozen=True)
+class FileState:
+    """What distinguishes versions of a file without reading them."""
+
+    inode: int
+    changed: int
+    size: int
+
+    @classmethod
+    def of(cls, status: os.stat_result) -> Self:
+        """The state of a file with this status."""
+        return cls(status.st_ino, status.st_mtime_ns, status.st_size)
+
+
+@dataclass(frozen=True)
+class ProjectFolder:
+    """Projects as files in a folder, with their history and a trash folder.
+
+    Args:
+        path: the path of the folder, which may not exist yet.
+        now: returns the time in seconds since 1970.
+        read_only: whether everything that would write is refused.
+    """
+
+    path: Path
+    now: Callable[[], float] = time.time
+    read_only: bool = False
+
+    def entries(self) -> tuple[ProjectEntry, ...]:
+        """List the projects, the last changed first."""
+        return tuple(sorted(self._entries(), key=lambda entry: entry.changed, reverse=True))
+
+    def read(self, name: str) -> Project:
+        """Read a project.
+
+        Raises:
+            UnknownNameError: it does not exist.
+            ProjectError: its file is invalid or can't be read.
+        """
+        path = self._path(name)
+        if not path.is_file():
+            raise UnknownNameError("project", name, self._names())
+        with _reporting(path, "read"), path.open("rb") as file:
+            return decode(file.read(LARGEST + 1), path.stem)
+
+    def write(self, project: Project) -> None:
+        """Save a project completely or not at all.
+
+        Raises:
+            ProjectError: it can't be saved; the file is unchanged.
+        """
+        self._require_writing()
+        path = self._path(project.name)
+        with _reporting(path, "save"):
+            save(path, encode(project))
+
+    def add(self, project: Project) -> Project:
+        """Save a new project under a free name, and return it with that name.
+
+        Raises:
+            ProjectError: it can't be saved.
+        """
+        self._require_writing()
+        named = replace(project, name=self.free_name(project.name))
+        # A file with this name that was deleted by hand may have been allowed the network. While
+        # the settings have a mistake, no program is.
+        with suppress(SettingsError):
+            forbid_network(self._path(named.name))
+        self.write(named)
+        return named
+
+    def file(self, name: str) -> Path:
+        """The path of a project's file, which may not exist."""
+        return self._path(name)
+
+    def write_whole(self, project: Project, known: FileState | None) -> FileState:
+        """Save a project with everything of the user's that it needs, completely or not at all.
+
+        Args:
+            project: the project.
+            known: the state of its file as read or written last.
+
+        Returns:
+            The new state.
+
+        Raises:
+            FileChangedError: another program has changed the file, which stays as it is.
+            ProjectError: it can't be saved; the file is unchanged.
+        """
+        self._require_writing()
+        path = self._path(project.name)
+        with _reporting(path, "save"):
+            status = save(
+                path,
+                encode_whole(project),
+                still_wanted=lambda: self.state(project.name) in (None, known),
+            )
+        if status is None:
+            raise FileChangedError
+        return FileState.of(status)
+
+    def state(self, name: str) -> FileState | None:
+        """The state of a project's file, which differs after any change; None without a file."""
+        try:
+            return FileState.of(self._path(name).stat())
+        except OSError:
+            return None
+
+    def keep_file(self, name: str) -> str:
+        """Save a project's file, as another program has left it, as a version; return its id.
+
+        Raises:
+            ProjectError: it can't be read or saved.
+        """
+        self._require_writing()
+        path = self._path(name)
+        with _reporting(path, "keep-version"), path.open("rb") as file:
+            data = file.read(LARGEST + 1)
+            return self._history(name).keep_file(data, "outside", _lines(data, name))
+
+    def free_name(self, wish: str) -> str:
+        """Find a free name like `wish`."""
+        taken = {name.casefold() for name in self._names()}
+        return next(name for name in self._names_like(wish) if name.casefold() not in taken)
+
+    def taken_names(self, wish: str) -> list[str]:
+        """The names of projects that were created with this name, the first one first."""
+        known = {name.casefold(): name for name in self._names()}
+        wanted = (name.casefold() for name in self._names_like(wish))
+        return [known[name] for name in takewhile(known.__contains__, wanted)]
+
+    def _names_like(self, wish: str) -> Iterator[str]:
+        # They are compared without case, which Windows and macOS ignore in file names.
+        plain = _plain(wish)
+        yield plain
+        for number in count(2):
+            yield f"{plain} {number}"
+
+    def rename(self, name: str, wish: str) -> None:
+        """Rename a project's file and its history, both or neither.
+
+        It keeps its permission to use the network.
+
+        Raises:
+            UnknownNameError: it does not exist.
+            ProjectError: the new name is invalid or taken, or the file can't be renamed.
+            SettingsError: the user's settings have a mistake.
+        """
+        self._require_writing()
+        path, target = self._path(name), self._path(wish)
+        if not path.is_file():
+            raise UnknownNameError("project", name, self._names())
+        # Windows and macOS ignore case in file names.
+        others = {one.casefold() for one in self._names() if one != name}
+        if wish.casefold() in others:
+            message = Phrase("project-name-taken", name=wish)
+            raise ProjectError(target.name, [Diagnostic("name-taken", message)])
+        with _reporting(path, "rename"):
+            path.rename(target)
+            try:
+                move_network(path, target)
+                self._move_history(name, wish)
+            except (OSError, SettingsError):
+                target.rename(path)
+                raise
+
+    def _move_history(self, name: str, wish: str) -> None:
+        old, new = self._history(name).folder, self._history(wish).folder
+        if new.is_dir() and name.casefold() != wish.casefold():
+            # A project whose file was deleted by hand has left it.
+            new.replace(self._new_trash(wish) / "history")
+        if old.is_dir():
+            old.rename(new)
+
+    def delete(self, name: str) -> None:
+        """Move a project and its history into the trash folder, ``.trash``.
+
+        A later project with this name may not use the network, even if this one may.
+
+        Raises:
+            UnknownNameError: it does not exist.
+            ProjectError: it can't be moved.
+            SettingsError: the user's settings have a mistake.
+        """
+        self._require_writing()
+        path = self._path(name)
+        if not path.is_file():
+            raise UnknownNameError("project", name, self._names())
+        forbid_network(path)
+        with _reporting(path, "delete"):
+            trash = self._new_trash(path.stem)
+            path.replace(trash / path.name)
+            history = self._history(name).folder
+            if history.is_dir():
+                history.replace(trash / "history")
+
+    def _new_trash(self, name: str) -> Path:
+        moment = datetime.fromtimestamp(self.now(), UTC).strftime("%Y-%m-%d %H.%M.%S.%f")
+        trash = self.path / ".trash" / f"{name} {moment}"
+        trash.mkdir(parents=True)
+        return trash
+
+    def import_file(self, filename: str, text: str) -> Project:
+        """Create a project from a file's text, under a free name; it is not saved yet.
+
+        Args:
+            filename: the file name, ending in .bt, .py or .learnblock.
+            text: the text of a program, which may have mistakes, or of a project.
+
+        Raises:
+            ProjectError: the file has another type, or is not a valid project.
+        """
+        stem, _, ending = filename.replace("\\", "/").rpartition("/")[2].rpartition(".")
+        ending = ending.lower()
+        text = text.removeprefix("\ufeff").replace("\r\n", "\n")
+        name = self.free_name(stem)
+        if ending in ("bt", "py"):
+            _require_short(text, filename)
+        if ending == "bt":
+            return Project(name, text)
+        if ending == "py":
+            return _from_python(name, text)
+        if f".{ending}" != ENDING:
+            raise ProjectError(filename, [Diagnostic("unknown-file", Phrase("project-type"))])
+        project = decode(text.encode("utf-8", "replace"), stem)
+        for part in project.parts:
+            _require_short(part.blocktext, filename)
+            _require_short(part.python or "", filename)
+        return replace(project, name=name)
+
+    def import_original(
+        self, filename: str, data: bytes, find_library: "FindLibrary"
+    ) -> "tuple[Project, Report]":
+        """Create a project from a file of the original LearnBlock, under a free name.
+
+        Args:
+            filename: ends in .blockProject or .lb.
+            data: the file.
+            find_library: finds the libraries that a project imports.
+
+        Raises:
+            FileError: the file is damaged, or has another type.
+        """
+        from learnblock import importing  # noqa: PLC0415 - few pages open such files
+
+        stem, _, ending = filename.replace("\\", "/").rpartition("/")[2].rpartition(".")
+        skills = all_configurations()
+        if f".{ending}".lower() == importing.ENDING.lower():
+            made = importing.import_project(data, filename, skills, find_library)
+        elif f".{ending}".lower() == importing.LIBRARY_ENDING:
+            made = importing.import_text(data, filename, skills)
+        else:
+            raise ProjectError(filename, [Diagnostic("unknown-file", Phrase("import-type"))])
+        _require_short(made.blocktext, filename)
+        return Project(self.free_name(stem), made.blocktext, workspace=made.workspace), made.report
+
+    def export(self, project: Project, format_: Format, part: int = 0) -> tuple[str, str]:
+        """Export a project, or the program of one of its robots: the name and text of a file.
+
+        Args:
+            project: the project.
+            format_: the format; only `learnblock` has all robots.
+            part: the index of the robot whose program is exported.
+
+        Raises:
+            ProgramError: the format is Python and the program has mistakes.
+            ProjectError: the project can't be written as a file.
+        """
+        if format_ == "learnblock":
+            return f"{project.name}.{format_}", encode_whole(project, leaves=True).decode()
+        one = project.parts[part]
+        name = one.name if project.has_several else project.name
+        if format_ == "bt":
+            return f"{name}.{format_}", one.blocktext
+        text = one.python if one.python is not None else _python(one)
+        return f"{name}.{format_}", text
+
+    # History.
+
+    def keep_version(self, project: Project, reason: Reason) -> str:
+        """Save a version of a project unless the last one is the same; return its id.
+
+        Raises:
+            ProjectError: it can't be saved.
+        """
+        self._require_writing()
+        with _reporting(self._path(project.name), "keep-version"):
+            return self._history(project.name).keep(project, reason)
+
+    def versions(self, name: str) -> tuple[Version, ...]:
+        """List the versions of a project, the newest first."""
+        return self._history(name).versions()
+
+    def read_version(self, name: str, version: str) -> Project:
+        """Read a version of a project.
+
+        Raises:
+            UnknownNameError: it does not exist.
+            ProjectError: its file is damaged.
+        """
+        with _reporting(self._path(name), "read-version"):
+            return self._history(name).read(version)
+
+    def add_run(self, name: str, run: PastRun) -> None:
+        """Save the result of a run.
+
+        Raises:
+            ProjectError: it can't be saved.
+        """
+        self._require_writing()
+        with _reporting(self._path(name), "keep-run"):
+            self._history(name).add_run(run)
+
+    def runs(self, name: str) -> tuple[PastRun, ...]:
+        """List the last runs of a project, the newest first."""
+        with _reporting(self._path(name), "read-runs"):
+            return self._history(name).runs()
+
+    def kept_runs(self, name: str) -> KeptRuns:
+        """The logs of a project's runs.
+
+        Raises:
+            ProjectError: no project can have this name.
+        """
+        return KeptRuns(self._history(name).folder / "runs", self.read_only, self.now)
+
+    def lesson(self, name: str) -> LessonFolder:
+        """How far a project has come in its lesson.
+
+        Raises:
+            ProjectError: no project can have this name.
+        """
+        return LessonFolder(name, self._history(name).folder, self.read_only)
+
+    # Pictures.
+
+    def keep_picture(self, name: str, jpeg: bytes) -> None:
+        """Keep a picture of a project instead of the one before.
+
+        Raises:
+            PictureError: it is not such a picture.
+            ProjectError: it can't be saved.
+        """
+        self._require_writing()
+        check_picture(jpeg)
+        with _reporting(self._path(name), "save"):
+            self._history(name).keep_picture(jpeg)
+
+    def copy_picture(self, name: str, copy: str) -> None:
+        """Give a copy of a project its picture, if it has one.
+
+        Raises:
+            ProjectError: it can't be saved.
+        """
+        self._require_writing()
+        with _reporting(self._path(copy), "save"), suppress(FileNotFoundError):
+            self._history(copy).keep_picture(self._history(name).picture.read_bytes())
+
+    def picture(self, name: str) -> bytes | None:
+        """The picture of a project; None if it has none."""
+        try:
+            with self._history(name).picture.open("rb") as file:
+                jpeg = file.read(LARGEST_PICTURE + 1)
+            check_picture(jpeg)
+        except (OSError, PictureError):
+            # Another program may have put any file there.
+            return None
+        return jpeg
+
+    def _picture_taken(self, name: str) -> float:
+        """When a project's picture was taken, in seconds since 1970; 0 if it has none."""
+        try:
+            return self._history(name).picture.stat().st_mtime
+        except OSError:
+            return 0.0
+
+    def _require_writing(self) -> None:
+        if self.read_only:
+            raise ProjectError(
+                self.path.name, [Diagnostic("no-access", Phrase("server-read-only"))]
+            )
+
+    def _history(self, name: str) -> History:
+        name = checked_name(name)
+        return History(name, self.path / ".history" / name, self.now)
+
+    def _path(self, name: str) -> Path:
+        return self.path / (checked_name(name) + ENDING)
+
+    def _entries(self) -> Iterator[ProjectEntry]:
+        for path in self.path.glob("*" + ENDING):
+            # Another program may just have created or deleted the file.
+            with suppress(OSError, ProjectError):
+                name = checked_name(path.stem)
+                yield ProjectEntry(name, path.stat().st_mtime, self._picture_taken(name))
+
+    def _names(self) -> list[str]:
+        return sorted(entry.name for entry in self._entries())
+
+
+def _lines(data: bytes, name: str) -> int:
+    """The lines of a project's program; 0 for a damaged file."""
+    try:
+        return decode(data, name).blocktext.count("\n") + 1
+    except ProjectError:
+        return 0
+
+
+def _require_short(text: str, filename: str) -> None:
+    """Check that a program from a page can be edited there.
+
+    Raises:
+        ProjectError: it is longer than any program that a page may send.
+    """
+    if len(text) > LONGEST_TEXT:
+        message = Phrase("project-program-too-long", size=len(text), limit=LONGEST_TEXT)
+        raise ProjectError(filename, [Diagnostic("too-large", message)])
+
+
+def _plain(wish: str) -> str:
+    """Convert any string to a valid project name."""
+    wish = unicodedata.normalize("NFC", wish)
+    short = _NOT_IN_NAMES.sub(" ", wish).encode("utf-8", "ignore")[: LONGEST_NAME - 10]
+    name = short.decode("utf-8", "ignore").strip(" ._-")
+    if is_device_name(name):
+        # Windows has no file with such a name, but one that contains it.
+        name = f"program {name}"
+    try:
+        return checked_name(name)
+    except ProjectError:
+        return "program"
+
+
+def _from_python(name: str, text: str) -> Project:
+    """Create a project from a Python file, which may have mistakes."""
+    module = ROBOT_IMPORT.search(text)
+    robot = _robot_of(module[1]) if module else DEFAULT_ROBOT
+    try:
+        blocktext = language.format(language.from_python(text))
+    except ProgramError:
+        # The page shows the mistakes in the Python itself.
+        blocktext = ""
+    return Project(name, blocktext, text, robot=robot)
+
+
+def _robot_of(module: str) -> str:
+    try:
+        return robots.find(module).name
+    except LearnBlockError:
+        # The robot is not installed; the program can still be parsed, and run on another robot.
+        return DEFAULT_ROBOT
+
+
+def _python(part: ProjectPart) -> str:
+    tree = language.parse(part.blocktext, f"{part.name}.bt")
+    return language.to_python(tree, robots.module_of(part.robot)).text
+
+
+@contextmanager
+def _reporting(path: Path, action: str) -> Iterator[None]:
+    """Report an action refused by the operating system."""
+    try:
+        yield
+    except OSError as error:
+        lack = shortage(error)
+        reason = lack or error.strerror or str(error)
+        message = Phrase("project-no-access", action=action, folder=str(path.parent), reason=reason)
+        code = "no-space" if lack else "no-access"
+        raise ProjectError(path.name, [Diagnostic(code, message)]) from error
