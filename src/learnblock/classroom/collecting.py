@@ -1,35 +1,20 @@
-"""What the pupils of a class have made in a lesson."""
+"""What the pupils of a class have made in a lesson, as if they had handed it in."""
 
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
-from typing import NamedTuple
 
 from learnblock.classroom.pupil_folder import PROJECTS
 from learnblock.classroom.roster import Pupil, Roster
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
+from learnblock.lessons.grading.values import HandedIn
 from learnblock.project.files.folder import ProjectFolder
 from learnblock.project.files.project import Project
+from learnblock.project.files.unpacking import tags_used
 
 
-class Collected(NamedTuple):
-    """The work of a pupil.
-
-    Args:
-        pupil: the first name; of several pupils with one name, each with the id.
-        file: the project's file; the folder of the projects if there is none.
-        project: the program of the step; None if the pupil has not been there.
-        problem: why the program can't be read; None if it can, or if there is none.
-    """
-
-    pupil: str
-    file: Path
-    project: Project | None
-    problem: Phrase | None = None
-
-
-def collect(roster: Roster, lesson: str, step: int) -> Iterator[Collected]:
+def collect(roster: Roster, lesson: str, step: int) -> Iterator[HandedIn]:
     """The newest program of each pupil in a step of a lesson.
 
     Args:
@@ -43,19 +28,26 @@ def collect(roster: Roster, lesson: str, step: int) -> Iterator[Collected]:
         yield _of(roster, pupil, name, lesson, step)
 
 
-def _of(roster: Roster, pupil: Pupil, name: str, lesson: str, step: int) -> Collected:
+def _of(roster: Roster, pupil: Pupil, name: str, lesson: str, step: int) -> HandedIn:
     folder = ProjectFolder(roster.folder_of(pupil) / PROJECTS, read_only=True)
     for entry in folder.entries():
         progress = folder.lesson(entry.name).progress()
         if progress is None or progress.lesson != lesson:
             continue
-        # The project is at its current step; the program of another one is kept beside it.
-        kept = folder.lesson(entry.name).program(step)
         file = folder.file(entry.name)
+        # The project is at its current step; the program of another one is kept beside it.
         if progress.step != step:
-            return Collected(name, file, kept)
+            return _handed_in(name, file, folder.lesson(entry.name).program(step))
         try:
-            return Collected(name, file, folder.read(entry.name))
+            return _handed_in(name, file, folder.read(entry.name))
         except LearnBlockError as error:
-            return Collected(name, file, None, error.phrase)
-    return Collected(name, folder.path, None)
+            return HandedIn(name, str(file), reason=error.phrase)
+    return _handed_in(name, folder.path, None)
+
+
+def _handed_in(pupil: str, file: Path, project: Project | None) -> HandedIn:
+    if project is None:
+        reason = Phrase("grade-not-begun")
+        return HandedIn(pupil, str(file), reason=reason, absence="not begun")
+    part = project.parts[0]
+    return HandedIn(pupil, str(file), part.text, part.is_python, dict(tags_used(project)))

@@ -10,9 +10,9 @@ from msgspec import Meta, Struct
 from learnblock.classroom.pins import Picture, Pictures
 from learnblock.classroom.roster import MOST_PUPILS, PupilId
 from learnblock.i18n import Phrase
+from learnblock.lessons.lesson import LessonText
 from learnblock.project.files.lesson_folder import LessonName
 from learnblock.server.messages.base import Message, Name, StateName
-from learnblock.server.messages.lessons import LessonText
 
 Hint = Annotated[str, Meta(min_length=1, max_length=300)]
 Writing = Literal["no", "asked", "yes"]

@@ -9,9 +9,9 @@ import msgspec
 
 from learnblock.classroom.messages import GoalState, Plan, Seat, Words, Writing
 from learnblock.classroom.roster import Pupil
+from learnblock.lessons.lesson import LessonText
 from learnblock.server import messages
 from learnblock.server.messages.base import StateName
-from learnblock.server.messages.lessons import LessonText
 
 #: A new point of the way, if it is further than this from the last one, in mm; and the most points.
 _STEP, _MOST_POINTS = 15.0, 400

@@ -9,8 +9,8 @@ from learnblock.classroom.pins import Picture
 from learnblock.classroom.roster import Pupil, Roster
 from learnblock.classroom.servers import Place, Servers
 from learnblock.errors import LearnBlockError
+from learnblock.lessons.lesson import LessonText
 from learnblock.server import messages
-from learnblock.server.messages.lessons import LessonText
 
 if TYPE_CHECKING:
     from learnblock.classroom.wall import Board

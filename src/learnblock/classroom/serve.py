@@ -15,12 +15,12 @@ from learnblock.classroom.certificate import Certificate
 from learnblock.classroom.room import Room
 from learnblock.classroom.roster import Roster
 from learnblock.i18n import Phrase
+from learnblock.lessons.lesson import LessonText
 from learnblock.server.http.address import own_address
 from learnblock.server.http.connections import Connections, Listening, most_connections
 from learnblock.server.http.event_loop import EventLoop
 from learnblock.server.http.faults import faults_said_once
 from learnblock.server.last_resort import Deadlines, EndingServer, LastResort
-from learnblock.server.messages.lessons import LessonText
 from learnblock.server.serve import collect_rarely, configured, tcp_socket
 
 EVERYWHERE = "0.0.0.0"  # noqa: S104 - pupils come from other computers

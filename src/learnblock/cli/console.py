@@ -76,6 +76,11 @@ def say(code: str, /, *, err: bool = False, **values: Any) -> None:
     click.echo(text(Phrase(code, **values)), err=err)
 
 
+def warn(phrase: "Phrase") -> None:
+    """Print a phrase to stderr."""
+    click.echo(text(phrase), err=True)
+
+
 def usage_error(code: str, /, **values: Any) -> click.UsageError:
     """Create the error for a wrong call of a command."""
     from learnblock.i18n import Phrase  # noqa: PLC0415 - `--help` needs none of it

@@ -11,14 +11,14 @@ from typing import Any
 import click
 
 from learnblock import robots as known_robots
-from learnblock.cli.console import say, text, usage_error
-from learnblock.cli.handed_in import read_all
+from learnblock.cli.console import say, text, usage_error, warn
 from learnblock.cli.interrupts import stopped_by_signals
 from learnblock.cli.language import language
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.lessons.grading.executors import OpenWorkers, cluster, local
 from learnblock.lessons.grading.grading import Grading
+from learnblock.lessons.grading.handed_in import read_all
 from learnblock.lessons.grading.journal import opened_journal
 from learnblock.lessons.grading.output import write_results
 from learnblock.lessons.grading.plan import Plan, tries
@@ -129,30 +129,15 @@ def _check_simulated(name: str) -> None:
 
 
 def _handed_in(paths: Sequence[Path], wish: Wish, step: int) -> Iterator[HandedIn]:
-    if wish.class_name:
-        return _read_class(wish, step)
-    return read_all(paths, wish.out / HANDED_IN, lambda left: click.echo(text(left), err=True))
-
-
-def _read_class(wish: Wish, step: int) -> Iterator[HandedIn]:
-    """What the pupils of a class have made in the step.
+    """What was handed in as files, or what the pupils of a class have made in the step.
 
     Raises:
-        LearnBlockError: there is no such class.
+        LearnBlockError: there is no such class, or a file can't be read.
     """
-    # The command line needs none of it otherwise.
-    from learnblock.classroom.collecting import collect  # noqa: PLC0415
-    from learnblock.classroom.roster import known_class  # noqa: PLC0415
+    if wish.class_name:
+        # The command line needs none of it otherwise.
+        from learnblock.classroom.collecting import collect  # noqa: PLC0415
+        from learnblock.classroom.roster import known_class  # noqa: PLC0415
 
-    assert wish.class_name  # noqa: S101 - the caller has looked
-    for work in collect(known_class(wish.class_name), find_lesson(wish.lesson).name, step):
-        project, file = work.project, str(work.file)
-        if work.problem is not None:
-            yield HandedIn(work.pupil, file, reason=work.problem)
-        elif project is None:
-            reason = Phrase("grade-not-begun")
-            yield HandedIn(work.pupil, file, reason=reason, absence="not begun")
-        else:
-            is_python = project.python is not None
-            text = project.blocktext if project.python is None else project.python
-            yield HandedIn(work.pupil, file, text, is_python, dict(project.tags))
+        return collect(known_class(wish.class_name), find_lesson(wish.lesson).name, step)
+    return read_all(paths, wish.out / HANDED_IN, warn)

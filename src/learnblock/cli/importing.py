@@ -163,12 +163,13 @@ def _imported(
 
 def _project(source: Path) -> "_Converted":
     """A project for the page."""
-    from learnblock.project.files import project_file  # noqa: PLC0415
+    from learnblock.project.files import ENDING  # noqa: PLC0415
     from learnblock.project.files.project import Project  # noqa: PLC0415
+    from learnblock.project.files.project_file import encode  # noqa: PLC0415
 
     made = _read(source)
     project = Project(source.stem, made.blocktext, workspace=made.workspace)
-    return project_file.ENDING, project_file.encode(project), made.report
+    return ENDING, encode(project), made.report
 
 
 def _program(source: Path) -> "_Converted":

@@ -18,6 +18,7 @@ from learnblock.cli.console import (
     print_json,
     say,
     usage_error,
+    warn,
 )
 from learnblock.errors import Diagnostic, FileError, LearnBlockError
 
@@ -92,8 +93,8 @@ def _run(
     """Run programs, and return the exit code."""
     with _loading():
         # Imported here because `--help` needs none of it.
-        from learnblock.cli.project_files import robots_in  # noqa: PLC0415
         from learnblock.cli.reporting import run_and_report  # noqa: PLC0415
+        from learnblock.project.files.programs import robots_in  # noqa: PLC0415
 
     count = sum(one.count * robots_in(one.file) for one in programs)
     if variants and count > 1:
@@ -236,11 +237,11 @@ def convert(file: Path, notation: str, robot: str | None, as_json: bool) -> None
 def _diagnose(file: Path, robot: str | None) -> tuple[list[Diagnostic], str]:
     """A program's diagnostics, and its text for the caret."""
     from learnblock import robots, running  # noqa: PLC0415
-    from learnblock.cli.project_files import read  # noqa: PLC0415
+    from learnblock.project.files.programs import read  # noqa: PLC0415
 
     entry = robots.find(robot) if robot else None
     try:
-        source = read(file)
+        source = read(file, warn)
     except FileError as error:
         return list(error.diagnostics), error.source
     return running.check(source, entry), source.text

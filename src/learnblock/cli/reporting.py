@@ -12,7 +12,7 @@ from typing import Any, BinaryIO
 import click
 
 from learnblock import running
-from learnblock.cli.console import ExitCode, located, print_json, say, text, visible
+from learnblock.cli.console import ExitCode, located, print_json, say, text, visible, warn
 from learnblock.cli.interrupts import stopped_by_signals
 from learnblock.cli.keyboard import (
     Keyboard,
@@ -21,11 +21,11 @@ from learnblock.cli.keyboard import (
     listens_to_terminal,
     terminal_keyboard,
 )
-from learnblock.cli.project_files import ProgramFile, opened
 from learnblock.client import Goal
 from learnblock.errors import Diagnostic, FileError, LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.language.check.robots import need_phrase
+from learnblock.project.files.programs import ProgramFile, opened
 from learnblock.robots import RobotEntry
 from learnblock.running import Options, ProgramRun, Report, Source
 from learnblock.running.recorded_keys import read_keys
@@ -84,7 +84,7 @@ def prepared(file: Path, *, as_json: bool, **choices: Any) -> Iterator[Prepared 
     """A program, read and checked; None, and a report, if it has mistakes."""
     with ExitStack() as stack:
         try:
-            found = stack.enter_context(opened(file))
+            found = stack.enter_context(opened(file, warn))
         except FileError as error:
             if as_json:
                 print_json(refused_report(str(file), error.diagnostics))

@@ -8,11 +8,11 @@ import click
 
 from learnblock import robots, running
 from learnblock.blocks import BlockConfiguration
-from learnblock.cli.console import ExitCode, print_diagnostics, print_json, text
-from learnblock.cli.project_files import read
+from learnblock.cli.console import ExitCode, print_diagnostics, print_json, text, warn
 from learnblock.errors import FileError, LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.language.check.robots import Verdict, need_phrase
+from learnblock.project.files.programs import read
 from learnblock.senses import UNSERVED, served_by
 
 
@@ -22,7 +22,7 @@ def print_robots(files: Iterable[Path], *, as_json: bool) -> ExitCode:
     found: dict[str, Mapping[str, Verdict | Phrase]] = {}
     for file in files:
         try:
-            found[str(file)] = running.runs_on(read(file))
+            found[str(file)] = running.runs_on(read(file, warn))
         except FileError as error:
             failed = True
             print_diagnostics(str(file), error.diagnostics, error.source, err=True)

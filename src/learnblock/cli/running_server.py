@@ -10,8 +10,9 @@ from urllib.parse import urlsplit
 import msgspec
 
 from learnblock.errors import LearnBlockError
+from learnblock.project.files import ENDING
 from learnblock.project.files.project import Project
-from learnblock.project.files.project_file import ENDING, encode
+from learnblock.project.files.project_file import encode
 from learnblock.project.files.writer import Writer
 from learnblock.server import messages
 from learnblock.server.http.address import token as the_token

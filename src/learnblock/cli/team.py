@@ -11,7 +11,7 @@ import click
 
 from learnblock import running
 from learnblock.cli.assignment import Assignment
-from learnblock.cli.console import ExitCode, print_json, text, usage_error
+from learnblock.cli.console import ExitCode, print_json, text, usage_error, warn
 from learnblock.cli.interrupts import stopped_by_signals
 from learnblock.cli.keyboard import (
     Keyboard,
@@ -20,7 +20,6 @@ from learnblock.cli.keyboard import (
     listens_to_terminal,
     shared_keyboard,
 )
-from learnblock.cli.project_files import ProgramFile, opened_all, robots_in
 from learnblock.cli.reporting import (
     EXIT_CODES,
     STATUS_PERIOD,
@@ -41,6 +40,7 @@ from learnblock.cli.reporting import (
 )
 from learnblock.errors import FileError, LearnBlockError
 from learnblock.i18n import Phrase
+from learnblock.project.files.programs import ProgramFile, opened_all, robots_in
 from learnblock.robots import RobotEntry
 from learnblock.running import MOST_ROBOTS, Options, Report
 from learnblock.running.recorded_keys import read_keys_of
@@ -249,7 +249,7 @@ def _read(
     stack: ExitStack, assignment: Assignment, robot: str | None, *, as_json: bool
 ) -> Sequence[_Part]:
     try:
-        files = stack.enter_context(opened_all(assignment.file))
+        files = stack.enter_context(opened_all(assignment.file, warn))
     except FileError as error:
         if as_json:
             _print_refused(assignment, refused_report(str(assignment.file), error.diagnostics))

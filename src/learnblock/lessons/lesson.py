@@ -26,6 +26,8 @@ FileName = Annotated[
 ]
 RobotName = Annotated[str, Meta(min_length=1, max_length=60)]
 #: The parts of a lesson in the order of PRIMM (Sentance, Waite and Kallia, 2019).
+#: A text in every language alike, or by language.
+LessonText = str | dict[str, str]
 Phase = Literal["predict", "run", "investigate", "modify", "make"]
 Level = Literal[1, 2, 3, 4]
 

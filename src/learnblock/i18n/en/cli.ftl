@@ -5,8 +5,6 @@ cli-file-error = { $file }: { $reason }
 cli-system-error = { $reason }
 cli-no-file = There is no file { $file }.
 cli-wrote = Wrote { $file }
-# $names is a list of names.
-cli-project-code = { $file } brings code that is not installed here: { $names }. To read and install it, run: { $command }
 cli-stop-with-ctrl-c = Press Ctrl-C to stop.
 
 # $value is a setting's default.

@@ -8,6 +8,8 @@ project-name-device = Windows reserves the name '{ $name }' for a device. Choose
 project-character = The character U+{ $code } can't be saved. Remove it from the program.
 project-program-too-long = The program has { $size } characters, more than the { $limit } that LearnBlock can edit. Split it into several programs or functions of a library.
 project-too-large = The project has { $size } bytes, but a project can have at most { $limit }.
+# $names is a list of names.
+project-code = { $file } brings code that is not installed here: { $names }. To read and install it, run: { $command }
 project-type = LearnBlock can't open this type of file. Choose a .bt, .py, .learnblock or .blockProject file.
 # $start is how the file of a project starts.
 project-none = This file is damaged or not a LearnBlock project. A project file starts with { $start }.

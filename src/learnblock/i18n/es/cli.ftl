@@ -4,8 +4,6 @@ cli-file-error = { $file }: { $reason }
 cli-system-error = { $reason }
 cli-no-file = No existe el archivo { $file }.
 cli-wrote = Escrito: { $file }
-# $names es una lista de nombres.
-cli-project-code = { $file } trae código que no está instalado aquí: { $names }. Para leerlo e instalarlo, ejecuta: { $command }
 cli-stop-with-ctrl-c = Pulsa Ctrl-C para terminar.
 
 cli-default = por defecto: { $value }

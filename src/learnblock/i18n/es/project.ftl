@@ -7,6 +7,8 @@ project-name-device = Windows reserva el nombre '{ $name }' para un dispositivo.
 project-character = El carácter U+{ $code } no se puede guardar. Quítalo del programa.
 project-program-too-long = El programa tiene { $size } caracteres, más de los { $limit } que LearnBlock puede editar. Divídelo en varios programas o en funciones de una biblioteca.
 project-too-large = El proyecto tiene { $size } bytes, pero un proyecto puede tener como máximo { $limit }.
+# $names es una lista de nombres.
+project-code = { $file } trae código que no está instalado aquí: { $names }. Para leerlo e instalarlo, ejecuta: { $command }
 project-type = LearnBlock no puede abrir este tipo de archivo. Elige un archivo .bt, .py, .learnblock o .blockProject.
 project-none = Este archivo está dañado o no es un proyecto de LearnBlock. Un archivo de proyecto empieza por { $start }.
 project-not-utf-8 = Este archivo está dañado o no es un proyecto de LearnBlock: el byte { $byte } no es UTF-8.

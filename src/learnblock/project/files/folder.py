@@ -26,6 +26,7 @@ from learnblock.errors import (
 from learnblock.i18n import Phrase
 from learnblock.language.python.generation import ROBOT_IMPORT
 from learnblock.project.document.views import LONGEST_TEXT
+from learnblock.project.files import ENDING
 from learnblock.project.files.history import History, PastRun, Reason, Version
 from learnblock.project.files.kept_runs import KeptRuns
 from learnblock.project.files.lesson_folder import LessonFolder
@@ -38,7 +39,7 @@ from learnblock.project.files.project import (
     ProjectPart,
     checked_name,
 )
-from learnblock.project.files.project_file import ENDING, LARGEST, decode, encode
+from learnblock.project.files.project_file import LARGEST, decode, encode
 from learnblock.running import DEFAULT_ROBOT, forbid_network, move_network
 from learnblock.storage.files import is_device_name, save
 

@@ -11,9 +11,10 @@ import msgspec
 from msgspec import Struct
 
 from learnblock.errors import UnknownNameError
+from learnblock.project.files import ENDING
 from learnblock.project.files.carried import NOTHING
 from learnblock.project.files.project import Project
-from learnblock.project.files.project_file import ENDING, LARGEST, decode, encode
+from learnblock.project.files.project_file import LARGEST, decode, encode
 from learnblock.storage.files import save
 
 Reason = Literal["run", "time", "restored", "outside", "conflict"]

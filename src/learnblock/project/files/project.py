@@ -51,6 +51,16 @@ class ProjectPart:
     breakpoints: tuple[str, ...] = ()
     count: int = 1
 
+    @property
+    def is_python(self) -> bool:
+        """Whether its author wrote it in Python."""
+        return self.python is not None
+
+    @property
+    def text(self) -> str:
+        """The text that its author wrote, which the other notation follows."""
+        return self.blocktext if self.python is None else self.python
+
 
 @dataclass(frozen=True)
 class Project:

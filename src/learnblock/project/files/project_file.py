@@ -47,6 +47,7 @@ from learnblock.extensions.libraries import Name, Version
 from learnblock.i18n import Phrase
 from learnblock.language.workspace.blocks import Workspace
 from learnblock.perception.tag_names import LAST_TAG
+from learnblock.project.files import ENDING
 from learnblock.project.files.carried import NOTHING, Carried, CarriedWorld, Code, TagNames
 from learnblock.project.files.project import (
     LONGEST_NAME,
@@ -63,7 +64,6 @@ from learnblock.running import DEFAULT_ROBOT, MOST_ROBOTS
 from learnblock.storage.file_phrases import place as phrase_of_place
 from learnblock.storage.file_phrases import unknown_key
 
-ENDING = ".learnblock"
 VERSION = 1
 #: The version of a file that carries something.
 CARRYING_VERSION = 2

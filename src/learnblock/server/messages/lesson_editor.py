@@ -11,9 +11,10 @@ from msgspec import Struct, field
 from learnblock.i18n import Phrase
 from learnblock.language.workspace.blocks import Workspace
 from learnblock.lessons.editing import EditedLesson
+from learnblock.lessons.lesson import LessonText
 from learnblock.project.files.lesson_folder import LessonName
 from learnblock.server.messages.base import FromPage, FromReader, ToPage
-from learnblock.server.messages.lessons import LessonText, LessonWords
+from learnblock.server.messages.lessons import LessonWords
 
 # From the page.
 

@@ -10,15 +10,13 @@ from msgspec import Meta, Struct, field
 from learnblock.i18n import Phrase
 from learnblock.language.workspace.blocks import Workspace
 from learnblock.lessons.archive import MOST_FILES
-from learnblock.lessons.lesson import Phase
+from learnblock.lessons.lesson import LessonText, Phase
 from learnblock.project.files.lesson_folder import BrowserId, LessonName, StepNumber
 from learnblock.server.messages.base import FromPage, FromReader, Name, ShortText, ToPage
 from learnblock.server.messages.running import VariantNumber
 
 #: The limit of a lesson's file in bytes; in base 64 it fits into a message.
 LARGEST_LESSON = 2_500_000
-#: A text in every language alike, or by language.
-LessonText = str | dict[str, str]
 
 # From the page.
 

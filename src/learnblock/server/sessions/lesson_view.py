@@ -13,7 +13,7 @@ from learnblock.lessons import puzzles
 from learnblock.lessons.checks import Collided, GoalReached, Happens, Never, Reaches, Size, Uses
 from learnblock.lessons.describing import describe
 from learnblock.lessons.judging import Verdict
-from learnblock.lessons.lesson import Step
+from learnblock.lessons.lesson import LessonText, Step
 from learnblock.lessons.reading import OpenLesson
 from learnblock.lessons.texts import MOST_DRAWINGS, drawn_blocks
 from learnblock.project.files.lesson_folder import PUZZLE, QUIZ, Progress, StepProgress
@@ -23,7 +23,7 @@ from learnblock.server import catalog, messages
 _LONGEST_DRAWING = 4000
 
 
-def plain(text: str | Mapping[str, str]) -> messages.LessonText:
+def plain(text: str | Mapping[str, str]) -> LessonText:
     """A text of a lesson in the form of messages."""
     return text if isinstance(text, str) else dict(text)
 

@@ -3,17 +3,18 @@
 import hashlib
 import unicodedata
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from learnblock.cli.project_files import ENDING, opened
 from learnblock.errors import FileError, LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.lessons.archive import IGNORED
 from learnblock.lessons.grading.unpacking import ENDINGS, MOODLE, program_name, unpacked
 from learnblock.lessons.grading.values import HandedIn
+from learnblock.project.files import ENDING
+from learnblock.project.files.programs import Report, opened
 from learnblock.running.source import LARGEST_PROGRAM
 
 #: The most programs of one pupil that are graded; more are rather the files of another tool.
@@ -21,7 +22,6 @@ MOST_PROGRAMS = 5
 #: The most names of files in a message.
 _NAMED = 5
 _ZIP = ".zip"
-Report = Callable[[Phrase], object]
 
 
 @dataclass(frozen=True)
@@ -99,7 +99,7 @@ class _Reader:
         """The program of a file."""
         try:
             program = self._well_named(path)
-            with opened(program) as found:
+            with opened(program, self._report) as found:
                 source = found.source
                 tags = dict(found.tags)
         except FileError as error:

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from gradings import GOOD
-from learnblock.cli.handed_in import read_all
+from learnblock.lessons.grading.handed_in import read_all
 
 #: What is in a zip, and for each pupil whether there is a program, or the reason why not.
 ZIPS = {

@@ -1,21 +1,23 @@
-"""Programs and projects that the command line reads; reading them changes nothing of the user's."""
+"""The programs in a file, which may be a project; reading them changes nothing of the user's."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from learnblock import running
-from learnblock.cli.console import say
 from learnblock.errors import FileError
+from learnblock.i18n import Phrase
+from learnblock.project.files import ENDING
 from learnblock.running import Source
 from learnblock.shell import command_line
 
 if TYPE_CHECKING:
     from learnblock.project.files.project import Project, ProjectPart
 
-ENDING = ".learnblock"
+#: Called with what a reader should know of a file.
+Report = Callable[[Phrase], object]
 
 
 @dataclass(frozen=True)
@@ -40,14 +42,16 @@ class ProgramFile:
 
 
 @contextmanager
-def opened(path: Path) -> Iterator[ProgramFile]:
+def opened(path: Path, report: Report) -> Iterator[ProgramFile]:
     """Read a program or a project, whose world exists until the end; of several robots, the first.
+
+    See `opened_all`.
 
     Raises:
         FileError: it is invalid.
         OSError: it can't be read.
     """
-    with opened_all(path) as found:
+    with opened_all(path, report) as found:
         yield found[0]
 
 
@@ -63,8 +67,12 @@ def robots_in(path: Path) -> int:
 
 
 @contextmanager
-def opened_all(path: Path) -> Iterator[tuple[ProgramFile, ...]]:
+def opened_all(path: Path, report: Report) -> Iterator[tuple[ProgramFile, ...]]:
     """Read a program, or the programs of a project, whose world exists until the end.
+
+    Args:
+        path: the file.
+        report: called with the code that a project brings and the user has not installed.
 
     Raises:
         FileError: one is invalid.
@@ -79,20 +87,20 @@ def opened_all(path: Path) -> Iterator[tuple[ProgramFile, ...]]:
     if offered := unpacking.offered_code(project):
         names = (*offered.blocks, *offered.libraries)
         command = command_line("learnblock", "open", path)
-        say("cli-project-code", err=True, file=str(path), names=names, command=command)
+        report(Phrase("project-code", file=str(path), names=names, command=command))
     tags = unpacking.tags_used(project)
     with _world(project) as world:
         yield tuple(_program_files(path, project, world, tags))
 
 
-def read(path: Path) -> Source:
+def read(path: Path, report: Report) -> Source:
     """Read the program of a file, which may be a project.
 
     Raises:
         FileError: it is invalid.
         OSError: it can't be read.
     """
-    with opened(path) as found:
+    with opened(path, report) as found:
         return found.source
 
 
@@ -115,9 +123,7 @@ def _program_files(
 
 
 def _source(path: Path, part: "ProjectPart") -> Source:
-    is_python = part.python is not None
-    text = part.blocktext if part.python is None else part.python
-    return running.source_of(path, text, is_python=is_python)
+    return running.source_of(path, part.text, is_python=part.is_python)
 
 
 @contextmanager
