@@ -1,7 +1,7 @@
 """Lessons as files."""
 
-from learnblock.lessons.archive import zipped
 from learnblock.lessons.opened import OpenLesson
+from learnblock.storage.archive import zipped
 
 
 def pack(opened: OpenLesson) -> bytes:

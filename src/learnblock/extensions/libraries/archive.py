@@ -1,10 +1,7 @@
 """A library as one file, a zip ``NAME.lblib``, or as a folder, and where to find it."""
 
-import io
-import stat
-import zipfile
 from collections.abc import Iterator
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 from urllib.parse import urlsplit
 from urllib.request import url2pathname
 
@@ -12,25 +9,25 @@ from learnblock.blocks.installed_libraries import MANIFEST
 from learnblock.errors import Diagnostic, LibraryError
 from learnblock.extensions.libraries.contents import LARGEST, MOST_FILES, Library, from_files
 from learnblock.i18n import Phrase
-from learnblock.storage import zip_names
+from learnblock.storage.archive import IGNORED, Rules, unzipped, zipped
 
 ENDING = ".lblib"
-#: The time of every file in it, so that the same library always has the same bytes.
-_TIME = (1980, 1, 1, 0, 0, 0)
-_METHODS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}
-#: Names of files and folders that Python creates.
-_IGNORED = {"__pycache__"}
 #: Folders that are searched for a library's name.
 _PLACES = (Path(), Path("libraries"))
+_RULES = Rules(
+    LibraryError,
+    entries=MOST_FILES,
+    total=LARGEST,
+    file=LARGEST,
+    damaged=Phrase("library-not-zip"),
+    too_many=Phrase("library-too-many-files", most=MOST_FILES),
+    too_large=Phrase("library-too-large", limit=LARGEST),
+)
 
 
 def pack(library: Library) -> bytes:
     """The bytes of a library as one file."""
-    target = io.BytesIO()
-    with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, text in library.files.items():
-            archive.writestr(zipfile.ZipInfo(name, _TIME), text, zipfile.ZIP_DEFLATED)
-    return target.getvalue()
+    return zipped({name: text.encode() for name, text in library.files.items()})
 
 
 def unpack(content: bytes, where: str) -> Library:
@@ -62,7 +59,7 @@ def read(path: Path) -> Library:
 
 
 def _files(folder: Path) -> Iterator[tuple[str, bytes]]:
-    found = [path for path in sorted(folder.iterdir()) if path.name not in _IGNORED]
+    found = [path for path in sorted(folder.iterdir()) if not IGNORED.search(path.name)]
     if len(found) > MOST_FILES:
         raise _too_many(str(folder))
     for path in found:
@@ -74,46 +71,16 @@ def _files(folder: Path) -> Iterator[tuple[str, bytes]]:
 
 
 def _unzipped(content: bytes, where: str) -> dict[str, bytes]:
-    found: dict[str, bytes] = {}
-    try:
-        with zipfile.ZipFile(io.BytesIO(content)) as archive:
-            for name, unpacked in _entries(archive, where):
-                if name in found:
-                    raise _wrong(where, "two-files", Phrase("library-two-files", file=name))
-                found[name] = unpacked
-    except LibraryError:
-        raise
-    except Exception as error:
-        raise _wrong(where, "no-zip", Phrase("library-not-zip")) from error
-    return found
-
-
-def _entries(archive: zipfile.ZipFile, where: str) -> Iterator[tuple[str, bytes]]:
     """The files of a zip; they may all be in one folder, as in a zip of a folder."""
-    entries = [entry for entry in zip_names.entries(archive) if not entry.is_dir()]
-    if len(entries) > MOST_FILES:
-        raise _too_many(where)
-    left = LARGEST
-    for entry in entries:
-        name = _name(entry, where)
-        # The sizes in the zip may be false, so no more is unpacked than the limit.
-        with archive.open(entry) as file:
-            content = file.read(left + 1)
-        left -= len(content)
-        if left < 0:
-            raise _wrong(where, "too-large", Phrase("library-too-large", limit=LARGEST))
-        yield name, content
-
-
-def _name(entry: zipfile.ZipInfo, where: str) -> str:
-    path = PurePosixPath(entry.filename.replace("\\", "/"))
-    if path.is_absolute() or ".." in path.parts or len(path.parts) > 2:
-        raise _wrong(where, "unknown-file", Phrase("library-file-outside", file=entry.filename))
-    if stat.S_ISLNK(entry.external_attr >> 16):
-        raise _wrong(where, "unknown-file", Phrase("library-link", file=entry.filename))
-    if entry.flag_bits & 1 or entry.compress_type not in _METHODS:
-        raise _wrong(where, "unknown-zip", Phrase("library-encrypted", file=entry.filename))
-    return path.name
+    found: dict[str, bytes] = {}
+    for path, unpacked in unzipped(where, content, _RULES).items():
+        *folders, name = path.split("/")
+        if len(folders) > 1:
+            raise _wrong(where, "unknown-file", Phrase("library-file-outside", file=path))
+        if name in found:
+            raise _wrong(where, "two-files", Phrase("file-zip-two", file=name))
+        found[name] = unpacked
+    return found
 
 
 def _too_many(where: str) -> LibraryError:

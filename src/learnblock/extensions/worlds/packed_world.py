@@ -1,10 +1,7 @@
 """A world that can leave this computer: as a value, and as ``NAME.toml`` or ``NAME.zip``."""
 
-import io
 import re
-import stat
 import unicodedata
-import zipfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -17,18 +14,27 @@ from learnblock.errors import Diagnostic, WorldError
 from learnblock.i18n import Phrase
 from learnblock.robots.simulated import check_file_name, find_world
 from learnblock.simulator import WorldDescription
-from learnblock.storage import toml_source, zip_names
+from learnblock.storage import toml_source
+from learnblock.storage.archive import Rules, unzipped, zipped
 
 _NOT_IN_NAMES = re.compile(r"[^\w -]+")
 _LONGEST_NAME = 40
 ENDINGS = (".toml", ".zip")
 #: The limit in bytes of a file, packed and unpacked: the largest picture and a world's file.
 LARGEST = 12 * 1024 * 1024
+_MEGABYTES = LARGEST // 1024**2
 #: A system adds files of its own to a zip.
 MOST_FILES = 20
-#: The time of every file in it, so that the same world always has the same bytes.
-_TIME = (1980, 1, 1, 0, 0, 0)
-_METHODS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}
+_TOO_LARGE = Phrase("world-file-too-large", limit=_MEGABYTES)
+_RULES = Rules(
+    WorldError,
+    entries=MOST_FILES,
+    total=LARGEST,
+    file=LARGEST,
+    damaged=Phrase("world-zip-damaged"),
+    too_many=Phrase("world-zip-too-many", most=MOST_FILES),
+    too_large=_TOO_LARGE,
+)
 
 
 @dataclass(frozen=True)
@@ -116,11 +122,8 @@ def pack(world: PackedWorld) -> tuple[str, bytes]:
     picture = picture_name(world)
     if world.picture is None or picture is None:
         return f"{world.name}.toml", text
-    target = io.BytesIO()
-    with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, content in ((f"{world.name}.toml", text), (picture, world.picture)):
-            archive.writestr(zipfile.ZipInfo(name, _TIME), content, zipfile.ZIP_DEFLATED)
-    return f"{world.name}.zip", target.getvalue()
+    files = {f"{world.name}.toml": text, picture: world.picture}
+    return f"{world.name}.zip", zipped(files)
 
 
 def unpack(filename: str, content: bytes) -> PackedWorld:
@@ -130,16 +133,17 @@ def unpack(filename: str, content: bytes) -> PackedWorld:
         WorldError: the file has another type, is damaged or too large.
     """
     if len(content) > LARGEST:
-        raise _wrong(filename, "too-large", Phrase("world-file-too-large", limit=_MEGABYTES))
+        raise _wrong(filename, "too-large", _TOO_LARGE)
     stem = PurePosixPath(filename.replace("\\", "/")).stem
     if filename.endswith(".toml"):
         return PackedWorld(plain_name(stem), _text(content, filename))
     if not filename.endswith(".zip"):
         raise _wrong(filename, "unknown-file", Phrase("world-file-type"))
-    return _world(_unzipped(content, filename), filename)
+    return _world(unzipped(filename, content, _RULES), filename)
 
 
-def _world(files: dict[PurePosixPath, bytes], filename: str) -> PackedWorld:
+def _world(contents: dict[str, bytes], filename: str) -> PackedWorld:
+    files = {PurePosixPath(path): content for path, content in contents.items()}
     found = [path for path in files if path.suffix == ".toml"]
     if len(found) != 1:
         raise _wrong(filename, "no-world", Phrase("world-zip-contents", count=len(found)))
@@ -148,41 +152,6 @@ def _world(files: dict[PurePosixPath, bytes], filename: str) -> PackedWorld:
     picture = picture_name(world)
     content = files.get(path.parent / picture) if picture else None
     return PackedWorld(world.name, world.text, content)
-
-
-def _unzipped(content: bytes, filename: str) -> dict[PurePosixPath, bytes]:
-    """The files in a zip; none of them is written to disk."""
-    try:
-        with zipfile.ZipFile(io.BytesIO(content)) as archive:
-            return _files(archive, filename)
-    except WorldError:
-        raise
-    except Exception as error:
-        raise _wrong(filename, "no-zip", Phrase("world-zip-damaged")) from error
-
-
-def _files(archive: zipfile.ZipFile, filename: str) -> dict[PurePosixPath, bytes]:
-    entries = [entry for entry in zip_names.entries(archive) if _is_wanted(entry)]
-    if len(entries) > MOST_FILES:
-        raise _wrong(filename, "too-large", Phrase("world-zip-too-many", most=MOST_FILES))
-    found: dict[PurePosixPath, bytes] = {}
-    left = LARGEST
-    for entry in entries:
-        # The sizes in the zip may be false, so no more is unpacked than the limit.
-        with archive.open(entry) as file:
-            unpacked = file.read(left + 1)
-        left -= len(unpacked)
-        if left < 0:
-            raise _wrong(filename, "too-large", Phrase("world-file-too-large", limit=_MEGABYTES))
-        found[PurePosixPath(entry.filename)] = unpacked
-    return found
-
-
-def _is_wanted(entry: zipfile.ZipInfo) -> bool:
-    """Whether an entry can be a part of a world; what macOS adds is ignored."""
-    plain = not stat.S_ISLNK(entry.external_attr >> 16) and not entry.flag_bits & 1
-    ours = not entry.filename.startswith("__MACOSX/")
-    return not entry.is_dir() and plain and ours and entry.compress_type in _METHODS
 
 
 def _text(content: bytes, filename: str) -> str:
@@ -195,9 +164,6 @@ def _text(content: bytes, filename: str) -> str:
         return content.decode("utf-8-sig").replace("\r\n", "\n")
     except UnicodeDecodeError:
         raise _wrong(filename, "not-utf-8", Phrase("library-not-utf-8")) from None
-
-
-_MEGABYTES = LARGEST // 1024**2
 
 
 def _wrong(filename: str, code: str, message: Phrase) -> WorldError:

@@ -30,3 +30,10 @@ file-more-mistakes = { $count ->
     [one] There is one more mistake.
    *[other] There are { $count } more mistakes.
 }
+
+# What is refused of a zip, or of a folder; $file is in it.
+file-link = '{ $file }' is a link. Replace it with the file.
+file-zip-outside = The file '{ $file }' would be outside the folder of its zip.
+file-zip-encrypted = '{ $file }' is encrypted or compressed in an unknown way.
+file-zip-two = There are two files named '{ $file }'.
+file-zip-bomb = '{ $file }' is compressed more than any file that a person makes.

@@ -8,11 +8,8 @@ library-too-large = The library is too large: the limit is { $limit } bytes.
 library-too-many-files = A library can have at most { $most } files.
 library-limits = A library can have at most { $most } files with { $limit } bytes in total.
 library-not-plain-file = { $file } is not a plain file. Remove it from the library.
-library-two-files = The library has two files named '{ $file }'.
 library-not-zip = This file is damaged or not a library.
 library-file-outside = The file '{ $file }' would be outside the library.
-library-link = '{ $file }' is a link. Replace it with the file.
-library-encrypted = '{ $file }' is encrypted or compressed in an unknown way.
 # $known lists names of files.
 library-unknown-file = A library can only have the files { $known }, and Python files with lower-case names.
 library-not-utf-8 = This file is not UTF-8. Save it as UTF-8.

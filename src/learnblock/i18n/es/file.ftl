@@ -23,3 +23,10 @@ file-more-mistakes = { $count ->
     [one] Hay un error más.
    *[other] Hay { $count } errores más.
 }
+
+# Lo que se rechaza de un zip o de una carpeta; $file está dentro.
+file-link = '{ $file }' es un enlace. Sustitúyelo por el archivo.
+file-zip-outside = El archivo '{ $file }' quedaría fuera de la carpeta de su zip.
+file-zip-encrypted = '{ $file }' está cifrado o comprimido de una forma desconocida.
+file-zip-two = Hay dos archivos llamados '{ $file }'.
+file-zip-bomb = '{ $file }' está más comprimido que cualquier archivo hecho por una persona.

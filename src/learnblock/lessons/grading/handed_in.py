@@ -10,12 +10,12 @@ from pathlib import Path
 
 from learnblock.errors import FileError, LearnBlockError
 from learnblock.i18n import Phrase
-from learnblock.lessons.archive import IGNORED
 from learnblock.lessons.grading.unpacking import ENDINGS, MOODLE, program_name, unpacked
 from learnblock.lessons.grading.values import HandedIn
 from learnblock.project.files import ENDING
 from learnblock.project.files.programs import Report, opened
 from learnblock.running.source import LARGEST_PROGRAM
+from learnblock.storage.archive import IGNORED
 
 #: The most programs of one pupil that are graded; more are rather the files of another tool.
 MOST_PROGRAMS = 5

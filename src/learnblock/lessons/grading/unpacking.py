@@ -2,19 +2,16 @@
 
 import errno
 import hashlib
-import io
 import re
 import tempfile
-import zipfile
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
 from learnblock.errors import LearnBlockError
-from learnblock.lessons.archive import IGNORED
 from learnblock.running.source import LARGEST_PROGRAM
 from learnblock.runtime.limits import MEGABYTE
-from learnblock.storage import zip_names
+from learnblock.storage.archive import DEEPEST, Entry, Reader, RefusedError
 
 #: The files that can be graded.
 ENDINGS = (".bt", ".py", ".learnblock")
@@ -28,8 +25,8 @@ MOODLE = re.compile(
 )
 #: The most entries of a zip, and the largest sum of the programs in it, in bytes.
 MOST_ENTRIES, LARGEST_CLASS = 20_000, 256 * MEGABYTE
-#: The largest zip inside a zip, in bytes, and the most folders in one another.
-LARGEST_INNER, DEEPEST = 16 * MEGABYTE, 32
+#: The largest zip inside a zip, in bytes.
+LARGEST_INNER = 16 * MEGABYTE
 #: What file systems refuse in names, and the most bytes of a name.
 _REFUSED, _LONGEST_NAME = re.compile(r'[<>:"\\|?*\x00-\x1f]'), 200
 #: How a system refuses a path: it is too long, leads through a file, or has a name it can't have.
@@ -60,14 +57,14 @@ class Unpacked:
 
 
 @dataclass(frozen=True, slots=True)
-class _Entry:
+class _File:
     """A file or a folder in a zip.
 
     Args:
         name: as it is written in the zip.
         parts: of its path, as names that stay in their folder on every system.
         content: of a program; None of anything else.
-        is_damaged: whether it is a program or a zip that can't be read.
+        is_damaged: whether it is a program or a zip that can't be read, or is none of a person.
     """
 
     name: str
@@ -117,7 +114,7 @@ def _write_all(file: Path, folder: Path) -> list[str]:
     """Write the programs of a zip; return the names of the entries that are left out."""
     left_out: list[str] = []
     programs = damaged = 0
-    for number, entry in enumerate(_entries(file)):
+    for number, entry in enumerate(_all_files(file)):
         damaged += entry.is_damaged
         if entry.is_damaged or not _write(folder, number, entry):
             left_out.append(_printable(entry.name)[:_LONGEST_NAME])
@@ -127,7 +124,7 @@ def _write_all(file: Path, folder: Path) -> list[str]:
     return left_out
 
 
-def _write(folder: Path, number: int, entry: _Entry) -> bool:
+def _write(folder: Path, number: int, entry: _File) -> bool:
     """Write a program, and of any other file only its folder; return whether that is possible."""
     if len(entry.parts) > DEEPEST:
         return False
@@ -149,103 +146,77 @@ def _printable(name: str) -> str:
     return "".join(letter if letter.isprintable() else "_" for letter in name)
 
 
-class _Reading:
-    """Reads a class, and adds up what was read of it.
+def _all_files(file: Path) -> Iterator[_File]:
+    """What is in a zip.
 
-    Args:
-        file: the zip, for errors.
+    Raises:
+        LearnBlockError: it is damaged or too large.
     """
-
-    def __init__(self, file: Path) -> None:
-        self._file = file
-        self._entries = self._bytes = 0
-
-    def entries(self, archive: zipfile.ZipFile, outer: tuple[str, ...]) -> Iterator[_Entry]:
-        """The programs in a zip, those in zips inside it, and the folders of all other files."""
-        wanted = [one for one in zip_names.entries(archive) if not _is_ignored(one.filename)]
-        self._count(len(wanted), 0)
-        for entry in wanted:
-            parts = (*outer, *_parts(entry.filename))
-            if entry.is_dir():
-                yield _Entry(entry.filename, (*parts, "_"))
-            elif program_name(parts[-1]):
-                # A larger one is refused when it is read.
-                yield self._program(archive, entry, parts)
-            elif parts[-1].lower().endswith(_ZIP) and not outer:
-                yield from self._inner(archive, entry, parts)
-            else:
-                yield _Entry(entry.filename, parts)
-
-    def _program(
-        self, archive: zipfile.ZipFile, entry: zipfile.ZipInfo, parts: Sequence[str]
-    ) -> _Entry:
-        try:
-            content = _read(archive, entry, LARGEST_PROGRAM + 1)
-        except _UnreadableError:
-            return _Entry(entry.filename, parts, is_damaged=True)
-        self._count(0, len(content))
-        return _Entry(entry.filename, parts, content)
-
-    def _inner(
-        self, archive: zipfile.ZipFile, entry: zipfile.ZipInfo, parts: Sequence[str]
-    ) -> Iterator[_Entry]:
-        """What is in a zip inside, in a folder with its name."""
-        *outer, name = parts
-        folder = (*outer, name[: -len(_ZIP)] or "_")
-        # Its pupil has a folder, whatever is in it.
-        yield _Entry(entry.filename, (*folder, "_"))
-        try:
-            inner = zipfile.ZipFile(io.BytesIO(_read(archive, entry, LARGEST_INNER)))
-        except Exception:  # noqa: BLE001 - as in `_read`
-            yield _Entry(entry.filename, folder, is_damaged=True)
-            return
-        with inner:
-            yield from self.entries(inner, folder)
-
-    def _count(self, entries: int, size: int) -> None:
-        self._entries += entries
-        self._bytes += size
-        if self._entries > MOST_ENTRIES or self._bytes > LARGEST_CLASS:
-            raise LearnBlockError("grade-zip-too-large", file=str(self._file))
-
-
-class _UnreadableError(Exception):
-    """An entry of a zip is damaged, encrypted, or compressed in an unknown way."""
-
-
-def _read(archive: zipfile.ZipFile, entry: zipfile.ZipInfo, limit: int) -> bytes:
-    """The content of an entry up to a limit; the sizes in a zip may be false."""
+    reader = Reader(MOST_ENTRIES, LARGEST_CLASS)
     try:
-        with archive.open(entry) as file:
-            return file.read(limit)
-    except Exception as error:
-        # zipfile raises errors of many kinds for damaged files.
-        raise _UnreadableError from error
+        with file.open("rb") as opened:
+            yield from _files(reader, reader.entries(opened), ())
+    except RefusedError as refused:
+        code = "grade-zip-too-large" if _is_of_all(refused) else "grade-zip-damaged"
+        raise LearnBlockError(code, file=str(file)) from refused
 
 
-def _entries(file: Path) -> Iterator[_Entry]:
+def _files(reader: Reader, entries: Iterator[Entry], outer: tuple[str, ...]) -> Iterator[_File]:
+    """The programs in a zip, those in zips inside it, and the folders of all other files."""
+    for entry in entries:
+        if not (names := _parts(entry.name)):
+            continue
+        parts = (*outer, *names)
+        if entry.is_folder:
+            yield _File(entry.name, (*parts, "_"))
+        elif program_name(parts[-1]):
+            yield _program(reader, entry, parts)
+        elif parts[-1].lower().endswith(_ZIP) and not outer:
+            yield from _inner(reader, entry, parts)
+        else:
+            yield _File(entry.name, parts)
+
+
+def _program(reader: Reader, entry: Entry, parts: Sequence[str]) -> _File:
     try:
-        with zipfile.ZipFile(file) as archive:
-            yield from _Reading(file).entries(archive, ())
-    except LearnBlockError:
-        raise
-    except Exception as error:
-        # As above.
-        raise LearnBlockError("grade-zip-damaged", file=str(file)) from error
+        # A larger one is refused when it is read.
+        return _File(entry.name, parts, reader.read(entry, LARGEST_PROGRAM + 1))
+    except RefusedError as refused:
+        if _is_of_all(refused):
+            raise
+        return _File(entry.name, parts, is_damaged=True)
 
 
-def _is_ignored(filename: str) -> bool:
-    """Whether an entry is none that a pupil has made, or has no name."""
-    plain = PurePosixPath(filename).as_posix()
-    return plain in {".", "/"} or bool(IGNORED.search(plain))
+def _inner(reader: Reader, entry: Entry, parts: Sequence[str]) -> Iterator[_File]:
+    """What is in a zip inside, in a folder with its name."""
+    *outer, name = parts
+    folder = (*outer, name[: -len(_ZIP)] or "_")
+    # Its pupil has a folder, whatever is in it.
+    yield _File(entry.name, (*folder, "_"))
+    try:
+        yield from _files(reader, reader.inner(entry, LARGEST_INNER), folder)
+    except RefusedError as refused:
+        if _is_of_all(refused):
+            raise
+        yield _File(entry.name, folder, is_damaged=True)
+
+
+def _is_of_all(refused: RefusedError) -> bool:
+    """Whether there is too much in the zip, and not just an entry that is wrong."""
+    return refused.rule in {"too-many-files", "too-large"}
 
 
 def _parts(filename: str) -> list[str]:
     """The parts of a path in a zip, as names that stay in their folder on every system.
 
+    There are none if it leads out of its folder.
+
     Without folders, Moodle puts a folder's name before the file's.
     """
-    *outer, last = [part for part in PurePosixPath(filename).parts if part not in {"/", "//"}]
+    found = [part for part in PurePosixPath(filename).parts if part not in {"/", "//"}]
+    if not found or ".." in found:
+        return []
+    *outer, last = found
     if (moodle := MOODLE.fullmatch(last)) and moodle["file"]:
         outer, last = [*outer, moodle["folder"]], moodle["file"]
     return [*map(_allowed, outer), _allowed(program_name(last) or last)]

@@ -6,12 +6,13 @@ from anyio import to_thread
 from msgspec.structs import replace
 
 from learnblock.errors import LearnBlockError
-from learnblock.lessons.archive import received_files, zipped
+from learnblock.lessons.archive import received_files
 from learnblock.project.files.lesson_folder import Progress
 from learnblock.server import catalog, messages
 from learnblock.server.pages.page import Handlers, Page
 from learnblock.server.sessions import lesson_stage
 from learnblock.server.sessions.coach import Coach
+from learnblock.storage.archive import zipped
 
 HANDLERS = Handlers()
 

@@ -111,7 +111,7 @@ def test_a_picture_never_takes_the_name_of_a_world(own_home):
         ("room.zip", b"no zip", "no-zip"),
         ("room.zip", zipped(a__png=b""), "no-world"),
         ("room.zip", zipped(a__toml=ROOM, b__toml=ROOM), "no-world"),
-        ("room.zip", zipped(**{f"a{i}__toml": "" for i in range(30)}), "too-large"),
+        ("room.zip", zipped(**{f"a{i}__toml": "" for i in range(30)}), "too-many-files"),
         ("room.zip", b" " * 13_000_000, "too-large"),
     ],
 )

@@ -1,0 +1,281 @@
+"""The one reader of zips, whoever made them: within limits, and without writing to disk.
+
+A zip can lie about its sizes, have names that lead out of any folder, and hold what no person has
+put there. `unzipped` refuses all of that; with `Reader`, its caller leaves out what is refused.
+"""
+
+import io
+import re
+import stat
+import unicodedata
+import zipfile
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import PurePosixPath, PureWindowsPath
+from typing import BinaryIO, Literal
+
+from learnblock.errors import Diagnostic, FileError
+from learnblock.i18n import Phrase
+
+#: How many bytes one byte of a zip may become: pictures become 1, texts 10, bombs 1,000.
+LARGEST_RATIO = 100
+#: Files so small may become any number of bytes.
+_SMALL = 64 * 1024
+#: The most folders in one another.
+DEEPEST = 32
+#: What file managers add, hidden files, and the folder where Python keeps compiled modules: pip
+#: makes one for the checks of a lesson that it installs.
+IGNORED = re.compile(
+    r"(?:^|/)(?:(?:__MACOSX|__pycache__)(?:/|$)|\.(?!\.?(?:[/\\]|$))|Thumbs\.db$|desktop\.ini$)"
+)
+
+_MEGABYTE = 1024**2
+_METHODS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}
+#: Set for names in UTF-8; names without it should be in code page 437, that of the first PCs.
+_UTF_8 = 0x800
+#: Set for encrypted files.
+_ENCRYPTED = 0x1
+#: The time of every file, so that the same files always give the same bytes.
+_TIME = (1980, 1, 1, 0, 0, 0)
+
+#: What is wrong with a zip, or with a file in it.
+Rule = Literal[
+    "no-zip",
+    "too-many-files",
+    "too-large",
+    "unknown-file",
+    "link",
+    "encrypted",
+    "two-files",
+    "bomb",
+]
+
+
+class RefusedError(Exception):
+    """A zip, or a file in it, breaks a rule.
+
+    Args:
+        rule: the rule.
+        file: the name of the file; empty for the zip as a whole.
+    """
+
+    def __init__(self, rule: Rule, file: str = "") -> None:
+        super().__init__(rule, file)
+        self.rule = rule
+        self.file = file
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A file or a folder in an open zip.
+
+    Args:
+        archive: the zip.
+        info: what the zip says of it.
+        name: its path as its author wrote it, in NFC; that of a folder ends with a slash.
+    """
+
+    archive: zipfile.ZipFile
+    info: zipfile.ZipInfo
+    name: str
+
+    @property
+    def is_folder(self) -> bool:
+        """Whether it is a folder."""
+        return self.name.endswith("/")
+
+    def unpacked(self, most: int) -> bytes:
+        """Its first bytes, at most so many, since the sizes in a zip may be false.
+
+        Raises:
+            RefusedError: it is a link, encrypted, damaged, or packed as no file of a person is.
+        """
+        if stat.S_ISLNK(self.info.external_attr >> 16):
+            raise RefusedError("link", self.name)
+        if self.info.flag_bits & _ENCRYPTED or self.info.compress_type not in _METHODS:
+            raise RefusedError("encrypted", self.name)
+        try:
+            with self.archive.open(self.info) as file:
+                return file.read(most)
+        except Exception as error:
+            # zipfile raises errors of many kinds for damaged files.
+            raise RefusedError("no-zip", self.name) from error
+
+    def is_bomb(self, content: bytes) -> bool:
+        """Whether it was packed smaller than any file of a person."""
+        return len(content) > max(_SMALL, LARGEST_RATIO * self.info.compress_size)
+
+
+class Reader:
+    """Reads zips, and adds up what was read of them.
+
+    Args:
+        entries: the most files and folders.
+        total: the most bytes of the files that are read.
+    """
+
+    def __init__(self, entries: int, total: int) -> None:
+        self._entries = entries
+        self._left = total
+
+    def entries(self, opened: BinaryIO) -> Iterator[Entry]:
+        """The files and folders in a zip that its author has put there.
+
+        Raises:
+            RefusedError: it is no zip, or there are too many.
+        """
+        try:
+            archive = zipfile.ZipFile(opened)
+        except Exception as error:
+            # As above.
+            raise RefusedError("no-zip") from error
+        with archive:
+            found = [Entry(archive, info, _name(info)) for info in archive.infolist()]
+            wanted = [entry for entry in found if not IGNORED.search(entry.name)]
+            self._entries -= len(wanted)
+            if self._entries < 0:
+                raise RefusedError("too-many-files")
+            yield from wanted
+
+    def inner(self, entry: Entry, most: int) -> Iterator[Entry]:
+        """What is in a zip in the zip.
+
+        Raises:
+            RefusedError: it is larger, damaged or refused like any other entry.
+        """
+        yield from self.entries(io.BytesIO(entry.unpacked(most)))
+
+    def read(self, entry: Entry, most: int) -> bytes:
+        """The first bytes of a file, at most so many.
+
+        Raises:
+            RefusedError: it can't be read, or with it too much is read.
+        """
+        content = entry.unpacked(min(most, self._left + 1))
+        self._left -= len(content)
+        if self._left < 0:
+            raise RefusedError("too-large")
+        if entry.is_bomb(content):
+            raise RefusedError("bomb", entry.name)
+        return content
+
+
+@dataclass(frozen=True)
+class Rules:
+    """What a zip of one kind may have, and the words for one that has more.
+
+    Args:
+        error: the kind of error.
+        entries: the most files and folders.
+        total: the most bytes of all files.
+        file: the most bytes of a file.
+        damaged: says that it is no zip.
+        too_many: says that it has too many files.
+        too_large: says that its files have too many bytes.
+    """
+
+    error: type[FileError]
+    entries: int
+    total: int
+    file: int
+    damaged: Phrase
+    too_many: Phrase
+    too_large: Phrase
+
+    def phrase(self, refused: RefusedError) -> Phrase:
+        """What is wrong with a zip."""
+        match refused.rule:
+            case "no-zip":
+                return self.damaged
+            case "too-many-files":
+                return self.too_many
+            case "too-large" if not refused.file:
+                return self.too_large
+            case "too-large":
+                limit = self.file // _MEGABYTE
+                return Phrase("file-too-large", name=refused.file, limit=limit)
+        return Phrase(_WORDS[refused.rule], file=refused.file)
+
+
+_WORDS: Mapping[Rule, str] = {
+    "unknown-file": "file-zip-outside",
+    "link": "file-link",
+    "encrypted": "file-zip-encrypted",
+    "two-files": "file-zip-two",
+    "bomb": "file-zip-bomb",
+}
+
+
+def unzipped(filename: str, content: bytes, rules: Rules) -> dict[str, bytes]:
+    """The files in a zip, by their paths inside, which lead nowhere else.
+
+    Args:
+        filename: the name of the zip, for errors.
+        content: its bytes.
+        rules: what it may have.
+
+    Raises:
+        FileError: it breaks a rule; of the kind that the rules name.
+    """
+    try:
+        return _files(content, rules)
+    except RefusedError as refused:
+        raise rules.error(filename, [Diagnostic(refused.rule, rules.phrase(refused))]) from refused
+
+
+def zipped(files: Mapping[str, bytes]) -> bytes:
+    """The files as a zip: the same bytes for the same files."""
+    target = io.BytesIO()
+    with zipfile.ZipFile(target, "w") as archive:
+        for name in sorted(files):
+            entry = zipfile.ZipInfo(name, _TIME)
+            entry.create_system = 3
+            entry.external_attr = 0o644 << 16
+            archive.writestr(entry, files[name], zipfile.ZIP_DEFLATED, 9)
+    return target.getvalue()
+
+
+def _files(content: bytes, rules: Rules) -> dict[str, bytes]:
+    reader = Reader(rules.entries, rules.total)
+    found: dict[str, bytes] = {}
+    for entry in reader.entries(io.BytesIO(content)):
+        if entry.is_folder:
+            continue
+        path = _path(entry.name)
+        if path in found:
+            raise RefusedError("two-files", path)
+        found[path] = reader.read(entry, rules.file + 1)
+        if len(found[path]) > rules.file:
+            raise RefusedError("too-large", path)
+    return found
+
+
+def _path(name: str) -> str:
+    """The path of a file, on whatever system the zip was made.
+
+    Raises:
+        RefusedError: it leads out of the folder, or too deep into it.
+    """
+    path = PurePosixPath(name.replace("\\", "/"))
+    leads_out = path.is_absolute() or ".." in path.parts or PureWindowsPath(name).drive
+    if leads_out or not path.parts or len(path.parts) > DEEPEST:
+        raise RefusedError("unknown-file", name)
+    return path.as_posix()
+
+
+def _name(info: zipfile.ZipInfo) -> str:
+    """The name of an entry as its author wrote it, in NFC.
+
+    The zips of macOS, among others, have names in UTF-8 and don't say so.
+    """
+    return unicodedata.normalize("NFC", _decoded(info))
+
+
+def _decoded(info: zipfile.ZipInfo) -> str:
+    if info.flag_bits & _UTF_8:
+        return info.filename
+    try:
+        # Hardly any text in another encoding is valid UTF-8 by chance.
+        return info.filename.encode("cp437").decode("utf-8")
+    except UnicodeError:
+        return info.filename
