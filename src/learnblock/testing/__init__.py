@@ -6,7 +6,13 @@ its robot that can be made to fail.
 """
 
 from learnblock.testing.clock import VirtualClock
-from learnblock.testing.conformance import CLAIMS, Certificate, NotConformingError, check_robot
+from learnblock.testing.conformance import (
+    CLAIMS,
+    LINK_CLAIMS,
+    Certificate,
+    NotConformingError,
+    check_robot,
+)
 from learnblock.testing.contract import check_function, functions_of
 from learnblock.testing.relay import Fault, Relay
 from learnblock.testing.robot import FakeRobot
@@ -14,6 +20,7 @@ from learnblock.testing.wheels import Wheels
 
 __all__ = [
     "CLAIMS",
+    "LINK_CLAIMS",
     "Certificate",
     "FakeRobot",
     "Fault",
