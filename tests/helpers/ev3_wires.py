@@ -39,7 +39,8 @@ def read_agent(text):
     data = text.encode("utf-8", "surrogatepass")
     with suppress(ValueError):
         lines.greeting(data)
-    with suppress(agent.BrickError), closing(agent.Guard(Brick(), lambda: None)) as guard:
+    guarding = agent.Guard(Brick(), lambda: None, agent.Clock())
+    with suppress(agent.BrickError), closing(guarding) as guard:
         json.loads(guard.answer(text))
         agent.wished(agent.parsed(text))
     Hearer(lambda: lines.answer(data, "there").state).say(Look())

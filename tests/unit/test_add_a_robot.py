@@ -74,6 +74,12 @@ def test_the_whole_robot_has_as_many_lines_as_the_guide_says():
     assert f"in {len(code('pi_rover.py').splitlines())} lines" in GUIDE
 
 
+def test_the_guides_example_of_a_driver_that_waits_prints_what_it_says(capsys):
+    exec(code("check_repeating.py"), {})  # noqa: S102 - our own guide
+    [said] = re.findall(r"print\(sent\)  # (.*)", code("check_repeating.py"))
+    assert capsys.readouterr().out == f"{said}\n"
+
+
 #: The environment that the guide advises without a Raspberry Pi.
 ADVISED = dict(re.findall(r"`(GPIOZERO_\w+|PYTHONWARNINGS)=(\w+)`", GUIDE))
 

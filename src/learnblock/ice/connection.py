@@ -3,12 +3,12 @@
 import threading
 from dataclasses import dataclass
 from itertools import count
-from time import monotonic
 
 from learnblock.errors import IceEncodingError, IceLinkError
 from learnblock.ice.encoding import Reader
 from learnblock.ice.messages import Kind, message, read_reply, request
 from learnblock.ice.stream import Stream
+from learnblock.timing import Deadline
 
 
 class NeverReadError(IceLinkError):
@@ -36,14 +36,15 @@ class Connection:
     Args:
         host: the component's address.
         port: the component's port.
-        deadline: the time limit, by `monotonic`.
+        deadline: the time limit.
 
     Raises:
         IceLinkError: no component answers.
     """
 
-    def __init__(self, host: str, port: int, deadline: float) -> None:
+    def __init__(self, host: str, port: int, deadline: Deadline) -> None:
         self._stream = Stream(host, port, deadline)
+        self._clock = deadline.clock
         self._numbers = count(1)
         self._sending = threading.Lock()
         self._turn = threading.Condition()
@@ -52,7 +53,7 @@ class Connection:
         self._failure: IceLinkError | None = None
         self._await_validation(deadline)
 
-    def is_usable(self, deadline: float) -> bool:
+    def is_usable(self, deadline: Deadline) -> bool:
         """Process everything received so far, and return whether a call can be attempted."""
         with self._turn:
             while not self._calls and self._failure is None and self._stream.has_news():
@@ -62,7 +63,7 @@ class Connection:
                     self._fail(error)
             return self._failure is None
 
-    def call(self, opening: bytes, parameters: bytes, deadline: float) -> Reader:
+    def call(self, opening: bytes, parameters: bytes, deadline: Deadline) -> Reader:
         """Make a call and wait for its reply.
 
         Args:
@@ -105,14 +106,14 @@ class Connection:
             # Another thread is sending a message.
             return
         try:
-            self._stream.send(message(Kind.CLOSE), monotonic())
+            self._stream.send(message(Kind.CLOSE), Deadline.after(0, self._clock))
         except IceLinkError:
             # The component notices the end of the connection.
             pass
         finally:
             self._sending.release()
 
-    def _await_validation(self, deadline: float) -> None:
+    def _await_validation(self, deadline: Deadline) -> None:
         try:
             kind, _ = self._stream.receive(deadline)
             if kind is not Kind.VALIDATE:
@@ -130,7 +131,7 @@ class Connection:
             self._calls[number] = call
         return number, call
 
-    def _await(self, call: _Call, deadline: float) -> None:
+    def _await(self, call: _Call, deadline: Deadline) -> None:
         while self._may_receive(call, deadline):
             try:
                 kind, body = self._stream.receive(deadline)
@@ -139,11 +140,12 @@ class Connection:
             finally:
                 self._pass_on()
 
-    def _may_receive(self, call: _Call, deadline: float) -> bool:
+    def _may_receive(self, call: _Call, deadline: Deadline) -> bool:
         """Wait until it is this thread's turn to receive, or its call has ended."""
         with self._turn:
-            left = deadline - monotonic()
-            if not self._turn.wait_for(lambda: call.is_over or not self._receives, left):
+            if not self._clock.wait_for(
+                self._turn, lambda: call.is_over or not self._receives, deadline.left
+            ):
                 raise IceLinkError("ice-timeout")
             if call.is_over:
                 return False

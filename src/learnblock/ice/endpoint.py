@@ -1,12 +1,12 @@
 """A component's address, with a connection that is renewed when it breaks."""
 
 import threading
-from time import monotonic
 
 from learnblock.closing import Closing
 from learnblock.errors import IceLinkError
 from learnblock.ice.connection import Connection, NeverReadError
 from learnblock.ice.encoding import Reader
+from learnblock.timing import MONOTONIC, Deadline, SteadyClock
 
 
 class Endpoint(Closing):
@@ -18,12 +18,16 @@ class Endpoint(Closing):
         host: the computer's name or IP address.
         port: the component's port.
         timeout: limit of a call in seconds.
+        clock: the clock of the limits.
     """
 
-    def __init__(self, host: str, port: int, timeout: float) -> None:
+    def __init__(
+        self, host: str, port: int, timeout: float, clock: SteadyClock = MONOTONIC
+    ) -> None:
         self.host = host
         self.port = port
         self.timeout = timeout
+        self._clock = clock
         self._lock = threading.Lock()
         self._connection: Connection | None = None
         self._closed = threading.Event()
@@ -42,13 +46,13 @@ class Endpoint(Closing):
         Raises:
             IceLinkError: the component cannot be reached, or does not answer in time.
         """
-        deadline = monotonic() + self.timeout
+        deadline = Deadline.after(self.timeout, self._clock)
         connection, is_new = self._connected(deadline)
         try:
             return connection.call(opening, parameters, deadline)
         except IceLinkError as error:
             heard = not isinstance(error, NeverReadError)
-            if is_new or (heard and not again) or monotonic() >= deadline:
+            if is_new or (heard and not again) or deadline.is_over:
                 raise
         connection, _ = self._connected(deadline)
         return connection.call(opening, parameters, deadline)
@@ -60,7 +64,7 @@ class Endpoint(Closing):
         if self._connection:
             self._connection.close()
 
-    def _connected(self, deadline: float) -> tuple[Connection, bool]:
+    def _connected(self, deadline: Deadline) -> tuple[Connection, bool]:
         """A usable connection, and whether it is new."""
         with self._lock:
             if self._closed.is_set():

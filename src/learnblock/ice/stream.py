@@ -1,10 +1,10 @@
 """Messages over a socket, with time limits."""
 
 import socket
-from time import monotonic
 
 from learnblock.errors import IceEncodingError, IceLinkError
 from learnblock.ice.messages import HEADER, Kind, read_header
+from learnblock.timing import Deadline
 
 _CHUNK = 65536
 
@@ -15,13 +15,13 @@ class Stream:
     Args:
         host: the component's address.
         port: the component's port.
-        deadline: the time limit for connecting, by `monotonic`.
+        deadline: the time limit for connecting.
 
     Raises:
         IceLinkError: no component listens there.
     """
 
-    def __init__(self, host: str, port: int, deadline: float) -> None:
+    def __init__(self, host: str, port: int, deadline: Deadline) -> None:
         try:
             self._inwards = socket.create_connection((host, port), _left(deadline))
         except UnicodeError as error:
@@ -35,7 +35,7 @@ class Stream:
         self._outwards.settimeout(_left(deadline))
         self._received = bytearray()
 
-    def send(self, data: bytes, deadline: float) -> None:
+    def send(self, data: bytes, deadline: Deadline) -> None:
         """Send a message.
 
         Raises:
@@ -47,7 +47,7 @@ class Stream:
         except OSError as error:
             raise _link_error(error) from error
 
-    def receive(self, deadline: float) -> tuple[Kind, bytes]:
+    def receive(self, deadline: Deadline) -> tuple[Kind, bytes]:
         """Receive the next message: its kind, and the part after its header.
 
         Raises:
@@ -86,7 +86,7 @@ class Stream:
             self._inwards.close()
             self._outwards.close()
 
-    def _take(self, size: int, deadline: float) -> bytes:
+    def _take(self, size: int, deadline: Deadline) -> bytes:
         while len(self._received) < size:
             self._inwards.settimeout(_left(deadline))
             data = self._inwards.recv(max(_CHUNK, size - len(self._received)))
@@ -98,9 +98,9 @@ class Stream:
         return taken
 
 
-def _left(deadline: float) -> float:
+def _left(deadline: Deadline) -> float:
     """The seconds left, but at least enough to read data that has already arrived."""
-    return max(deadline - monotonic(), 0.001)
+    return max(deadline.left, 0.001)
 
 
 def _link_error(error: OSError) -> IceLinkError:

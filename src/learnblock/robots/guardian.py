@@ -21,8 +21,7 @@ import threading
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
-from time import monotonic
-from typing import Any
+from typing import IO, Any
 
 import msgspec
 
@@ -30,6 +29,7 @@ from learnblock import robots
 from learnblock.errors import LearnBlockError, RobotConnectionError
 from learnblock.robots.real import RealRobot
 from learnblock.robots.settings import RobotSettings
+from learnblock.timing import MONOTONIC, Deadline, SteadyClock
 
 #: Seconds for which to retry a robot that does not respond, and seconds between attempts.
 #: It must not retry longer, because another program may be using the robot by then.
@@ -56,9 +56,15 @@ class Guardian:
     Args:
         robot: the class whose `halt` stops the motors.
         settings: how to reach the robot.
+        clock: the clock of the signs of life.
     """
 
-    def __init__(self, robot: type[RealRobot[Any]], settings: RobotSettings) -> None:
+    def __init__(
+        self,
+        robot: type[RealRobot[Any]],
+        settings: RobotSettings,
+        clock: SteadyClock = MONOTONIC,
+    ) -> None:
         command = [sys.executable, "-P", "-m", __name__, robot.__module__]
         self._robot = robot.name()
         self._process = subprocess.Popen(  # noqa: S603 - our own interpreter and module
@@ -71,11 +77,8 @@ class Guardian:
             start_new_session=True,
         )
         assert self._process.stdin is not None  # noqa: S101 - for the type checker
-        self._pipe = self._process.stdin
-        self._pipe.write(msgspec.json.encode(settings) + b"\n")
-        self._over = threading.Event()
-        self._beating = threading.Thread(target=self._beat, name="signs of life", daemon=True)
-        self._beating.start()
+        self._process.stdin.write(msgspec.json.encode(settings) + b"\n")
+        self._signs = SignsOfLife(self._process.stdin, clock)
 
     def check(self) -> None:
         """Check that the guardian is watching, and has not stopped the motors.
@@ -84,7 +87,7 @@ class Guardian:
             RobotConnectionError: it has stopped them, because this process was frozen for half a
                 second, or it has ended by itself.
         """
-        ended = None if self._over.is_set() else self._process.poll()
+        ended = None if self._signs.are_over else self._process.poll()
         if ended is not None:
             code = "robot-computer-froze" if ended == 0 else "robot-guardian-ended"
             raise RobotConnectionError(code, robot=self._robot)
@@ -93,25 +96,54 @@ class Guardian:
         """End the guardian because the motors have stopped; calling it twice is harmless."""
         self._process.kill()
         self._process.wait()
-        self._hang_up()
+        self._signs.end()
 
     def leave_in_charge(self) -> None:
         """Let the guardian stop the motors; it retries for some seconds and then exits."""
-        self._hang_up()
+        self._signs.end()
         threading.Thread(target=self._process.wait, name="guardian", daemon=True).start()
 
-    def _hang_up(self) -> None:
+
+class SignsOfLife:
+    """A thread that tells a guardian ten times a second that its driver lives.
+
+    Args:
+        pipe: leads to the guardian.
+        clock: the clock of the signs.
+    """
+
+    def __init__(self, pipe: IO[bytes], clock: SteadyClock = MONOTONIC) -> None:
+        self._pipe = pipe
+        self._clock = clock
+        self._over = threading.Event()
+        self._ended = threading.Event()
+        self._thread = threading.Thread(target=self._beat, name="signs of life", daemon=True)
+        self._thread.start()
+
+    @property
+    def are_over(self) -> bool:
+        """Whether they were ended."""
+        return self._over.is_set()
+
+    def end(self) -> None:
+        """Stop, and close the pipe; calling it twice is harmless.
+
+        A thread that can't write, because the guardian is frozen, is waited for only a second.
+        """
         self._over.set()
-        self._beating.join(PATIENCE)
+        if self._clock.wait(self._ended, PATIENCE):
+            self._thread.join()
         self._pipe.close()
 
     def _beat(self) -> None:
-        while not self._over.wait(PERIOD):
-            try:
+        try:
+            while not self._clock.wait(self._over, PERIOD):
                 self._pipe.write(b".")
-            except OSError:
-                # The guardian has ended; `check` says so.
-                return
+        except OSError:
+            # The guardian has ended; its `check` says so.
+            return
+        finally:
+            self._ended.set()
 
 
 def wait_for_silence(hear: Hear, is_busy: Callable[[], bool]) -> None:
@@ -127,6 +159,24 @@ def wait_for_silence(hear: Hear, is_busy: Callable[[], bool]) -> None:
         if heard == b"":
             return
         silent = 0 if heard else silent + 1
+
+
+def insist_on(halt: Callable[[], object], clock: SteadyClock) -> bool:
+    """Try to stop the motors until it succeeds; return whether it did within `TRIES_FOR` seconds.
+
+    Args:
+        halt: stops them, or raises a `LearnBlockError`.
+        clock: the clock of this limit.
+    """
+    deadline = Deadline.after(TRIES_FOR, clock)
+    while not deadline.is_over:
+        try:
+            halt()
+        except LearnBlockError:
+            clock.sleep(min(PAUSE, deadline.left))
+        else:
+            return True
+    return False
 
 
 def _hearing(stream: int) -> Hear:
@@ -174,15 +224,7 @@ def _guard(module: str) -> bool:
         settings = msgspec.json.decode(stream.readline(), type=robot.settings_type)
     # The driver alone has the other end, so it closes with the driver.
     wait_for_silence(_hearing(sys.stdin.fileno()), partial(is_busy, os.getppid()))
-    deadline = monotonic() + TRIES_FOR
-    while monotonic() < deadline:
-        try:
-            robot.halt(settings)
-        except LearnBlockError:
-            threading.Event().wait(PAUSE)
-        else:
-            return True
-    return False
+    return insist_on(partial(robot.halt, settings), MONOTONIC)
 
 
 if __name__ == "__main__":

@@ -18,6 +18,7 @@ from learnblock.installation import add_on, requirements
 from learnblock.robots import settings as user_settings
 from learnblock.robots.calibration import Calibration
 from learnblock.robots.settings import SettingsT
+from learnblock.timing import MONOTONIC, SteadyClock
 from learnblock.wheels import Drivetrain
 
 
@@ -38,6 +39,7 @@ class RealRobot(Client, Generic[SettingsT]):
         skills: as for `Client`.
         clock: as for `Client`.
         observer: as for `Client`.
+        steady_clock: the clock by which the driver's threads wait; another one in tests.
         chosen: settings by name, which override those in the user's file.
 
     Raises:
@@ -63,8 +65,10 @@ class RealRobot(Client, Generic[SettingsT]):
         skills: Collection[str] | None = None,
         clock: Clock | None = None,
         observer: Observer | None = None,
+        steady_clock: SteadyClock = MONOTONIC,
         **chosen: Any,
     ) -> None:
+        self.steady_clock = steady_clock
         self.settings: SettingsT = user_settings.load(self.name(), self.settings_type, chosen)
         super().__init__(skills=skills, clock=clock, observer=observer)
 

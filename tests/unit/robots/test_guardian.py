@@ -3,10 +3,23 @@
 import signal
 import subprocess
 import sys
+import threading
 
 import pytest
 
-from learnblock.robots.guardian import STEP, is_busy, wait_for_silence
+from learnblock.errors import RobotConnectionError
+from learnblock.robots.guardian import (
+    PATIENCE,
+    PAUSE,
+    PERIOD,
+    STEP,
+    TRIES_FOR,
+    SignsOfLife,
+    insist_on,
+    is_busy,
+    wait_for_silence,
+)
+from learnblock.testing import ManualClock
 from waiting import wait_for
 
 
@@ -83,3 +96,103 @@ def test_a_process_that_computes_is_busy_until_it_is_stopped():
 
 def test_a_driver_that_ends_is_not_waited_for():
     assert stopped_after(Driver(0, 2, ends=3)) == pytest.approx(3 * STEP)
+
+
+# A guardian that has to stop the motors.
+
+
+class Motors:
+    """Motors that can be reached at some time, and the times at which it was tried."""
+
+    def __init__(self, clock, *, from_then=None, takes=0.0):
+        self.tried = []
+        self._clock, self._from_then, self._takes = clock, from_then, takes
+
+    def halt(self):
+        self.tried.append(self._clock.now())
+        self._clock.sleep(self._takes)
+        if self._from_then is None or self._clock.now() < self._from_then:
+            raise RobotConnectionError("ev3-closed", place="here")
+
+
+def test_it_tries_again_until_its_time_is_over_and_then_gives_up():
+    clock = ManualClock()
+    motors = Motors(clock)
+    assert not clock.run(lambda: insist_on(motors.halt, clock))
+    assert clock.now() == TRIES_FOR
+    assert motors.tried == pytest.approx([PAUSE * count for count in range(50)])
+
+
+def test_it_begins_no_attempt_after_its_time_however_long_one_takes():
+    clock = ManualClock()
+    motors = Motors(clock, takes=0.5)
+    assert not clock.run(lambda: insist_on(motors.halt, clock))
+    assert motors.tried == pytest.approx([0.6 * count for count in range(9)])
+
+
+def test_it_ends_once_the_motors_have_stopped():
+    clock = ManualClock()
+    motors = Motors(clock, from_then=1.0)
+    assert clock.run(lambda: insist_on(motors.halt, clock))
+    assert clock.now() == pytest.approx(1.0)
+
+
+# The driver's signs of life.
+
+
+class Pipe:
+    """A pipe to a guardian that reads until it freezes."""
+
+    def __init__(self, clock):
+        self.written = []
+        self.is_closed = False
+        self.is_frozen = False
+        self.thawed = threading.Event()
+        self._clock = clock
+
+    def write(self, data):
+        if self.is_frozen:
+            self._clock.wait(self.thawed, 1000)
+        self.written.append(self._clock.now())
+
+    def close(self):
+        self.is_closed = True
+
+
+@pytest.fixture
+def clock():
+    return ManualClock()
+
+
+@pytest.fixture
+def pipe(clock):
+    pipe = Pipe(clock)
+    yield pipe
+    pipe.thawed.set()
+
+
+def test_a_driver_gives_signs_of_life_at_exactly_their_period(clock, pipe):
+    signs = SignsOfLife(pipe, clock)
+    clock.block_until(1)
+    clock.advance(0.55)
+    signs.end()
+    assert pipe.written == pytest.approx([PERIOD * count for count in range(1, 6)])
+
+
+def test_a_driver_that_ends_gives_no_more_signs_and_waits_for_nothing(clock, pipe):
+    signs = SignsOfLife(pipe, clock)
+    clock.block_until(1)
+    signs.end()
+    signs.end()
+    clock.advance(1)
+    assert (pipe.written, pipe.is_closed, signs.are_over) == ([], True, True)
+
+
+def test_a_driver_waits_for_a_frozen_guardian_as_long_as_its_patience(clock, pipe):
+    signs = SignsOfLife(pipe, clock)
+    clock.block_until(1)
+    pipe.is_frozen = True
+    clock.advance(PERIOD)
+    clock.run(signs.end)
+    assert clock.now() == pytest.approx(PERIOD + PATIENCE)
+    assert pipe.is_closed

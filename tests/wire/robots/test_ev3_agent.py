@@ -16,7 +16,6 @@ from learnblock.errors import RobotConnectionError
 from learnblock.robots.ev3 import agent, lines
 from learnblock.robots.ev3.brick import Drive, Look, Say, Tone
 from learnblock.robots.ev3.settings import Settings
-from waiting import wait_for
 
 SOURCE = AGENT.read_text()
 
@@ -58,21 +57,11 @@ class FakeBrick:
 
 def test_the_brick_executes_the_clients_commands():
     brick = FakeBrick()
-    guard = agent.Guard(brick, lambda: None)
+    guard = agent.Guard(brick, lambda: None, agent.Clock())
     for word in (Drive(10.5, -20), Tone(440, 100), Say("é 名"), Look()):
         assert lines.answer(guard.answer(lines.spoken(word).decode()), "there").state is not None
     guard.close()
     assert brick.told == [[10.5, -20], [440, 100], "é 名", [0, 0], "hushed"]
-
-
-def test_motors_stop_without_messages_and_a_client_that_returns_late_gets_an_error(monkeypatch):
-    monkeypatch.setattr(agent, "ABSENCE", 0.5)
-    brick, ended = FakeBrick(), []
-    guard = agent.Guard(brick, lambda: ended.append(True))
-    guard.answer('{"drive": [100, 100]}')
-    wait_for(lambda: brick.told == [[100, 100], [0, 0]], "the motors stop")
-    wait_for(lambda: ended, "it is let go")
-    assert json.loads(guard.answer("{}"))["error"] == "ev3-timed-out"
 
 
 @settings(max_examples=150)
@@ -90,7 +79,7 @@ def test_motors_stop_without_messages_and_a_client_that_returns_late_gets_an_err
     )
 )
 def test_the_agent_answers_every_line_with_a_state_or_an_error(line):
-    guard = agent.Guard(FakeBrick(), lambda: None)
+    guard = agent.Guard(FakeBrick(), lambda: None, agent.Clock())
     try:
         assert set(json.loads(guard.answer(line))) in (
             {"error", "values"},

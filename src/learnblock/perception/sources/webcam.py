@@ -9,6 +9,7 @@ from learnblock.closing import Closing
 from learnblock.errors import RobotConnectionError
 from learnblock.perception.frames import Frame
 from learnblock.perception.sources.frames import frame_of
+from learnblock.timing import MONOTONIC, SteadyClock
 
 #: The size we request; a webcam may send a different one.
 SIZE = (640, 480)
@@ -22,10 +23,14 @@ class Webcam(Closing):
     Args:
         source: its number, 0 for the first webcam, or another source that OpenCV can open.
         timeout: how long to wait for the first picture, in seconds.
+        clock: the clock of this limit.
     """
 
-    def __init__(self, source: int | str, timeout: float = TIMEOUT) -> None:
+    def __init__(
+        self, source: int | str, timeout: float = TIMEOUT, clock: SteadyClock = MONOTONIC
+    ) -> None:
         self._source = source
+        self._clock = clock
         self._timeout = timeout
         self._turn = threading.Lock()
         self._thread: threading.Thread | None = None
@@ -46,7 +51,7 @@ class Webcam(Closing):
         """
         with self._turn:
             self._switch_on()
-            if not self._settled.wait(self._timeout):
+            if not self._clock.wait(self._settled, self._timeout):
                 raise RobotConnectionError("perception-webcam-silent", webcam=str(self._source))
             if self._trouble:
                 raise RobotConnectionError(self._trouble, webcam=str(self._source))

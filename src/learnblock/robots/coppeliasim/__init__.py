@@ -69,14 +69,16 @@ class Robot(RealRobot[Settings]):
     def connect(self) -> None:
         settings = self.settings
         self._ending = ExitStack()
-        remote = Remote(settings.address, settings.port, settings.patience)
+        remote = Remote(settings.address, settings.port, settings.patience, self.steady_clock)
         self._ending.callback(remote.close)
         remote.open()
-        simulation = Simulation(remote, settings.patience)
+        simulation = Simulation(remote, settings.patience, self.steady_clock)
         self._ending.callback(simulation.end)
         simulation.start()
         scene = _SCENES[settings.scene](remote, settings)
-        self._guardian = None if scene.has_watchdog else Guardian(type(self), settings)
+        self._guardian = (
+            None if scene.has_watchdog else Guardian(type(self), settings, self.steady_clock)
+        )
         if self._guardian is not None:
             self._ending.callback(_relieve, self._guardian, remote)
         for device, key in scene.devices():
@@ -88,7 +90,7 @@ class Robot(RealRobot[Settings]):
             simulation.check()
             scene.beat()
 
-        self._heartbeat = Heartbeat(beat)
+        self._heartbeat = Heartbeat(beat, self.steady_clock)
         self._ending.callback(self._heartbeat.stop)
 
     @classmethod

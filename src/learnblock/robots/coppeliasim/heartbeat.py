@@ -4,16 +4,23 @@ import threading
 from collections.abc import Callable
 
 from learnblock.errors import RobotConnectionError
+from learnblock.timing import MONOTONIC, SteadyClock
 
 #: Seconds between two beats; our script stops the motors after three missed beats.
 PERIOD = 0.1
 
 
 class Heartbeat:
-    """A thread that calls `beat` until it fails or is stopped."""
+    """A thread that calls `beat` until it fails or is stopped.
 
-    def __init__(self, beat: Callable[[], None]) -> None:
+    Args:
+        beat: called with each beat.
+        clock: the clock of the beats.
+    """
+
+    def __init__(self, beat: Callable[[], None], clock: SteadyClock = MONOTONIC) -> None:
         self._beat = beat
+        self._clock = clock
         self._error: RobotConnectionError | None = None
         self._stopped = threading.Event()
         self._thread = threading.Thread(target=self._run, name="heartbeat", daemon=True)
@@ -35,7 +42,7 @@ class Heartbeat:
         self._thread.join()
 
     def _run(self) -> None:
-        while not self._stopped.wait(PERIOD):
+        while not self._clock.wait(self._stopped, PERIOD):
             try:
                 self._beat()
             except RobotConnectionError as error:

@@ -5,13 +5,13 @@ import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from time import monotonic
 from types import ModuleType
 from typing import Any
 
 from learnblock.errors import RobotConnectionError, SceneCallError
 from learnblock.i18n import Phrase
 from learnblock.robots.real import require
+from learnblock.timing import MONOTONIC, Deadline, SteadyClock
 
 #: The allowed commands in a reply: none, wait, or repeat.
 _WAITS = (None, "_*wait*_", "_*repeat*_")
@@ -27,15 +27,19 @@ class Remote:
         address: the computer on which it runs.
         port: the port of its remote API.
         timeout: how long to wait for an answer, in seconds.
+        clock: the clock of this limit.
 
     Raises:
         MissingPackageError: the vendor's client is not installed.
     """
 
-    def __init__(self, address: str, port: int, timeout: float) -> None:
+    def __init__(
+        self, address: str, port: int, timeout: float, clock: SteadyClock = MONOTONIC
+    ) -> None:
         library = require("coppeliasim_zmqremoteapi_client", "coppeliasim")
         self.place = f"{address}:{port}"
         self._timeout = timeout
+        self._clock = clock
         self._zmq = library.zmq
         with _main_module_unchanged():
             self._client = _client_class(library)(address, port)
@@ -115,7 +119,7 @@ class Remote:
             if self._lost:
                 raise RobotConnectionError(self._lost.code, **self._lost.values)
             for _ in range(ATTEMPTS):
-                self._client.deadline = monotonic() + self._timeout / ATTEMPTS
+                self._client.deadline = Deadline.after(self._timeout / ATTEMPTS, self._clock)
                 try:
                     return request()
                 except self._zmq.Again:
@@ -139,11 +143,11 @@ def _client_class(library: ModuleType) -> Any:
     """The vendor's client with limits: the original waits forever and runs any command it gets."""
 
     class BoundedClient(library.RemoteAPIClient):  # type: ignore[misc, name-defined]
-        #: By `monotonic`.
-        deadline = math.inf
+        #: The limit of the request that is being made.
+        deadline = Deadline(MONOTONIC, math.inf)
 
         def _recv(self) -> Any:
-            if monotonic() > self.deadline:
+            if self.deadline.is_over:
                 raise library.zmq.Again
             reply = super()._recv()
             if isinstance(reply, dict) and reply.get("func") not in _WAITS:

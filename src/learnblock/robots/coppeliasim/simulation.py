@@ -1,10 +1,11 @@
 """Starts and stops CoppeliaSim's simulation."""
 
-from threading import Event
-from time import monotonic
-
 from learnblock.errors import RobotConnectionError
 from learnblock.robots.coppeliasim.remote import Remote
+from learnblock.timing import MONOTONIC, Deadline, SteadyClock
+
+#: Seconds between two looks at a simulation that is starting.
+PAUSE = 0.02
 
 #: The states of a simulation, by the numbers of ``sim.getSimulationState`` (regular API constants).
 STOPPED, PAUSED = 0, 8
@@ -18,11 +19,13 @@ class Simulation:
     Args:
         remote: the connection to CoppeliaSim.
         timeout: how long to wait for the start, in seconds.
+        clock: the clock of this limit.
     """
 
-    def __init__(self, remote: Remote, timeout: float) -> None:
+    def __init__(self, remote: Remote, timeout: float, clock: SteadyClock = MONOTONIC) -> None:
         self._remote = remote
         self._timeout = timeout
+        self._clock = clock
         self._ours = False
 
     def start(self) -> None:
@@ -33,14 +36,14 @@ class Simulation:
         """
         real_time = self._remote.constant("boolparam_realtime_simulation")
         self._remote.call("setBoolParam", real_time, True)  # noqa: FBT003 - the API's signature
-        deadline, pause = monotonic() + self._timeout, Event()
+        deadline = Deadline.after(self._timeout, self._clock)
         while (state := self._state()) not in MOVING:
-            if monotonic() > deadline:
+            if deadline.is_over:
                 raise RobotConnectionError("coppeliasim-not-started", place=self._remote.place)
             if state in {STOPPED, PAUSED}:
                 self._ours = self._ours or state == STOPPED
                 self._remote.call("startSimulation")
-            pause.wait(0.02)
+            self._clock.sleep(min(PAUSE, deadline.left))
 
     def check(self) -> None:
         """Check that the simulation has not been stopped; it may be paused.

@@ -29,6 +29,7 @@ from learnblock.robots.cozmo.use import Use, is_used
 from learnblock.robots.guardian import Guardian
 from learnblock.robots.real import RealRobot, require
 from learnblock.robots.settings import Address, Patience, Port, RobotSettings
+from learnblock.timing import SteadyClock
 from learnblock.wheels import Drivetrain
 
 if TYPE_CHECKING:
@@ -127,13 +128,15 @@ class Robot(RealRobot[CozmoSettings]):
 
     def connect(self) -> None:
         chosen = self.settings
-        self._session = session = _session(chosen.address, chosen.port, chosen.patience)
+        self._session = session = _session(
+            chosen.address, chosen.port, chosen.patience, self.steady_clock
+        )
         self._use = Use(chosen.address, chosen.port)
         session.prepare(
             colour=chosen.colour, stop_at_cliff=chosen.stop_at_cliff, volume=chosen.volume
         )
         # Without a guardian, the robot stops only after five seconds without messages.
-        self._guardian = Guardian(type(self), chosen)
+        self._guardian = Guardian(type(self), chosen, self.steady_clock)
         self._add_sensors(session)
         self._add_joints(session)
         self._add_stage(session)
@@ -225,12 +228,12 @@ class Robot(RealRobot[CozmoSettings]):
         self.add(Animator(play=stage.act))
 
 
-def _session(address: str, port: int, timeout: float) -> "Session":
+def _session(address: str, port: int, timeout: float, clock: SteadyClock) -> "Session":
     require("pycozmo", "cozmo")
     # It needs pycozmo, which only owners of a Cozmo install.
     from learnblock.robots.cozmo.session import Session  # noqa: PLC0415
 
-    return Session(address, port, timeout)
+    return Session(address, port, timeout, clock)
 
 
 def _ground(*, on_cliff: bool) -> dict[str, float | None]:

@@ -7,9 +7,10 @@ and numpy would take too long.
 import select
 import socket
 import struct
-from time import monotonic
+from collections.abc import Callable
 
 from learnblock.errors import RobotConnectionError
+from learnblock.timing import MONOTONIC, Deadline, SteadyClock
 
 Address = tuple[str, int]
 
@@ -94,12 +95,33 @@ def _insist(
         least: the number that has to be acknowledged.
         kind: the kind of the first packet in the robot's answer; None accepts any.
     """
-    until = monotonic() + timeout
-    while monotonic() < until:
-        _send(wire, frame)
-        again = monotonic() + RETRY
-        while (left := again - monotonic()) > 0:
-            if _acknowledged(wire, left, kind) >= least:
+    return insist(
+        lambda: _send(wire, frame),
+        lambda seconds: _acknowledged(wire, seconds, kind) >= least,
+        timeout,
+    )
+
+
+def insist(
+    send: Callable[[], object],
+    hear: Callable[[float], bool],
+    timeout: float,
+    clock: SteadyClock = MONOTONIC,
+) -> bool:
+    """Send until there is an answer, and return whether there was one.
+
+    Args:
+        send: sends it; called again every `RETRY` seconds.
+        hear: waits at most so many seconds for something; returns whether it is the answer.
+        timeout: how long to wait for an answer, in seconds.
+        clock: the clock of these limits.
+    """
+    until = Deadline.after(timeout, clock)
+    while not until.is_over:
+        send()
+        again = Deadline.after(min(RETRY, until.left), clock)
+        while not again.is_over:
+            if hear(again.left):
                 return True
     return False
 

@@ -11,10 +11,10 @@ In pycozmo 0.8.0
 """
 
 import select
+import socket
 import threading
 from collections.abc import Iterator, Sequence
 from queue import Empty
-from time import monotonic, perf_counter
 from typing import Any
 
 from pycozmo import protocol_encoder as packets
@@ -23,11 +23,14 @@ from pycozmo.frame import Frame
 from pycozmo.protocol_declaration import MAX_FRAME_PAYLOAD_SIZE, MAX_SEQ, OOB_SEQ
 
 from learnblock.robots.cozmo.halt import Address
+from learnblock.timing import MONOTONIC, Deadline, SteadyClock
 
 RESEND = 0.05
 """Seconds after which unacknowledged packets are resent (Anki's ReliableConnection)."""
 RETRY = 0.3
 """Seconds after which the connection is requested again."""
+GLANCE = 0.005
+"""Seconds between two checks whether everything has arrived."""
 POLL = 0.02
 """Seconds after which a thread checks whether it should end."""
 FAREWELL = 0.3
@@ -37,9 +40,13 @@ FAREWELL = 0.3
 class Sender(SendThread):  # type: ignore[misc] # pycozmo has no types
     """Sends packets repeatedly until the robot acknowledges them."""
 
+    def __init__(self, sock: socket.socket, address: Address, clock: SteadyClock) -> None:
+        super().__init__(sock, address)
+        self._clock = clock
+
     def run(self) -> None:
         while not self.stop_flag:
-            self._send_packets(self._resend_messages() + self._collect_messages(), self.last_ack)
+            self._send_packets(self.overdue() + self._collect_messages(), self.last_ack)
 
     def ack(self, seq: int, last_ack: int) -> None:
         """Record that the robot has received up to `seq`, and we have received up to `last_ack`."""
@@ -47,7 +54,7 @@ class Sender(SendThread):  # type: ignore[misc] # pycozmo has no types
             oldest = self.window.expected_seq
             self.window.acknowledge(seq)
             if self.window.expected_seq != oldest:
-                self.last_ack_time = monotonic()
+                self.last_ack_time = self._clock.now()
             self.last_ack = last_ack
 
     def reset(self) -> None:
@@ -65,12 +72,13 @@ class Sender(SendThread):  # type: ignore[misc] # pycozmo has no types
         if not self.window.is_full():
             self._send_packets(self._numbered([packets.Disconnect()]), self.last_ack)
 
-    def _resend_messages(self) -> list[tuple[int, Any]]:
+    def overdue(self) -> list[tuple[int, Any]]:
+        """What has to be sent again, with its numbers: nothing until an answer is due again."""
         with self.lock:
             owed: list[tuple[int, Any]] = self.window.get()
-            if not owed or monotonic() - self.last_ack_time < RESEND:
+            if not owed or self._clock.now() < self.last_ack_time + RESEND:
                 return []
-            self.last_ack_time = monotonic()
+            self.last_ack_time = self._clock.now()
         return owed
 
     def _collect_messages(self) -> list[tuple[int, Any]]:
@@ -78,7 +86,7 @@ class Sender(SendThread):  # type: ignore[misc] # pycozmo has no types
             free = self.window.size - len(self.window.get())
         if not free:
             # The robot has to acknowledge some packets first.
-            threading.Event().wait(self.COLLECT_INTERVAL)
+            self._clock.sleep(self.COLLECT_INTERVAL)
             return []
         return self._numbered(list(self._waiting(free)))
 
@@ -96,7 +104,7 @@ class Sender(SendThread):  # type: ignore[misc] # pycozmo has no types
             self._send_ping(ping)
         with self.lock:
             if not self.window.get():
-                self.last_ack_time = monotonic()
+                self.last_ack_time = self._clock.now()
             return [
                 (self.window.put(packet), packet)
                 for packet in collected
@@ -112,10 +120,11 @@ class Sender(SendThread):  # type: ignore[misc] # pycozmo has no types
 class Receiver(ReceiveThread):  # type: ignore[misc] # pycozmo has no types
     """Receives frames, and acknowledges only those that arrived in order."""
 
-    def __init__(self, *args: Any) -> None:
+    def __init__(self, clock: SteadyClock, *args: Any) -> None:
         super().__init__(*args)
+        self._clock = clock
         #: When the last frame was received.
-        self.heard = monotonic()
+        self.heard = clock.now()
 
     def run(self) -> None:
         while not self.stop_flag:
@@ -124,7 +133,7 @@ class Receiver(ReceiveThread):  # type: ignore[misc] # pycozmo has no types
 
     def handle_frame(self, frame: Any) -> None:
         self.received_frames += 1
-        self.heard = monotonic()
+        self.heard = self._clock.now()
         for packet in frame.pkts:
             self.handle_pkt(packet)
         self.deliver_sequence()
@@ -148,12 +157,14 @@ class Link(Connection):  # type: ignore[misc] # pycozmo has no types
 
     Args:
         address: the robot's IP address and UDP port.
+        clock: the clock of its limits.
     """
 
-    def __init__(self, address: Address) -> None:
+    def __init__(self, address: Address, clock: SteadyClock = MONOTONIC) -> None:
         super().__init__(address)
-        self.send_thread = Sender(self.sock, address)
-        self.recv_thread = Receiver(self.sock, self.send_thread, address, self._on_packet)
+        self._clock = clock
+        self.send_thread = Sender(self.sock, address, clock)
+        self.recv_thread = Receiver(clock, self.sock, self.send_thread, address, self._on_packet)
         self._welcomed = threading.Event()
         #: Seconds from the newest answered ping to its answer; None before the first one.
         self.round_trip: float | None = None
@@ -166,20 +177,21 @@ class Link(Connection):  # type: ignore[misc] # pycozmo has no types
     @property
     def silence(self) -> float:
         """Seconds since the last frame from the robot."""
-        return monotonic() - float(self.recv_thread.heard)
+        return self._clock.now() - float(self.recv_thread.heard)
 
     def establish(self, timeout: float) -> bool:
         """Request the connection until the robot accepts it or `timeout` seconds have passed."""
-        began = asked = monotonic()
+        began = asked = self._clock.now()
+        until = Deadline(self._clock, began + timeout)
         while not self._welcomed.is_set():
-            asked = monotonic()
-            if asked - began > timeout:
+            if until.is_over:
                 return False
+            asked = self._clock.now()
             self.connect()
-            self._welcomed.wait(min(RETRY, timeout))
+            self._clock.wait(self._welcomed, min(RETRY, until.left))
         # The robot restarts the connection at each request. Nothing else may be sent before it has
         # received the last one, which takes at most as long as its first answer took.
-        threading.Event().wait(asked - began)
+        self._clock.sleep(asked - began)
         return True
 
     def hang_up(self) -> None:
@@ -195,14 +207,18 @@ class Link(Connection):  # type: ignore[misc] # pycozmo has no types
         super()._on_connect(cli, pkt)
         self._welcomed.set()
 
+    def _send_ping(self) -> None:
+        self.send(packets.Ping(self._clock.now(), self.ping_counter, 0))
+        self.ping_counter += 1
+
     def _on_ping(self, cli: Any, pkt: Any) -> None:  # noqa: ARG002 - as pycozmo calls it
         # The robot returns the time at which the ping was sent.
-        self.round_trip = max(0.0, perf_counter() - pkt.time_sent_ms)
+        self.round_trip = max(0.0, self._clock.now() - pkt.time_sent_ms)
 
     def _deliver_all(self) -> None:
-        until = monotonic() + FAREWELL
-        while not self.send_thread.has_delivered() and monotonic() < until:
-            threading.Event().wait(0.005)
+        until = Deadline.after(FAREWELL, self._clock)
+        while not self.send_thread.has_delivered() and not until.is_over:
+            self._clock.sleep(min(GLANCE, until.left))
 
 
 def batches(numbered: Sequence[tuple[int, Any]]) -> Iterator[list[tuple[int, Any]]]:

@@ -1,9 +1,7 @@
 """A connected Cozmo: its reports and its commands."""
 
 import logging
-import threading
 from collections.abc import Callable
-from time import monotonic
 from typing import Any
 
 import pycozmo
@@ -18,6 +16,7 @@ from learnblock.robots.cozmo.halt import resolved
 from learnblock.robots.cozmo.link import Link
 from learnblock.robots.cozmo.odometry import Odometry
 from learnblock.robots.cozmo.reception import Reception
+from learnblock.timing import MONOTONIC, Deadline, SteadyClock
 
 POLL = 0.005
 """Seconds between two checks for an answer."""
@@ -38,6 +37,7 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
         address: its host name or IP address.
         port: its UDP port.
         timeout: how long to wait for an answer, in seconds.
+        clock: the clock of its limits.
 
     Attributes:
         odometry: the robot's pose.
@@ -48,17 +48,20 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
 
     conn: Link
 
-    def __init__(self, address: str, port: int, timeout: float) -> None:
+    def __init__(
+        self, address: str, port: int, timeout: float, clock: SteadyClock = MONOTONIC
+    ) -> None:
         place = resolved(address, port)
         super().__init__(place, auto_initialize=False)
         # pycozmo's own connection was never started.
         self.conn.sock.close()
-        self.conn = Link(place)
+        self.conn = Link(place, clock)
         self.conn.add_child_dispatcher(self)
         self.odometry = Odometry()
         self._reception = Reception()
         self._place = f"{address}:{port}"
         self._timeout = timeout
+        self._clock = clock
         self._reported = False
         self._calibrating: set[Any] = set()
         self._lights: dict[str, Any] = dict.fromkeys(units.LIGHTS, lights.off_light)
@@ -147,14 +150,14 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
         self.enable_camera(color=colour)
         self.conn.send(packets.EnableStopOnCliff(enable=stop_at_cliff))
         self.set_volume(LOUDEST * volume // 100)
-        until = monotonic() + FIRST_PICTURE
-        while self._picture is None and monotonic() < until:
-            threading.Event().wait(POLL)
+        until = self._after(FIRST_PICTURE)
+        while self._picture is None and not until.is_over:
+            self._clock.sleep(POLL)
 
     # Connecting.
 
     def _introduce(self) -> None:
-        until = monotonic() + self._timeout
+        until = self._after(self._timeout)
         if not self.conn.establish(self._timeout):
             raise RobotConnectionError("cozmo-no-answer", place=self._place)
         self._enable_robot()
@@ -162,15 +165,18 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
         self.conn.send(packets.SetOrigin())
         self.conn.send(packets.SyncTime())
         self._await(lambda: self._reported, until)
-        self._await(lambda: not self._calibrating, monotonic() + CALIBRATION)
+        self._await(lambda: not self._calibrating, self._after(CALIBRATION))
         self.anim_controller.enable_animations()
         self.anim_controller.start()
 
-    def _await(self, holds: Callable[[], Any], until: float) -> None:
+    def _after(self, seconds: float) -> Deadline:
+        return Deadline.after(seconds, self._clock)
+
+    def _await(self, holds: Callable[[], Any], until: Deadline) -> None:
         while not holds():
-            if monotonic() > until:
+            if until.is_over:
                 raise RobotConnectionError("cozmo-not-ready", place=self._place)
-            threading.Event().wait(POLL)
+            self._clock.sleep(min(POLL, until.left))
 
     def start(self) -> None:
         self.add_handler(packets.MotorCalibration, self._on_calibration)

@@ -73,7 +73,9 @@ class Robot(RoboCompRobot[Settings]):
 
     def _connect_camera(self) -> None:
         settings = self.settings
-        self._camera = StreamedCamera(settings.address, settings.camera_port, settings.patience)
+        self._camera = StreamedCamera(
+            settings.address, settings.camera_port, settings.patience, self.steady_clock
+        )
         self._ending.callback(self._camera.close)
         self._camera.open()
         self.add(Camera(read=self._camera.read))

@@ -1,11 +1,11 @@
 """EBO's camera: 20 JPEG pictures per second, sent by an MQTT broker."""
 
 import threading
-from time import monotonic
 from typing import TYPE_CHECKING, Any
 
 from learnblock.errors import RobotConnectionError
 from learnblock.robots.real import require
+from learnblock.timing import MONOTONIC, SteadyClock
 
 if TYPE_CHECKING:
     from learnblock.devices import Frame
@@ -21,13 +21,17 @@ class StreamedCamera:
         address: the broker's address.
         port: the broker's port.
         timeout: how long to wait for the broker's answer and for a picture, in seconds.
+        clock: the clock of the wait for a picture.
     """
 
-    def __init__(self, address: str, port: int, timeout: float) -> None:
+    def __init__(
+        self, address: str, port: int, timeout: float, clock: SteadyClock = MONOTONIC
+    ) -> None:
         self._place = address, port
         self._timeout = timeout
+        self._clock = clock
         self._seen = threading.Event()
-        self._came = monotonic()
+        self._came = clock.now()
         self._latest: bytes | None = None
         self._shown: bytes | None = None
         self._frame: Frame | None = None
@@ -51,7 +55,7 @@ class StreamedCamera:
                 "ebo-camera-unreachable", place=f"{address}:{port}"
             ) from error
         self._client.loop_start()
-        if not self._seen.wait(self._timeout):
+        if not self._clock.wait(self._seen, self._timeout):
             raise self._silent()
 
     def read(self) -> "Frame | None":
@@ -75,7 +79,7 @@ class StreamedCamera:
         Raises:
             RobotConnectionError: they do not arrive.
         """
-        if monotonic() - self._came > self._timeout:
+        if self._clock.now() - self._came > self._timeout:
             raise self._silent()
 
     def close(self) -> None:
@@ -88,7 +92,7 @@ class StreamedCamera:
         self._client.subscribe(TOPIC)
 
     def _receive(self, _client: Any, _data: Any, message: Any) -> None:
-        self._latest, self._came = message.payload, monotonic()
+        self._latest, self._came = message.payload, self._clock.now()
         self._seen.set()
 
     def _silent(self) -> RobotConnectionError:

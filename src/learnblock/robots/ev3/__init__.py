@@ -64,7 +64,7 @@ class Robot(RealRobot[Settings]):
         self._link: Link | None = None
         self._counts = WheelCounts(self.settings.wheel_radius, self.settings.track)
         self._zero = 0.0
-        link = self._link = open_link(self.settings, self._counts.follow)
+        link = self._link = open_link(self.settings, self._counts.follow, self.steady_clock)
         state = link.begin()
         self.add(Base(self._drive, self._pose, self.drivetrain_for(self.settings)))
         self._add_sensors(state)

@@ -81,6 +81,18 @@ class BrickError(Exception):
         return json.dumps({"error": self.code, "values": self.values})
 
 
+class Clock:
+    """The brick's clock; tests use one that they set."""
+
+    def now(self) -> float:
+        """Seconds since some moment in the past."""
+        return time.monotonic()
+
+    def wait(self, event: threading.Event, seconds: float) -> bool:
+        """Wait until the event is set, or seconds have passed; return whether it is set."""
+        return event.wait(seconds)
+
+
 class Device:
     """A folder of the kernel whose files are the attributes of a motor or sensor."""
 
@@ -139,14 +151,15 @@ class Sensor(Device):
 class Battery:
     """The brick's battery, read occasionally."""
 
-    def __init__(self) -> None:
-        self._read = 0.0
+    def __init__(self, clock: Clock) -> None:
+        self._clock = clock
+        self._read = None  # type: Optional[float]
         self._volts = None  # type: Optional[float]
 
     def volts(self) -> Optional[float]:
         """Its voltage; None if the kernel does not report it."""
-        now = time.monotonic()
-        if not self._read or now - self._read > BATTERY_PERIOD:
+        now = self._clock.now()
+        if self._read is None or now - self._read > BATTERY_PERIOD:
             self._read, self._volts = now, self._measure()
         return self._volts
 
@@ -180,14 +193,19 @@ class Brick:
         wish: the requested ports of the motors, left and right, and of each sensor; "" is any port.
         motor: creates the motor with an address.
         sensors: lists the sensors.
+        clock: the brick's clock.
     """
 
     def __init__(
-        self, wish: Dict[str, Any], motor: Callable[..., Any], sensors: Callable[[], Any]
+        self,
+        wish: Dict[str, Any],
+        motor: Callable[..., Any],
+        sensors: Callable[[], Any],
+        clock: Clock,
     ) -> None:
         self._motors = [open_motor(motor, port) for port in wish["motors"]]
         self._fastest = [motor.max_speed for motor in self._motors]
-        self._battery = Battery()
+        self._battery = Battery(clock)
         self._sensors = {}  # type: Dict[str, Tuple[Any, float]]
         plugged = list(sensors())
         for kind, port in sorted(wish["sensors"].items()):
@@ -300,15 +318,17 @@ class Guard:
     Args:
         brick: the brick.
         at_end: called when the client is gone.
+        clock: the brick's clock.
     """
 
-    def __init__(self, brick: Brick, at_end: Callable[[], object]) -> None:
+    def __init__(self, brick: Brick, at_end: Callable[[], object], clock: Clock) -> None:
         self._brick = brick
+        self._clock = clock
         self._at_end = at_end
         self._lock = threading.Lock()
         self._moves = False
         self._closed = threading.Event()
-        self.heard = time.monotonic()
+        self.heard = self._clock.now()
         self._thread = threading.Thread(target=self._watch, name="guard", daemon=True)
         self._thread.start()
 
@@ -331,7 +351,7 @@ class Guard:
         with self._lock:
             if self._closed.is_set():
                 raise BrickError("ev3-timed-out", {})
-            self.heard = time.monotonic()
+            self.heard = self._clock.now()
             if "drive" in word:
                 speeds = numbers(word["drive"])
                 self._moves = any(speeds)
@@ -343,14 +363,22 @@ class Guard:
             return {"state": self._brick.state(), "speaks": bool(shutil.which("espeak"))}
 
     def _watch(self) -> None:
-        while not self._closed.wait(0.02):
-            silent = time.monotonic() - self.heard
-            if silent > SILENCE and self._moves:
-                with self._lock:
-                    self._stop()
-            if silent > ABSENCE:
-                # A client that returns later gets an error.
-                self.close()
+        while not self._clock.wait(self._closed, self.look(self._clock.now())):
+            continue
+
+    def look(self, now: float) -> float:
+        """Stop what has to be stopped by now; return the seconds until the next look.
+
+        At most `SILENCE`: the silence after a word that arrives until then isn't over before it.
+        """
+        with self._lock:
+            silence, absence = self.heard + SILENCE, self.heard + ABSENCE
+            if self._moves and now >= silence:
+                self._stop()
+        if now >= absence:
+            # A client that returns later gets an error.
+            self.close()
+        return max(0.0, min(SILENCE, (silence if now < silence else absence) - now))
 
     def _stop(self) -> None:
         self._moves = False
@@ -404,23 +432,29 @@ def serve(
     motor: Callable[..., Any],
     sensors: Callable[[], Any],
     at_end: Callable[[], object] = lambda: None,
+    clock: Optional[Clock] = None,
 ) -> Guard:
     """Start answering a client; its first line names the ports of motors and sensors."""
-    return Guard(Brick(wished(parsed(line)), motor, sensors), at_end)
+    clock = clock or Clock()
+    return Guard(Brick(wished(parsed(line)), motor, sensors, clock), at_end, clock)
 
 
 class Conversation:
     """A connection from a client.
 
     The client is unidentified until it has proved that it knows the secret.
+
+    Args:
+        connection: the client's socket.
+        since: when it came, by the brick's clock.
     """
 
-    def __init__(self, connection: socket.socket) -> None:
+    def __init__(self, connection: socket.socket, since: float) -> None:
         connection.settimeout(0)
         connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self.connection = connection
         self.guard = None  # type: Optional[Guard]
-        self.since = time.monotonic()
+        self.since = since
         self.nonce = binascii.hexlify(os.urandom(16)).decode()
         self._begun = b""
         self.put(json.dumps({"learnblock": 1, "nonce": self.nonce}))
@@ -455,9 +489,11 @@ class Agent:
     Args:
         listener: a socket that listens.
         token: the secret shared with the client.
+        clock: the brick's clock.
     """
 
-    def __init__(self, listener: socket.socket, token: str) -> None:
+    def __init__(self, listener: socket.socket, token: str, clock: Optional[Clock] = None) -> None:
+        self._clock = clock or Clock()
         self._listener = listener
         self._token = token.encode()
         self._clients = {}  # type: Dict[socket.socket, Conversation]
@@ -466,21 +502,32 @@ class Agent:
         """Serve until it is interrupted."""
         try:
             while True:
-                self._turn()
+                self.turn()
         finally:
             for client in self._clients.values():
                 client.close()
 
-    def _turn(self) -> None:
-        ready, _, _ = select.select([self._listener, *self._clients], [], [], 0.5)
+    def turn(self) -> None:
+        """Wait for clients, and serve those that say something; at most half a second."""
+        left = self.left(self._clock.now())
+        ready, _, _ = select.select([self._listener, *self._clients], [], [], left)
         for one in ready:
             if one is self._listener:
                 self._welcome()
             else:
                 self._hear(self._clients[one])
-        for client in list(self._clients.values()):
-            if not client.guard and time.monotonic() - client.since > INTRODUCTION:
-                self._dismiss(client)
+        for client in self.overdue(self._clock.now()):
+            self._dismiss(client)
+
+    def left(self, now: float) -> float:
+        """Seconds until a client is overdue; at most half a second."""
+        came = [client.since for client in self._clients.values() if not client.guard]
+        return max(0.0, min([0.5] + [since + INTRODUCTION - now for since in came]))
+
+    def overdue(self, now: float) -> List[Conversation]:
+        """The clients that should have proved by now that they know the secret."""
+        strangers = [client for client in self._clients.values() if not client.guard]
+        return [client for client in strangers if now >= client.since + INTRODUCTION]
 
     def _welcome(self) -> None:
         connection, _ = self._listener.accept()
@@ -489,7 +536,7 @@ class Agent:
             strangers = [client for client in self._clients.values() if not client.guard]
             self._dismiss(min(strangers, key=lambda client: client.since))
         try:
-            self._clients[connection] = Conversation(connection)
+            self._clients[connection] = Conversation(connection, self._clock.now())
         except OSError:
             connection.close()
 
@@ -511,7 +558,7 @@ class Agent:
             self._check(client, parsed(line))
             if self._is_taken():
                 return json.dumps(TAKEN)
-            client.guard = serve(line, Motor, list_sensors)
+            client.guard = serve(line, Motor, list_sensors, clock=self._clock)
         except BrickError as error:
             return error.answer()
         return client.guard.answer("{}")
@@ -525,7 +572,7 @@ class Agent:
         """Whether there is a client; one that has been silent for too long is closed."""
         for other in list(self._clients.values()):
             if other.guard:
-                if time.monotonic() - other.guard.heard < ABSENCE:
+                if self._clock.now() - other.guard.heard < ABSENCE:
                     return True
                 self._dismiss(other)
         return False

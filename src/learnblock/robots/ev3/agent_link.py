@@ -8,6 +8,7 @@ from learnblock.robots.ev3.brick import State, Word
 from learnblock.robots.ev3.link import Link
 from learnblock.robots.ev3.network import dial, hang_up
 from learnblock.robots.ev3.settings import Settings
+from learnblock.timing import MONOTONIC, SteadyClock
 
 
 class AgentLink(Link):
@@ -16,16 +17,22 @@ class AgentLink(Link):
     Args:
         settings: the robot's settings.
         on_state: called with each new state.
+        clock: the clock of its periods and limits.
 
     Raises:
         RobotNotFoundError: no agent responds at this address.
         RobotConnectionError: the agent has a different secret or another client.
     """
 
-    def __init__(self, settings: Settings, on_state: Callable[[State], None]) -> None:
-        super().__init__(f"{settings.address}:{settings.agent_port}", on_state)
+    def __init__(
+        self,
+        settings: Settings,
+        on_state: Callable[[State], None],
+        clock: SteadyClock = MONOTONIC,
+    ) -> None:
+        super().__init__(f"{settings.address}:{settings.agent_port}", on_state, clock)
         self._begun = b""
-        self._socket = dial(settings.address, settings.agent_port, settings.patience)
+        self._socket = dial(settings.address, settings.agent_port, settings.patience, clock)
         try:
             self._introduce(settings)
         except BaseException:

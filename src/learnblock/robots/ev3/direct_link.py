@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Callable, Sequence
-from time import monotonic
 
 from learnblock.errors import RobotConnectionError, RobotNotFoundError
 from learnblock.robots.ev3 import direct
@@ -12,6 +11,7 @@ from learnblock.robots.ev3.link import Link
 from learnblock.robots.ev3.screen import laid_out
 from learnblock.robots.ev3.settings import Settings
 from learnblock.robots.ev3.wires import open_wire
+from learnblock.timing import MONOTONIC, Deadline, SteadyClock
 
 #: Milliseconds that a motor runs without a new command: the firmware has no watchdog, but it has
 #: timed commands.
@@ -35,6 +35,7 @@ class DirectLink(Link):
     Args:
         settings: the robot's settings.
         on_state: called with each new state.
+        clock: the clock of its periods and limits.
 
     Raises:
         RobotNotFoundError: no such firmware answers.
@@ -43,15 +44,21 @@ class DirectLink(Link):
 
     shows = True
 
-    def __init__(self, settings: Settings, on_state: Callable[[State], None]) -> None:
-        super().__init__(settings.device or f"{settings.address}:{settings.direct_port}", on_state)
+    def __init__(
+        self,
+        settings: Settings,
+        on_state: Callable[[State], None],
+        clock: SteadyClock = MONOTONIC,
+    ) -> None:
+        place = settings.device or f"{settings.address}:{settings.direct_port}"
+        super().__init__(place, on_state, clock)
         self._timeout = settings.patience
         self._counter = 0
         self._motors = [Motor("ABCD".index(port)) for port in (settings.left, settings.right)]
         self._per_percent = settings.full_speed / 100
         self._factors: dict[str, float] = {}
         self._wire = open_wire(
-            settings.device, settings.address, settings.direct_port, settings.patience
+            settings.device, settings.address, settings.direct_port, settings.patience, clock
         )
         try:
             self._question = self._find_plugged(settings)
@@ -120,9 +127,9 @@ class DirectLink(Link):
     def _asked(self, orders: bytes, question: Question) -> tuple[float, ...]:
         self._counter = (self._counter + 1) % 0x10000
         self._wire.send(direct.command(self._counter, orders, question))
-        deadline = monotonic() + self._timeout
+        deadline = Deadline.after(self._timeout, self._clock)
         while True:
-            reply = self._wire.receive(deadline - monotonic())
+            reply = self._wire.receive(deadline.left)
             try:
                 results = direct.answered(reply, self._counter, question)
             except direct.CommandFailedError:

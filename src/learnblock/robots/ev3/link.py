@@ -4,11 +4,11 @@ import threading
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from contextlib import suppress
-from time import monotonic
 
 from learnblock.errors import RobotConnectionError
 from learnblock.i18n import Phrase
 from learnblock.robots.ev3.brick import Drive, Look, State, Word
+from learnblock.timing import MONOTONIC, Deadline, SteadyClock
 
 #: Seconds between two messages of an idle program: the brick stops its motors after 0.3.
 PULSE = 0.1
@@ -29,18 +29,23 @@ class Link(ABC):
     Args:
         place: the brick's address, for errors.
         on_state: called with each new state.
+        clock: the clock of its periods and limits.
     """
 
-    def __init__(self, place: str, on_state: Callable[[State], None]) -> None:
+    def __init__(
+        self, place: str, on_state: Callable[[State], None], clock: SteadyClock = MONOTONIC
+    ) -> None:
         self.place = place
+        self._clock = clock
         self._on_state = on_state
         self._lock = threading.Lock()
         self._closed = threading.Event()
         self._broken: Phrase | None = None
         self._wish = Drive(0, 0)
-        self._driven = 0.0
+        self._driven = self._heard = clock.now()
+        #: When the idle program has to send something again.
+        self._pulse = Deadline.after(PULSE, clock)
         self._state: State | None = None
-        self._heard = 0.0
         #: Seconds that the last exchange took; None before the first one.
         self.round_trip: float | None = None
         self._thread = threading.Thread(target=self._keep_alive, name="ev3", daemon=True)
@@ -83,7 +88,7 @@ class Link(ABC):
             self.check()
             if self._closed.is_set():
                 raise RobotConnectionError("ev3-closed", place=self.place)
-            asked = monotonic()
+            asked = self._clock.now()
             try:
                 state = self.exchange(self._due(word))
             except RobotConnectionError:
@@ -92,7 +97,9 @@ class Link(ABC):
                 self._break(error)
                 self.check()
                 raise
-            self._state, self._heard = state, monotonic()
+            finally:
+                self._pulse = Deadline.after(PULSE, self._clock)
+            self._state, self._heard = state, self._clock.now()
             self.round_trip = self._heard - asked
             self._on_state(state)
             return state
@@ -109,7 +116,7 @@ class Link(ABC):
             RobotConnectionError: the brick cannot be reached, or reports an error.
         """
         state = self._state
-        if state is not None and monotonic() - self._heard < FRESH and not self._broken:
+        if state is not None and self._clock.now() - self._heard < FRESH and not self._broken:
             return state
         return self.say(Look())
 
@@ -138,11 +145,11 @@ class Link(ABC):
         elif isinstance(word, Look) and any(self._wish) and self._is_late():
             word = self._wish
         if isinstance(word, Drive):
-            self._driven = monotonic()
+            self._driven = self._clock.now()
         return word
 
     def _is_late(self) -> bool:
-        return monotonic() - self._driven > 0.9 * PULSE
+        return self._clock.now() - self._driven > 0.9 * PULSE
 
     def _take_leave(self) -> None:
         # Not while another thread waits for an answer that may never arrive.
@@ -166,8 +173,8 @@ class Link(ABC):
         return Phrase("ev3-garbled", place=self.place)
 
     def _keep_alive(self) -> None:
-        while not self._closed.wait(PULSE) and not self._broken:
-            if monotonic() - self._heard > 0.9 * PULSE:
+        while not self._clock.wait(self._closed, self._pulse.left) and not self._broken:
+            if self._pulse.is_over:
                 self._look()
 
     def _look(self) -> None:

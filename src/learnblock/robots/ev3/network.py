@@ -3,26 +3,27 @@
 import socket
 import threading
 from contextlib import suppress
-from time import monotonic
 
 from learnblock.errors import RobotNotFoundError
+from learnblock.timing import MONOTONIC, Deadline, SteadyClock
 
 
-def dial(address: str, port: int, timeout: float) -> socket.socket:
+def dial(address: str, port: int, timeout: float, clock: SteadyClock = MONOTONIC) -> socket.socket:
     """Make a TCP connection; `timeout` also applies to each send and receive.
 
     Args:
         address: a name or an IP address.
         port: the port.
         timeout: how long to wait, in seconds.
+        clock: the clock of this limit.
 
     Raises:
         RobotNotFoundError: no program answers there in time.
     """
-    deadline = monotonic() + timeout
+    deadline = Deadline.after(timeout, clock)
     number = resolve(address, timeout)
     try:
-        connection = socket.create_connection((number, port), max(0.1, deadline - monotonic()))
+        connection = socket.create_connection((number, port), max(0.1, deadline.left))
     except OSError as error:
         raise RobotNotFoundError("ev3-no-answer", place=f"{address}:{port}") from error
     connection.settimeout(timeout)

@@ -17,6 +17,7 @@ from learnblock.robots.ev3.link import Link
 from learnblock.robots.ev3.network import dial, hang_up
 from learnblock.robots.ev3.settings import Settings
 from learnblock.robots.real import require
+from learnblock.timing import MONOTONIC, SteadyClock
 
 #: The maximum number of bytes of a message: an answer, or the traceback of an error.
 LARGEST = 1 << 20
@@ -57,6 +58,7 @@ class RpycLink(Link):
     Args:
         settings: the robot's settings.
         on_state: called with each new state.
+        clock: the clock of its periods and limits.
 
     Raises:
         RobotNotFoundError: no rpyc server responds at this address.
@@ -64,9 +66,14 @@ class RpycLink(Link):
         RobotConnectionError: the brick has another client, or lacks a motor or python-ev3dev2.
     """
 
-    def __init__(self, settings: Settings, on_state: Callable[[State], None]) -> None:
-        super().__init__(f"{settings.address}:{settings.rpyc_port}", on_state)
-        self._socket = dial(settings.address, settings.rpyc_port, settings.patience)
+    def __init__(
+        self,
+        settings: Settings,
+        on_state: Callable[[State], None],
+        clock: SteadyClock = MONOTONIC,
+    ) -> None:
+        super().__init__(f"{settings.address}:{settings.rpyc_port}", on_state, clock)
+        self._socket = dial(settings.address, settings.rpyc_port, settings.patience, clock)
         try:
             self._rpyc = require("rpyc", "ev3")
             self._connection = self._connected(settings.patience)

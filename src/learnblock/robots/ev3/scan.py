@@ -5,7 +5,6 @@ import socket
 from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from time import monotonic
 from typing import Any
 
 from learnblock.errors import LearnBlockError, RobotNotFoundError
@@ -13,6 +12,7 @@ from learnblock.robots import settings as user_settings
 from learnblock.robots.ev3 import lines
 from learnblock.robots.ev3.network import dial
 from learnblock.robots.ev3.settings import Settings
+from learnblock.timing import MONOTONIC, Deadline, SteadyClock
 
 Found = Mapping[str, Any]
 
@@ -38,9 +38,9 @@ def scan(seconds: float) -> Iterator[Found]:
             yield from found
 
 
-def beacons(seconds: float, port: int = BEACONS) -> Iterator[Found]:
+def beacons(seconds: float, port: int = BEACONS, clock: SteadyClock = MONOTONIC) -> Iterator[Found]:
     """The bricks with LEGO's firmware that send a beacon within a time limit."""
-    deadline = monotonic() + seconds
+    deadline = Deadline.after(seconds, clock)
     seen = set()
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as ear:
         ear.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
@@ -49,8 +49,8 @@ def beacons(seconds: float, port: int = BEACONS) -> Iterator[Found]:
         except OSError:
             # Another program receives the beacons.
             return
-        while (left := deadline - monotonic()) > 0:
-            ear.settimeout(left)
+        while not deadline.is_over:
+            ear.settimeout(max(deadline.left, 0.001))
             try:
                 data, (address, _) = ear.recvfrom(1024)
             except TimeoutError:

@@ -1,7 +1,6 @@
 """Opens the connection to a brick: the chosen kind, or the first kind that works."""
 
 from collections.abc import Callable, Sequence
-from time import monotonic, sleep
 
 import msgspec
 
@@ -13,23 +12,29 @@ from learnblock.robots.ev3.link import Link
 from learnblock.robots.ev3.network import resolve
 from learnblock.robots.ev3.rpyc_link import RpycLink
 from learnblock.robots.ev3.settings import Settings
+from learnblock.timing import MONOTONIC, Deadline, SteadyClock
 
 #: Seconds for which to retry a busy brick: it drops a client after 1.5 seconds of silence.
 TIMEOUT = 1.8
+#: Seconds between two attempts.
+PAUSE = 0.2
 
-_LINKS: dict[str, Callable[[Settings, Callable[[State], None]], Link]] = {
+_LINKS: dict[str, Callable[[Settings, Callable[[State], None], SteadyClock], Link]] = {
     "agent": AgentLink,
     "rpyc": RpycLink,
     "direct": DirectLink,
 }
 
 
-def open_link(settings: Settings, on_state: Callable[[State], None]) -> Link:
+def open_link(
+    settings: Settings, on_state: Callable[[State], None], clock: SteadyClock = MONOTONIC
+) -> Link:
     """Connect to the brick.
 
     Args:
         settings: the robot's settings.
         on_state: called with each new state.
+        clock: the clock of its periods and limits.
 
     Raises:
         RobotConnectionError: the brick cannot be reached.
@@ -38,22 +43,27 @@ def open_link(settings: Settings, on_state: Callable[[State], None]) -> Link:
         link = _LINKS[settings.connection]
     else:
         link = DirectLink if settings.device else _first_open
-    return _when_free(lambda: link(settings, on_state))
+    return when_free(lambda: link(settings, on_state, clock), clock)
 
 
-def _when_free(attempt: Callable[[], Link]) -> Link:
-    """Try again while the brick is still waiting for a program that is gone."""
-    deadline = monotonic() + TIMEOUT
+def when_free(attempt: Callable[[], Link], clock: SteadyClock) -> Link:
+    """Try again while the brick is still waiting for a program that is gone.
+
+    Raises:
+        RobotBusyError: it serves another program.
+        RobotConnectionError: as the attempt.
+    """
+    deadline = Deadline.after(TIMEOUT, clock)
     while True:
         try:
             return attempt()
         except RobotBusyError:
-            if monotonic() > deadline:
+            if deadline.is_over:
                 raise
-        sleep(0.2)
+        clock.sleep(min(PAUSE, deadline.left))
 
 
-def _first_open(settings: Settings, on_state: Callable[[State], None]) -> Link:
+def _first_open(settings: Settings, on_state: Callable[[State], None], clock: SteadyClock) -> Link:
     number = resolve(settings.address, settings.patience)
     # All attempts together must not take longer than the timeout.
     hasty = msgspec.structs.replace(
@@ -62,7 +72,7 @@ def _first_open(settings: Settings, on_state: Callable[[State], None]) -> Link:
     failures = []
     for link in _LINKS.values():
         try:
-            return link(hasty, on_state)
+            return link(hasty, on_state, clock)
         except RobotNotFoundError as error:
             failures.append(error)
     raise _most_telling(failures, settings.address)

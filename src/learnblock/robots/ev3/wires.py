@@ -5,12 +5,12 @@ import select
 import threading
 from collections.abc import Callable
 from pathlib import Path
-from time import monotonic
 from typing import Protocol, TypeVar
 
 from learnblock.errors import RobotNotFoundError
 from learnblock.robots.ev3.direct import LARGEST
 from learnblock.robots.ev3.network import dial, hang_up
+from learnblock.timing import MONOTONIC, Deadline, SteadyClock
 
 #: The request that unlocks LEGO's firmware for a client; it ignores the serial number.
 UNLOCK = b"GET /target?sn= VMTP1.0\r\nProtocol: EV3\r\n\r\n"
@@ -47,25 +47,30 @@ class Wire(Protocol):
 
 
 class Stream:
-    """A stream of bytes: each message starts with its length in two bytes."""
+    """A stream of bytes: each message starts with its length in two bytes.
 
-    def __init__(self) -> None:
+    Args:
+        clock: the clock of its limits.
+    """
+
+    def __init__(self, clock: SteadyClock = MONOTONIC) -> None:
+        self._clock = clock
         self._held = b""
 
     def send(self, message: bytes) -> None:
         self.write(message)
 
     def receive(self, timeout: float) -> bytes:
-        deadline = monotonic() + timeout
+        deadline = Deadline.after(timeout, self._clock)
         size = int.from_bytes(self.take(2, deadline), "little")
         if not 3 <= size <= LARGEST:
             raise ValueError(f"a message of {size} bytes")
         return self.take(size, deadline)
 
-    def take(self, count: int, deadline: float) -> bytes:
+    def take(self, count: int, deadline: Deadline) -> bytes:
         """Receive this many bytes."""
         while len(self._held) < count:
-            piece = self.read(LARGEST, deadline - monotonic())
+            piece = self.read(LARGEST, deadline.left)
             if not piece:
                 raise ConnectionResetError("closed by the brick")
             self._held += piece
@@ -86,9 +91,11 @@ class WiFi(Stream):
         RobotNotFoundError: no such firmware answers there.
     """
 
-    def __init__(self, address: str, port: int, timeout: float) -> None:
-        super().__init__()
-        self._socket = dial(address, port, timeout)
+    def __init__(
+        self, address: str, port: int, timeout: float, clock: SteadyClock = MONOTONIC
+    ) -> None:
+        super().__init__(clock)
+        self._socket = dial(address, port, timeout, clock)
         try:
             self._unlock(f"{address}:{port}", timeout)
         except BaseException:
@@ -108,7 +115,7 @@ class WiFi(Stream):
     def _unlock(self, place: str, timeout: float) -> None:
         try:
             self.write(UNLOCK)
-            answer = self.take(len(UNLOCKED), monotonic() + timeout)
+            answer = self.take(len(UNLOCKED), Deadline.after(timeout, self._clock))
         except OSError as error:
             raise RobotNotFoundError("ev3-firmware-silent", place=place) from error
         if answer != UNLOCKED:
@@ -122,19 +129,19 @@ class DeviceFile(Stream):
         RobotNotFoundError: it cannot be opened.
     """
 
-    def __init__(self, path: str) -> None:
-        super().__init__()
+    def __init__(self, path: str, clock: SteadyClock = MONOTONIC) -> None:
+        super().__init__(clock)
         self._file = _opened(path)
         self._closed = False
         self._lock = threading.Lock()
 
     def write(self, data: bytes) -> None:
-        deadline = monotonic() + LONGEST_WRITE
+        deadline = Deadline.after(LONGEST_WRITE, self._clock)
         while data:
             data = data[self._once(self._write, data, deadline) :]
 
     def read(self, most: int, timeout: float) -> bytes:
-        return self._once(self._read, most, monotonic() + timeout)
+        return self._once(self._read, most, Deadline.after(timeout, self._clock))
 
     def close(self) -> None:
         with self._lock:
@@ -143,17 +150,20 @@ class DeviceFile(Stream):
                 os.close(self._file)
 
     def _once(
-        self, attempt: Callable[[Argument, float], Result | None], what: Argument, deadline: float
+        self,
+        attempt: Callable[[Argument, float], Result | None],
+        what: Argument,
+        deadline: Deadline,
     ) -> Result:
         """Retry until it succeeds; another thread may close the file between attempts."""
         while True:
             with self._lock:
                 if self._closed:
                     raise ConnectionAbortedError("the device was closed")
-                result = attempt(what, min(0.05, max(0.0, deadline - monotonic())))
+                result = attempt(what, min(0.05, deadline.left))
             if result is not None:
                 return result
-            if monotonic() > deadline:
+            if deadline.is_over:
                 raise TimeoutError("the device is silent")
 
     def _read(self, most: int, seconds: float) -> bytes | None:
@@ -173,22 +183,25 @@ class Usb(DeviceFile):
         self.write(b"\0" + message.ljust(LARGEST, b"\0"))
 
     def receive(self, timeout: float) -> bytes:
-        report = self.take(LARGEST, monotonic() + timeout)
+        report = self.take(LARGEST, Deadline.after(timeout, self._clock))
         size = int.from_bytes(report[:2], "little")
         if not 3 <= size <= LARGEST - 2:
             raise ValueError(f"a message of {size} bytes")
         return report[2 : 2 + size]
 
 
-def open_wire(device: str, address: str, port: int, timeout: float) -> Wire:
+def open_wire(
+    device: str, address: str, port: int, timeout: float, clock: SteadyClock = MONOTONIC
+) -> Wire:
     """Open the device if one is given, else a Wi-Fi connection.
 
     Raises:
         RobotNotFoundError: no brick answers.
     """
     if not device:
-        return WiFi(address, port, timeout)
-    return Usb(device) if Path(device).name.startswith("hidraw") else DeviceFile(device)
+        return WiFi(address, port, timeout, clock)
+    kind = Usb if Path(device).name.startswith("hidraw") else DeviceFile
+    return kind(device, clock)
 
 
 def _opened(path: str) -> int:

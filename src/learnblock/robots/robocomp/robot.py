@@ -20,6 +20,7 @@ from learnblock.robots.robocomp.component import Component
 from learnblock.robots.robocomp.layouts import layouts_of
 from learnblock.robots.robocomp.units import pose_of
 from learnblock.robots.settings import Address, Patience, Port, RobotSettings
+from learnblock.timing import MONOTONIC, SteadyClock
 
 LayoutChoice = Annotated[
     Literal["auto", "robot", "tool", "2020"],
@@ -74,7 +75,7 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
         self._stopped = True
         self.layout = self.usual_layout
         self._base = self.component("differentialrobot", "base", self.settings.base_port)
-        self._guardian = Guardian(type(self), self.settings)
+        self._guardian = Guardian(type(self), self.settings, self.steady_clock)
         self._ending.callback(self._end_guard)
         self._joint = self.component("jointmotor", "joint", self.settings.joint_port)
         self.lasers = [self.component("laser", "laser", port) for port in self.laser_ports()]
@@ -132,15 +133,18 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
         *,
         layout: Layout | None = None,
         timeout: float | None = None,
+        clock: SteadyClock = MONOTONIC,
     ) -> Proxy:
         """A proxy for one of the components; it connects at the first call."""
         interface = interfaces(layout or cls.usual_layout)[identity]
-        endpoint = Endpoint(settings.address, port, timeout or settings.patience)
+        endpoint = Endpoint(settings.address, port, timeout or settings.patience, clock)
         return Proxy(interface, identity, endpoint)
 
     def component(self, identity: str, part: str, port: int) -> Component:
         """Connect to one of the components; it is closed with the robot."""
-        proxy = self.proxy(identity, self.settings, port, layout=self.layout)
+        proxy = self.proxy(
+            identity, self.settings, port, layout=self.layout, clock=self.steady_clock
+        )
         component = Component(self.name(), part, proxy, self.operations.note)
         self._ending.callback(component.close)
         component.check()

@@ -69,8 +69,10 @@ class Robot(RealRobot[ThymioSettings]):
         yield from finding.scan(user_settings.load(cls.name(), ThymioSettings), seconds)
 
     def connect(self) -> None:
-        link = self._link = opening.open_link(self.settings)
-        motors = self._motors = Motors(link, self.settings.track, self.settings.speed_unit)
+        link = self._link = opening.open_link(self.settings, self.steady_clock)
+        motors = self._motors = Motors(
+            link, self.settings.track, self.settings.speed_unit, self.steady_clock
+        )
         drivetrain = self.drivetrain_for(self.settings)
         self.add(Base(partial(self._move, motors), motors.pose, drivetrain))
         self.add(DistanceSensors(partial(self._distances, link)))

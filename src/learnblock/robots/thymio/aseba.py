@@ -7,7 +7,6 @@ never ends its threads.
 
 import secrets
 import threading
-from time import monotonic
 
 from thymiodirect.message import Message
 
@@ -18,6 +17,7 @@ from learnblock.robots.thymio.link import Link
 from learnblock.robots.thymio.node import Node
 from learnblock.robots.thymio.program import READY, Event
 from learnblock.robots.thymio.wires import Wire
+from learnblock.timing import MONOTONIC, Deadline, SteadyClock
 
 #: Seconds between two readings; the robot updates its motors 100 times and its distances 10 times
 #: per second.
@@ -36,8 +36,8 @@ class AsebaLink(Link):
         RobotConnectionError: no Thymio answers, or it does not run our program.
     """
 
-    def __init__(self, wire: Wire, timeout: float) -> None:
-        super().__init__(wire, timeout)
+    def __init__(self, wire: Wire, timeout: float, clock: SteadyClock = MONOTONIC) -> None:
+        super().__init__(wire, timeout, clock)
         self._frames = Frames()
         self._node: Node | None = None
         self._values: tuple[int, ...] = ()
@@ -106,7 +106,7 @@ class AsebaLink(Link):
 
     def _take(self, data: bytes) -> None:
         for message in self._frames.feed(data):
-            self._heard = monotonic()
+            self._heard = self._clock.now()
             if message.id == Message.ID_NODE_PRESENT and self._node is None:
                 self._node = Node(message.source_node)
             if self._node is not None and message.source_node == self._node.number:
@@ -144,12 +144,12 @@ class AsebaLink(Link):
 
     def _poll(self) -> None:
         """Request the readings repeatedly, whenever the last answer has arrived or is overdue."""
-        asked = monotonic()
-        while not self._closed.wait(PERIOD):
+        overdue = Deadline.after(OVERDUE, self._clock)
+        while not self._clock.wait(self._closed, min(PERIOD, overdue.left)):
             if self._lost is not None:
                 return
-            if self._answered or monotonic() - asked > OVERDUE:
-                asked = monotonic()
+            if self._answered or overdue.is_over:
+                overdue = Deadline.after(OVERDUE, self._clock)
                 self._try_to_ask()
 
     def _try_to_ask(self) -> None:

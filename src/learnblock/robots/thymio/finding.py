@@ -2,13 +2,13 @@
 
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from time import monotonic
 from typing import Any
 
 from learnblock.errors import RobotConnectionError
 from learnblock.robots.real import require
 from learnblock.robots.thymio.settings import ThymioSettings
 from learnblock.robots.thymio.wires import TcpWire
+from learnblock.timing import MONOTONIC, Deadline, SteadyClock
 
 #: USB ids (vendor, product) of the robot and of its radio's dongle.
 USB_IDS = frozenset({(0x0617, 0x000A), (0x0617, 0x000C)})
@@ -38,19 +38,20 @@ def choose(settings: ThymioSettings) -> str:
     return "serial" if settings.device or serial_devices() else "tcp"
 
 
-def scan(settings: ThymioSettings, seconds: float) -> Iterator[Mapping[str, Any]]:
+def scan(
+    settings: ThymioSettings, seconds: float, clock: SteadyClock = MONOTONIC
+) -> Iterator[Mapping[str, Any]]:
     """Yield the settings for reaching each Thymio found.
 
     A simulator serves one program at a time, and drops that program when it is scanned.
     """
-    until = monotonic() + seconds
+    until = Deadline.after(seconds, clock)
     for device in serial_devices():
         yield {"connection": "serial", "device": device}
     for kind, address, port in (
         ("suite", "127.0.0.1", settings.suite_port),
         ("tcp", settings.address, settings.port),
     ):
-        left = until - monotonic()
-        if left > 0 and listens(address, port, left):
+        if not until.is_over and listens(address, port, until.left):
             place = {"suite_port": port} if kind == "suite" else {"address": address, "port": port}
             yield {"connection": kind, **place}

@@ -2,12 +2,12 @@
 
 import threading
 from collections.abc import Callable
-from time import monotonic
 
 from learnblock.errors import RobotConnectionError
 from learnblock.i18n import Phrase
 from learnblock.robots.thymio.program import Event
 from learnblock.robots.thymio.wires import Wire
+from learnblock.timing import MONOTONIC, SteadyClock
 
 #: Seconds of silence after which the robot counts as lost; it is polled 50 times per second.
 SILENCE = 2.5
@@ -23,18 +23,20 @@ class Link:
     Args:
         wire: carries the data; the link closes it.
         timeout: limit of each step of connecting, in seconds.
+        clock: the clock of its limits.
 
     Attributes:
         place: the robot's address or port, for errors.
     """
 
-    def __init__(self, wire: Wire, timeout: float) -> None:
+    def __init__(self, wire: Wire, timeout: float, clock: SteadyClock = MONOTONIC) -> None:
         self.place = wire.name
         self._wire = wire
         self._timeout = timeout
+        self._clock = clock
         self._changed = threading.Condition()
         self._lost: Phrase | None = None
-        self._heard = monotonic()
+        self._heard = clock.now()
         self._closed = threading.Event()
         self._reader = threading.Thread(target=self._listen, name="thymio reader", daemon=True)
 
@@ -72,7 +74,7 @@ class Link:
         Raises:
             RobotConnectionError: the connection is lost.
         """
-        silent = monotonic() - self._heard
+        silent = self._clock.now() - self._heard
         if self._lost is None and silent > SILENCE:
             self._lose(Phrase("thymio-silent", place=self.place, seconds=round(silent, 1)))
         if self._lost is not None:
@@ -88,8 +90,8 @@ class Link:
     def wait(self, condition: Callable[[], bool], seconds: float) -> bool:
         """Wait until received data makes the condition true, and return whether it did."""
         with self._changed:
-            return self._changed.wait_for(
-                lambda: self._lost is not None or condition(), timeout=seconds
+            return self._clock.wait_for(
+                self._changed, lambda: self._lost is not None or condition(), seconds
             ) and (self._lost is None)
 
     def _expect(self, condition: Callable[[], bool], otherwise: str) -> None:

@@ -2,12 +2,12 @@
 
 import threading
 from contextlib import suppress
-from time import monotonic
 
 from learnblock.devices import Pose
 from learnblock.errors import RobotConnectionError
 from learnblock.robots.thymio.link import Link
 from learnblock.robots.thymio.program import DRIVE
+from learnblock.timing import MONOTONIC, Deadline, SteadyClock
 from learnblock.wheels import Odometry, Wheels
 
 #: Seconds between two commands; without one the robot stops after `program.LIVES` ticks.
@@ -27,14 +27,18 @@ class Motors:
         link: the link to the robot.
         track: mm between the wheels.
         unit: mm/s of a wheel at motor speed 1.
+        clock: the clock of the repetitions.
     """
 
-    def __init__(self, link: Link, track: float, unit: float) -> None:
+    def __init__(
+        self, link: Link, track: float, unit: float, clock: SteadyClock = MONOTONIC
+    ) -> None:
         self._link = link
+        self._clock = clock
         self._unit = unit
         self._speeds = (0, 0)
         self._odometry = Odometry(track)
-        self._counted: tuple[float, Wheels] = (monotonic(), (0.0, 0.0))
+        self._counted: tuple[float, Wheels] = (clock.now(), (0.0, 0.0))
         self._counting = threading.Lock()
         # A stop must not be overtaken by the repetition of an earlier command.
         self._telling = threading.Lock()
@@ -83,13 +87,13 @@ class Motors:
         return targets == (0, 0)
 
     def _repeat(self) -> None:
-        told = monotonic()
-        while not self._closed.wait(COUNTING):
+        again = Deadline.after(REPEATING, self._clock)
+        while not self._clock.wait(self._closed, min(COUNTING, again.left)):
             try:
                 with self._counting:
                     self._count()
-                if monotonic() - told >= REPEATING:
-                    told = monotonic()
+                if again.is_over:
+                    again = Deadline.after(REPEATING, self._clock)
                     self._tell_again()
             except RobotConnectionError:
                 # The next use of the robot raises it again; without commands it stops.
@@ -98,7 +102,7 @@ class Motors:
     def _count(self) -> None:
         """Process the way since the last look, at the mean of both speeds."""
         since, (left_before, right_before) = self._counted
-        now = monotonic()
+        now = self._clock.now()
         (left,), (right,) = (
             self._link.read("motor.left.speed"),
             self._link.read("motor.right.speed"),

@@ -6,9 +6,10 @@ from learnblock.robots.thymio import finding
 from learnblock.robots.thymio.link import Link
 from learnblock.robots.thymio.settings import ThymioSettings
 from learnblock.robots.thymio.wires import SerialWire, TcpWire, Wire
+from learnblock.timing import MONOTONIC, SteadyClock
 
 
-def open_link(settings: ThymioSettings) -> Link:
+def open_link(settings: ThymioSettings, clock: SteadyClock = MONOTONIC) -> Link:
     """Connect to the robot.
 
     Raises:
@@ -18,16 +19,18 @@ def open_link(settings: ThymioSettings) -> Link:
     chosen = finding.choose(settings)
     # The library first: if it is missing, nothing has been opened yet.
     kind = _suite_link() if chosen == "suite" else _direct_link()
-    return kind(_wire(chosen, settings), settings.patience)
+    return kind(_wire(chosen, settings, clock), settings.patience, clock)
 
 
-def _wire(chosen: str, settings: ThymioSettings) -> Wire:
+def _wire(chosen: str, settings: ThymioSettings, clock: SteadyClock) -> Wire:
     if chosen == "suite":
-        return TcpWire("127.0.0.1", settings.suite_port, settings.patience, "thymio-no-suite")
+        return TcpWire(
+            "127.0.0.1", settings.suite_port, settings.patience, "thymio-no-suite", clock
+        )
     if chosen == "serial":
         return SerialWire(settings.device or _first_device())
     missing = "thymio-not-found" if settings.connection == "auto" else "thymio-no-listener"
-    return TcpWire(settings.address, settings.port, settings.patience, missing)
+    return TcpWire(settings.address, settings.port, settings.patience, missing, clock)
 
 
 def _first_device() -> str:

@@ -7,7 +7,6 @@
 import struct
 import threading
 from collections.abc import Callable, Iterator, Mapping
-from time import monotonic
 from typing import Any
 
 import tdmclient
@@ -17,6 +16,7 @@ from learnblock.robots.thymio.link import GarbledError, Link
 from learnblock.robots.thymio.node import READ
 from learnblock.robots.thymio.program import EVENTS, Event, source
 from learnblock.robots.thymio.wires import Wire
+from learnblock.timing import MONOTONIC, SteadyClock
 
 #: Seconds between two checks that the Suite still answers.
 ASKING = 0.5
@@ -70,8 +70,8 @@ class SuiteLink(Link):
         RobotConnectionError: no Thymio answers or is free, or it does not run our program.
     """
 
-    def __init__(self, wire: Wire, timeout: float) -> None:
-        super().__init__(wire, timeout)
+    def __init__(self, wire: Wire, timeout: float, clock: SteadyClock = MONOTONIC) -> None:
+        super().__init__(wire, timeout, clock)
         self._packets = Packets()
         self._values: dict[str, tuple[int, ...]] = {}
         self._node: Any = None
@@ -149,7 +149,7 @@ class SuiteLink(Link):
 
     def _take(self, data: bytes) -> None:
         for packet in self._packets.feed(data):
-            self._heard = monotonic()
+            self._heard = self._clock.now()
             try:
                 if _is_understood(packet):
                     self._client.process_message(packet)
@@ -167,7 +167,7 @@ class SuiteLink(Link):
     def _poll(self) -> None:
         """Send requests regularly, because the Suite sends nothing while no variable changes."""
         watched = tdmclient.ThymioFB.WATCHABLE_INFO_VARIABLES
-        while not self._closed.wait(ASKING) and self._lost is None:
+        while not self._clock.wait(self._closed, ASKING) and self._lost is None:
             self._try(self._node.watch_node, watched)
 
     def _try(self, send: Callable[..., None], *arguments: Any) -> None:

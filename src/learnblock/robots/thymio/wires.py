@@ -2,11 +2,11 @@
 
 import socket
 from contextlib import suppress
-from time import monotonic
 from typing import Protocol
 
 from learnblock.errors import RobotConnectionError
 from learnblock.robots.real import require
+from learnblock.timing import MONOTONIC, Deadline, SteadyClock
 
 #: Receive timeout in seconds; after each one, the reader checks whether to stop.
 MOMENT = 0.1
@@ -49,14 +49,21 @@ class TcpWire:
         port: the port of the other end.
         timeout: how long to wait for the connection, in seconds.
         missing: the code of the message if no program answers: what to start.
+        clock: the clock of the farewell.
 
     Raises:
         RobotConnectionError: no program answers there.
     """
 
     def __init__(
-        self, address: str, port: int, timeout: float, missing: str = "thymio-no-listener"
+        self,
+        address: str,
+        port: int,
+        timeout: float,
+        missing: str = "thymio-no-listener",
+        clock: SteadyClock = MONOTONIC,
     ) -> None:
+        self._clock = clock
         self.name = f"{address}:{port}"
         try:
             self._socket = socket.create_connection((address, port), timeout=timeout)
@@ -83,10 +90,11 @@ class TcpWire:
         # playground.
         with self._socket, suppress(OSError):
             self._socket.shutdown(socket.SHUT_WR)
-            self._socket.settimeout(PARTING)
-            until = monotonic() + PARTING
-            while monotonic() < until and self._socket.recv(65536):
-                pass
+            until = Deadline.after(PARTING, self._clock)
+            while not until.is_over:
+                self._socket.settimeout(until.left)
+                if not self._socket.recv(65536):
+                    return
 
 
 class SerialWire:
