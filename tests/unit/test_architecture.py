@@ -16,6 +16,8 @@ FOLDERS = ("src/", "frontend/", "tests/", "scripts/", "docs/", "examples/")
 NAMED = re.compile(r"`([\w.]+)(?:\(\))?`\s+(?:in|of)\s+`((?:src|frontend)/[^`]+\.\w+)`")
 #: How Python and TypeScript define a name.
 DEFINITION = r"^\s*(?:(?:async|class|const|def|export|function|private|readonly)\s+)*{0}\b.*[:=({{]"
+#: Where code may name a decision.
+CODE = ("src/learnblock/**/*.py", "frontend/src/**/*.ts*", "hatch_*.py", "pyproject.toml")
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
@@ -70,3 +72,17 @@ def test_the_list_for_a_sensor_has_every_place_of_the_light_sensor():
     assert len(places) > 20
     folders = tuple(name for name in named if name.endswith("/"))
     assert [one for one in sorted(places) if one not in named and not one.startswith(folders)] == []
+
+
+def decisions():
+    """Return the titles of the decisions, as code names them."""
+    titles = re.findall(r"^\*\*(.+?)\*\*", PAGES[1].read_text("utf-8"), re.MULTILINE)
+    return {title.replace("`", "").rstrip(".") for title in titles}
+
+
+def test_each_decision_is_named_by_the_code_that_it_explains():
+    files = [path for pattern in CODE for path in ROOT.glob(pattern)]
+    code = "\n".join(path.read_text("utf-8") for path in files)
+    named = {*re.findall(r'Why: docs/decisions\.md, "([^"]+)"', code)}
+    assert len(named) > 40
+    assert named == decisions()

@@ -24,6 +24,7 @@ class Pace(NamedTuple):
     burst: int
 
 
+# Why: docs/decisions.md, "Limits belong to a person"
 class Limit(NamedTuple):
     """A row of the table.
 

@@ -17,6 +17,7 @@ SENSORS = "sensors"
 WATCHED = "watched"
 #: Seconds between readings of a watched sensor; the page does not update more often.
 WATCHED_PERIOD = 0.05
+# Why: docs/decisions.md, "A repeated question waits for a new reading"
 #: Seconds between two readings of a sensor.
 READING = 0.02
 #: Seconds for which a picture is used; a camera with 30 a second takes one or two in this time.
@@ -183,6 +184,7 @@ class SteppedReadings(Readings):
         return interval
 
 
+# Why: docs/decisions.md, "Questions that belong together are answered from one picture"
 class Glance:
     """Answers queries in quick succession from the same picture.
 

@@ -29,6 +29,7 @@ class Multilingual(str):
         return text
 
 
+# Why: docs/decisions.md, "Every message is a phrase"
 @dataclass(frozen=True, slots=True, init=False)
 class Phrase:
     """A message for a person.

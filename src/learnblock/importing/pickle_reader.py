@@ -14,6 +14,7 @@ from typing import Any
 from learnblock.errors import Diagnostic, ProjectError
 from learnblock.i18n import Phrase
 
+# Why: docs/decisions.md, "Pickles of the original LearnBlock are never unpickled"
 #: Bytes. The largest project known has a tenth of it.
 LARGEST = 4 * 1024 * 1024
 #: Limits opcodes, and therefore values, so that reading takes a few seconds at most.

@@ -156,6 +156,7 @@ class State(Struct, frozen=True):
     goals: tuple[GoalNow, ...] = ()
 
 
+# Why: docs/decisions.md, "The page watches through a monitor"
 class Monitor(Protocol):
     """The page's view of a robot, whether or not a program runs.
 

@@ -132,6 +132,7 @@ class _Child:
     received: bytearray = field(default_factory=bytearray)
 
 
+# Why: docs/decisions.md, "A batch forks a warm process"
 def main() -> None:
     """Run as ``python -m learnblock.running.warm FD``: FD is our end of the connection."""
     kernel.die_with_parent(signal.SIGKILL)

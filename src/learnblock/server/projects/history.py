@@ -27,6 +27,7 @@ _ID = re.compile(r"(\d{13,15})-(run|time|restored|outside|conflict)-(\d{1,7})")
 _read_runs = msgspec.json.Decoder(list[PastRun]).decode
 
 
+# Why: docs/decisions.md, "A kept version is a file, not a number of the log of revisions"
 @dataclass(frozen=True)
 class History:
     """The versions, runs and picture of one project, in one folder.
