@@ -80,7 +80,7 @@ class Readings:
             self._read.clear()
 
     def forget_questions(self) -> None:
-        """Let each question be asked once more without waiting."""
+        """Allow each question to be repeated once without waiting."""
 
     def watch(self, key: Key, read: Read) -> None:
         """Keep a sensor's reading up to date for an observer, in the background if possible.
