@@ -49,7 +49,7 @@ def _of(roster: Roster, pupil: Pupil, name: str, lesson: str, step: int) -> Coll
         progress = folder.lesson(entry.name).progress()
         if progress is None or progress.lesson != lesson:
             continue
-        # The project is at its current step; the program of another one is kept beside it.
+        # The project is at its current step; those of other steps are kept in its folder.
         kept = folder.lesson(entry.name).program(step)
         file = folder.file(entry.name)
         if progress.step != step:

@@ -45,7 +45,7 @@ class Pin(msgspec.Struct, frozen=True):
 
 
 def new_pictures() -> tuple[Picture, ...]:
-    """Four pictures by chance, no two of them the same."""
+    """Four random pictures, all different."""
     return tuple(secrets.SystemRandom().sample(PICTURES, LENGTH))
 
 
