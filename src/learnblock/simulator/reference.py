@@ -1,7 +1,7 @@
 """The tables of keys in ``docs/simulator.md``, written from the descriptions of the files.
 
-``python -m learnblock.simulator.reference docs/simulator.md`` updates them in the page: each stands
-below the heading of its table, such as ``[[wall]]``. What else is on the page is written by hand.
+``python -m learnblock.simulator.reference docs/simulator.md`` updates them in the page: each is
+below the heading of its table, such as ``[[wall]]``. The rest of the page is written by hand.
 """
 
 import re
