@@ -1,8 +1,8 @@
 """Read the pickle of a project of the original LearnBlock without running anything in it.
 
-A pickle is a program: `pickle.load` would call whatever it names. Here each opcode of protocols 0
-to 3 that projects contain builds a plain value, and the few classes of projects become `Object`
-and `Point`. Every other opcode or name is refused.
+A pickle is a program: `pickle.load` would call any function that it names. Here each opcode of
+protocols 0 to 3 that projects contain builds a plain value, and the few classes of projects become
+`Object` and `Point`. Every other opcode or name is refused.
 """
 
 import re
