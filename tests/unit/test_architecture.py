@@ -71,7 +71,9 @@ def test_the_list_for_a_sensor_has_every_place_of_the_light_sensor():
     }
     assert len(places) > 20
     folders = tuple(name for name in named if name.endswith("/"))
-    assert [one for one in sorted(places) if one not in named and not one.startswith(folders)] == []
+    assert [
+        place for place in sorted(places) if place not in named and not place.startswith(folders)
+    ] == []
 
 
 def decisions():
