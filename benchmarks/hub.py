@@ -2,7 +2,7 @@
 
     python benchmarks/hub.py [users]
 
-It needs the hub's proxy (docs/server.md), a built page, Playwright and a Chromium
+It needs the hub's proxy (docs/jupyterhub.md), a built page, Playwright and a Chromium
 (``CHROMIUM=/path/to/it``). Users log in one after the other, each in a browser with an empty cache.
 """
 

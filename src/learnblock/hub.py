@@ -18,6 +18,7 @@ _ICON = Path(__file__).parent / "server" / "static" / "icon.svg"
 _PATIENCE = 60.0
 
 
+# Why: docs/decisions.md, "Under JupyterHub, LearnBlock runs behind a Jupyter server"
 def proxied_server() -> dict[str, Any]:
     """Describe LearnBlock, with a new token, as a server process of jupyter-server-proxy."""
     token = secrets.token_urlsafe(24)

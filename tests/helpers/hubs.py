@@ -55,7 +55,7 @@ def proxy_command():
 
 def shown_config():
     """Return the configuration that the docs show."""
-    text = (ROOT / "docs" / "server.md").read_text("utf-8")
+    text = (ROOT / "docs" / "jupyterhub.md").read_text("utf-8")
     return re.search(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)[1]
 
 

@@ -30,6 +30,7 @@ export interface Drafts {
   left(project: string): Promise<readonly Left[]>;
 }
 
+// Why: docs/decisions.md, "A page says which revision it edited"
 /** Keeps drafts in the browser's database. Without one, as in some private windows, it keeps nothing. */
 export class BrowserDrafts implements Drafts {
   /** Distinguishes this page's drafts from those of another page that shows the same project. */

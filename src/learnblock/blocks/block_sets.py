@@ -59,6 +59,7 @@ class BlockNames(Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=
     blocks: Mentioned = ()
 
 
+# Why: docs/decisions.md, "A block set hides blocks and forbids nothing"
 class BlockSet(Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
     """A block set.
 

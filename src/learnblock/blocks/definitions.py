@@ -4,7 +4,7 @@ A block with a variable shape names its extension or mutator in the page:
 ``lb_when_mutator``, ``lb_arguments_mutator``, ``lb_compare_mutator``, ``lb_dictionary_mutator``,
 ``lb_unpacking_mutator``, ``lb_when_names``, ``lb_code_field``. An extension adds its field to the
 dummy input ``PLACE``. The page's field ``lb_direction`` shows the sign of a number as a word, and
-``lb_more`` is a button for a part of the sentence that only says what is usual.
+``lb_more`` is a button for a part of the sentence that only states a default.
 """
 
 from collections.abc import Iterable, Mapping, Sequence

@@ -12,7 +12,7 @@ class Importable:
 
     Args:
         libraries: modules with skills and nothing else.
-        files: Python files beside the program, with everything that they define.
+        files: Python files next to the program, with everything that they define.
         functions: those functions of such files that need something of the robot, with their needs,
             as the program writes them: ``follow`` or ``helpers.follow``.
     """

@@ -71,7 +71,7 @@ def blocks_beside(folder: Path, modules: frozenset[str]) -> Iterator[BlockConfig
 def functions_beside(
     folder: Path, imports: ast.Module, skills: Mapping[str, BlockConfiguration]
 ) -> dict[str, BlockConfiguration]:
-    """The functions that a program imports from files beside it and that need something.
+    """The functions that a program imports from files next to it and that need something.
 
     Args:
         folder: the program's folder.

@@ -4,7 +4,7 @@
 
 A parameter that the label does not name follows it, with the parameter's own translation. The sign
 of a number can be a word of the sentence, its direction: ``forward`` or ``backward``. A part in
-square brackets is shown only if it says something else than the defaults of its parameters:
+square brackets is shown only if its parameters differ from their defaults:
 
     drive {distance} mm[ at {advSpeed} mm/s]
 """
@@ -23,7 +23,7 @@ from learnblock.blocks.schema.configuration import (
 _OPTIONAL = re.compile(r"\[([^\[\]]+)\]")
 _PLACE = re.compile(r"\{(\w+)(\.direction)?\}")
 _UNIT = re.compile(r"\{(\w+)\} ?(mm/s|mm|°/s|°|%|Hz|ms|seconds|segundos|beats|tiempos)(?!\w)")
-#: The units that change beside a one; the page has the same, in `fields/unit.ts`.
+#: The units that are singular after 1; the page has the same, in `fields/unit.ts`.
 SINGULAR = {"beats": "beat", "seconds": "second", "segundos": "segundo", "tiempos": "tiempo"}
 
 
@@ -148,7 +148,7 @@ def sentence(block: BlockConfiguration, language: str, filling: Filling) -> str:
 
 @dataclass(frozen=True, slots=True)
 class OptionalPart:
-    """A part of a label in square brackets that only says what is usual.
+    """A part of a label in square brackets that only states defaults.
 
     Args:
         words: without the brackets.
@@ -171,7 +171,7 @@ def optional_parts(block: BlockConfiguration, language: str) -> tuple[OptionalPa
 
 
 def direction(parameter: Parameter, value: object, language: str) -> str:
-    """The word for the sign of a number; the positive one for a zero and whatever is no number."""
+    """The word for the sign of a number; the positive one for zero and for other values."""
     is_negative = isinstance(value, int | float) and value < 0
     words = parameter.directions.get(NEGATIVE if is_negative else POSITIVE, {})
     return translated(words, language, "")

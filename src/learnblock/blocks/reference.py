@@ -6,7 +6,7 @@
 import ast
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
 from pathlib import Path
 
@@ -26,7 +26,7 @@ seconds.
 A skill asks for a [sense](one-program-every-robot.md#senses). If nothing on the robot can serve it,
 the skill does nothing: a question returns False, and a measurement returns None.
 
-This page is generated: `python -m learnblock.blocks.reference docs/skills.md`.
+This page is generated: `scripts/docs`.
 """
 _SECTION = re.compile(r"(Args|Raises):")
 _ENTRY = re.compile(r"    (\w+): (.*)")
@@ -35,11 +35,33 @@ _ENTRY = re.compile(r"    (\w+): (.*)")
 def reference() -> str:
     """The page, in Markdown."""
     documentation = dict(_documentation())
-    parts = [_HEAD]
-    for category, blocks in groupby(builtin().values(), key=lambda block: block.category):
+    categories = {
+        category: tuple(blocks)
+        for category, blocks in groupby(builtin().values(), key=lambda block: block.category)
+    }
+    parts = [_HEAD, _contents(categories)]
+    for category, blocks in categories.items():
         parts.append(f"## {category}\n")
         parts += [_entry(block, documentation[block.name]) for block in blocks]
     return "\n".join(parts)
+
+
+def _contents(categories: Mapping[str, Sequence[BlockConfiguration]]) -> str:
+    """A table with the names of all skills, which lead to their entries."""
+    rows = [
+        f"| {category} | {', '.join(map(_link, blocks))} |"
+        for category, blocks in categories.items()
+    ]
+    return "\n".join(["| tab | skills |", "|---|---|", *rows]) + "\n"
+
+
+def _link(block: BlockConfiguration) -> str:
+    anchor = re.sub(r"[^\w -]", "", _heading(block).lower()).replace(" ", "-")
+    return f"[{block.name}](#{anchor})"
+
+
+def _heading(block: BlockConfiguration) -> str:
+    return f"`{block.name}({', '.join(map(_parameter, block.parameters))})`"
 
 
 def _documentation() -> Iterator[tuple[str, str]]:
@@ -52,11 +74,10 @@ def _documentation() -> Iterator[tuple[str, str]]:
 
 
 def _entry(block: BlockConfiguration, documentation: str) -> str:
-    parameters = ", ".join(map(_parameter, block.parameters))
     needs = ", ".join(f"`{need}`" for need in block.needed()) or "no device"
     kind = "A value" if block.returns_value else "A statement"
     return (
-        f"### `{block.name}({parameters})`\n\n"
+        f"### {_heading(block)}\n\n"
         f"{_markdown(documentation)}\n\n"
         f"{kind}; needs {needs}. {_labels(block)}\n"
     )

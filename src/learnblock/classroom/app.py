@@ -61,8 +61,8 @@ def create_app(
 
     Args:
         room: the class.
-        visitors: tells who asks.
-        hosts: allowed names of this computer besides its own.
+        visitors: recognises who sends a request.
+        hosts: allowed names of this computer, in addition to its own.
         tls: whether browsers come by HTTPS only.
         static: the folder of the built page.
     """
@@ -110,7 +110,7 @@ class _Door:
 
     Args:
         room: the class.
-        visitors: tells who asks.
+        visitors: recognises who sends a request.
         tls: whether browsers come by HTTPS only.
     """
 
@@ -199,7 +199,7 @@ class _Door:
         response.delete_cookie(self._visitors.cookie)
         return response
 
-    # What is a pupil's, and what is the teacher's.
+    # Pages of pupils and of the teacher.
 
     async def forward(self, request: Request) -> Response:
         """Pass a request of a pupil's page on."""

@@ -11,7 +11,7 @@ from learnblock.classroom.roster import Pupil, Roster
 
 
 def export(roster: Roster, pupils: Iterable[Pupil]) -> bytes:
-    """A zip file with the folder of each pupil, and what the class's file says of them.
+    """A zip file with the folder of each pupil and their entries in the class's file.
 
     Raises:
         OSError: a file can't be read.

@@ -32,6 +32,7 @@ class Certificate:
     key: Path
 
 
+# Why: docs/decisions.md, "HTTPS is a choice"
 def own_certificate(folder: Path) -> Certificate:
     """The class's own certificate, which is made for a year if there is none.
 

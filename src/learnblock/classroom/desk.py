@@ -120,7 +120,7 @@ class Desk:
         self.tell()
 
     def rest(self, *, eyes_up: bool) -> None:
-        """Have the pupil's pages rest, or go on."""
+        """Pause or resume the pupil's pages."""
         self.eyes_up = eyes_up
         self.tell()
 
@@ -130,7 +130,7 @@ class Desk:
         self.tell()
 
     async def order(self, message: messages.Message) -> None:
-        """Have the pupil's server do something in the name of the pupil's page, if one is open."""
+        """Send the pupil's server a message on behalf of the pupil's page, if one is open."""
         for page in self.own_pages[:1]:
             await page.order(message)
 

@@ -89,7 +89,7 @@ class Entrance:
         return await asyncio.to_thread(self.roster.add, name)
 
     async def _recognised(self, name: str, pictures: tuple[Picture, ...], address: str) -> Pupil:
-        # The same for every name, so that the answer doesn't tell who is in the class.
+        # The same for every name, so that the answer doesn't reveal who is in the class.
         key = names.folded(name)
         self._names.require(key)
         pupil = await asyncio.to_thread(self.roster.recognise, name, pictures)

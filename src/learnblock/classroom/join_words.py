@@ -14,12 +14,12 @@ WORDS = (
 
 
 def new_join_word() -> str:
-    """A word and a number by chance, such as ``koala 47``."""
+    """A random word and number, such as ``koala 47``."""
     return f"{secrets.choice(WORDS)} {secrets.randbelow(90) + 10}"
 
 
 def is_join_word(typed: str, word: str) -> bool:
-    """Whether a child has typed the word, whatever the case, spaces and accents."""
+    """Whether a child has typed the word; case, spaces and accents are ignored."""
     return secrets.compare_digest(_plain(typed), _plain(word))
 
 

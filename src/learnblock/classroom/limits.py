@@ -1,6 +1,6 @@
 """How much one person may use in a class: the one table, which `docs/class.md` shows.
 
-A pupil is counted by desk, on whatever devices; who has no badge yet, by network address.
+A pupil is counted by desk, whatever the devices; a visitor without a badge by network address.
 """
 
 from collections.abc import Mapping
@@ -24,6 +24,7 @@ class Pace(NamedTuple):
     burst: int
 
 
+# Why: docs/decisions.md, "Limits belong to a person"
 class Limit(NamedTuple):
     """A row of the table.
 

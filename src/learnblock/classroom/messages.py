@@ -1,4 +1,4 @@
-"""The conversation of a class: with the teacher's wall, and with a pupil's page besides its own.
+"""The conversation of a class: with the teacher's wall, and what a pupil's page exchanges with it.
 
 ``python -m learnblock.classroom.typescript`` writes the page's types from this module.
 """
@@ -70,11 +70,11 @@ class AboutClass(Struct, frozen=True):
     address: str = ""
 
 
-# From a pupil's page, besides what its server knows.
+# From a pupil's page, in addition to the messages of its own server.
 
 
 class AskForHelp(Message, frozen=True):
-    """Raise or lower one's hand."""
+    """Raise or lower the pupil's hand."""
 
     on: bool
 
@@ -118,7 +118,7 @@ class InClass(Message, frozen=True):
 
 
 class EyesUp(Message, frozen=True):
-    """Have all pages rest, or go on."""
+    """Pause or resume all pages."""
 
     on: bool
 

@@ -143,7 +143,7 @@ class Nursery:
                 os.kill(process, signal.SIGKILL)
 
     def _stop(self, process: int, seconds: float) -> None:
-        """Have a server save everything and end; it is killed after so many seconds."""
+        """Have a server save everything and end; it is killed after `seconds`."""
         os.kill(process, signal.SIGTERM)
         before = self._deadlines.get(process, math.inf)
         self._deadlines[process] = min(before, monotonic() + seconds)
@@ -171,11 +171,11 @@ def _serve(order: Order, connection: socket.socket) -> NoReturn:
 
         pupil_server.run(order, started)
         status = 0
-    except Exception as error:  # noqa: BLE001 - the classroom says it
+    except Exception as error:  # noqa: BLE001 - the classroom reports it
         reason = f"{type(error).__name__}: {error}"
         _send(connection, News(order.pupil, os.getpid(), reason=reason[:500]))
     finally:
-        # Nothing of the parent's is to be cleaned up here.
+        # The child must not clean up for its parent.
         os._exit(status)
 
 

@@ -21,6 +21,7 @@ Pictures = Annotated[tuple[Picture, ...], msgspec.Meta(min_length=LENGTH, max_le
 _COST = {"n": 2**14, "r": 8, "p": 1}
 
 
+# Why: docs/decisions.md, "Pictures instead of passwords"
 class Pin(msgspec.Struct, frozen=True):
     """A PIN that can be checked, but not read.
 
@@ -44,7 +45,7 @@ class Pin(msgspec.Struct, frozen=True):
 
 
 def new_pictures() -> tuple[Picture, ...]:
-    """Four pictures by chance, no two of them the same."""
+    """Four random pictures, all different."""
     return tuple(secrets.SystemRandom().sample(PICTURES, LENGTH))
 
 

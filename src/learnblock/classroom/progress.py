@@ -17,9 +17,9 @@ from learnblock.server.messages.base import StateName
 _STEP, _MOST_POINTS = 15.0, 400
 #: Seconds between two looks at where the robot is.
 _PERIOD = 0.4
-#: Seconds without doing anything that are a pause.
+#: Seconds without any action that count as a pause.
 _PAUSE = 120.0
-#: Endings of a run that are no reason to worry.
+#: Endings of a run that need no attention.
 _FINE = frozenset({"finished", "stopped", "replaced", ""})
 #: What a page sends by itself, which says nothing about its pupil.
 _BY_ITSELF = frozenset(
@@ -162,13 +162,13 @@ class Progress:
         if kind in _BY_ITSELF:
             return
         now = self._now()
-        # A pupil who comes back after a pause has not been stuck meanwhile.
+        # A pupil who comes back after a pause was not stuck during it.
         if now - self._acted > _PAUSE:
             self._succeeded = now
         self._acted = now
 
     def see(self, text: str) -> None:
-        """Read a message of the pupil's server, if it says something about the pupil."""
+        """Read a message of the pupil's server, if it is about the pupil."""
         head = _HEAD.match(text)
         kind = head[1] if head else ""
         if kind == Telemetry.__name__ and self._now() < self._looked + _PERIOD:

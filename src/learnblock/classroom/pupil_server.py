@@ -47,6 +47,7 @@ class Order(msgspec.Struct, frozen=True):
     token: str
 
 
+# Why: docs/decisions.md, "Each pupil has a process"
 def run(order: Order, started: Callable[[int], object]) -> None:
     """Serve until SIGTERM, or until the process that has started this one ends.
 

@@ -66,7 +66,7 @@ class Relay:
             self._outbox.put_nowait(msgspec.json.encode(message).decode())
 
     async def order(self, message: messages.Message) -> None:
-        """Send the pupil's server a message in the name of this page."""
+        """Send the pupil's server a message on behalf of this page."""
         if self._server:
             with suppress(ConnectionClosed):
                 await self._server.send(msgspec.json.encode(message).decode())

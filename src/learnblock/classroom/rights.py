@@ -84,6 +84,7 @@ _NOBODY = (
 )  # fmt: skip
 
 
+# Why: docs/decisions.md, "One table says who may what"
 def _table() -> Iterator[tuple[str, frozenset[Role]]]:
     def row(kinds: Iterable[type], *roles: Role) -> Iterator[tuple[str, frozenset[Role]]]:
         return ((kind.__name__, frozenset(roles)) for kind in kinds)

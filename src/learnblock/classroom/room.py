@@ -109,13 +109,13 @@ class Room:
         return pupil
 
     def rest(self, *, eyes_up: bool) -> None:
-        """Have all pages rest because the teacher speaks, or go on."""
+        """Pause all pages because the teacher speaks, or resume them."""
         self.eyes_up = eyes_up
         for desk in self.desks.values():
             desk.rest(eyes_up=eyes_up)
 
     async def order(self, message: messages.Message) -> None:
-        """Have every pupil's server do something in the name of the pupil's page."""
+        """Send every pupil's server a message on behalf of the pupil's page."""
         await asyncio.gather(*(desk.order(message) for desk in self.desks.values()))
 
     async def renew_pin(self, pupil: Pupil) -> tuple[Picture, ...]:

@@ -141,7 +141,7 @@ class Roster:
         return self.folder / "pupils" / pupil.id
 
     def add(self, name: str) -> tuple[Pupil, tuple[Picture, ...]]:
-        """Add a pupil, and return it with the pictures, which are kept nowhere.
+        """Add a pupil, and return it with the pictures, which are not stored.
 
         Raises:
             LearnBlockError: this is not a name, or see `require_place`.

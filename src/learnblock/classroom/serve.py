@@ -102,7 +102,7 @@ def serve_class(service: ClassService, *, show: Callable[[str], object] | None =
 
 
 def _hurry(room: Room) -> Iterable[Phrase]:
-    """Have every pupil's server save and end at once; what fails there is said there."""
+    """Have every pupil's server save and end at once; it reports its own errors."""
     room.hurry()
     return ()
 

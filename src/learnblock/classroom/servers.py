@@ -161,7 +161,7 @@ class Servers:
 
 
 def _ends_within(process: "subprocess.Popen[bytes]", seconds: float) -> bool:
-    """Wait for a process to end; return whether it has ended within so many seconds."""
+    """Wait for a process to end; return whether it has ended within `seconds`."""
     try:
         process.wait(seconds)
     except subprocess.TimeoutExpired:

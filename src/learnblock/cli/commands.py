@@ -61,7 +61,7 @@ COMMANDS = {
 
 
 class Commands(click.Group):
-    """All commands; an error of ours becomes a message and an exit code, never a traceback."""
+    """All commands; our errors become a message and an exit code, never a traceback."""
 
     context_class = Context
 

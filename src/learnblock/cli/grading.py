@@ -96,7 +96,7 @@ def _say_what_is_missing(grading: Grading) -> bool:
 
 
 def _show(grading: Grading, workers: OpenWorkers) -> None:
-    """Make everything, with a bar that says how long it still takes."""
+    """Make everything, with a bar that shows the remaining time."""
     shown: Any = click.progressbar(
         length=1,
         label=text(Phrase("grade-running")),

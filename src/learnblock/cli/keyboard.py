@@ -85,7 +85,7 @@ class TerminalKeys:
 
     def newest(self, keys: Collection[str]) -> tuple[str, ...]:
         """The key among these that was typed last, if it still counts as held."""
-        # While a person types an answer, its letters are no keys for other programs.
+        # While a person types an answer, its letters don't count as keys of other programs.
         if self._reading.acquire(blocking=False):
             try:
                 self._read()

@@ -426,7 +426,7 @@ def effect_rows(report: Report, robot: str) -> Iterator[tuple[str, str]]:
 
 
 def goal_row(goal: Goal) -> str:
-    """A goal with its state, in words."""
+    """A goal with its state, as text."""
     if goal.time is None:
         return text(Phrase("report-goal-open", name=goal.name))
     return text(Phrase(_GOALS[goal.state], name=goal.name, time=decimal(goal.time)))

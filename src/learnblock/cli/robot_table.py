@@ -56,7 +56,7 @@ def serving(skill: BlockConfiguration) -> dict[str, dict[str, str | None] | None
         try:
             equipment = entry.load().known_equipment()
         except LearnBlockError:
-            # `learnblock robots` says what is wrong with it.
+            # `learnblock robots` reports what is wrong with it.
             continue
         if equipment is None:
             found[entry.name] = None

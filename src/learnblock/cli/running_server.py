@@ -84,7 +84,7 @@ class RunningServer:
 
         address = urlsplit(self.address)
         try:
-            # A socket of ours, because this computer's proxy is not for its own addresses.
+            # A socket of its own, because a proxy must not be used for this computer's addresses.
             ours = socket.create_connection((address.hostname or "", address.port or 80), PATIENCE)
             with connect(
                 f"ws://{address.netloc}{address.path}ws",

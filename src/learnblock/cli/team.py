@@ -349,7 +349,7 @@ def _robot_as_object(member: Member, report: Report) -> dict[str, object]:
 
 
 def _own(report: Report) -> dict[str, object]:
-    """What a report says about one robot, as opposed to the whole run."""
+    """The part of a report about one robot, as opposed to the whole run."""
     whole = {"goals", "trace_sha256"}
     return {one.name: getattr(report, one.name) for one in fields(report) if one.name not in whole}
 

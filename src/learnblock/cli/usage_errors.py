@@ -1,4 +1,4 @@
-"""What click says about a wrong call, in languages other than English, from ``help.ftl``.
+"""click's messages about a wrong call, in languages other than English, from ``help.ftl``.
 
 click formats its messages before it raises them, so the English ones are recognised by their form.
 One that is not known, such as one of a newer click, stays English; ours are in the reader's

@@ -6,7 +6,7 @@ from importlib import import_module
 
 from learnblock.client.keyboard import KEYS
 
-#: What precedes the code of a key that is no character; the second is "à" in some code pages.
+#: What precedes the code of a key that isn't a character; the second is "à" in some code pages.
 _SPECIAL = frozenset({b"\x00", b"\xe0"})
 _ARROWS = {b"H": "up", b"P": "down", b"K": "left", b"M": "right"}
 _NAMED = {b" ": "space", b"\r": "enter", b"\n": "enter"}

@@ -18,7 +18,7 @@ class Announced:
     has_extra_camera: ClassVar[bool] = True
     #: Whether its camera sees only drawn and simulated faces.
     sees_drawn_faces: ClassVar[bool] = False
-    #: What its driver may do on the computer besides reading files.
+    #: What its driver may do on the computer, in addition to reading files.
     rights: ClassVar[Rights] = Rights()
 
     @classmethod

@@ -162,7 +162,7 @@ class Client(Announced, Events):
         return cls(**arguments)
 
     def conditions(self) -> dict[str, object]:
-        """Everything besides the program that affects a run, for the first line of a trace."""
+        """Everything except the program that affects a run, for the first line of a trace."""
         from learnblock.perception.sources import TABLE  # noqa: PLC0415 - as above
 
         # Names only: a trace must not reveal addresses and paths.

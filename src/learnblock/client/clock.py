@@ -4,6 +4,7 @@ import time
 from typing import Protocol
 
 
+# Why: docs/decisions.md, "Time belongs to the robot"
 class Clock(Protocol):
     """A robot's time.
 

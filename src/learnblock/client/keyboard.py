@@ -18,7 +18,7 @@ KEYS: tuple[Key, ...] = get_args(Key)
 
 
 class Keyboard:
-    """The keyboard beside a program; without an argument, one without pressed keys.
+    """The keyboard that a program reads; without an argument, one without pressed keys.
 
     Args:
         pressed: returns the keys that are held down now.

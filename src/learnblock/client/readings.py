@@ -17,6 +17,7 @@ SENSORS = "sensors"
 WATCHED = "watched"
 #: Seconds between readings of a watched sensor; the page does not update more often.
 WATCHED_PERIOD = 0.05
+# Why: docs/decisions.md, "A repeated question waits for a new reading"
 #: Seconds between two readings of a sensor.
 READING = 0.02
 #: Seconds for which a picture is used; a camera with 30 a second takes one or two in this time.
@@ -79,7 +80,7 @@ class Readings:
             self._read.clear()
 
     def forget_questions(self) -> None:
-        """Let each question be asked once more without waiting."""
+        """Allow each question to be repeated once without waiting."""
 
     def watch(self, key: Key, read: Read) -> None:
         """Keep a sensor's reading up to date for an observer, in the background if possible.
@@ -183,6 +184,7 @@ class SteppedReadings(Readings):
         return interval
 
 
+# Why: docs/decisions.md, "Questions that belong together are answered from one picture"
 class Glance:
     """Answers queries in quick succession from the same picture.
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Rights:
-    """What a driver may do besides computing and reading files: by default nothing.
+    """What a driver may do, in addition to computing and reading files: by default nothing.
 
         class Robot(RealRobot[Settings]):
             rights = Rights(network=True, devices=("/dev/ttyACM*",))

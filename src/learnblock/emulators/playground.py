@@ -43,14 +43,14 @@ def write_scene(world: WorldDescription, folder: Path, port: int, start: Pose) -
 
 
 def place(world: WorldDescription, pose: Pose) -> tuple[float, float, float]:
-    """Convert a pose of ours to the playground's x and y in cm and its angle in radians."""
+    """Convert a LearnBlock pose to the playground's x and y in cm and its angle in radians."""
     width, depth = world.floor.size
     x, y = (pose.x + width / 2) / MM_PER_CM, (pose.y + depth / 2) / MM_PER_CM
     return x, y, -math.radians(pose.heading)
 
 
 def pose(world: WorldDescription, x: float, y: float, angle: float) -> Pose:
-    """Convert the playground's x and y in cm and angle in radians to a pose of ours."""
+    """Convert the playground's x and y in cm and angle in radians to a LearnBlock pose."""
     width, depth = world.floor.size
     east, north = x * MM_PER_CM - width / 2, y * MM_PER_CM - depth / 2
     return Pose(east, north, -math.degrees(angle))

@@ -66,7 +66,7 @@ class Emulator:
         self._folder = tempfile.TemporaryDirectory(prefix="learnblock-thymio-")
         place = Pose(*start) if start else _start(self.world)
         scene = write_scene(self.world, Path(self._folder.name), port, place)
-        self._process = subprocess.Popen(  # noqa: S603 - the playground, and a file of ours
+        self._process = subprocess.Popen(  # noqa: S603 - the playground, and our own file
             [program, str(scene)],
             env=_environment(self._folder.name),
             stdout=subprocess.DEVNULL,

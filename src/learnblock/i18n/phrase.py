@@ -29,6 +29,7 @@ class Multilingual(str):
         return text
 
 
+# Why: docs/decisions.md, "Every message is a phrase"
 @dataclass(frozen=True, slots=True, init=False)
 class Phrase:
     """A message for a person.
@@ -66,7 +67,7 @@ def _phrase(code: str, values: Mapping[str, Value]) -> Phrase:
 def translate(phrase: Phrase, language: str) -> str:
     """A phrase's text in a language; in English where that language has no words for it.
 
-    Text that is not a code of ours is returned as it is.
+    Text that isn't one of our codes is returned unchanged.
 
     Raises:
         ValueError: the words of a phrase are invalid, or a value is missing.

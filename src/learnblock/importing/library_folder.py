@@ -44,7 +44,7 @@ class LibraryFiles:
 
     @classmethod
     def at(cls, path: Path) -> Self:
-        """The library with this ``.lb`` file; the others are beside it.
+        """The library with this ``.lb`` file; the others are in the same folder.
 
         Raises:
             OSError: a file can't be read.
@@ -103,7 +103,7 @@ def import_text(data: bytes, filename: str, skills: Mapping[str, BlockConfigurat
     """Import a program in the Block-Text of the original LearnBlock.
 
     Raises:
-        FileError: it is too large, or is no Block-Text.
+        FileError: it is too large, or isn't Block-Text.
     """
     reporting = Reporting()
     program = parse_old(data, filename, skills, reporting)
@@ -111,7 +111,7 @@ def import_text(data: bytes, filename: str, skills: Mapping[str, BlockConfigurat
 
 
 def find_library(folder: Path, name: str) -> bytes | None:
-    """Find a library whose folder is in `folder` or beside it; return its ``.lb`` file, or None."""
+    """Find a library with a folder in `folder` or next to it; return its ``.lb`` file, or None."""
     if not _NAME.fullmatch(name):
         return None
     for place in (folder / name, folder.parent / name):

@@ -24,7 +24,7 @@ def parse_old(
     """Read old Block-Text, with today's names of skills and the brackets of ``print``.
 
     Raises:
-        FileError: it is too large, or is no Block-Text either.
+        FileError: it is too large, or isn't Block-Text either.
     """
 
     def today(match: re.Match[str]) -> str:

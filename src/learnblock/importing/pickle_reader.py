@@ -1,8 +1,8 @@
 """Read the pickle of a project of the original LearnBlock without running anything in it.
 
-A pickle is a program: `pickle.load` would call whatever it names. Here each opcode of protocols 0
-to 3 that projects contain builds a plain value, and the few classes of projects become `Object`
-and `Point`. Every other opcode or name is refused.
+A pickle is a program: `pickle.load` would call any function that it names. Here each opcode of
+protocols 0 to 3 that projects contain builds a plain value, and the few classes of projects become
+`Object` and `Point`. Every other opcode or name is refused.
 """
 
 import re
@@ -14,6 +14,7 @@ from typing import Any
 from learnblock.errors import Diagnostic, ProjectError
 from learnblock.i18n import Phrase
 
+# Why: docs/decisions.md, "Pickles of the original LearnBlock are never unpickled"
 #: Bytes. The largest project known has a tenth of it.
 LARGEST = 4 * 1024 * 1024
 #: Limits opcodes, and therefore values, so that reading takes a few seconds at most.

@@ -23,7 +23,7 @@ def argument(
     *,
     in_radians: bool = False,
 ) -> str | None:
-    """A value in a field as Block-Text; None if the field holds nothing that can be meant.
+    """A value in a field as Block-Text; None if the field holds nothing usable.
 
     Args:
         value: the value.
@@ -73,6 +73,6 @@ def _is_number(parameter: Parameter | None) -> bool:
 
 
 def _other(text: str) -> str | None:
-    """A text in the field of a number: a name, or nothing that can be meant."""
+    """A text in the field of a number: a name, or nothing usable."""
     name = legal(text)
     return name if text and name == text else None

@@ -14,7 +14,7 @@ from learnblock.lessons.lesson import Wrong
 from learnblock.lessons.opened import OpenLesson
 from learnblock.lessons.trying import Attempt, StopSwitch, Tried, attempts, read_program, try_step
 
-#: The most problems told of one program.
+#: The most problems reported of one program.
 _MOST_PROBLEMS = 5
 
 

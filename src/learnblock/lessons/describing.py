@@ -34,7 +34,7 @@ from learnblock.lessons.checks import (
 )
 from learnblock.lessons.texts import in_language
 
-#: How an event is said: see `event_words`.
+#: How an event is put into words: see `event_words`.
 Form = Literal["clause", "sentence", "never", "missing", "past"]
 
 

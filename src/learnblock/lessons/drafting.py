@@ -10,7 +10,7 @@ from learnblock.lessons.editing import EditedLesson, EditedStep, WrittenProgram
 from learnblock.lessons.lesson import VERSION
 from learnblock.robots.simulated import find_world
 
-#: How long a new lesson takes, in minutes, until its author says otherwise.
+#: How long a new lesson takes, in minutes, until its author changes it.
 MINUTES = 30
 
 
@@ -30,7 +30,7 @@ def draft(title: str, world: str, programs: Sequence[Drafted], blocks: str = "")
         title: the title of the lesson.
         world: the name of its world.
         programs: the programs in Block-Text, the pupil's first; the others are partners.
-        blocks: the name of a block set of ours; empty for all blocks.
+        blocks: the name of a built-in block set; empty for all blocks.
     """
     own, *others = programs
     step: dict[str, Any] = {

@@ -32,7 +32,7 @@ LONGEST_PROGRAM, LONGEST_NOTES = 60_000, 20_000
 #: The limit of all programs together, in characters: reading them must not keep others waiting.
 LONGEST_PROGRAMS = 120_000
 MOST_STEPS = 30
-#: The limit of the title of a copy, in characters, without the word that says so.
+#: The limit of the title of a copy, in characters, without the word "copy".
 _LONGEST_COPIED = 180
 #: The keys whose texts an author has to write, and the lists of such texts.
 _TEXTS, _LISTS = frozenset({"title", "text", "question"}), frozenset({"aims"})
@@ -201,7 +201,7 @@ def assemble(edited: EditedLesson, name: str, saved: OpenLesson | None = None) -
 
 
 def copied(opened: OpenLesson, name: str) -> OpenLesson:
-    """A copy of a lesson, with all that belongs to it, under a title that says so.
+    """A copy of a lesson with all its files, under a title that marks it as a copy.
 
     Args:
         opened: the lesson.
@@ -341,7 +341,7 @@ def _wrong_programs(edited: EditedLesson, saved: OpenLesson | None) -> list[dict
 
 
 def _too_long(edited: EditedLesson) -> Phrase | None:
-    """What is too long to be examined."""
+    """Parts that are too long to be examined."""
     size, limit = len(json.encode(edited.content)), toml_source.MAXIMUM_FILE_SIZE
     if size > limit:
         return Phrase("file-too-many-bytes", size=size, limit=limit)

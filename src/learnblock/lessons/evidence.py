@@ -40,7 +40,7 @@ class Noted(NamedTuple):
 
 @dataclass(frozen=True)
 class Evidence:
-    """What is known of a run, or of its part so far.
+    """The facts about a run, or about its part so far.
 
     Args:
         lines: the lines of the trace, in order; collisions, which are not in it, at the end.
@@ -210,7 +210,7 @@ class Collector(RawIOBase):
 
 
 def evidence_of(trace: bytes, report: Report) -> Evidence:
-    """What is known of one robot's run that is over.
+    """The facts about one robot's finished run.
 
     Args:
         trace: its trace.
@@ -220,7 +220,7 @@ def evidence_of(trace: bytes, report: Report) -> Evidence:
 
 
 def team_evidence(trace: bytes, reports: Mapping[str, Report], robot: str) -> Evidence:
-    """What is known of the run of several robots that is over.
+    """The facts about the finished run of several robots.
 
     Args:
         trace: its trace.

@@ -1,7 +1,7 @@
 """Checks in a lesson's own Python: they come from anyone, so they run contained, like programs.
 
 A process of its own gets the run as JSON, puts itself behind the fence of programs, and writes the
-answer as JSON. Whatever is no clear yes counts as a no.
+answer as JSON. Anything but a clear yes counts as no.
 """
 
 import subprocess

@@ -31,7 +31,7 @@ def _answer(source: str, function: str, run: SimpleNamespace) -> dict[str, Any]:
         names: dict[str, Any] = {"__name__": "checks"}
         exec(compile(source, "checks.py", "exec", dont_inherit=True), names)  # noqa: S102 - contained
         found = names[function](run)
-    except BaseException as error:  # noqa: BLE001 - whatever it is, the check is not met
+    except BaseException as error:  # noqa: BLE001 - with any error, the check is not met
         return {"met": False, "error": f"{type(error).__name__}: {error}"[:300]}
     if isinstance(found, str):
         return {"met": False, "reason": found}

@@ -1,4 +1,4 @@
-"""Judging of programs by a lesson's checks: as early as possible, with the reason in words."""
+"""Judges programs by a lesson's checks, as early as possible, and gives the reason."""
 
 import math
 from bisect import bisect_left
@@ -98,7 +98,7 @@ def judge(
 
 
 def is_done(verdicts: Sequence[Verdict]) -> bool:
-    """Whether a step is done: every check is met that is not optional."""
+    """Whether a step is done: all checks that are not optional are met."""
     return all(one.state == "met" for one in verdicts if not one.check.optional)
 
 

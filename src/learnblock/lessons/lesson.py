@@ -31,7 +31,7 @@ LessonText = str | dict[str, str]
 Phase = Literal["predict", "run", "investigate", "modify", "make"]
 Level = Literal[1, 2, 3, 4]
 
-#: What a rule for hints looks at, besides the failing check.
+#: What a rule for hints looks at, in addition to the failing check.
 Sign = Literal[
     "never_asks",
     "never_runs",

@@ -47,9 +47,9 @@ from learnblock.language.tree.nodes import (
 )
 from learnblock.lessons.rewriting import Place, Sequence, places, sequences
 
-#: Mutants with two mistakes are added to have at least so many.
+#: Mutants with two mistakes are added until there are at least this many.
 LEAST = 60
-#: Of mutants with one mistake so many are changed again.
+#: The number of mutants with one mistake that are changed again.
 _CHANGED_AGAIN = 12
 #: Up to this number, a mistake by one is a mistake.
 _COUNTABLE = 12
@@ -57,7 +57,7 @@ _COUNTABLE = 12
 _LOOPS = (While, Repeat, ForEach, ForRange)
 #: Statements whose place doesn't matter.
 SILENT = (Comment, Blank, Pass, Import, Setup, Def, When)
-#: What is easily taken for the other, in the names of skills.
+#: Parts of the names of skills that are easily confused.
 _CONFUSED = (
     ("left", "right"),
     ("Left", "Right"),

@@ -131,7 +131,7 @@ def find_lesson(name_or_path: str) -> OpenLesson:
 
 def shipped_folder() -> Path:
     """Where the lessons that come with LearnBlock are."""
-    # In the package in an installation, beside `src` in a checkout.
+    # In the package in an installation, next to `src` in a checkout.
     folder = Path(__file__).parent / "shipped"
     return folder if folder.is_dir() else Path(__file__).parents[3] / "lessons"
 

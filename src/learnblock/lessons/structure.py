@@ -31,7 +31,7 @@ from learnblock.lessons.checks import Construct, Uses
 
 Node = Item | Main | Expression
 
-#: Statements and items that are no block of their own.
+#: Statements and items that have no block of their own.
 _NO_BLOCKS = (Blank, Comment, Def, Import, Main, Pass)
 _LOOPS = (While, Repeat, ForEach, ForRange)
 

@@ -1,8 +1,8 @@
 """Programs that do the right things at the wrong time, to the wrong side or in the wrong case.
 
-Unlike `mutants`, which is a sample of all that learners do wrong, this is everything of a few kinds
-that a check easily overlooks, as each of these programs has all parts of the correct one: what it
-shows has changed places, it goes the other way, its statements are in another order, the halves of
+Unlike `mutants`, which is a sample of all that learners do wrong, this makes all programs of a few
+kinds that a check easily overlooks, as each of them has all parts of the correct one: what it shows
+has changed places, it goes the other way, its statements are in another order, the halves of
 a decision are exchanged, or a condition has another number.
 """
 
@@ -38,7 +38,7 @@ from learnblock.language.tree.traversal import within
 from learnblock.lessons.mutants import SILENT, TURNED, Mutant, other_numbers
 from learnblock.lessons.rewriting import places, sequences, substitute
 
-#: What is exchanged.
+#: Pairs that are swapped.
 Kind = Literal["shown", "direction", "half", "order", "limit"]
 
 #: The groups of blocks by which a robot shows something.

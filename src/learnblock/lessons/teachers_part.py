@@ -21,7 +21,7 @@ class WrongProgram:
 
     Args:
         program: its text, in Block-Text.
-        check: the check that it fails, in words.
+        check: the check that it fails, as text.
         hint: the hint that it gets: the lesson's own levels, or the most general of ours.
     """
 
@@ -96,7 +96,7 @@ def _check(step: Step, name: str) -> Phrase | Title:
 
 
 def _hint(step: Step, rule: str) -> tuple[Phrase | Title, ...]:
-    """What a hint says whatever the run: its other levels name lines and values of the program."""
+    """The level of a hint that fits every run: the others name lines and values of the program."""
     number = rule.removeprefix(_OF_THE_LESSON)
     if number == rule or not number.isdecimal():
         return (Phrase(f"{rule}-how"),)

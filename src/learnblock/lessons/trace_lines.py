@@ -55,7 +55,7 @@ class TraceLines(Sequence[Line]):
                 abouts.append(about)
 
     def with_more(self, lines: Iterable[Line]) -> "TraceLines":
-        """A copy with further lines; this may go on to be written in another thread."""
+        """A copy with further lines; another thread may still write to this one."""
         copy = TraceLines()
         # First the numbers: they must not be of lines that the copy does not have.
         copy._others = self._others.copy()
@@ -151,7 +151,7 @@ class TraceLines(Sequence[Line]):
 
 
 def kind_of(about: Line) -> str:
-    """What a line is about: the name of its first value, besides the time."""
+    """What a line is about: the name of its first value other than the time."""
     return next((key for key in about if key != "t"), "")
 
 

@@ -41,7 +41,7 @@ class Link(Struct, frozen=True):
     """The link to a robot; None if the robot does not report a value.
 
     Args:
-        state: the state, as far as it is known.
+        state: the state, if known.
         battery: the battery's voltage, V.
         quality: the share of the robot's messages that arrive, 0 to 1.
     """
@@ -127,8 +127,8 @@ class Seen(Struct, frozen=True, omit_defaults=True):
 
     Args:
         sort: the kind of finding.
-        label: the tag's number, what the face expresses (empty if nobody asked), the line's colour
-            and side, or the object's colour.
+        label: the tag's number, the emotion of the face (empty if the program didn't ask), the
+            line's colour and side, or the object's colour.
         corners: (column, row) in pixels.
     """
 
@@ -156,6 +156,7 @@ class State(Struct, frozen=True):
     goals: tuple[GoalNow, ...] = ()
 
 
+# Why: docs/decisions.md, "The page watches through a monitor"
 class Monitor(Protocol):
     """The page's view of a robot, whether or not a program runs.
 

@@ -50,6 +50,7 @@ PATIENCE = 1.0
 Hear = Callable[[float], bytes | None]
 
 
+# Why: docs/decisions.md, "A real robot stops when its program ends or is paused"
 class Guardian:
     """A process that stops the robot's motors when this process exits for any reason, or freezes.
 

@@ -33,7 +33,7 @@ from learnblock.storage.home import home
 GRACE = 2.0
 #: Why a run is lost if the process that forks the runs ended, again.
 _PROCESS_ENDED = "the process that makes runs has ended"
-#: The variables that runs need besides those that no program is refused. A program may share a
+#: The variables that runs need, in addition to those that every program gets. A program may share a
 #: process with its host, so there are no secrets among them.
 _OF_RUNS = (
     "HOME", "TMPDIR", "TEMP", "TMP", "LEARNBLOCK_PACE", "LEARNBLOCK_ROBOTS", "LEARNBLOCK_SEED",
@@ -199,11 +199,11 @@ class WarmProcess:
             return b""
 
     def stop(self) -> None:
-        """End the runs that go on; may be called from any thread."""
+        """End the current runs; may be called from any thread."""
         self._process.send_signal(signal.SIGTERM)
 
     def end(self) -> None:
-        """End the process, and with it every run that goes on."""
+        """End the process, and with it every current run."""
         self._process.terminate()
         with suppress(OSError):
             self._connection.shutdown(socket.SHUT_RDWR)

@@ -6,7 +6,7 @@ from learnblock.errors import UnknownNameError
 
 
 def examples_folder() -> Path:
-    """Where the examples are: beside the modules in an installation, beside `src` in a checkout."""
+    """Where the examples are: next to the modules when installed, next to `src` in a checkout."""
     package = Path(__file__).parents[1]
     installed = package / "examples"
     return installed if installed.is_dir() else package.parents[1] / "examples"

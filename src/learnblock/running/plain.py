@@ -155,6 +155,6 @@ _LOOKS: Mapping[type[ast.AST], Callable[[Any], bool]] = {
     ast.keyword: lambda node: node.arg is not None,
     ast.Import: lambda node: all(one.name in MODULES and one.asname is None for one in node.names),
     ast.ImportFrom: _imports_robot,
-    # Of an import, which is looked at.
+    # A part of an import, which is checked as a whole.
     ast.alias: lambda _: True,
 }

@@ -19,7 +19,7 @@ from learnblock.devices import Pose
 from learnblock.errors import LearnBlockError
 from learnblock.robots.simulated import SimulatedRobot, Simulation
 
-#: What is in the lines that matter; a trace has far more others.
+#: The keys of the lines that matter; most lines of a trace have others.
 _MARKS = (b'"run":', b'"device":', b'"pose":', b'"placed":', b'"goal":', b'"end":')
 _STEPS_PER_SECOND = 100
 Seen = tuple[Any, ...]
@@ -40,7 +40,7 @@ class Replay:
 
     @property
     def is_true(self) -> bool:
-        """Whether the trace says what happens."""
+        """Whether the trace is true."""
         return self.recorded == self.repeated
 
     @property

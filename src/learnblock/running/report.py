@@ -71,7 +71,7 @@ def report(program: Program, run: Run, trace_sha256: str) -> Report:
 
 
 def _time(recorder: Recorder) -> float:
-    """When the program ended: its world may go on with the programs of other robots."""
+    """When the program ended: other programs may continue in its world."""
     return recorder.time() if recorder.ended_at is None else recorder.ended_at
 
 

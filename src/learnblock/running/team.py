@@ -75,6 +75,7 @@ class TeamReport:
     trace_sha256: str | None
 
 
+# Why: docs/decisions.md, "Several robots share a world, not a process"
 class TeamRun:
     """A prepared run of several programs.
 

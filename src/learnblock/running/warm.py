@@ -50,11 +50,11 @@ _CHUNK = MEGABYTE
 _LOOK = 0.5
 #: Seconds between two looks at whether a program lets its host run.
 WATCHING = 0.5
-#: The status of a child that has said why it failed, and the most bytes of that.
+#: The status of a child that has reported why it failed, and the limit of that report in bytes.
 _FAILED, _LONGEST_CAUSE = 2, 1000
 #: The code of the error of a system that refuses to contain a program.
 _NOT_CONTAINED = validation.NOT_CONTAINED
-#: What runs on simulated robots load when they need it, besides our skills.
+#: What runs on simulated robots load when they need it, in addition to our skills.
 _PRELOADED = (
     "email.parser",
     "learnblock.client.extra_camera",
@@ -132,6 +132,7 @@ class _Child:
     received: bytearray = field(default_factory=bytearray)
 
 
+# Why: docs/decisions.md, "A batch forks a warm process"
 def main() -> None:
     """Run as ``python -m learnblock.running.warm FD``: FD is our end of the connection."""
     kernel.die_with_parent(signal.SIGKILL)
@@ -275,7 +276,7 @@ class _Warm:
 
 
 def lost(reason: str) -> Sent:
-    """What stands for a run that could not be made.
+    """The result of a run that could not be made.
 
     Args:
         reason: why, in the words of an exception or of the system.
@@ -304,7 +305,7 @@ def _be_child(job: Job, limits: Limits, handle: int, *, isolated: bool) -> NoRet
         _write(handle, f"{type(error).__name__}: {error}".encode()[:_LONGEST_CAUSE])
         status = _FAILED
     finally:
-        # Nothing of the parent's is to be cleaned up here.
+        # The child must not clean up for its parent.
         os._exit(status)
 
 

@@ -32,6 +32,7 @@ Incoming = TypeVar("Incoming")
 TYPICAL_SIZE = 16
 
 
+# Why: docs/decisions.md, "A program may take turns with its host in one thread"
 class InlineWorker:
     """Runs a trusted program in this thread, whenever its host waits for a message.
 

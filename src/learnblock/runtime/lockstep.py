@@ -8,6 +8,7 @@ from collections.abc import Callable
 ACCESSES_PER_STEP = 10
 
 
+# Why: docs/decisions.md, "Simulation is lock-step"
 class LockStepClock:
     """The time of a world that advances only when every program in it waits.
 

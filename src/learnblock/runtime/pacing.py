@@ -10,6 +10,7 @@ SLIP = 0.1
 SHORTEST_WAIT = 0.001
 
 
+# Why: docs/decisions.md, "Pacing is one object outside the world"
 class Pacing:
     """Free, real time at a factor, paused, or step by step; it can be changed while the world runs.
 

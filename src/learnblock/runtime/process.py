@@ -67,6 +67,7 @@ class Worker(Protocol):
         """Return what it has done so far; None if the system does not say."""
 
 
+# Why: docs/decisions.md, "A program runs as a light child of a robot host"
 class ProcessWorker:
     """A process of its own.
 

@@ -17,6 +17,7 @@ from learnblock.runtime.program import Program
 from learnblock.runtime.trace import Recorder, Trace, record
 
 
+# Why: docs/decisions.md, "python square.py needs no host"
 def trace_main_program(client: Client, path: Path) -> Callable[[], None]:
     """Write the trace of the running program; return the function that ends it.
 

@@ -19,6 +19,7 @@ from learnblock.runtime.containment.scratch import Scratch
 _CHILD = "learnblock.runtime.child"
 
 
+# Why: docs/decisions.md, "learnblock run starts the child first"
 class Standby:
     """A process in a separate session, so that its children can be ended with it.
 

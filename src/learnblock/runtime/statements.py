@@ -17,6 +17,7 @@ Trace = Callable[[FrameType, str, Any], Any]
 _MODULE = "<module>"
 
 
+# Why: docs/decisions.md, "A line event is a statement that begins"
 class Statements:
     """The statements of a program, and the one that each of its frames is in.
 

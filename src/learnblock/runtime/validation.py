@@ -45,6 +45,7 @@ _SENSE = re.compile("|".join(one.replace("{}", r"\w{1,50}") for one in {*METHODS
 _LONGEST_KEY = 200
 
 
+# Why: docs/decisions.md, "The host believes nothing"
 class Validator:
     """Checks the messages of one child.
 

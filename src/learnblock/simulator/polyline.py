@@ -81,6 +81,7 @@ class Polyline:
         rows = np.hstack((*columns, self._lengths[:, None])).tolist()
         return [(a, b, c, d, e, f, g) for a, b, c, d, e, f, g in rows]
 
+    # Why: docs/decisions.md, "Nothing is computed twice that cannot have changed"
     @cached_property
     def _cells(self) -> dict[tuple[int, int], list[Piece]]:
         """For each square of the plane in use, the pieces that may be nearest to a point in it."""

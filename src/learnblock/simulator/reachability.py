@@ -243,7 +243,7 @@ class _Floor:
         return _Reached(self._grid, np.isin(areas, list(starts)))
 
     def _starts(self, free: Mask) -> Iterator[tuple[int, int]]:
-        """The free cells nearest to the starts: a robot on a blocked start is put beside it."""
+        """The free cells nearest to the starts: a robot on a blocked start is put next to it."""
         rows, columns = np.nonzero(free)
         starts = [(start.x, start.y) for start in self._world.start] or [(0.0, 0.0)]
         for row, column in zip(*self._grid.cells_at(np.array(starts)), strict=True):

@@ -404,7 +404,7 @@ class RobotBody:
         return self.chassis.pose
 
     def _wheel_error(self, wheel: str, deviation: float) -> float:
-        # The size of a wheel is no reading, so the factor of the sensors' noise is left out.
+        # The size of a wheel isn't a reading, so the factor of the sensors' noise is left out.
         error = deviation * Noise(self._world.seed, self.name).normal(f"{wheel} wheel")
         return min(max(error, -3 * deviation), 3 * deviation)
 

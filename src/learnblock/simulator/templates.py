@@ -253,7 +253,7 @@ def _walls(size: int, ways: set[Edge]) -> set[Edge]:
 
 
 def _chains(edges: Iterable[Edge]) -> list[list[Cell]]:
-    """Join edges to chains of corners, as long as they go on."""
+    """Join edges to chains of corners, as far as they continue."""
     links: dict[Cell, set[Cell]] = {}
     for edge in edges:
         one, other = edge

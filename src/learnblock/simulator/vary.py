@@ -30,7 +30,7 @@ MOST_PLACES = 20
 MOST_TRIES = 50
 """How many times all objects are placed again because one of them did not fit."""
 ROOM = 140.0
-"""The radius in mm of the free floor around a start; the largest robot of ours needs 127."""
+"""The radius in mm of the free floor around a start; our largest robot needs 127."""
 LISTS = ("start", "box", "cylinder", "tag", "face")
 """The lists of a world's file whose objects can move; those that need most room come first."""
 

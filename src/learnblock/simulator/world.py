@@ -144,7 +144,7 @@ class World:
             self._check_goals(list(map(self._state_of, self.robots.values())))
 
     def copy(self) -> "World":
-        """The same world once more, to go on from here on its own.
+        """A copy of the world, which continues from here on its own.
 
         The physics forgets the contacts of the last step, so after one the copy may go on slightly
         differently.

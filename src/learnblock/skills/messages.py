@@ -17,6 +17,7 @@ def send(robot: "Client", message: str = "go", value: "str | None" = None) -> No
     robot.mailbox.send(message, value)
 
 
+# Why: docs/decisions.md, "Messages are skills, not syntax"
 def received(robot: "Client", message: str = "go") -> bool:
     """Has another robot sent this message? Each message is answered with yes once.
 

@@ -14,10 +14,10 @@ from learnblock.errors import LearnBlockError
 
 #: The variable: a number of bytes, a space, and the folder.
 VARIABLE = "LEARNBLOCK_QUOTA"
-#: Files up to this size, in bytes, can still be replaced when the folder is full, so that the work
-#: on what exists goes on.
+#: Files up to this size, in bytes, can still be replaced when the folder is full, so that work on
+#: existing projects continues.
 _SMALL = 4 * 1024 * 1024
-#: Seconds for which a measurement holds; what is written meanwhile is added.
+#: Seconds for which a measurement holds; files written in this time are added.
 _FRESH = 10.0
 
 
@@ -47,7 +47,7 @@ class Quota:
         """Check that there is room for a file.
 
         Args:
-            path: where it is to be written.
+            path: where it will be written.
             size: its size in bytes.
 
         Raises:

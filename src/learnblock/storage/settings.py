@@ -40,7 +40,7 @@ SettingsT = TypeVar("SettingsT", bound=Settings)
 
 @dataclass(frozen=True, slots=True)
 class Described:
-    """One setting, as it is shown to a person.
+    """One setting, as shown to a person.
 
     Args:
         name: the name of the setting.

@@ -43,7 +43,7 @@ def _describe_scalar(allowed: inspect.Type) -> Phrase:
         case inspect.StrType(min_length=least, max_length=most):
             if most is not None:
                 return Phrase("toml-text", least=least or 0, most=most)
-            # Its description says what it is like.
+            # Its description says more.
             return Phrase("toml-plain-text")
     return Phrase("toml-boolean" if isinstance(allowed, inspect.BoolType) else "toml-table")
 

@@ -6,7 +6,7 @@ from typing import Any
 
 #: A part of a dotted key, with its dot.
 _PART = r"""(?:[\w-]++|"(?:[^"\\\n]|\\.)*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+"""
-#: A key of more parts than any of ours has: tomllib takes time quadratic in their number.
+#: More parts than any of our keys has: tomllib takes time quadratic in their number.
 _DEEP_KEY = re.compile(rf"""(?<![\w"'-])(?:{_PART}){{32}}""", re.ASCII)
 
 

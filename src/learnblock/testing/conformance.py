@@ -57,6 +57,7 @@ class Certificate:
         return "\n".join([f"{self.robot} {verdict}", *(line.rstrip() for line in lines)])
 
 
+# Why: docs/decisions.md, "Every robot keeps the same promises"
 def check_robot(
     make_robot: Make,
     *,

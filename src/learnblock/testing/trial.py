@@ -90,7 +90,7 @@ def _read(robot: Client, sensor: Sensor[Any]) -> Phrase:
 
 
 def _describe(sensor: Sensor[Any], reading: Any) -> Phrase:
-    """A reading in words."""
+    """A reading as text."""
     if isinstance(sensor, Camera):
         height, width, _ = reading.shape
         return Phrase("testing-picture", width=width, height=height)

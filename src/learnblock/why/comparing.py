@@ -69,6 +69,7 @@ def compared(one: History, other: History) -> Comparison:
     return Comparison(found, causes or tuple(_without_cause(one, other, found)), changed)
 
 
+# Why: docs/decisions.md, "Two runs part at the first decision that differs"
 def parting(one: History, other: History) -> Parting | None:
     """Find the first decision in which two runs differ; None if there is none."""
     return compared(one, other).parting

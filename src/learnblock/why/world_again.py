@@ -27,6 +27,7 @@ NAME = "robot"
 APART, MOST_KEPT = 1000, 64
 
 
+# Why: docs/decisions.md, "The log holds no poses and no pictures of a simulated run"
 class WorldAgain:
     """The world of a run at any moment.
 

@@ -6,7 +6,7 @@ PAGE = ROOT / "docs" / "skills.md"
 
 
 def test_the_page_of_skills_is_up_to_date():
-    # `python -m learnblock.blocks.reference docs/skills.md` writes it.
+    # `scripts/docs` writes it.
     assert PAGE.read_text("utf-8") == reference()
 
 
@@ -14,6 +14,12 @@ def test_every_skill_has_its_entry():
     page = reference()
 
     assert [] == [name for name in builtin() if f"### `{name}(" not in page]
+
+
+def test_the_table_at_the_beginning_leads_to_each_skill():
+    contents = reference().partition("\n## ")[0]
+
+    assert [] == [name for name in builtin() if f"[{name}](#{name.lower()}" not in contents]
 
 
 def test_an_entry_shows_parameters_needs_and_labels():

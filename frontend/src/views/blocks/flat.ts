@@ -16,6 +16,7 @@ export interface Node {
   readonly statement: boolean;
 }
 
+// Why: docs/decisions.md, "A workspace travels flat"
 /** All blocks except shadows by id, parents before children. */
 export function index(workspace: Workspace): Map<string, Node> {
   const found = new Map<string, Node>();

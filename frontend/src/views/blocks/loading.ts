@@ -3,6 +3,7 @@
 import type * as Blockly from "blockly/core";
 import { t } from "../../i18n";
 
+// Why: docs/decisions.md, "Blocks of a long program load in slices"
 export class Loading {
   private readonly note = document.createElement("p");
   private timer: ReturnType<typeof setTimeout> | 0 = 0;

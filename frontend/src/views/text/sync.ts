@@ -10,6 +10,7 @@ import { selectAt } from "./places";
 /** Marks a change that comes from the program and is not reported to it. */
 const fromProgram = Annotation.define<boolean>();
 
+// Why: docs/decisions.md, "The page is thin"
 /** Reports the user's edits to the program. */
 export function sendEdits(program: Program, notation: Notation): Extension {
   return EditorView.updateListener.of(({ docChanged, transactions, view }) => {

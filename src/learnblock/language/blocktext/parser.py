@@ -61,6 +61,7 @@ def recover(text: str) -> tuple[Program, tuple[Diagnostic, ...]]:
     return program, tuple(dict.fromkeys(found))[:MAX_DIAGNOSTICS]
 
 
+# Why: docs/decisions.md, "The parser is written by hand"
 class _Parser(StatementParser):
     """Reads the top level of a program."""
 

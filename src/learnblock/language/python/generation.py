@@ -33,6 +33,7 @@ class PythonText:
     extents: Mapping[int, Extent]
 
 
+# Why: docs/decisions.md, "Generated Python is what a good teacher would write"
 def to_python(program: Program, robot_module: str | None = DEFAULT_ROBOT) -> PythonText:
     """Write a program as Python, for one robot.
 

@@ -22,6 +22,7 @@ from learnblock.perception.frames import Frame, checked
 if TYPE_CHECKING:
     from learnblock.perception.sight import Sight
 
+# Why: docs/decisions.md, "The network for emotions is used as published"
 WEIGHTS = Path(__file__).parents[1] / "weights" / "emotions.onnx"
 #: The net's classes in its own order, with the names of the robots' emotions.
 EMOTIONS = ("neutral", "joy", "sadness", "anger", "fear", "disgust", "surprise")

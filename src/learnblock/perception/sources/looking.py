@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from learnblock.perception.frames import Frame
 
 
+# Why: docs/decisions.md, "Cameras are analysed in one place"
 class Vision(Closing):
     """The detections in a camera's pictures.
 

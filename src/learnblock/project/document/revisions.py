@@ -35,6 +35,7 @@ MOST_BYTES = 32 * 1024 * 1024
 _read_workspace = msgspec.json.Decoder(Workspace).decode
 
 
+# Why: docs/decisions.md, "Undo is the server's"
 class Revisions:
     """The current program, and those before and after it.
 

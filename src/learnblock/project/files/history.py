@@ -59,6 +59,7 @@ class PastRun(Struct, frozen=True):
 _read_runs = msgspec.json.Decoder(list[PastRun]).decode
 
 
+# Why: docs/decisions.md, "A kept version is a file, not a number of the log of revisions"
 @dataclass(frozen=True)
 class History:
     """The versions, runs and picture of one project, in one folder.

@@ -48,6 +48,7 @@ def fits(project: Project) -> bool:
         return False
 
 
+# Why: docs/decisions.md, "Every save carries what the program needs"
 def packed(project: Project, home: str) -> Project:
     """Put into a project the world, blocks, libraries and tag names that it uses.
 

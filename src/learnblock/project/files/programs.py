@@ -22,7 +22,7 @@ Report = Callable[[Phrase], object]
 
 @dataclass(frozen=True)
 class ProgramFile:
-    """A program, and what its project says about its run.
+    """A program, with the settings of its run from its project.
 
     Args:
         source: the program.

@@ -67,6 +67,7 @@ class Owner(msgspec.Struct, frozen=True):
         return Phrase("server-owner-elsewhere", computer=self.computer, **shown)
 
 
+# Why: docs/decisions.md, "One server writes to a folder"
 class Writer:
     """A claim to a projects folder.
 

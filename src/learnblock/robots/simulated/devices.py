@@ -31,6 +31,7 @@ from learnblock.simulator import RobotBody
 
 #: What every robot has in a world, whatever it has in reality.
 WORLD_DEVICES = ("Pen:ROBOT", "Screen:ROBOT")
+# Why: docs/decisions.md, "The last digits of a computer stay inside the simulator"
 #: Decimals of every reading: the last digits of sines differ between computers.
 DECIMALS = 3
 

@@ -25,6 +25,7 @@ Result = TypeVar("Result")
 _FINISHING = 0.1
 
 
+# Why: docs/decisions.md, "A driver is contained as a thread"
 def give_up(rights: Rights) -> None:
     """Permanently refuse this thread everything but reading, computing and these rights.
 

@@ -23,6 +23,7 @@ def prepare() -> None:
             import_module(f"learnblock.runtime.containment.{name}")
 
 
+# Why: docs/decisions.md, "A pupil's program is contained by the kernel, from within"
 def contain(setup: Setup) -> None:
     """Contain this process permanently.
 

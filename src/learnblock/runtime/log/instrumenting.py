@@ -69,6 +69,7 @@ class Instrumented:
     nodes: tuple[Node, ...]
 
 
+# Why: docs/decisions.md, "A log is made by an instrumented copy of the program"
 def instrument(source: str) -> Instrumented:
     """Instrument a program.
 

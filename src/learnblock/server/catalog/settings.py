@@ -80,6 +80,7 @@ def videos() -> Path:
     return home() / "videos"
 
 
+# Why: docs/decisions.md, "A page may set less than the command line"
 def _permitted(name: str, value: Any) -> Any:
     """Refuse paths: a page must not choose arbitrary files on this computer."""
     if name == "video" and value:

@@ -44,6 +44,7 @@ _HEADERS = {
 }
 
 
+# Why: docs/decisions.md, "The server is for this computer"
 @dataclass(frozen=True)
 class Protection:
     """The conditions for requests to the server.

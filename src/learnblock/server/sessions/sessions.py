@@ -28,6 +28,7 @@ MOST_RUNS = 8
 _log = logging.getLogger(__name__)
 
 
+# Why: docs/decisions.md, "One project is one session"
 class Sessions:
     """The sessions, by project name.
 
