@@ -275,7 +275,11 @@ class ExpressionReader:
 
 def start_of(node: ast.stmt) -> int:
     decorators = getattr(node, "decorator_list", None)
-    return min([node.lineno, *(one.lineno for one in decorators)]) if decorators else node.lineno
+    return (
+        min([node.lineno, *(decorator.lineno for decorator in decorators)])
+        if decorators
+        else node.lineno
+    )
 
 
 def end_of(node: ast.stmt) -> int:
