@@ -4,8 +4,8 @@ import ast
 from collections.abc import Callable
 
 from learnblock.language.blocktext import names
-from learnblock.language.blocktext.expression_parser import MAX_HEIGHT
 from learnblock.language.blocktext.names import state_of
+from learnblock.language.blocktext.nested_reader import MAX_HEIGHT
 from learnblock.language.tree import texts
 from learnblock.language.tree.builtins import TEMPLATES, is_builtin, recognized
 from learnblock.language.tree.nodes import (

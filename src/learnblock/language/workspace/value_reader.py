@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping
 from learnblock.blocks import BlockConfiguration, Parameter
 from learnblock.blocks.toolbox import SKILL
 from learnblock.i18n import Phrase
-from learnblock.language.blocktext.expression_parser import MAX_HEIGHT
+from learnblock.language.blocktext.nested_reader import MAX_HEIGHT
 from learnblock.language.tree import texts
 from learnblock.language.tree.nodes import (
     NOWHERE,
