@@ -107,7 +107,7 @@ class FileError(LearnBlockError, ValueError):
         self.phrase = _summary(self.diagnostics)
 
     def __str__(self) -> str:
-        return "\n".join(one.located(self.filename) for one in self.diagnostics)
+        return "\n".join(diagnostic.located(self.filename) for diagnostic in self.diagnostics)
 
     def __reduce__(self) -> tuple[object, ...]:
         return type(self), (self.filename, self.diagnostics, self.source)

@@ -85,11 +85,15 @@ def add_on(extra: str) -> str:
 
 def requirements(extra: str) -> tuple[str, ...]:
     """The packages of an extra, as installers take them."""
-    found = (_REQUIREMENT.match(one) for one in metadata.requires(DISTRIBUTION) or ())
+    found = (
+        _REQUIREMENT.match(requirement) for requirement in metadata.requires(DISTRIBUTION) or ()
+    )
     return tuple(
-        f"{one['packages']}; {one['condition']}" if one["condition"] else one["packages"]
-        for one in found
-        if one and one["extra"] == extra
+        f"{requirement['packages']}; {requirement['condition']}"
+        if requirement["condition"]
+        else requirement["packages"]
+        for requirement in found
+        if requirement and requirement["extra"] == extra
     )
 
 

@@ -13,7 +13,7 @@ def shown(value: float, *others: float) -> str:
     """
     for decimals in range(_DECIMALS, _MOST):
         short = round(value, decimals)
-        if all(_order(short, one) == _order(value, one) for one in others):
+        if all(_order(short, other) == _order(value, other) for other in others):
             return repr(short).removesuffix(".0")
     return repr(value)
 

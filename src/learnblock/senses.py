@@ -88,9 +88,9 @@ def equipment(devices: Iterable[str], abilities: frozenset[str] | None) -> froze
     names = frozenset(devices)
     types = {name.partition(":")[0] for name in names}
     if abilities is None:
-        every = ((f"{kind}:{one}" for one in ABILITIES.get(kind, ())) for kind in types)
+        every = ((f"{kind}:{ability}" for ability in ABILITIES.get(kind, ())) for kind in types)
         return names | types | frozenset(chain.from_iterable(every))
-    return names | types | {one for one in abilities if one.partition(":")[0] in types}
+    return names | types | {ability for ability in abilities if ability.partition(":")[0] in types}
 
 
 @lru_cache(maxsize=1000)

@@ -49,7 +49,10 @@ def definitions(
     """All our blocks; the words of skills are in `language`, such as ``es``."""
     shown = list(filter(is_skill_block, configurations))
     paired = pairs(shown)
-    skills = [skill_definition(one, language, paired.get(one.name)) for one in shown]
+    skills = [
+        skill_definition(configuration, language, paired.get(configuration.name))
+        for configuration in shown
+    ]
     return [*_hats(), *_statements(), *_values(), *skills]
 
 
@@ -74,7 +77,11 @@ def _text(name: str, text: str = "") -> Definition:
 
 
 def _choice(name: str, choices: Iterable[str]) -> Definition:
-    return {"type": "field_dropdown", "name": name, "options": [[one, one] for one in choices]}
+    return {
+        "type": "field_dropdown",
+        "name": name,
+        "options": [[choice, choice] for choice in choices],
+    }
 
 
 def _hats() -> list[Definition]:
@@ -132,7 +139,7 @@ def _statements() -> list[Definition]:
         inputsInline=True,
         **_DO,
     )
-    return [{**one, **_STATEMENT} for one in (*found, forever, unpacking)]
+    return [{**definition, **_STATEMENT} for definition in (*found, forever, unpacking)]
 
 
 def _values() -> list[Definition]:
@@ -198,7 +205,8 @@ def skill_definition(
         "style": style_of(configuration.category),
         "message0": _message(configuration, language),
         "args0": [
-            _with_types(one, pair) if pair else one for one in _arguments(configuration, language)
+            _with_types(argument, pair) if pair else argument
+            for argument in _arguments(configuration, language)
         ],
         "inputsInline": True,
         "tooltip": _plain(translated(configuration.tooltip, language, "")),
@@ -208,14 +216,14 @@ def skill_definition(
 
 def _message(configuration: BlockConfiguration, language: str) -> str:
     """The label in Blockly's notation: a percent sign is doubled, and %1 is an argument."""
-    names = [one["name"] for one in _arguments(configuration, language)]
+    names = [argument["name"] for argument in _arguments(configuration, language)]
     places = {name: f"%{index}" for index, name in enumerate(names, 1)}
     escaped = replace(
         configuration,
         languages=_all_plain(configuration.languages),
         parameters=tuple(
-            replace(one, translations=_all_plain(one.translations))
-            for one in configuration.parameters
+            replace(parameter, translations=_all_plain(parameter.translations))
+            for parameter in configuration.parameters
         ),
     )
 
@@ -225,7 +233,9 @@ def _message(configuration: BlockConfiguration, language: str) -> str:
         return f" {more} {before} {words} {after} "
 
     filling = Filling(
-        lambda one: places[one.name], lambda one: places[one.name + _DIRECTION], optional
+        lambda argument: places[argument.name],
+        lambda argument: places[argument.name + _DIRECTION],
+        optional,
     )
     return sentence(escaped, language, filling)
 
@@ -236,10 +246,16 @@ def _all_plain(texts: Mapping[str, str]) -> dict[str, str]:
 
 def _arguments(configuration: BlockConfiguration, language: str) -> list[Definition]:
     parameters = configuration.parameters
-    directions = [_direction(one, language) for one in parameters if one.directions]
-    parts = [one for part in optional_parts(configuration, language) for one in _optional(part)]
+    directions = [
+        _direction(parameter, language) for parameter in parameters if parameter.directions
+    ]
+    parts = [
+        argument for part in optional_parts(configuration, language) for argument in _optional(part)
+    ]
     unit = units(configuration, language)
-    named = [_parameter(one, language, unit.get(one.name, "")) for one in parameters]
+    named = [
+        _parameter(parameter, language, unit.get(parameter.name, "")) for parameter in parameters
+    ]
     return [*named, *directions, *parts]
 
 
@@ -247,9 +263,9 @@ def _optional(part: OptionalPart) -> list[Definition]:
     """A button that shows the part, and the ends of what it shows: the page hides it."""
     more, before, after = (part.parameters[0].name + end for end in _OPTIONAL)
     usual = {
-        one.name: shadow.value
-        for one in part.parameters
-        if (shadow := parameter_shadow(one)) is not None
+        parameter.name: shadow.value
+        for parameter in part.parameters
+        if (shadow := parameter_shadow(parameter)) is not None
     }
     return [
         {"type": "lb_more", "name": more, "usual": usual, "end": after},
@@ -285,7 +301,8 @@ def _field(parameter: Parameter, language: str) -> Definition:
     if parameter.choices:
         names = parameter.choice_names
         options = [
-            [translated(names.get(one, {}), language, one), one] for one in parameter.choices
+            [translated(names.get(choice, {}), language, choice), choice]
+            for choice in parameter.choices
         ]
         return {"options": options, **({"open": True} if parameter.type == "string" else {})}
     if parameter.range is None:

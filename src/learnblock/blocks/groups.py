@@ -121,7 +121,7 @@ GROUPS = (
     ),
 )
 
-_OF_CATEGORY = {category: one.name for one in GROUPS for category in one.categories}
+_OF_CATEGORY = {category: group.name for group in GROUPS for category in group.categories}
 
 
 def group_of(category: str) -> str:

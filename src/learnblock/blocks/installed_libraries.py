@@ -97,7 +97,9 @@ def functions_beside(
             known[module] = imported | uses_of(tree, imported)
         return known.get(module, {})
 
-    needs = {name: one.needed(skills) for name, one in imported_names(imports, defined).items()}
+    needs = {
+        name: module.needed(skills) for name, module in imported_names(imports, defined).items()
+    }
     return {
         name: BlockConfiguration("others", "", name, needs=found)
         for name, found in needs.items()
@@ -117,12 +119,12 @@ def blocks(name: str, files: Mapping[str, str]) -> tuple[BlockConfiguration, ...
     """
     titles = _titles(files.get(MANIFEST, ""))
     category = titles.get("EN") or name.replace("_", " ").capitalize()
-    skills = {one.name: one for file, text in files.items() for one in skills_in(file, text)}
-    found = {name: replace(derived(one, ""), category=category) for name, one in skills.items()}
+    skills = {skill.name: skill for file, text in files.items() for skill in skills_in(file, text)}
+    found = {name: replace(derived(skill, ""), category=category) for name, skill in skills.items()}
     for block in load_configurations(files[CONFIGURATIONS]) if CONFIGURATIONS in files else ():
         if block.name in found:
             found[block.name] = fitted(block, skills[block.name], found[block.name])
-    uses = {name: one.uses for name, one in skills.items()}
+    uses = {name: skill.uses for name, skill in skills.items()}
     ready = with_needs(found.values(), uses, builtin())
     return tuple(replace(block, library=name, titles=titles) for block in ready)
 
@@ -135,7 +137,9 @@ def skills_in(filename: str, source: str) -> tuple[Signature, ...]:
     """
     if not filename.endswith(".py"):
         return ()
-    return tuple(one for one in signatures(source, filename) if one.robot == "robot")
+    return tuple(
+        signature for signature in signatures(source, filename) if signature.robot == "robot"
+    )
 
 
 def texts(folder: Path) -> dict[str, str]:

@@ -51,8 +51,8 @@ class _Search:
 
     def users(self, path: Path) -> None:
         try:
-            for one in signatures(skill_files.read(path), str(path)):
-                self.skill(one, derived(one, str(path)))
+            for signature in signatures(skill_files.read(path), str(path)):
+                self.skill(signature, derived(signature, str(path)))
         except FileError as error:
             self.problems.append(error)
             first = error.diagnostics[0]
@@ -93,10 +93,14 @@ class _Search:
 
     def add_needs(self) -> None:
         """Add what custom skills need by their source."""
-        uses = {name: one.uses for name, one in self.signatures.items()}
-        others = {name: one for name, one in self.found.items() if name not in uses}
+        uses = {name: signature.uses for name, signature in self.signatures.items()}
+        others = {
+            name: configuration for name, configuration in self.found.items() if name not in uses
+        }
         own = [self.found[name] for name in uses]
-        self.found.update({one.name: one for one in with_needs(own, uses, others)})
+        self.found.update(
+            {configuration.name: configuration for configuration in with_needs(own, uses, others)}
+        )
 
     def described(self, block: BlockConfiguration) -> BlockConfiguration:
         """A configured block, completed from its earlier configuration."""

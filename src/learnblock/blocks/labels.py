@@ -52,8 +52,8 @@ def label(block: BlockConfiguration, language: str) -> str:
         block,
         language,
         Filling(
-            lambda one: f"({parameter_name(one, language)})",
-            lambda one: direction(one, one.default, language),
+            lambda parameter: f"({parameter_name(parameter, language)})",
+            lambda parameter: direction(parameter, parameter.default, language),
         ),
     )
 
@@ -68,19 +68,23 @@ def spoken(block: BlockConfiguration, language: str, values: Mapping[str, object
     'wait 1 second'
     """
 
-    def value(one: Parameter) -> object:
-        return values.get(one.name, one.default)
+    def value(parameter: Parameter) -> object:
+        return values.get(parameter.name, parameter.default)
 
-    def field(one: Parameter) -> str:
-        shown = value(one)
-        is_directed = one.directions and isinstance(shown, int | float)
+    def field(parameter: Parameter) -> str:
+        shown = value(parameter)
+        is_directed = parameter.directions and isinstance(shown, int | float)
         return str(abs(shown) if is_directed else shown)  # type: ignore[arg-type] # is_directed
 
     def unusual(parameters: Sequence[Parameter], words: str) -> str:
-        return words if any(value(one) != one.default for one in parameters) else ""
+        return (
+            words if any(value(parameter) != parameter.default for parameter in parameters) else ""
+        )
 
-    filling = Filling(field, lambda one: direction(one, value(one), language), unusual)
-    ones = {one.name for one in block.parameters if value(one) == 1}
+    filling = Filling(
+        field, lambda parameter: direction(parameter, value(parameter), language), unusual
+    )
+    ones = {parameter.name for parameter in block.parameters if value(parameter) == 1}
     return sentence(_with_singular(block, language, ones), language, filling)
 
 
@@ -123,19 +127,21 @@ def sentence(block: BlockConfiguration, language: str, filling: Filling) -> str:
     for part in optional_parts(block, language):
         words = filling.optional(part.parameters, part.words)
         text = text.replace(f"[{part.words}]", words)
-        left_out |= set() if words else {one.name for one in part.parameters}
-    parameters = {one.name: one for one in block.parameters}
-    fields = {name: filling.field(one) for name, one in parameters.items()}
+        left_out |= set() if words else {parameter.name for parameter in part.parameters}
+    parameters = {parameter.name: parameter for parameter in block.parameters}
+    fields = {name: filling.field(parameter) for name, parameter in parameters.items()}
     directions = {
-        name: filling.direction(one) for name, one in parameters.items() if one.directions
+        name: filling.direction(parameter)
+        for name, parameter in parameters.items()
+        if parameter.directions
     }
     named = {name for name, directed in _PLACE.findall(text) if not directed}
     placed = {name for name, directed in _PLACE.findall(text) if directed}
     for name in directions.keys() - placed:
         fields[name] = f"{directions.pop(name)} {fields[name]}"
     following = [
-        f"{parameter_name(one, language)} {fields[name]}"
-        for name, one in parameters.items()
+        f"{parameter_name(parameter, language)} {fields[name]}"
+        for name, parameter in parameters.items()
         if name not in named | left_out
     ]
 
@@ -161,7 +167,9 @@ class OptionalPart:
 
 def optional_parts(block: BlockConfiguration, language: str) -> tuple[OptionalPart, ...]:
     """The optional parts of a label; brackets around anything else are plain text."""
-    parameters = {one.name: one for one in block.parameters if not one.required}
+    parameters = {
+        parameter.name: parameter for parameter in block.parameters if not parameter.required
+    }
     found = []
     for words in _OPTIONAL.findall(translated(block.languages, language, block.name)):
         names = [name for name, directed in _PLACE.findall(words) if not directed]

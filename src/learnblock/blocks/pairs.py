@@ -29,15 +29,15 @@ class Pair:
 def pairs(configurations: Iterable[BlockConfiguration]) -> dict[str, Pair]:
     """The pairs in the configurations, by the name of each of their functions."""
     alike: dict[str, list[BlockConfiguration]] = {}
-    for one in configurations:
-        if _turned(one) is not None:
-            alike.setdefault(_said(one), []).append(one)
+    for configuration in configurations:
+        if _turned(configuration) is not None:
+            alike.setdefault(_said(configuration), []).append(configuration)
     found = filter(None, map(_pair, alike.values()))
     return {name: pair for pair in found for name in pair.names.values()}
 
 
 def _pair(group: list[BlockConfiguration]) -> Pair | None:
-    names = {_direction(one): one.name for one in group}
+    names = {_direction(configuration): configuration.name for configuration in group}
     parameter = _turned(group[0])
     if len(group) != len(names) or len(names) == 1 or parameter is None:
         return None
@@ -51,7 +51,11 @@ def _direction(block: BlockConfiguration) -> str:
 
 def _turned(block: BlockConfiguration) -> Parameter | None:
     """The only parameter with words for its sign and a default with one."""
-    found = [one for one in block.parameters if one.directions and _number(one) != 0]
+    found = [
+        parameter
+        for parameter in block.parameters
+        if parameter.directions and _number(parameter) != 0
+    ]
     return found[0] if len(found) == 1 else None
 
 
@@ -63,7 +67,7 @@ def _said(block: BlockConfiguration) -> str:
     """What both blocks of a pair have in common."""
     turned = _turned(block)
     parameters = [
-        replace(one, default=abs(_number(one))) if one is turned else one
-        for one in block.parameters
+        replace(parameter, default=abs(_number(parameter))) if parameter is turned else parameter
+        for parameter in block.parameters
     ]
     return repr((block.category, block.library, block.shapes, block.languages, parameters))

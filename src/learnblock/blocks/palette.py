@@ -39,9 +39,11 @@ def palette(configurations: Mapping[str, BlockConfiguration], language: str) -> 
 def _titles(configurations: Mapping[str, BlockConfiguration], language: str) -> dict[str, str]:
     """The names of the tabs that libraries bring."""
     return {
-        category_word(one.category): translated(one.titles, language, one.category)
-        for one in configurations.values()
-        if one.titles
+        category_word(configuration.category): translated(
+            configuration.titles, language, configuration.category
+        )
+        for configuration in configurations.values()
+        if configuration.titles
     }
 
 
@@ -61,7 +63,7 @@ def languages() -> tuple[str, ...]:
 def translation(language: str) -> Mapping[str, str]:
     """The words of the built-in blocks of the language, by message name."""
     known = languages()
-    chosen = next((one for one in (language, language.partition("-")[0]) if one in known), "en")
+    chosen = next((code for code in (language, language.partition("-")[0]) if code in known), "en")
     return MappingProxyType({**_words("en"), **_words(chosen)})
 
 

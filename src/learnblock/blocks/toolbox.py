@@ -100,7 +100,10 @@ FIRST_TEXTS: Mapping[tuple[str, str], str] = MappingProxyType(
         **dict.fromkeys(
             (("say_Text", "text"), ("show_text", "text"), ("matrix_text", "text")), "LB_FIRST_TEXT"
         ),
-        **{(one, "message"): "LB_FIRST_MESSAGE" for one in ("send", "received", "message_value")},
+        **{
+            (block, "message"): "LB_FIRST_MESSAGE"
+            for block in ("send", "received", "message_value")
+        },
     }
 )
 
@@ -288,7 +291,7 @@ def toolbox(
     skills = _skill_tabs(configurations.values(), words)
     return {
         "kind": "categoryToolbox",
-        "groups": [_group(one, words) for one in GROUPS],
+        "groups": [_group(group, words) for group in GROUPS],
         "contents": [*skills, events, custom[0], *others, *custom[1:]],
     }
 
@@ -296,8 +299,8 @@ def toolbox(
 def _group(group: Group, words: Mapping[str, str]) -> dict[str, Any]:
     """A group with its headings and first blocks."""
     first = [
-        {"heading": words[one.heading] if one.heading else "", "blocks": one.blocks}
-        for one in group.first
+        {"heading": words[section.heading] if section.heading else "", "blocks": section.blocks}
+        for section in group.first
     ]
     return {"group": group.name, "name": words[group.word], "first": first}
 
@@ -346,10 +349,17 @@ def _inputs(kind: str, state: Mapping[str, Any]) -> dict[str, Any]:
 def _skill_tabs(
     configurations: Iterable[BlockConfiguration], words: Mapping[str, str]
 ) -> list[dict[str, Any]]:
-    found = sorted(filter(is_skill_block, configurations), key=lambda one: one.category)
-    by_category = {name: list(blocks) for name, blocks in groupby(found, lambda one: one.category)}
+    found = sorted(
+        filter(is_skill_block, configurations), key=lambda configuration: configuration.category
+    )
+    by_category = {
+        name: list(blocks)
+        for name, blocks in groupby(found, lambda configuration: configuration.category)
+    }
     paired = pairs(found)
-    order = dict.fromkeys(one.category for one in configurations if is_skill_block(one))
+    order = dict.fromkeys(
+        configuration.category for configuration in configurations if is_skill_block(configuration)
+    )
     return [
         {
             "kind": "category",
@@ -357,7 +367,8 @@ def _skill_tabs(
             "category": category,
             "group": group_of(category),
             "contents": [
-                skill_block(one, paired.get(one.name), words) for one in by_category[category]
+                skill_block(configuration, paired.get(configuration.name), words)
+                for configuration in by_category[category]
             ],
         }
         for category in order
@@ -374,9 +385,12 @@ def skill_block(
     The second block of a `pair` names the first, which also does what it does.
     """
     shadows = {
-        one.name: _first_shadow(configuration, one, words) for one in configuration.parameters
+        parameter.name: _first_shadow(configuration, parameter, words)
+        for parameter in configuration.parameters
     }
-    inputs = {name: {"shadow": one.block()} for name, one in shadows.items() if one is not None}
+    inputs = {
+        name: {"shadow": shadow.block()} for name, shadow in shadows.items() if shadow is not None
+    }
     given = len(list(takewhile(_is_shown, configuration.parameters)))
     return {
         "kind": "block",

@@ -60,11 +60,13 @@ def check(file: Path, configuration: Path | None, as_json: bool) -> None:  # noq
     replaces = file.stem if is_own else ""
     checked = custom_blocks.check(source, chosen, name=file.stem, replaces=replaces)
     files = {"configuration": (str(configuration), chosen)}
-    found = [(*files.get(one.part, (str(file), source)), one) for one in checked.problems]
+    found = [
+        (*files.get(problem.part, (str(file), source)), problem) for problem in checked.problems
+    ]
     if as_json:
-        print_json([_as_object(name, one) for name, _, one in found])
-    for name, code, one in found if not as_json else ():
-        print_diagnostics(name, [one.diagnostic], code)
+        print_json([_as_object(name, problem) for name, _, problem in found])
+    for name, code, problem in found if not as_json else ():
+        print_diagnostics(name, [problem.diagnostic], code)
     sys.exit(ExitCode.MISTAKES if checked.errors else ExitCode.WELL)
 
 
@@ -103,11 +105,11 @@ def import_command(file: Path, replace: bool) -> None:  # noqa: FBT001 - a click
 
 def _print_list(blocks: "tuple[CustomBlock, ...]", *, as_json: bool) -> None:
     if as_json:
-        print_json([_listed(one) for one in blocks])
+        print_json([_listed(block) for block in blocks])
         return
-    for one in blocks:
-        click.echo(f"{one.name:<16} {', '.join(one.functions)}")
-        for problem in one.problems:
+    for block in blocks:
+        click.echo(f"{block.name:<16} {', '.join(block.functions)}")
+        for problem in block.problems:
             click.echo(f"    {problem.part}:{problem.diagnostic.line}: {_message(problem)}")
     if not blocks:
         say("cli-blocks-none")
@@ -122,7 +124,7 @@ def _listed(block: "CustomBlock") -> dict[str, object]:
         "name": block.name,
         "category": block.category,
         "functions": block.functions,
-        "problems": [_as_object(f"{block.name}.py", one) for one in block.problems],
+        "problems": [_as_object(f"{block.name}.py", problem) for problem in block.problems],
     }
 
 

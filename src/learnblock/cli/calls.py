@@ -74,17 +74,17 @@ def calls_command(
 
 
 def _show_beside(
-    one: "Calls", other: "Calls", files: tuple[str, str], svg: Path | None, *, as_json: bool
+    first: "Calls", second: "Calls", files: tuple[str, str], svg: Path | None, *, as_json: bool
 ) -> None:
     from learnblock.why.calls_beside import beside  # noqa: PLC0415 - as above
     from learnblock.why.graph_picture import pictures_beside  # noqa: PLC0415
 
-    both = beside(one, other)
-    names = (f"{files[0]} ({one.robot})", f"{files[1]} ({other.robot})")
+    both = beside(first, second)
+    names = (f"{files[0]} ({first.robot})", f"{files[1]} ({second.robot})")
     if svg:
         svg.write_text(pictures_beside(both, _titles(), names), "utf-8")
     if as_json:
-        print_json({"first": one, "second": other, "pairs": both.pairs})
+        print_json({"first": first, "second": second, "pairs": both.pairs})
     else:
         _print_beside(both, names)
 

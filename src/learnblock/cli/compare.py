@@ -87,12 +87,12 @@ def _compare_with_twin(log: Path, world: str, *, as_json: bool) -> None:
                 "parting": predicted.parting,
                 "delay": predicted.delay,
                 "drift": drifted,
-                "findings": [_plain(one) for one in found],
-                "unrecorded": [text(one) for one in missing],
+                "findings": [_plain(finding) for finding in found],
+                "unrecorded": [text(phrase) for phrase in missing],
             }
         )
         return
-    for phrase in (*(one.phrase for one in found), *missing):
+    for phrase in (*(finding.phrase for finding in found), *missing):
         click.echo(text(phrase))
 
 

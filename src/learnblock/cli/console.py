@@ -105,11 +105,11 @@ def _with_texts(value: object) -> object:
         case Phrase():
             return str(value)
         case dict():
-            return {name: _with_texts(one) for name, one in value.items()}
+            return {name: _with_texts(item) for name, item in value.items()}
         case list() | tuple():
-            return [_with_texts(one) for one in value]
+            return [_with_texts(item) for item in value]
         case _ if is_dataclass(value):
-            return {one.name: _with_texts(getattr(value, one.name)) for one in fields(value)}
+            return {field.name: _with_texts(getattr(value, field.name)) for field in fields(value)}
     return value
 
 
@@ -120,11 +120,13 @@ def print_settings(settings: "Sequence[Described]", *, as_json: bool) -> None:
     if as_json:
         print_json(settings)
         return
-    width = max(len(one.name) for one in settings) + 1
-    for one in settings:
-        default = text(Phrase("cli-default", value=typed(one.default)))
-        mark = "" if one.value == one.default else f"  [{default}]"
-        click.echo(f"{one.name:<{width}} {typed(one.value):<22} {text(one.allowed)}{mark}")
+    width = max(len(setting.name) for setting in settings) + 1
+    for setting in settings:
+        default = text(Phrase("cli-default", value=typed(setting.default)))
+        mark = "" if setting.value == setting.default else f"  [{default}]"
+        click.echo(
+            f"{setting.name:<{width}} {typed(setting.value):<22} {text(setting.allowed)}{mark}"
+        )
 
 
 def print_diagnostics(
@@ -137,9 +139,10 @@ def print_diagnostics(
             click.echo("    " + visible(pointed).replace("\n", "\n    "), err=err)
 
 
-def located(filename: str, one: "Diagnostic") -> str:
+def located(filename: str, diagnostic: "Diagnostic") -> str:
     """``FILE:LINE:COLUMN: code message``, the message in the reader's language."""
-    return f"{filename}:{one.line}:{one.column}: {one.code} {text(one.message)}"
+    place = f"{filename}:{diagnostic.line}:{diagnostic.column}"
+    return f"{place}: {diagnostic.code} {text(diagnostic.message)}"
 
 
 def print_command(*words: object) -> None:

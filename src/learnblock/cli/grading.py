@@ -117,7 +117,7 @@ def _workers(wish: Wish) -> OpenWorkers:
 
 def _last_with_checks(opened_lesson: OpenLesson) -> int:
     steps = enumerate(opened_lesson.lesson.step, start=1)
-    found = [number for number, one in steps if one.check]
+    found = [number for number, step in steps if step.check]
     if not found:
         raise LearnBlockError("grade-no-checks", lesson=opened_lesson.name)
     return found[-1]

@@ -44,7 +44,7 @@ def translated(command: click.Command, path: tuple[str, ...]) -> click.Command:
     found.help = _help(command.help or "", _command_code(path))
     found.short_help = found.help.partition("\n")[0].rstrip(".")
     found.options_metavar = _common("[OPTIONS]")
-    found.params = [_parameter(one, path) for one in command.params]
+    found.params = [_parameter(parameter, path) for parameter in command.params]
     found.params.append(_help_option())
     if command.epilog:
         found.epilog = _common("epilog")
@@ -105,7 +105,7 @@ def _help_option() -> click.Option:
 
 
 def _options(command: click.Command) -> Iterator[click.Option]:
-    return (one for one in command.params if isinstance(one, click.Option))
+    return (parameter for parameter in command.params if isinstance(parameter, click.Option))
 
 
 def _command_code(path: tuple[str, ...]) -> str:

@@ -79,11 +79,11 @@ def import_command(
         for source, place in _found(paths, convert)
     ]
     if as_json:
-        print_json([one.as_object() for one in done])
+        print_json([outcome.as_object() for outcome in done])
     else:
-        for one in done:
-            one.print()
-    sys.exit(ExitCode.MISTAKES if any(one.error for one in done) else ExitCode.WELL)
+        for outcome in done:
+            outcome.print()
+    sys.exit(ExitCode.MISTAKES if any(outcome.error for outcome in done) else ExitCode.WELL)
 
 
 @dataclass(frozen=True)
@@ -139,12 +139,14 @@ def _found(paths: tuple[Path, ...], endings: Container[str]) -> Iterator[tuple[P
         if path.is_file():
             yield path, Path()
             continue
-        files = [one for one in sorted(path.rglob("*")) if one.suffix in endings and one.is_file()]
+        files = [
+            file for file in sorted(path.rglob("*")) if file.suffix in endings and file.is_file()
+        ]
         if not files:
             message = Phrase("import-nothing", folder=str(path))
             raise ProjectError(str(path), [Diagnostic("nothing", message)])
-        for one in files:
-            yield one, one.relative_to(path).parent
+        for file in files:
+            yield file, file.relative_to(path).parent
 
 
 def _imported(

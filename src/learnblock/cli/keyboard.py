@@ -106,7 +106,7 @@ class TerminalKeys:
     def _read(self) -> None:
         for key in self._terminal.typed():
             # Another thread may be looking at the dictionary.
-            others = {one: until for one, until in self._until.items() if one != key}
+            others = {held: until for held, until in self._until.items() if held != key}
             self._until = {**others, key: self._now() + HOLD}
 
 
@@ -138,13 +138,17 @@ def terminal_keyboard(program: Program) -> Iterator[Keyboard]:
 @contextmanager
 def shared_keyboard(programs: Mapping[str, Program]) -> Iterator[Mapping[str, Keyboard]]:
     """The terminal's keys for those of several programs that ask for keys, by their names."""
-    listening = {name: one for name, one in programs.items() if listens_to_terminal(one)}
+    listening = {
+        name: program for name, program in programs.items() if listens_to_terminal(program)
+    }
     if not listening:
         yield {}
         return
-    named = "; ".join(f"{name} {shown(one.keys)}" for name, one in listening.items())
+    named = "; ".join(f"{name} {shown(program.keys)}" for name, program in listening.items())
     with _listening(Phrase("report-team-listens", programs=named)) as terminal:
-        yield {name: TerminalKeyboard(terminal, one.keys) for name, one in listening.items()}
+        yield {
+            name: TerminalKeyboard(terminal, program.keys) for name, program in listening.items()
+        }
 
 
 @contextmanager

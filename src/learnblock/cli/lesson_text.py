@@ -79,7 +79,7 @@ def _step_object(step: Step) -> dict[str, Any]:
 
 def _notes(part: TeachersPart) -> Iterator[str]:
     yield ""
-    if not part.notes and not any(one.solution for one in part.steps):
+    if not part.notes and not any(step.solution for step in part.steps):
         yield text(Phrase("lesson-show-no-part"))
     elif part.notes:
         yield text(Phrase("lesson-show-notes"))

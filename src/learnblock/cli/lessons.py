@@ -61,8 +61,8 @@ def list_command(as_json: bool) -> None:  # noqa: FBT001 - a click flag
     if as_json:
         print_json(found)
         return
-    for one in found:
-        click.echo(f"{one['name']:<28} {one['minutes']:>3} min  {one['title']}")
+    for lesson in found:
+        click.echo(f"{lesson['name']:<28} {lesson['minutes']:>3} min  {lesson['title']}")
 
 
 @lesson_group.command("show")
@@ -120,8 +120,8 @@ def check_command(
         results.append(result)
         if not as_json:
             _print_result(result)
-    wrong = sum(not one.is_right for one in results)
-    programs = sum(one.kind != "none" for one in results)
+    wrong = sum(not result.is_right for result in results)
+    programs = sum(result.kind != "none" for result in results)
     if as_json:
         print_json(results)
     elif wrong:
@@ -167,18 +167,18 @@ def try_command(
     wanted = attempts(opened, step, robots=robots or None, variants=variants)
     source = running.read_text(program)
     tried = []
-    for one in try_step(opened, step, source, wanted, filename=program.name):
-        tried.append(one)
+    for trial in try_step(opened, step, source, wanted, filename=program.name):
+        tried.append(trial)
         if not as_json:
-            _print_tried(one)
-    tried.sort(key=lambda one: wanted.index(one.attempt))
-    failed = next((one for one in tried if not is_done(one.verdicts)), None)
+            _print_tried(trial)
+    tried.sort(key=lambda trial: wanted.index(trial.attempt))
+    failed = next((trial for trial in tried if not is_done(trial.verdicts)), None)
     given: tuple[Hint, ...] = ()
     if hints and failed:
         tree = read_program(source, program.name).tree
         given = hints_for(opened, step, tree, failed)
     if as_json:
-        print_json([_as_object(one, given if one is failed else ()) for one in tried])
+        print_json([_as_object(trial, given if trial is failed else ()) for trial in tried])
     else:
         _print_hints(given)
     done = failed is None and len(tried) == len(wanted)
@@ -257,17 +257,17 @@ def _as_object(tried: "Tried", given: "Sequence[Hint]") -> dict[str, Any]:
 
     verdicts = [
         {
-            "check": title_of(one.check, "en"),
-            "state": one.state,
-            "at": one.at,
-            "reason": one.reason,
+            "check": title_of(verdict.check, "en"),
+            "state": verdict.state,
+            "at": verdict.at,
+            "reason": verdict.reason,
         }
-        for one in tried.verdicts
+        for verdict in tried.verdicts
     ]
     return {
         "robot": tried.attempt.robot,
         "variant": tried.attempt.variant,
         "verdicts": verdicts,
-        "hints": [{"rule": one.rule, "levels": [*map(_words, one.levels)]} for one in given],
+        "hints": [{"rule": hint.rule, "levels": [*map(_words, hint.levels)]} for hint in given],
         "report": tried.report,
     }

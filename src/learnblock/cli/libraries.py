@@ -35,15 +35,15 @@ def list_command(as_json: bool) -> None:  # noqa: FBT001 - a click flag
 
     found = shelved()
     if as_json:
-        print_json([_row(one.name, one.library, one.problem) for one in found])
+        print_json([_row(entry.name, entry.library, entry.problem) for entry in found])
         return
-    for one in found:
-        if one.library is None:
-            problem = Phrase("cli-library-broken", problem=one.problem)
-            click.echo(f"{one.name:<16} {text(problem)}")
+    for entry in found:
+        if entry.library is None:
+            problem = Phrase("cli-library-broken", problem=entry.problem)
+            click.echo(f"{entry.name:<16} {text(problem)}")
         else:
-            version = one.library.manifest.version
-            click.echo(f"{one.name:<16} {version:<8} {', '.join(one.library.skills)}")
+            version = entry.library.manifest.version
+            click.echo(f"{entry.name:<16} {version:<8} {', '.join(entry.library.skills)}")
     if not found:
         say("cli-library-none")
 
@@ -64,7 +64,7 @@ def show(name: str, as_json: bool) -> None:  # noqa: FBT001 - a click flag
     if library.manifest.description:
         click.echo(library.manifest.description)
     for skill, block in library.skills.items():
-        parameters = ", ".join(one.name for one in block.parameters)
+        parameters = ", ".join(parameter.name for parameter in block.parameters)
         click.echo(f"  function.{skill}({parameters})  {tooltip(block)}")
 
 
@@ -142,16 +142,18 @@ def import_command(addresses: tuple[str, ...], renames: tuple[str, ...], *, repl
     found = [libraries.find(address) for address in addresses]
     names = dict(map(_renaming, renames))
     for name in names:
-        if not any(name in one.skills for one in found):
+        if not any(name in library.skills for library in found):
             raise LearnBlockError("cli-library-rename-unknown", skill=name)
     chosen = [
-        libraries.renamed(one, {old: new for old, new in names.items() if old in one.skills})
-        for one in found
+        libraries.renamed(
+            library, {old: new for old, new in names.items() if old in library.skills}
+        )
+        for library in found
     ]
     new = libraries.install(chosen, replace=replace)
-    for one in chosen:
-        code = "cli-library-imported" if one in new else "cli-library-unchanged"
-        say(code, name=one.name, version=one.manifest.version, skills=tuple(one.skills))
+    for library in chosen:
+        code = "cli-library-imported" if library in new else "cli-library-unchanged"
+        say(code, name=library.name, version=library.manifest.version, skills=tuple(library.skills))
 
 
 @library_group.command()

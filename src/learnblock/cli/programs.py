@@ -75,7 +75,7 @@ def run(programs: tuple[Assignment, ...], **choices: Any) -> None:
     # As little as possible, and none of it for `--help`.
     from learnblock.runtime.standby import Standby  # noqa: PLC0415
 
-    if choices["variants"] or sum(one.count for one in programs) > 1:
+    if choices["variants"] or sum(program.count for program in programs) > 1:
         sys.exit(_run(programs, None, **choices))
     # It loads what programs need while we load the rest.
     with Standby() as standby:
@@ -96,7 +96,7 @@ def _run(
         from learnblock.cli.reporting import run_and_report  # noqa: PLC0415
         from learnblock.project.files.programs import robots_in  # noqa: PLC0415
 
-    count = sum(one.count * robots_in(one.file) for one in programs)
+    count = sum(program.count * robots_in(program.file) for program in programs)
     if variants and count > 1:
         raise usage_error("report-variants-alone")
     if choices["why"] and variants:
@@ -165,13 +165,24 @@ def check(
         sys.exit(print_robots(files, as_json=as_json))
     found = {file: _diagnose(file, robot) for file in files}
     if as_json:
-        print_json([_as_object(file, one) for file, (all_, _) in found.items() for one in all_])
+        print_json(
+            [
+                _as_object(file, diagnostic)
+                for file, (all_, _) in found.items()
+                for diagnostic in all_
+            ]
+        )
     else:
         for file, (diagnostics, text) in found.items():
             print_diagnostics(str(file), diagnostics, text)
             if not diagnostics:
                 say("cli-no-problems", file=str(file))
-    errors = [one for all_, _ in found.values() for one in all_ if one.severity == "error"]
+    errors = [
+        diagnostic
+        for all_, _ in found.values()
+        for diagnostic in all_
+        if diagnostic.severity == "error"
+    ]
     sys.exit(ExitCode.MISTAKES if errors else ExitCode.WELL)
 
 

@@ -319,12 +319,12 @@ def mistakes(source: Source, entry: RobotEntry, *, anyway: bool, quiet: bool) ->
         quiet: whether to print nothing.
     """
     diagnostics = running.check(source, entry)
-    for one in () if quiet else diagnostics:
-        click.echo(located(str(source.path), one), err=True)
+    for diagnostic in () if quiet else diagnostics:
+        click.echo(located(str(source.path), diagnostic), err=True)
     return [
-        one
-        for one in diagnostics
-        if one.severity == "error" and not (anyway and one.code == "missing-device")
+        diagnostic
+        for diagnostic in diagnostics
+        if diagnostic.severity == "error" and not (anyway and diagnostic.code == "missing-device")
     ]
 
 
@@ -336,7 +336,7 @@ def refused_report(filename: str, errors: Sequence[Diagnostic]) -> Report:
         "code": first.code,
         "file": filename,
         "line": first.line,
-        "all": [one.located(filename) for one in errors],
+        "all": [error.located(filename) for error in errors],
     }
     return Report(ended="refused", error=error)
 

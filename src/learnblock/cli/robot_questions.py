@@ -179,9 +179,9 @@ def _ask(key: str, struct: type[Struct], field: str, default: Any) -> Any:
 def _ask_several(question: str, known: tuple[str, ...], default: str) -> list[str]:
     def split(text: str) -> list[str]:
         chosen = _split(text)
-        for one in chosen:
-            if one not in known:
-                raise _refused("new-ask-unknown", value=one[:80], known=known)
+        for choice in chosen:
+            if choice not in known:
+                raise _refused("new-ask-unknown", value=choice[:80], known=known)
         return chosen
 
     answer: list[str] = click.prompt(question, default=default, value_proc=split)

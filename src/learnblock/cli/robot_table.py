@@ -27,11 +27,13 @@ def print_robots(files: Iterable[Path], *, as_json: bool) -> ExitCode:
             failed = True
             print_diagnostics(str(file), error.diagnostics, error.source, err=True)
     if as_json:
-        print_json([{"file": file, "robots": _objects(one)} for file, one in found.items()])
+        print_json(
+            [{"file": file, "robots": _objects(verdicts)} for file, verdicts in found.items()]
+        )
     else:
         for name, verdicts in found.items():
             click.echo(name)
-            _print({robot: _phrase(one) for robot, one in verdicts.items()})
+            _print({robot: _phrase(verdict) for robot, verdict in verdicts.items()})
     return ExitCode.MISTAKES if failed else ExitCode.WELL
 
 
@@ -43,7 +45,7 @@ def print_serving(skill: BlockConfiguration) -> None:
     if kinds & UNSERVED and not any(map(_is_served, known)):
         click.echo(f"  {text(Phrase('cli-served-by-no-robot'))}")
     else:
-        _print({robot: _told(one) for robot, one in served.items()})
+        _print({robot: _told(senses) for robot, senses in served.items()})
 
 
 def serving(skill: BlockConfiguration) -> dict[str, dict[str, str | None] | None]:
@@ -87,10 +89,10 @@ def _phrase(verdict: Verdict | Phrase) -> Phrase:
 def _objects(verdicts: Mapping[str, Verdict | Phrase]) -> dict[str, Any]:
     return {
         robot: {
-            "runs": one.runs if isinstance(one, Verdict) else None,
-            "message": _phrase(one),
+            "runs": verdict.runs if isinstance(verdict, Verdict) else None,
+            "message": _phrase(verdict),
         }
-        for robot, one in verdicts.items()
+        for robot, verdict in verdicts.items()
     }
 
 

@@ -75,7 +75,9 @@ def set_command(
         raise usage_error("cli-default-without-value")
     if setting is not None and (value is not None or default):
         settings.change(robot.name(), robot.settings_type, setting, value)
-    known = {one.name: one for one in settings.describe(robot.name(), robot.settings_type)}
+    known = {
+        setting.name: setting for setting in settings.describe(robot.name(), robot.settings_type)
+    }
     if setting is not None and setting not in known:
         raise UnknownNameError("setting", setting, known)
     print_settings([known[setting]] if setting else list(known.values()), as_json=as_json)
@@ -97,10 +99,10 @@ def scan(names: tuple[str, ...], seconds: float, as_json: bool) -> None:  # noqa
     if as_json:
         print_json([*found, *problems])
         return
-    for one in found:
-        click.echo(f"{one['robot']:<12} {_spelled(one['settings'])}")
-    for one in problems:
-        click.echo(f"{one['robot']:<12} {text(one['problem'])}")
+    for row in found:
+        click.echo(f"{row['robot']:<12} {_spelled(row['settings'])}")
+    for problem in problems:
+        click.echo(f"{problem['robot']:<12} {text(problem['problem'])}")
     if not found:
         say("cli-no-robot-found")
 
@@ -190,7 +192,7 @@ def _kinds(names: tuple[str, ...]) -> list[Any]:
     if names:
         return [_real(name) for name in names]
     kinds = [entry.load() for entry in entries().values() if not entry.name.startswith("sim-")]
-    return [one for one in kinds if issubclass(one, RealRobot)]
+    return [kind for kind in kinds if issubclass(kind, RealRobot)]
 
 
 Row = dict[str, Any]

@@ -20,9 +20,9 @@ def sets_command(as_json: bool) -> None:  # noqa: FBT001 - a click flag
     if as_json:
         print_json(found)
         return
-    for one in found:
-        about = _in_language(one.description) or _in_language(one.title)
-        click.echo(f"{one.name:<20} {about}".rstrip())
+    for block_set in found:
+        about = _in_language(block_set.description) or _in_language(block_set.title)
+        click.echo(f"{block_set.name:<20} {about}".rstrip())
     for error in wrong:
         print_diagnostics(error.filename, error.diagnostics, "", err=True)
 

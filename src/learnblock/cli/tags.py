@@ -46,7 +46,7 @@ def remove(name: str) -> None:
     names = _names()
     if name not in names:
         raise UnknownNameError("tag", name, names)
-    _save({one: number for one, number in names.items() if one != name})
+    _save({other: number for other, number in names.items() if other != name})
 
 
 @tags_group.command("import")

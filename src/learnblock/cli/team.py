@@ -86,16 +86,20 @@ def run_team(
     as_json: bool,
 ) -> int:
     """Run several programs together, print the report, and return the exit code."""
-    robots = sum(one.count * robots_in(one.file) for one in programs)
+    robots = sum(program.count * robots_in(program.file) for program in programs)
     if robots > MOST_ROBOTS:
         raise usage_error("report-team-too-many", count=robots, limit=MOST_ROBOTS)
     check_picture(picture)
     with ExitStack() as stack:
-        parts = [part for one in programs for part in _read(stack, one, robot, as_json=as_json)]
+        parts = [
+            part for program in programs for part in _read(stack, program, robot, as_json=as_json)
+        ]
         if _refuse(parts, anyway=anyway, as_json=as_json):
             return ExitCode.MISTAKES
         members = list(_members(parts, network=allow_network))
-        listens = not (keys or as_json) and any(listens_to_terminal(one.program) for one in members)
+        listens = not (keys or as_json) and any(
+            listens_to_terminal(member.program) for member in members
+        )
         if pace is None and (listens or not all(member.twin for member in members)):
             # A world at full speed would be over before a real robot or a person has moved.
             pace = "real"
@@ -113,7 +117,9 @@ def run_team(
             say_if_not_whole(log)
         if picture:
             _draw(session, picture)
-    codes = [EXIT_CODES.get(How(one.ended), ExitCode.WELL) for _, one in report.robots]
+    codes = [
+        EXIT_CODES.get(How(robot_report.ended), ExitCode.WELL) for _, robot_report in report.robots
+    ]
     return max(codes)
 
 
@@ -129,7 +135,7 @@ def _keyboards(
     """
     if keys:
         recorded = read_keys_of(keys, [member.name for member in members])
-        return nullcontext({name: RecordedKeyboard(one) for name, one in recorded.items()})
+        return nullcontext({name: RecordedKeyboard(keys) for name, keys in recorded.items()})
     if quiet:
         return nullcontext({})
     return shared_keyboard({member.name: member.program for member in members})
@@ -141,7 +147,9 @@ def _logs(members: Sequence[Member], folder: Path | None) -> dict[str, RunLog]:
         return {}
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        return {one.name: RunLog(one.program, folder / f"{one.name}.why") for one in members}
+        return {
+            member.name: RunLog(member.program, folder / f"{member.name}.why") for member in members
+        }
     except OSError as error:
         raise usage_error("report-why-not-a-folder", folder=str(folder)) from error
 
@@ -275,8 +283,8 @@ def _refuse(parts: Sequence[_Part], *, anyway: bool, as_json: bool) -> bool:
 
 def _print_refused(assignment: Assignment, report: Report) -> None:
     named = {"name": _stem(assignment), "program": assignment.file.name}
-    one = {**named, "robot": assignment.robot, **_own(report)}
-    print_json({"robots": [one], "goals": (), "trace_sha256": None})
+    row = {**named, "robot": assignment.robot, **_own(report)}
+    print_json({"robots": [row], "goals": (), "trace_sha256": None})
 
 
 def _members(parts: Sequence[_Part], *, network: bool) -> Iterator[Member]:
@@ -313,9 +321,9 @@ def _print(report: TeamReport, session: TeamRun, screen: _Screen, *, as_json: bo
     if as_json:
         print_json(_as_object(report, screen))
         return
-    for member, one in report.robots:
+    for member, robot_report in report.robots:
         click.echo(member.name, err=True)
-        for label, value in _rows(member, one, session.options.seconds):
+        for label, value in _rows(member, robot_report, session.options.seconds):
             print_row(label, value)
     click.echo(err=True)
     for goal in report.goals:
@@ -335,8 +343,10 @@ def _rows(member: Member, report: Report, limit: float | None) -> Iterator[tuple
 def _as_object(report: TeamReport, screen: _Screen) -> dict[str, object]:
     return {
         "robots": [
-            _robot_as_object(member, replace(one, output=screen.voices[member.name].output))
-            for member, one in report.robots
+            _robot_as_object(
+                member, replace(robot_report, output=screen.voices[member.name].output)
+            )
+            for member, robot_report in report.robots
         ],
         "goals": list(report.goals),
         "trace_sha256": report.trace_sha256,
@@ -351,7 +361,11 @@ def _robot_as_object(member: Member, report: Report) -> dict[str, object]:
 def _own(report: Report) -> dict[str, object]:
     """The part of a report about one robot, as opposed to the whole run."""
     whole = {"goals", "trace_sha256"}
-    return {one.name: getattr(report, one.name) for one in fields(report) if one.name not in whole}
+    return {
+        field.name: getattr(report, field.name)
+        for field in fields(report)
+        if field.name not in whole
+    }
 
 
 def _draw(session: TeamRun, path: Path) -> None:

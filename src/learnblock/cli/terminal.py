@@ -80,5 +80,5 @@ def keys_in(sent: str) -> list[str]:
     >>> keys_in("a\x1b[AW\x1b[5~")
     ['a', 'up', 'w']
     """
-    keys = [_SENT.get(one, one.lower()) for one in _ONE_KEY.findall(sent)]
+    keys = [_SENT.get(key, key.lower()) for key in _ONE_KEY.findall(sent)]
     return [key for key in keys if key in KEYS]

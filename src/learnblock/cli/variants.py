@@ -55,7 +55,7 @@ def _run_all(found: Prepared, variants: int, *, as_json: bool) -> int:
         for number in list(reports)[printed:]:
             click.echo(_row(number, reports[number], found.options.seconds), err=True)
     _print(reports, as_json=as_json)
-    codes = (EXIT_CODES.get(How(one.ended), ExitCode.WELL) for one in reports.values())
+    codes = (EXIT_CODES.get(How(report.ended), ExitCode.WELL) for report in reports.values())
     return max(codes) if len(reports) == variants else ExitCode.INTERRUPTED
 
 

@@ -54,10 +54,10 @@ def why_command(
 
 def _list(questions: "tuple[Question, ...]", *, as_json: bool) -> None:
     if as_json:
-        print_json([_question(one) for one in questions])
+        print_json([_question(question) for question in questions])
         return
-    for one in questions:
-        click.echo(text(one.phrase))
+    for question in questions:
+        click.echo(text(question.phrase))
 
 
 def _print(given: "Answer", *, more: bool) -> None:
@@ -71,8 +71,8 @@ def _plain(question: "Question", given: "Answer") -> dict[str, Any]:
     """An answer for tools, its texts in the reader's language."""
     return {
         "question": _question(question),
-        "sentences": [_sentence(one) for one in given.sentences],
-        "more": [_sentence(one) for one in given.more],
+        "sentences": [_sentence(sentence) for sentence in given.sentences],
+        "more": [_sentence(sentence) for sentence in given.more],
     }
 
 

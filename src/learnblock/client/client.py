@@ -166,7 +166,7 @@ class Client(Announced, Events):
         from learnblock.perception.sources import TABLE  # noqa: PLC0415 - as above
 
         # Names only: a trace must not reveal addresses and paths.
-        chosen = [one.name for one in TABLE.describe() if one.value != one.default]
+        chosen = [setting.name for setting in TABLE.describe() if setting.value != setting.default]
         robot = type(self).__module__.rpartition(".")[2].replace("_", "-")
         return {"robot": robot, **({"perception": chosen} if chosen else {})}
 

@@ -123,7 +123,7 @@ def _plain(value: object, levels: int) -> Any:
         case str() if _is_text(value):
             return str(value)
         case list() | tuple() if levels:
-            return [_plain(one, levels - 1) for one in value]
+            return [_plain(item, levels - 1) for item in value]
         case dict() if levels and all(map(_is_text, value)):
-            return {str(key): _plain(one, levels - 1) for key, one in value.items()}
+            return {str(key): _plain(item, levels - 1) for key, item in value.items()}
     raise DeviceValueError("robot-message-value", type=type(value).__name__)

@@ -75,7 +75,9 @@ class TwinScene:
             side: tuple(f"/Robot/{side}{number}" for number in numbers)
             for side, numbers in self._sides.items()
         }
-        grounds = {f"ground_{one.side}": f"/Robot/ground_{one.side}" for one in self._about.ground}
+        grounds = {
+            f"ground_{sensor.side}": f"/Robot/ground_{sensor.side}" for sensor in self._about.ground
+        }
         return {
             "scene": "names",
             "left_wheel": "/Robot/left",

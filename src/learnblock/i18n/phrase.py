@@ -99,8 +99,8 @@ def parts(value: Value | None, levels: int = 1000) -> Iterator[Value | None]:
     """A phrase, its values and theirs; None for what is nested deeper than that."""
     yield value if levels else None
     if levels and isinstance(value, Phrase | tuple):
-        for one in value.values.values() if isinstance(value, Phrase) else value:
-            yield from parts(one, levels - 1)
+        for inner in value.values.values() if isinstance(value, Phrase) else value:
+            yield from parts(inner, levels - 1)
 
 
 def _shown(value: Value, language: str) -> str | int | float:
@@ -109,5 +109,5 @@ def _shown(value: Value, language: str) -> str | int | float:
     if isinstance(value, Multilingual):
         return value.texts.get(language, str(value))
     if isinstance(value, tuple):
-        return ", ".join(str(_shown(one, language)) for one in value)
+        return ", ".join(str(_shown(item, language)) for item in value)
     return value

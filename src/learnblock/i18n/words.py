@@ -26,7 +26,7 @@ _THOUSAND = 1000
 @cache
 def languages() -> tuple[str, ...]:
     """The codes of the available languages, English first."""
-    found = sorted(one.name for one in _FOLDER.iterdir() if _is_language(one))
+    found = sorted(folder.name for folder in _FOLDER.iterdir() if _is_language(folder))
     return (ENGLISH, *(name for name in found if name != ENGLISH))
 
 
@@ -43,7 +43,7 @@ def words(code: str, values: dict[str, str | int | float], language: str) -> str
     """
     area = _area(code)
     plain = _plain(language, area).get(code)
-    if plain is not None and all(_is_plain(values.get(one)) for one in _PLACE.findall(plain)):
+    if plain is not None and all(_is_plain(values.get(place)) for place in _PLACE.findall(plain)):
         return _PLACE.sub(lambda place: _plain_text(values[place[1]]), plain)
     bundle = _bundle(language, area)
     if bundle is None or not bundle.has_message(code):
@@ -115,4 +115,4 @@ def _bundle(language: str, area: str) -> "FluentBundle | None":
 
 
 def _is_language(folder: Path) -> bool:
-    return folder.is_dir() and any(one.name.endswith(".ftl") for one in folder.iterdir())
+    return folder.is_dir() and any(file.name.endswith(".ftl") for file in folder.iterdir())

@@ -69,7 +69,7 @@ def import_project(
     loose = [part for part in parts if not part.name]
     main = [part for part in parts if part.name]
     libraries = _found(project.libraries, find_library, skills, reporting)
-    main += _from_libraries(libraries, {one.name for one in main})
+    main += _from_libraries(libraries, {part.name for part in main})
     main += _missing(writer, main)
     return _Conversion(filename, skills, reporting, tuple(main), tuple(loose)).imported()
 
@@ -97,7 +97,7 @@ def _found(
 
 def _from_libraries(libraries: Iterable[Program], taken: set[str]) -> Iterator[Part]:
     """The functions of libraries, which become part of the program."""
-    for function in (one for library in libraries for one in library.functions.values()):
+    for function in (function for library in libraries for function in library.functions.values()):
         name = f"def {function.name}"
         if name not in taken:
             taken.add(name)
@@ -116,7 +116,7 @@ def _missing(writer: ProgramWriter, parts: Sequence[Part]) -> Iterator[Part]:
         header = f"when {event} = {condition}:"
         yield Part((header, "pass", "end"), _NOWHERE, f"when {event}")
     heard = lines.heard.keys()
-    for name in undefined(parts, [one for one in lines.events if one not in heard], "when"):
+    for name in undefined(parts, [event for event in lines.events if event not in heard], "when"):
         reporting.miss(Phrase("import-no-event", name=name))
         yield Part((f"when {name}:", "pass", "end"), _NOWHERE, f"when {name}")
 
@@ -134,10 +134,10 @@ class _Conversion:
         self.start += self.unset(self.parsed(self.text()))
         blocktext = self.text()
         program = self.parsed(blocktext)
-        for one in language.check(program, self.skills):
-            if one.severity == "error":
-                line = str(one.line)
-                self.reporting.miss(Phrase("file-at-line", line=line, problem=one.message))
+        for diagnostic in language.check(program, self.skills):
+            if diagnostic.severity == "error":
+                line = str(diagnostic.line)
+                self.reporting.miss(Phrase("file-at-line", line=line, problem=diagnostic.message))
         return Imported(language.format(program), self.workspace(), self.reporting.report())
 
     def text(self, *, with_loose: bool = False) -> str:
@@ -164,9 +164,11 @@ class _Conversion:
     def unset(self, program: Program) -> list[str]:
         """Set the variables that are read before they are set."""
         names: dict[str, None] = {}
-        for one in language.check(program, self.skills):
-            name = one.message.values.get("name")
-            is_unset = one.code in {"unknown-name", "unset-variable"} and isinstance(name, str)
+        for diagnostic in language.check(program, self.skills):
+            name = diagnostic.message.values.get("name")
+            is_unset = diagnostic.code in {"unknown-name", "unset-variable"} and isinstance(
+                name, str
+            )
             if is_unset and name not in program.functions and name not in program.whens:
                 names.setdefault(str(name))
         for name in names:
@@ -224,5 +226,5 @@ def _inner(hat: NewBlock, *, is_value: bool) -> list[NewBlock]:
     stack = hat.inputs["STACK"].stack if "STACK" in hat.inputs else []
     if not is_value or not stack:
         return stack
-    values = [one.block or one.shadow for one in stack[0].inputs.values()]
+    values = [plug.block or plug.shadow for plug in stack[0].inputs.values()]
     return [value for value in values[:1] if value is not None]

@@ -49,7 +49,7 @@ class LibraryFiles:
         Raises:
             OSError: a file can't be read.
         """
-        others = (_read_if_there(path.with_suffix(one)) for one in (".py", ".conf"))
+        others = (_read_if_there(path.with_suffix(ending)) for ending in (".py", ".conf"))
         return cls(str(path), _read(path), *others)
 
     def beside(self, ending: str) -> str:
@@ -122,11 +122,11 @@ def find_library(folder: Path, name: str) -> bytes | None:
 
 
 def _statements(program: Program) -> tuple[Item, ...]:
-    return tuple(one for one in program.items if not isinstance(one, Blank | Comment))
+    return tuple(item for item in program.items if not isinstance(item, Blank | Comment))
 
 
 def _only_functions(program: Program) -> Program:
-    return Program(tuple(one for one in program.items if isinstance(one, Def)))
+    return Program(tuple(item for item in program.items if isinstance(item, Def)))
 
 
 def _read(path: Path) -> bytes:
@@ -172,7 +172,7 @@ def _report_python(files: LibraryFiles, program: Program, reporting: Reporting) 
     except FileError as error:
         reporting.miss(Phrase("import-not-readable", name=name, reason=error.phrase))
         return
-    only = tuple(one.name for one in functions if one.name not in program.functions)
+    only = tuple(function.name for function in functions if function.name not in program.functions)
     if only:
         reporting.miss(Phrase("import-python-only", name=name, functions=only))
 
@@ -190,7 +190,7 @@ def _made(
     except LearnBlockError as error:
         reporting.miss(Phrase("import-not-a-library", reason=error.phrase))
         return None
-    blocks = [_labelled(one, described.get(one.name)) for one in made.skills.values()]
+    blocks = [_labelled(skill, described.get(skill.name)) for skill in made.skills.values()]
     return replace(made, configurations=written(blocks))
 
 

@@ -129,8 +129,8 @@ class LineWriter:
         name = " ".join(name.replace("`", "'").split())
         if not block.values:
             return _CONSTANTS.get(name, name)
-        values = (argument(one, None, self.project.variables) for one in block.values)
-        return f"{name}({', '.join(one or quote('') for one in values)})"
+        values = (argument(value, None, self.project.variables) for value in block.values)
+        return f"{name}({', '.join(value or quote('') for value in values)})"
 
     def switch(self, name: str, event: str) -> str:
         """``activate X`` or ``deactivate X``."""
@@ -174,7 +174,7 @@ class LineWriter:
     def skill(self, block: Block) -> str:
         name = self.skill_name(block.name)
         if name is None:
-            values = (argument(one, None, self.project.variables) for one in block.values)
+            values = (argument(value, None, self.project.variables) for value in block.values)
             return f"function.{self.names.legal(block.name)}({', '.join(filter(None, values))})"
         if name != block.name:
             self.reporting.change(Phrase("import-old-name", name=block.name, today=name))

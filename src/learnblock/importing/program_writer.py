@@ -77,9 +77,9 @@ class ProgramWriter:
     def roots(self) -> Iterator[Block]:
         """The blocks that hang on no other, from the top of the canvas."""
         blocks = self.project.blocks.values()
-        hanging = {other for one in blocks for other in (one.right, one.inside, one.below)}
-        roots = [one for one in blocks if one.id not in hanging]
-        return iter(sorted(roots, key=lambda one: (one.y, one.x)))
+        hanging = {other for block in blocks for other in (block.right, block.inside, block.below)}
+        roots = [block for block in blocks if block.id not in hanging]
+        return iter(sorted(roots, key=lambda block: (block.y, block.x)))
 
     def part_name(self, root: Block) -> str:
         if root.name == "main" and root.kind == Kind.CONTROL:

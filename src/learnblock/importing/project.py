@@ -128,9 +128,9 @@ class _Reader:
         blocks, _, _, variables, functions, *libraries = value
         if not isinstance(blocks, dict) or len(blocks) > MOST_BLOCKS:
             raise self.wrong("blocks")
-        read = {str(key): self.block(str(key), one) for key, one in blocks.items()}
+        read = {str(key): self.block(str(key), block) for key, block in blocks.items()}
         first = any(
-            isinstance(one, Object) and one.kind == "first block" for one in blocks.values()
+            isinstance(block, Object) and block.kind == "first block" for block in blocks.values()
         )
         return OriginalProject(
             read,
@@ -143,7 +143,7 @@ class _Reader:
     def names(self, values: object, place: str) -> tuple[str, ...]:
         if not isinstance(values, list) or len(values) > MOST_NAMES:
             raise self.wrong(place)
-        return tuple(self.text(one, place) for one in values)
+        return tuple(self.text(text, place) for text in values)
 
     def text(self, value: object, place: str) -> str:
         if not isinstance(value, str) or len(value) > LONGEST_TEXT:
@@ -174,7 +174,7 @@ class _Reader:
     def values(self, values: object, name: str) -> tuple[Value, ...]:
         if not isinstance(values, list | None) or len(values or ()) > MOST_VARIABLES:
             raise self.wrong(f"{name[:100]}.vars")
-        return tuple(self.value(one, name) for one in values or ())
+        return tuple(self.value(value, name) for value in values or ())
 
     def value(self, value: object, name: str) -> Value:
         place = f"{name[:100]}.vars"
@@ -195,13 +195,13 @@ class _Reader:
         if not isinstance(values, list) or len(values) > MOST_VARIABLES:
             raise self.wrong(place)
         found: dict[str, Any] = {}
-        for one in values:
-            if not isinstance(one, Object) or one.kind != "connection":
+        for value in values:
+            if not isinstance(value, Object) or value.kind != "connection":
                 raise self.wrong(place)
-            end = one.state.get("_Connection__type")
+            end = value.state.get("_Connection__type")
             if not isinstance(end, int) or end not in _ENDS:
                 raise self.wrong(place)
-            self.add_end(found, _ENDS[end], one.state.get("_Connection__idItem"), place)
+            self.add_end(found, _ENDS[end], value.state.get("_Connection__idItem"), place)
         return found
 
     def add_end(self, found: dict[str, Any], end: str, other: object, place: str) -> None:
@@ -219,7 +219,7 @@ class _Reader:
 def _place(point: Point) -> dict[str, Any]:
     """A position that a page can show."""
     x, y = (
-        max(-FARTHEST, min(FARTHEST, float(one))) if isfinite(one) else 0.0
-        for one in (point.x, point.y)
+        max(-FARTHEST, min(FARTHEST, float(coordinate))) if isfinite(coordinate) else 0.0
+        for coordinate in (point.x, point.y)
     )
     return {"x": x, "y": y}

@@ -8,7 +8,7 @@ on their way to the robot, as in the recorder of the trace.
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from learnblock.client import Client
 from learnblock.devices import Base, Camera, Device, JointMotor, Pose, Sensor
@@ -17,6 +17,7 @@ from learnblock.monitor import plain_stage
 from learnblock.monitor.monitor import (
     Link,
     LinkState,
+    Picture,
     Robot,
     Scene,
     Seen,
@@ -27,9 +28,6 @@ from learnblock.monitor.monitor import (
 )
 from learnblock.monitor.sensors import SENSOR_TYPES, sensors_of
 from learnblock.monitor.sensors import Sensor as SensorNow
-
-if TYPE_CHECKING:
-    from learnblock.monitor.pictures import Picture
 
 #: Seconds without a message or a reading after which a link counts as weak.
 WEAK_SILENCE = 0.5
@@ -171,15 +169,15 @@ class ClientMonitor:
             kind = type(device).__name__
             if kind in SENSOR_TYPES:
                 self._keep(client, device, key)
-        shown = sorted(self._sensors, key=lambda one: SENSOR_TYPES.index(one[0]))
-        return tuple(sensor for one in shown for sensor in self._sensors[one])
+        shown = sorted(self._sensors, key=lambda entry: SENSOR_TYPES.index(entry[0]))
+        return tuple(sensor for kind in shown for sensor in self._sensors[kind])
 
     def _keep(self, client: Client, device: Device, key: str) -> None:
         """Keep a device's readings; without new ones, its sensors remain, without values."""
         kind = type(device).__name__
         sensors = tuple(sensors_of(kind, _newest(client, device, key), key))
         known = self._sensors.get((kind, key), ())
-        self._sensors[kind, key] = sensors or tuple(one.without_value() for one in known)
+        self._sensors[kind, key] = sensors or tuple(sensor.without_value() for sensor in known)
 
     def _all_readings_fail(self, client: Client) -> bool:
         """Whether no sensor at all can be read; a single one may just be unplugged."""

@@ -4,16 +4,14 @@ Its values are structs, which the messages to the page contain or extend.
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from enum import StrEnum
-from typing import TYPE_CHECKING, Annotated, Any, Literal, Protocol
+from typing import Annotated, Any, Literal, Protocol
 
 from msgspec import Meta, Struct, field
 
 from learnblock.devices import Pose
 from learnblock.monitor.sensors import Sensor
-
-if TYPE_CHECKING:
-    from learnblock.monitor.pictures import Picture
 
 #: The contents of a world's file and of a robot's, as plain values: the page has their types, and
 #: `read_world` reports each mistake in a world that the page has edited.
@@ -137,6 +135,25 @@ class Seen(Struct, frozen=True, omit_defaults=True):
     corners: tuple[tuple[float, float], ...]
 
 
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """A picture with its findings.
+
+    Args:
+        jpeg: the contents of the file.
+        width: in pixels.
+        height: in pixels.
+        time: the robot's time in s.
+        seen: the findings.
+    """
+
+    jpeg: bytes
+    width: int
+    height: int
+    time: float
+    seen: tuple[Seen, ...]
+
+
 class State(Struct, frozen=True):
     """The current state of a world.
 
@@ -183,7 +200,7 @@ class Monitor(Protocol):
     def link(self) -> Link:
         """Its link."""
 
-    def camera(self) -> "Picture | None":
+    def camera(self) -> Picture | None:
         """Its camera's newest picture, with the findings of perception.
 
         None without a camera or before its first picture. While nothing changes, the picture is

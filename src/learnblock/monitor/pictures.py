@@ -1,10 +1,9 @@
 """A camera's picture for a person: a JPEG file, and the findings of perception."""
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from learnblock.monitor.monitor import Seen
+from learnblock.monitor.monitor import Picture, Seen
 from learnblock.perception import ColouredObject, Face, FaceEmotion, Lines, LineView, Sight, Tag
 from learnblock.perception.settings import TABLE
 
@@ -18,25 +17,6 @@ _COLUMNS = {"left": (0, 120), "center": (120, 200), "right": (200, 320)}
 _ROWS = (15, 225)
 
 Corners = tuple[tuple[float, float], ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Picture:
-    """A picture with its findings.
-
-    Args:
-        jpeg: the contents of the file.
-        width: in pixels.
-        height: in pixels.
-        time: the robot's time in s.
-        seen: the findings.
-    """
-
-    jpeg: bytes
-    width: int
-    height: int
-    time: float
-    seen: tuple[Seen, ...]
 
 
 def develop(frame: "Frame", time: float, *, drawn: bool) -> Picture:
@@ -53,10 +33,10 @@ def develop(frame: "Frame", time: float, *, drawn: bool) -> Picture:
     height, width = frame.shape[:2]
     sight, settings = Sight(frame), TABLE.load()
     seen = tuple(
-        one
+        seen
         for name, describe in _FINDINGS.items()
         if settings.permits(name, drawn=drawn)
-        for one in describe(sight.detect(name))
+        for seen in describe(sight.detect(name))
     )
     return Picture(_jpeg(frame), width, height, time, seen)
 
@@ -72,7 +52,7 @@ def found(detected: Mapping[str, Any]) -> tuple[Seen, ...] | None:
     if "emotions" in known:
         known.pop("faces", None)
     return tuple(
-        one for name, describe in _ASKED.items() if name in known for one in describe(known[name])
+        seen for name, describe in _ASKED.items() if name in known for seen in describe(known[name])
     )
 
 
@@ -103,7 +83,7 @@ def _plain_faces(faces: tuple[Face, ...]) -> Iterator[Seen]:
 
 
 def _objects(objects: tuple[ColouredObject, ...]) -> Iterator[Seen]:
-    return (Seen("object", one.colour, _box(one)) for one in objects)
+    return (Seen("object", detected.colour, _box(detected)) for detected in objects)
 
 
 def _lines(lines: Lines) -> Iterator[Seen]:

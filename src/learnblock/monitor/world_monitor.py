@@ -16,6 +16,7 @@ from learnblock.monitor.monitor import (
     GoalNow,
     Link,
     LinkState,
+    Picture,
     Robot,
     Scene,
     Seen,
@@ -23,7 +24,7 @@ from learnblock.monitor.monitor import (
     Stroke,
     located,
 )
-from learnblock.monitor.pictures import Picture, develop, found
+from learnblock.monitor.pictures import develop, found
 from learnblock.monitor.sensors import Sensor, sensors_of
 from learnblock.monitor.worlds import world_lines, world_values
 from learnblock.robots.simulated import SimulatedRobot, Simulation, goal_of

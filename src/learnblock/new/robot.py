@@ -30,7 +30,7 @@ _EXAMPLES = (
     ("dance.bt", "empty"),
     ("patrol.bt", "empty"),
 )
-_EXAMPLES_WITH_ROOM = tuple(one for one in _EXAMPLES if one[1] == "empty")
+_EXAMPLES_WITH_ROOM = tuple(example for example in _EXAMPLES if example[1] == "empty")
 _EXAMPLES_TRIED = 4
 #: The results that `check_robot` accepts for 1 s of 50 mm/s and 45 degrees/s, minus some noise.
 _FORWARD = (30.0, 85.0)
@@ -135,13 +135,13 @@ def _wrong_settings(plan: RobotPlan) -> Iterator[str]:
 def _suitable(plan: RobotPlan) -> list[tuple[str, str]]:
     """The first examples that such a robot can run."""
     fitting = _EXAMPLES if plan.body.reach <= _WIDEST else _EXAMPLES_WITH_ROOM
-    return [one for one in fitting if _can_run(plan, one[0])][:_EXAMPLES_TRIED]
+    return [example for example in fitting if _can_run(plan, example[0])][:_EXAMPLES_TRIED]
 
 
 def _can_run(plan: RobotPlan, example: str) -> bool:
     tree = running.read(running.example(example)).tree
     found = check(tree, builtin(), equipment(plan.devices(), plan.abilities()))
-    return not any(one.severity == "error" for one in found)
+    return not any(diagnostic.severity == "error" for diagnostic in found)
 
 
 def _excused(plan: RobotPlan) -> str:

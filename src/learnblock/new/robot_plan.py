@@ -140,9 +140,9 @@ def _check(plan: RobotPlan) -> Iterator[Finding]:
 
 def _check_keys(plan: RobotPlan) -> Iterator[Finding]:
     """Refuse keys that are not identifiers, because they become part of a Python file."""
-    keys = [(("camera", i, "key"), one.key) for i, one in enumerate(plan.camera)]
-    keys += [(("joint", i, "key"), one.key) for i, one in enumerate(plan.joint)]
-    keys += [(("led", i, "slot"), one.slot) for i, one in enumerate(plan.led)]
+    keys = [(("camera", i, "key"), camera.key) for i, camera in enumerate(plan.camera)]
+    keys += [(("joint", i, "key"), joint.key) for i, joint in enumerate(plan.joint)]
+    keys += [(("led", i, "slot"), led.slot) for i, led in enumerate(plan.led)]
     for path, key in keys:
         if not is_key(key):
             message = Phrase("new-bad-key", field=str(path[2]), key=key)

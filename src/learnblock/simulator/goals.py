@@ -326,7 +326,7 @@ def goals(world: WorldDescription, pushed: Sequence[Pushed] = ()) -> tuple[Goal,
         world: the file's content.
         pushed: the objects that can be pushed.
     """
-    made = tuple(_made(world, {one.thing.name: one for one in pushed}))
+    made = tuple(_made(world, {goal.thing.name: goal for goal in pushed}))
     named = {goal.state.name: goal for goal in made}
     for goal, (_, _, described) in zip(made, world.goal.all(), strict=True):
         goal.first = named[described.after] if described.after else None

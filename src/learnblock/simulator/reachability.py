@@ -306,7 +306,7 @@ def _obstacles(world: WorldFile) -> dict[What, list[_Shape]]:
             _Shape(ends, wall.thickness) for wall in world.wall for ends in pairwise(wall.points)
         ],
         "box": [_thing(box) for box in world.box if box.mass is None],
-        "cylinder": [_thing(one) for one in world.cylinder if one.mass is None],
+        "cylinder": [_thing(cylinder) for cylinder in world.cylinder if cylinder.mass is None],
         "board": [_board(board) for board in boards],
         "prop": [_thing(body) for body in solid_props(world.prop)],
     }

@@ -274,7 +274,7 @@ class RobotFile(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
             [
                 *(f"DistanceSensors:{side}" for side in sides),
                 *(["GroundSensors:line"] if reflected else []),
-                *(f"Speaker:{one}" for one in spoken),
+                *(f"Speaker:{way}" for way in spoken),
                 *(output for output in self.outputs if ":" in output),
             ]
         )

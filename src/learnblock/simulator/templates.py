@@ -256,13 +256,13 @@ def _chains(edges: Iterable[Edge]) -> list[list[Cell]]:
     """Join edges to chains of corners, as far as they continue."""
     links: dict[Cell, set[Cell]] = {}
     for edge in edges:
-        one, other = edge
-        links.setdefault(one, set()).add(other)
-        links.setdefault(other, set()).add(one)
+        start, end = edge
+        links.setdefault(start, set()).add(end)
+        links.setdefault(end, set()).add(start)
     chains = []
     while any(links.values()):
         # From the ends of the walls inwards, so that few chains remain.
-        at = min((cell for cell in links if links[cell]), key=lambda one: (len(links[one]), one))
+        at = min((cell for cell in links if links[cell]), key=lambda cell: (len(links[cell]), cell))
         chain = [at]
         while links[chain[-1]]:
             following = _onwards(chain, links[chain[-1]])
@@ -297,15 +297,15 @@ def _around(tree: set[Edge]) -> list[Cell]:
     """The way around a tree, on a grid twice as fine: once along both sides of each edge."""
     links: dict[Cell, set[Cell]] = {}
 
-    def connect(one: Cell, other: Cell) -> None:
-        links.setdefault(one, set()).add(other)
-        links.setdefault(other, set()).add(one)
+    def connect(cell: Cell, other: Cell) -> None:
+        links.setdefault(cell, set()).add(other)
+        links.setdefault(other, set()).add(cell)
 
     for x, y in {cell for edge in tree for cell in edge}:
         ring = [(2 * x, 2 * y), (2 * x + 1, 2 * y), (2 * x + 1, 2 * y + 1), (2 * x, 2 * y + 1)]
-        for one, other in pairwise([*ring, ring[0]]):
-            if not _is_crossed(one, other, tree):
-                connect(one, other)
+        for cell, other in pairwise([*ring, ring[0]]):
+            if not _is_crossed(cell, other, tree):
+                connect(cell, other)
     for edge in tree:
         (x, y), (end_x, _) = sorted(edge)
         for side in (0, 1):
@@ -316,13 +316,13 @@ def _around(tree: set[Edge]) -> list[Cell]:
     return _loop(links)
 
 
-def _is_crossed(one: Cell, other: Cell, tree: set[Edge]) -> bool:
+def _is_crossed(cell: Cell, other: Cell, tree: set[Edge]) -> bool:
     """Whether the edge of a tree leaves a cell between two of its quarters."""
-    x, y = one[0] // 2, one[1] // 2
-    if one[0] == other[0]:
-        beside = (x + (1 if one[0] % 2 else -1), y)
+    x, y = cell[0] // 2, cell[1] // 2
+    if cell[0] == other[0]:
+        beside = (x + (1 if cell[0] % 2 else -1), y)
     else:
-        beside = (x, y + (1 if one[1] % 2 else -1))
+        beside = (x, y + (1 if cell[1] % 2 else -1))
     return frozenset(((x, y), beside)) in tree
 
 
@@ -347,8 +347,8 @@ def _corners(loop: Sequence[Cell]) -> list[Cell]:
     return corners[longest:] + corners[:longest]
 
 
-def _length(one: Cell, other: Cell) -> int:
-    return abs(one[0] - other[0]) + abs(one[1] - other[1])
+def _length(cell: Cell, other: Cell) -> int:
+    return abs(cell[0] - other[0]) + abs(cell[1] - other[1])
 
 
 def _halfway(corners: Sequence[Cell], lane: float) -> tuple[Point, float]:
@@ -359,15 +359,15 @@ def _halfway(corners: Sequence[Cell], lane: float) -> tuple[Point, float]:
     )
 
 
-def _heading(one: Cell, other: Cell) -> float:
-    ahead = (other[0] > one[0]) - (other[0] < one[0]), (other[1] > one[1]) - (other[1] < one[1])
+def _heading(cell: Cell, other: Cell) -> float:
+    ahead = (other[0] > cell[0]) - (other[0] < cell[0]), (other[1] > cell[1]) - (other[1] < cell[1])
     return next(
         heading for heading in (0.0, 90.0, 180.0, -90.0) if _is_near(forward(heading), ahead)
     )
 
 
-def _is_near(one: Point, other: Point) -> bool:
-    return abs(one[0] - other[0]) + abs(one[1] - other[1]) < 0.5
+def _is_near(point: Point, other: Point) -> bool:
+    return abs(point[0] - other[0]) + abs(point[1] - other[1]) < 0.5
 
 
 def _path(corners: Sequence[Cell], lane: float) -> Iterator[Part]:
@@ -376,8 +376,8 @@ def _path(corners: Sequence[Cell], lane: float) -> Iterator[Part]:
     ways = [*pairwise([corners[-1], *corners])]
     half = _length(*ways[0]) * lane / 2 - radius
     yield from _straight(half)
-    for (one, other), (_, following) in pairwise([*ways, ways[0]]):
-        turn = (_heading(other, following) - _heading(one, other) + 180) % 360 - 180
+    for (cell, other), (_, following) in pairwise([*ways, ways[0]]):
+        turn = (_heading(other, following) - _heading(cell, other) + 180) % 360 - 180
         yield Part(turn=turn, radius=radius)
         is_last = (other, following) == ways[0]
         yield from _straight(half if is_last else _length(other, following) * lane - 2 * radius)

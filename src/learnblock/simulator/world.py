@@ -151,7 +151,7 @@ class World:
         """
         kinds = (robot.description for robot in self.robots.values())
         shared = (self.description, self.floor, *kinds, *self._solids.values())
-        memo: dict[int, Any] = {id(one): one for one in shared}
+        memo: dict[int, Any] = {id(body): body for body in shared}
         if "_scenery" in self.__dict__:
             memo[id(self._scenery)] = self._scenery
         return copy.deepcopy(self, memo)
@@ -170,7 +170,7 @@ class World:
     def finish(self, name: str) -> None:
         """Check the goals once more when a robot's program has ended and it stays where it is."""
         states = map(self._state_of, self.robots.values())
-        self._check_goals([replace(one, has_ended=one.name == name) for one in states])
+        self._check_goals([replace(state, has_ended=state.name == name) for state in states])
         self.robots[name].pen.set(False)
 
     @property

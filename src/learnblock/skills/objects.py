@@ -103,4 +103,4 @@ def _largest(robot: "Client", colour: str) -> "ColouredObject | None":
     if colour not in _COLOURS:
         raise UnknownNameError("colour", str(colour), _COLOURS)
     # The detector sorts them by size.
-    return next((one for one in _objects(robot) or () if one.colour == colour), None)
+    return next((seen for seen in _objects(robot) or () if seen.colour == colour), None)

@@ -96,9 +96,11 @@ class Table(Generic[SettingsT]):
             UnknownNameError: there is no such setting.
             SettingsError: the value is invalid, or the file already is.
         """
-        field = next((one for one in msgspec.structs.fields(self.kind) if one.name == name), None)
+        field = next(
+            (field for field in msgspec.structs.fields(self.kind) if field.name == name), None
+        )
         if field is None:
-            known = [one.name for one in msgspec.structs.fields(self.kind)]
+            known = [field.name for field in msgspec.structs.fields(self.kind)]
             raise UnknownNameError("setting", name, known)
         value = field.default if text is None else _value(text, self._types()[name])
         return self.change_all({name: value})

@@ -26,7 +26,7 @@ def describe(allowed: inspect.Type) -> Phrase:
             if tagged := tag(allowed):
                 key, values = tagged
                 return Phrase("toml-tagged", key=key, allowed=_describe_scalar(values))
-            return _either([one for one in types if not isinstance(one, inspect.NoneType)])
+            return _either([kind for kind in types if not isinstance(kind, inspect.NoneType)])
         case inspect.TupleType() | inspect.VarTupleType():
             return _describe_list(allowed)
     return _describe_scalar(allowed)

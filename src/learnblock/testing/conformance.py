@@ -53,7 +53,10 @@ class Certificate:
 
     def __str__(self) -> str:
         verdict = "conforms" if self.passed else "does not conform"
-        lines = [f"{one.outcome:<8} {one.claim:<58} {one.detail}" for one in self.findings]
+        lines = [
+            f"{finding.outcome:<8} {finding.claim:<58} {finding.detail}"
+            for finding in self.findings
+        ]
         return "\n".join([f"{self.robot} {verdict}", *(line.rstrip() for line in lines)])
 
 

@@ -75,7 +75,7 @@ def check_function(robot: Client, name: str) -> None:
     if name not in known:
         raise UnknownNameError("device-function", name, known)
     whole, _, function = name.rpartition(".")
-    device = {f"{type(one).__name__}:{key}": one for key, one in robot.devices()}[whole]
+    device = {f"{type(device).__name__}:{key}": device for key, device in robot.devices()}[whole]
     given = () if function == "read" else _COMMANDS[f"{type(device).__name__}.{function}"]
     answer = device.functions[function](*given)
     if not _is_right(device, function, answer):

@@ -72,7 +72,9 @@ def resets_gyroscope(bench: Bench) -> str:
 def moves_joints(bench: Bench) -> str:
     """Check that each joint that reports its angle reaches 10 degrees."""
     with bench.robot() as robot:
-        joints = [(key, one) for key, one in robot.devices() if isinstance(one, JointMotor)]
+        joints = [
+            (key, device) for key, device in robot.devices() if isinstance(device, JointMotor)
+        ]
         if not joints:
             raise SkippedClaimError("it has no joint")
         for key, joint in joints:

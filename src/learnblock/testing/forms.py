@@ -47,13 +47,13 @@ def is_number(value: object, least: float = -math.inf, most: float = math.inf) -
 
 def _are_distances(reading: Any) -> bool:
     return set(reading) <= {"front", "left", "right", "back"} and all(
-        is_number(one, 0, NOTHING_SEEN) for several in reading.values() for one in several
+        is_number(value, 0, NOTHING_SEEN) for several in reading.values() for value in several
     )
 
 
 def _are_grounds(reading: Any) -> bool:
     return set(reading) <= {"left", "central", "right"} and all(
-        one is None or is_number(one, 0, 100) for one in reading.values()
+        value is None or is_number(value, 0, 100) for value in reading.values()
     )
 
 
@@ -70,7 +70,7 @@ _FORMS: Mapping[type[Device], Callable[[Any], bool]] = {
     Accelerometer: lambda reading: len(reading) == 3 and all(map(is_number, reading)),
     Bumper: lambda reading: isinstance(reading, bool),
     Camera: _is_frame,
-    Controller: lambda reading: all(isinstance(one, bool) for one in reading.values()),
+    Controller: lambda reading: all(isinstance(value, bool) for value in reading.values()),
     DistanceSensors: _are_distances,
     GroundSensors: _are_grounds,
     Gyroscope: is_number,

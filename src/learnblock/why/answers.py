@@ -130,7 +130,7 @@ class _Answering:
 
     def _ran(self, numbers: list[int], until: int, time: float | None) -> bool:
         """Tell why statements ran; each of them if no moment is meant. False if none ran."""
-        ran = [one for one in self._doing.results(numbers, until) if self._doing.in_span(one)]
+        ran = [event for event in self._doing.results(numbers, until) if self._doing.in_span(event)]
         if not ran:
             return False
         last = {self._line_of(event): event for event in ran}
@@ -161,7 +161,7 @@ class _Answering:
 
     def _print(self, subject: str, until: int, time: float | None) -> None:
         calls = self._prints(subject)
-        ran = [one for one in self._doing.results(calls, until) if self._doing.in_span(one)]
+        ran = [event for event in self._doing.results(calls, until) if self._doing.in_span(event)]
         if ran:
             self._print_ran(ran[-1], until)
         else:
@@ -319,8 +319,10 @@ class _Answering:
         recorded = self._history.recorded
         if goals := recorded.ending.get("goals"):
             return list(goals)
-        told = [line for line in recorded.lines if line.get("goal") == name]
-        now = {"state": told[-1]["state"], "time": told[-1]["t"]} if told else {"state": "open"}
+        states = [line for line in recorded.lines if line.get("goal") == name]
+        now = (
+            {"state": states[-1]["state"], "time": states[-1]["t"]} if states else {"state": "open"}
+        )
         return [{"name": name, **now}] if name and not recorded.ending else []
 
     def _emotion(self, name: str, until: int, time: float | None) -> None:
@@ -329,17 +331,17 @@ class _Answering:
             for index, event in enumerate(self._history.events[: until + 1])
             if event[0] == Op.COMMAND and event[2] == "show_emotion" and event[3][:1] == [name]
         ]
-        found: dict[int, int] = {}
+        last_by_line: dict[int, int] = {}
         for index in reversed(shown):
             use = self._doing.outermost(index)
             if use is not None and index >= self._doing.first:
                 event = use.result if 0 <= use.result <= until else use.begun
-                found.setdefault(self._line_of(event), event)
+                last_by_line.setdefault(self._line_of(event), event)
         several = 1 if self._doing.is_moment(time) else LINES
-        for event in [*found.values()][:several]:
+        for event in [*last_by_line.values()][:several]:
             self._telling.begin_part()
             self._doing.ran(event, until)
-        if found:
+        if last_by_line:
             return
         self._doing.not_happened(until, time)
         self._now("", until, time)

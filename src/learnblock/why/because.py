@@ -80,9 +80,9 @@ class Because:
             if name != "robot":
                 self.value(name, begun, _DATA)
         frame = history.frames[begun]
-        asked = history.last_of(history.of_node.get(node.control, []), begun)
-        if node.control >= 0 and asked >= 0:
-            self._wait(asked, "", _CONTROL)
+        decision = history.last_of(history.of_node.get(node.control, []), begun)
+        if node.control >= 0 and decision >= 0:
+            self._wait(decision, "", _CONTROL)
         elif frame.entered >= 0:
             self._wait(frame.entered, "", _CALLED)
         for index, loop in enumerate(self._slices.loops_before(call, begun)):
@@ -170,10 +170,10 @@ class Because:
 
     def state(self, when: str, event: int, cost: float = 0.0) -> None:
         """Tell what made a `when` active or not, when `finish` is called."""
-        asked = self._history.last_of(self._conditions_of(when), event)
+        decision = self._history.last_of(self._conditions_of(when), event)
         switched = self._history.last_of(self._history.switches.get(when, []), event)
-        if max(asked, switched) >= 0:
-            self._wait(max(asked, switched), when, cost)
+        if max(decision, switched) >= 0:
+            self._wait(max(decision, switched), when, cost)
 
     def condition(self, event: int, cost: float = 0.0) -> None:
         """Add what made a condition true or not, without the condition itself."""
@@ -293,8 +293,8 @@ class Because:
         for number, other in enumerate(self._history.nodes):
             if other.kind is not Kind.CALL or (other.base, other.name) != (node.name, "deactivate"):
                 continue
-            asked = self._history.of_node.get(other.control, ()) if other.control >= 0 else ()
-            last = self._history.last_of([*asked], event)
+            decisions = self._history.of_node.get(other.control, ()) if other.control >= 0 else ()
+            last = self._history.last_of([*decisions], event)
             if last > cause and number not in self._history.of_node:
                 self._say(
                     "why-needs",
@@ -310,7 +310,9 @@ class Because:
         if call < 0:
             return
         self._say("why-given", call, name=name, function=node.name, value=value_phrase(value))
-        reads = [one for one in self._history.node(call).reads if one != node.name]
+        reads = [
+            name_read for name_read in self._history.node(call).reads if name_read != node.name
+        ]
         self._add_causes(call, cost, reads)
 
     def _tell_written(self, event: int, node: Node, name: str, cost: float) -> None:

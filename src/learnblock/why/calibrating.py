@@ -79,15 +79,15 @@ def drift(prediction: Prediction) -> Drift:
     legs = [*_legs(prediction)]
     counted_way = _ratio(_ways(prediction, legs), "odometry", LEAST_WAY)
     counted_turn = _ratio(_turns(prediction, prediction.real, legs), "odometry", LEAST_TURN)
-    known = prediction.recorded.robot.get("calibration")
-    if not known:
+    calibrated = prediction.recorded.robot.get("calibration")
+    if not calibrated:
         # What it reports is its true way, as far as it knows it: no setting of ours is in it.
         turn = _ratio(_turns(prediction, prediction.headings, legs), "gyroscope", LEAST_TURN)
         return Drift(counted_way, counted_turn, counted_way, turn or counted_turn, {}, {})
     way = _approach(prediction, legs)
     turn = _ratio(_turns_beyond_wheels(prediction, legs), "gyroscope", LEAST_TURN)
-    sizes: dict[str, float] = known["sizes"]
-    calibration = Calibration(known["distance"], known["angle"])
+    sizes: dict[str, float] = calibrated["sizes"]
+    calibration = Calibration(calibrated["distance"], calibrated["angle"])
     return Drift(
         counted_way, counted_turn, way, turn, sizes, _better(calibration, sizes, way, turn)
     )
@@ -108,9 +108,9 @@ def _better(
 def _legs(prediction: Prediction) -> Iterator[tuple[float, float]]:
     """The times between two commands to the wheels."""
     lines: Sequence[dict[str, Any]] = prediction.recorded.lines
-    told = [line["t"] for line in lines if line.get("device") == "Base"]
-    if told:
-        yield from zip(told, [*told[1:], prediction.twin.times[-1]], strict=True)
+    starts = [line["t"] for line in lines if line.get("device") == "Base"]
+    if starts:
+        yield from zip(starts, [*starts[1:], prediction.twin.times[-1]], strict=True)
 
 
 def _ways(prediction: Prediction, legs: list[tuple[float, float]]) -> Iterator[tuple[float, float]]:
@@ -145,14 +145,18 @@ def _turns_beyond_wheels(
 
 def _ratio(legs: Iterator[tuple[float, float]], sensor: str, least: float) -> Ratio | None:
     """The ratio of both sums, to which a leg backward adds like one forward."""
-    done = told = sign = 0.0
+    done = reference_sum = sign = 0.0
     for real, reference in legs:
         if abs(reference) >= _STILL:
             sign = 1.0 if reference > 0 else -1.0
         # While its twin stands, the robot may still end what it did before.
         done += sign * real
-        told += sign * reference
-    return Ratio(round(done / told, 4), sensor, round(told, 1)) if told >= least else None
+        reference_sum += sign * reference
+    return (
+        Ratio(round(done / reference_sum, 4), sensor, round(reference_sum, 1))
+        if reference_sum >= least
+        else None
+    )
 
 
 def _approach(prediction: Prediction, legs: list[tuple[float, float]]) -> Ratio | None:

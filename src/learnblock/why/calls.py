@@ -180,10 +180,12 @@ class _Counting:
         self._count()
 
     def edges(self) -> Iterator[Edge]:
-        for (caller, callee), one in self._sums.items():
-            seconds = round(one.seconds, 3)
+        for (caller, callee), total in self._sums.items():
+            seconds = round(total.seconds, 3)
             share = _share(seconds, self._last - self._first)
-            yield Edge(caller, callee, one.count, seconds, share, one.first, one.last, one.event)
+            yield Edge(
+                caller, callee, total.count, seconds, share, total.first, total.last, total.event
+            )
 
     def _count(self) -> None:
         history = self._history
@@ -234,10 +236,10 @@ class _Counting:
         if over < self._first or began > self._last:
             return
         times = history.times[begun]
-        one = self._sums.setdefault((caller, callee), _Sum(begun, began, began))
-        one.count += times
-        one.seconds += times * (min(over, self._last) - max(began, self._first))
-        one.last = began
+        total = self._sums.setdefault((caller, callee), _Sum(begun, began, began))
+        total.count += times
+        total.seconds += times * (min(over, self._last) - max(began, self._first))
+        total.last = began
 
 
 def _skill(use: SkillUse) -> Called:

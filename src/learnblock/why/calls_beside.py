@@ -45,8 +45,10 @@ class CallsBeside:
     @cached_property
     def pairs(self) -> tuple[Pair, ...]:
         """All functions, by row; those of both runs come first."""
-        one, other = ({node.called: node for node in calls.nodes} for calls in self._graphs)
-        pairs = [Pair(called, one.get(called), other.get(called)) for called in {**one, **other}]
+        first, second = ({node.called: node for node in calls.nodes} for calls in self._graphs)
+        pairs = [
+            Pair(called, first.get(called), second.get(called)) for called in {**first, **second}
+        ]
         return tuple(sorted(pairs, key=lambda pair: (pair.called.layer, pair.differs)))
 
     @property

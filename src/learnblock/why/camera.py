@@ -24,12 +24,12 @@ class Camera:
 
     def turned(self, event: int) -> int:
         """The command that set the angle, if a condition asked the camera; -1 if none did."""
-        asked = any(
+        uses_camera = any(
             use and (block := blocks().get(use.name)) and _NEEDS.intersection(block.needs)
             for part in self._slices.parts(event)
             for use in (self._history.skills.get(part),)
         )
-        return self._history.last_of(self._slices.of_camera, event) if asked else -1
+        return self._history.last_of(self._slices.of_camera, event) if uses_camera else -1
 
     def tell(self, command: int) -> None:
         """Tell which line set the angle."""

@@ -59,20 +59,20 @@ class Comparison:
     edits: tuple[Edit, ...] = ()
 
 
-def compared(one: History, other: History) -> Comparison:
+def compared(first: History, second: History) -> Comparison:
     """Compare two runs."""
-    changed = edits(one.program, other.program)
-    conditions = tuple(_conditions(one, other))
+    changed = edits(first.program, second.program)
+    conditions = tuple(_conditions(first, second))
     is_exact = bool(changed) and not conditions
     causes = (*map(_edit_phrase, changed[:MOST_EDITS]), *_more(changed), *conditions)
-    found = _parting(one, other, acts=is_exact)
-    return Comparison(found, causes or tuple(_without_cause(one, other, found)), changed)
+    parted = _parting(first, second, acts=is_exact)
+    return Comparison(parted, causes or tuple(_without_cause(first, second, parted)), changed)
 
 
 # Why: docs/decisions.md, "Two runs part at the first decision that differs"
-def parting(one: History, other: History) -> Parting | None:
+def parting(first: History, second: History) -> Parting | None:
     """Find the first decision in which two runs differ; None if there is none."""
-    return compared(one, other).parting
+    return compared(first, second).parting
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,29 +90,29 @@ class _Step:
     counted: bool = False
 
 
-def _parting(one: History, other: History, *, acts: bool) -> Parting | None:
+def _parting(first: History, second: History, *, acts: bool) -> Parting | None:
     """The first step that differs.
 
     Args:
-        one: the first run.
-        other: the second run.
+        first: the first run.
+        second: the second run.
         acts: whether commands to the robot and their times count too: they do if nothing but the
             program differs, because then they differ for no other reason than an edit.
     """
     kinds = _DECISIONS | {Op.COMMAND} if acts else _DECISIONS
-    places = _places(one, other)
-    steps = zip_longest(_steps(one, kinds), _steps(other, kinds))
+    places = _places(first, second)
+    steps = zip_longest(_steps(first, kinds), _steps(second, kinds))
     for mine, theirs in islice(steps, MOST_STEPS):
         if (
             mine
             and theirs
-            and _done(one, mine, places) == _done(other, theirs, None)
+            and _done(first, mine, places) == _done(second, theirs, None)
             and not (acts and _apart(mine, theirs))
         ):
             continue
-        together = mine.ticks * TICK if mine else one.end
-        because = _because(one, mine, other, theirs)
-        return Parting(_told(one, mine), _told(other, theirs), round(together, 3), because)
+        together = mine.ticks * TICK if mine else first.end
+        because = _because(first, mine, second, theirs)
+        return Parting(_told(first, mine), _told(second, theirs), round(together, 3), because)
     return None
 
 
@@ -127,18 +127,20 @@ def _steps(history: History, kinds: frozenset[Op]) -> Iterator[_Step]:
         if what[0] in kinds:
             yield _Step(event, history.ticks[event])
         elif what[0] == Op.REPEATED:
-            turn = [one for one in history.turn_before(event) if history.events[one][0] in kinds]
+            turn = [
+                index for index in history.turn_before(event) if history.events[index][0] in kinds
+            ]
             began = history.ticks[event] - what[3]
             for number in range(what[2] if turn else 0):
                 now = began + round(what[3] * (number + 1) / what[2])
-                yield from (_Step(one, now, counted=True) for one in turn)
+                yield from (_Step(decision, now, counted=True) for decision in turn)
 
 
-def _places(one: History, other: History) -> dict[int, int]:
+def _places(first: History, second: History) -> dict[int, int]:
     """For each node of the first program, the node of the second one that it became."""
-    lines = line_pairs(one.program, other.program)
-    there = {place: number for number, place in enumerate(_marks(other))}
-    became = ((kind, lines.get(line, 0), nth) for kind, line, nth in _marks(one))
+    lines = line_pairs(first.program, second.program)
+    there = {place: number for number, place in enumerate(_marks(second))}
+    became = ((kind, lines.get(line, 0), nth) for kind, line, nth in _marks(first))
     return {number: there[mark] for number, mark in enumerate(became) if mark in there}
 
 
@@ -184,17 +186,17 @@ def _caller(history: History, command: int) -> int:
 
 
 def _because(
-    one: History, mine: _Step | None, other: History, theirs: _Step | None
+    first: History, mine: _Step | None, second: History, theirs: _Step | None
 ) -> Phrase | None:
     """Two answers to one question, each with what was measured."""
     if not mine or not theirs:
         return None
-    ahead, there = one.events[mine.event], other.events[theirs.event]
+    ahead, there = first.events[mine.event], second.events[theirs.event]
     if not ahead[0] == there[0] == Op.CONDITION or ahead[2] == there[2]:
         return None
-    facts = [_facts(one, mine.event), _facts(other, theirs.event)]
-    sentence = _told(one, mine)
-    if not all(facts) or one.line(ahead[1]) != sentence.line:
+    facts = [_facts(first, mine.event), _facts(second, theirs.event)]
+    sentence = _told(first, mine)
+    if not all(facts) or first.line(ahead[1]) != sentence.line:
         return None
     values = dict(sentence.phrase.values)
     return Phrase(
@@ -221,23 +223,23 @@ def _readings(history: History) -> Readings:
 # What was different from the start.
 
 
-def _conditions(one: History, other: History) -> Iterator[Phrase]:
-    mine, theirs = one.recorded.conditions, other.recorded.conditions
+def _conditions(first: History, second: History) -> Iterator[Phrase]:
+    mine, theirs = first.recorded.conditions, second.recorded.conditions
     for name, code in _CAUSES.items():
         if mine.get(name) != theirs.get(name):
             yield Phrase(code, one=_name(mine.get(name)), other=_name(theirs.get(name)))
-    if mine.get("world") == theirs.get("world") and _world(one) != _world(other):
+    if mine.get("world") == theirs.get("world") and _world(first) != _world(second):
         yield Phrase("why-cause-variant", world=_name(mine.get("world")))
     if mine.get("start") != theirs.get("start"):
         yield Phrase("why-cause-start")
-    if _by_hand(one) != _by_hand(other):
+    if _by_hand(first) != _by_hand(second):
         yield Phrase("why-cause-hand")
 
 
-def _without_cause(one: History, other: History, found: Parting | None) -> Iterator[Phrase]:
-    if _is_real(one) or _is_real(other):
+def _without_cause(first: History, second: History, parted: Parting | None) -> Iterator[Phrase]:
+    if _is_real(first) or _is_real(second):
         yield Phrase("why-cause-real")
-    elif found and one.recorded.ending.get("ended") != other.recorded.ending.get("ended"):
+    elif parted and first.recorded.ending.get("ended") != second.recorded.ending.get("ended"):
         yield Phrase("why-cause-length")
 
 

@@ -56,7 +56,7 @@ def decimals(condition: str, values: Mapping[str, Any], *, was_true: bool) -> in
 def is_compared_exactly(condition: str) -> bool:
     """Whether a condition asks if two values are exactly equal."""
     tree = _parsed(condition)
-    return tree is not None and any(isinstance(one, ast.Eq | ast.NotEq) for one in ast.walk(tree))
+    return tree is not None and any(isinstance(node, ast.Eq | ast.NotEq) for node in ast.walk(tree))
 
 
 def _parsed(condition: str) -> ast.expr | None:
@@ -82,20 +82,20 @@ def _value(node: ast.expr, values: Mapping[str, Any]) -> Any:
         return values[text]
     match node:
         case ast.Constant():
-            found = node.value
+            result = node.value
         case ast.UnaryOp(ast.Not(), operand):
-            found = not _value(operand, values)
+            result = not _value(operand, values)
         case ast.UnaryOp(ast.USub(), operand):
-            found = -_value(operand, values)
+            result = -_value(operand, values)
         case ast.BinOp(left, op, right) if type(op) in _ARITHMETIC:
-            found = _ARITHMETIC[type(op)](_value(left, values), _value(right, values))
+            result = _ARITHMETIC[type(op)](_value(left, values), _value(right, values))
         case ast.BoolOp(op, parts):
-            found = _joined(parts, values, is_or=isinstance(op, ast.Or))
+            result = _joined(parts, values, is_or=isinstance(op, ast.Or))
         case ast.Compare(left, ops, others):
-            found = _compared(left, ops, others, values)
+            result = _compared(left, ops, others, values)
         case _:
             raise _UnknownError
-    return found
+    return result
 
 
 def _joined(parts: list[ast.expr], values: Mapping[str, Any], *, is_or: bool) -> bool:

@@ -148,12 +148,14 @@ class Doing:
             return True
         end = use.ended if use.ended >= 0 else len(self._history.events)
         own = commands[bisect_left(commands, use.begun) : bisect_left(commands, end)]
-        return all(self._movement(one) == STAND for one in own)
+        return all(self._movement(other) == STAND for other in own)
 
     def is_movement(self, command: int, name: str) -> bool:
         """Whether a command makes a movement; a question need not tell a turn from a curve."""
-        made = self._movement(command)
-        return name in (made, made.replace("curve", "spin")) or (not name and "-" in made)
+        name_made = self._movement(command)
+        return name in (name_made, name_made.replace("curve", "spin")) or (
+            not name and "-" in name_made
+        )
 
     def lasting(self, command: int, until: int) -> None:
         """Tell what the program was busy with since a command, for the longest time."""
@@ -202,8 +204,8 @@ class Doing:
         started = history.last_of(history.switches.get(when, []), until)
         if started < 0 or history.node(started).name != "activate":
             return
-        for number, one in enumerate(history.nodes):
-            if one.kind is Kind.CALL and (one.base, one.name) == (when, "deactivate"):
+        for number, call in enumerate(history.nodes):
+            if call.kind is Kind.CALL and (call.base, call.name) == (when, "deactivate"):
                 self._reaching.tell(number, until, started)
 
     def _long_pause(self, command: int, until: int) -> None:
@@ -224,7 +226,9 @@ class Doing:
         if function < 0 or not history.nodes[function].is_when:
             return
         name = history.nodes[function].name
-        calls = {one.name for one in history.nodes if one.base == name and one.kind is Kind.CALL}
+        calls = {
+            node.name for node in history.nodes if node.base == name and node.kind is Kind.CALL
+        }
         if "activate" in calls and "deactivate" not in calls:
             self._telling.say("why-never-stopped", function, name=name)
 
@@ -244,7 +248,7 @@ class Doing:
         before = [
             index
             for index in self._slices.of_base
-            if index < use.begun and (one := self.outermost(index)) and one.name != "slow_down"
+            if index < use.begun and (skill := self.outermost(index)) and skill.name != "slow_down"
         ]
         if before:
             self.moved(before[-1], before[-1])
@@ -309,7 +313,9 @@ class Doing:
         recent = [number for number in numbers if ran[number] and ran[number][-1] >= since]
         for number in recent:
             self._did(number, ran[number][-1], until)
-        for number in self.nearest_first([one for one in numbers if one not in recent], until):
+        for number in self.nearest_first(
+            [number for number in numbers if number not in recent], until
+        ):
             if ran[number]:
                 self._did_before(number, ran[number][-1], until)
             else:
@@ -433,7 +439,7 @@ class Doing:
 
     def _is_pause(self, before: SkillUse, use: SkillUse) -> bool:
         """Whether a wait decided when another skill began: in a loop ahead, its turns did, too."""
-        here, there = (self._standing.call_of(one) for one in (before, use))
+        here, there = (self._standing.call_of(skill) for skill in (before, use))
         if before.name != "sleep" or min(here, there) < 0:
             return False
         return self._history.nodes[here].control == self._history.nodes[there].control
@@ -474,6 +480,6 @@ class Doing:
         for number, node in enumerate(self._history.nodes):
             if name not in node.writes or node.kind is Kind.FUNCTION:
                 continue
-            asked = self._history.last_of(self._history.of_node.get(node.control, []), until)
-            if node.control >= 0 and asked > write:
+            decision = self._history.last_of(self._history.of_node.get(node.control, []), until)
+            if node.control >= 0 and decision > write:
                 self._reaching.tell(number, until, write + 1)

@@ -31,22 +31,22 @@ class Edit:
     after: str
 
 
-def edits(one: Program, other: Program) -> tuple[Edit, ...]:
+def edits(first_program: Program, second_program: Program) -> tuple[Edit, ...]:
     """The lines, as their author wrote them, in which two programs differ."""
-    texts = (one.written, other.written)
-    if (one.source_map is None) != (other.source_map is None):
+    texts = (first_program.written, second_program.written)
+    if (first_program.source_map is None) != (second_program.source_map is None):
         # One was written in Block-Text, the other one in Python.
-        texts = (one.python, other.python)
+        texts = (first_program.python, second_program.python)
     before, after = map(_lines, texts)
     return tuple(edit for edit in _edits(before, after) if edit.before or edit.after)
 
 
-def line_pairs(one: Program, other: Program) -> dict[int, int]:
+def line_pairs(first_program: Program, second_program: Program) -> dict[int, int]:
     """For each line of the first program's Python, the line of the second one that it became.
 
     An edited line is paired with what it became.
     """
-    before, after = _lines(one.python), _lines(other.python)
+    before, after = _lines(first_program.python), _lines(second_program.python)
     pairs: dict[int, int] = {}
     for tag, first, last, there, _ in _changes(before, after, whole=True):
         if tag in ("equal", "replace"):

@@ -54,8 +54,8 @@ class Ending:
         history = self._history
         if self._time is None:
             return history.end if until >= len(history.events) - 1 else history.time(until)
-        asked = min(self._time, history.end)
-        return asked if history.at(asked + _ABOUT) == until else history.time(until)
+        moment = min(self._time, history.end)
+        return moment if history.at(moment + _ABOUT) == until else history.time(until)
 
     def failed(self, until: int) -> bool:
         """Tell that an error had ended the program, if one had."""
@@ -75,8 +75,8 @@ class Ending:
 
     def _causes_of_failure(self, line: int, last: int) -> None:
         history = self._history
-        numbers = [one for one in range(len(history.nodes)) if history.line(one) == line]
-        nodes = [history.nodes[one] for one in numbers]
+        numbers = [number for number in range(len(history.nodes)) if history.line(number) == line]
+        nodes = [history.nodes[number] for number in numbers]
         names = {name for node in nodes for name in node.reads if node.kind is not Kind.FUNCTION}
         for name in sorted(names - {"robot"}):
             self._because.value(name, last, 1.0)
@@ -85,11 +85,11 @@ class Ending:
             if result >= 0 and history.events[result][0] == Op.RESULT:
                 self._because.returned(result)
         control = next((node.control for node in nodes if node.control >= 0), -1)
-        asked = history.last_of(history.of_node.get(control, []), last)
-        if asked >= 0:
+        decision = history.last_of(history.of_node.get(control, []), last)
+        if decision >= 0:
             # A condition that asks for the same values is likely to be wrong.
             is_near = names.intersection(history.nodes[control].reads)
-            self._because.also(asked, 0.9 if is_near else 2.0)
+            self._because.also(decision, 0.9 if is_near else 2.0)
         self._because.finish()
 
     def stop_reason(self, until: int) -> None:
@@ -103,7 +103,7 @@ def _phrase(plain: Any) -> Phrase | str:
     """A phrase from the plain data in a log."""
     if isinstance(plain, dict) and isinstance(plain.get("code"), str):
         values = plain.get("values") or {}
-        return Phrase(plain["code"], **{str(key): _value(one) for key, one in values.items()})
+        return Phrase(plain["code"], **{str(key): _value(item) for key, item in values.items()})
     return str(plain)
 
 

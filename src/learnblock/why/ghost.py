@@ -76,7 +76,7 @@ def _disobedience(drift: Drift) -> Iterator[Finding]:
     counted = (drift.counted_way, drift.counted_turn)
     different = [ratio for ratio in counted if ratio and ratio.is_noticeable]
     if different:
-        yield Finding(_phrase("twin-wheels", max(different, key=lambda one: abs(one.percent))))
+        yield Finding(_phrase("twin-wheels", max(different, key=lambda ratio: abs(ratio.percent))))
 
 
 def _phrase(code: str, ratio: Ratio, **more: str) -> Phrase:

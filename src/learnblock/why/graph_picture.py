@@ -163,15 +163,15 @@ def _count(edge: Edge, places: dict[Called, tuple[float, float]]) -> str:
 
 def _box(node: Node, place: tuple[float, float], *, is_apart: bool = False) -> str:
     x, y = place
-    said = f"{node.count}×, {node.seconds:g} s" if node.seconds else f"{node.count}×"
+    calls = f"{node.count}×, {node.seconds:g} s" if node.seconds else f"{node.count}×"
     edge = f'stroke="{APART}" stroke-width="4"' if is_apart else 'stroke="#4a5473"'
     return (
-        f"<g><title>{escape(node.called.name)}: {said}</title>"
+        f"<g><title>{escape(node.called.name)}: {calls}</title>"
         f'<rect x="{x - BOX / 2:.0f}" y="{y:.0f}" width="{BOX}" height="{HEIGHT}" rx="8"'
         f' fill="{colour(node.share)}" {edge}/>'
         f'<text text-anchor="middle" x="{x:.0f}" y="{y + 18:.0f}" font-weight="bold">'
         f"{escape(_short(node.called.name))}</text>"
-        f'<text text-anchor="middle" x="{x:.0f}" y="{y + 35:.0f}">{said}</text></g>'
+        f'<text text-anchor="middle" x="{x:.0f}" y="{y + 35:.0f}">{calls}</text></g>'
     )
 
 

@@ -209,20 +209,24 @@ def _locals(source: str, function: Node) -> frozenset[str]:
     for node in ast.walk(ast.parse(source)):
         if isinstance(node, ast.FunctionDef) and node.lineno == function.line:
             written = {*_stored(node)}
-            shared = (one for one in ast.walk(node) if isinstance(one, ast.Global | ast.Nonlocal))
-            return frozenset(written - {name for one in shared for name in one.names})
+            shared = (
+                inner for inner in ast.walk(node) if isinstance(inner, ast.Global | ast.Nonlocal)
+            )
+            return frozenset(
+                written - {name for declaration in shared for name in declaration.names}
+            )
     return frozenset()
 
 
 def _stored(function: ast.FunctionDef) -> Iterator[str]:
     """The variables that a function writes."""
-    for one in ast.walk(function):
-        if isinstance(one, ast.Name) and isinstance(one.ctx, ast.Store):
-            yield one.id
-        elif isinstance(one, ast.ExceptHandler | ast.MatchAs | ast.MatchStar) and one.name:
-            yield one.name
-        elif isinstance(one, ast.MatchMapping) and one.rest:
-            yield one.rest
+    for node in ast.walk(function):
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            yield node.id
+        elif isinstance(node, ast.ExceptHandler | ast.MatchAs | ast.MatchStar) and node.name:
+            yield node.name
+        elif isinstance(node, ast.MatchMapping) and node.rest:
+            yield node.rest
 
 
 class _Reading:
@@ -376,7 +380,7 @@ class _Reading:
     def _switched_on(self, when: Node) -> int:
         """The event that made a `when` active: its condition, or a call."""
         history = self._history
-        asked = [
+        conditions = [
             event
             for number, node in enumerate(history.nodes)
             if node.kind is Kind.WHEN and node.name == when.name
@@ -385,7 +389,7 @@ class _Reading:
         on = [
             event for event in history.switches[when.name] if history.node(event).name == "activate"
         ]
-        return asked[-1] if asked else on[-1] if on else -1
+        return conditions[-1] if conditions else on[-1] if on else -1
 
     def _leave(self, index: int, event: Event) -> None:
         if any(frame.node == event[1] for frame in self._stack[1:]):

@@ -66,8 +66,8 @@ def main_part(text: str) -> str:
         # The circumstances come first.
         _, _, rest = text.partition(",")
         return rest.strip() or text
-    found = _CIRCUMSTANCES.search(text)
-    part = text[: found.start()].strip() if found else text
+    circumstances = _CIRCUMSTANCES.search(text)
+    part = text[: circumstances.start()].strip() if circumstances else text
     return text if _WHY.sub("", part).strip() in ("", "did it", "does it") else part
 
 
@@ -83,12 +83,14 @@ class Reader:
     def __init__(self, text: str, history: History, correct: Callable[[str], str]) -> None:
         self._history = history
         self.tokens = [correct(word) for word in words(text)]
-        found = [(word, concept(word)) for word in self.tokens]
+        meanings = [(word, concept(word)) for word in self.tokens]
         #: In the order of the words.
-        self.concepts = [one for _, one in found if one and one is not Concept.FILLER]
+        self.concepts = [
+            meaning for _, meaning in meanings if meaning and meaning is not Concept.FILLER
+        ]
         self._known = frozenset(self.concepts)
         #: The words that LearnBlock does not know.
-        self.unknown = [word for word, one in found if one is None]
+        self.unknown = [word for word, meaning in meanings if meaning is None]
         self.is_negative = Concept.NOT in self._known
 
     def meaning(self) -> Meaning | None:
@@ -110,9 +112,9 @@ class Reader:
             self._motion,
             self._goal,
         ):
-            found = find()
-            if found is not None:
-                return Meaning(found.ask, found.subject, Concept.FIRST in self._known)
+            meaning = find()
+            if meaning is not None:
+                return Meaning(meaning.ask, meaning.subject, Concept.FIRST in self._known)
         return None
 
     def _has(self, *some: Concept) -> bool:
@@ -142,13 +144,15 @@ class Reader:
 
     def _seen(self) -> Meaning | None:
         """It did not see something: a statement that would have run if it had."""
-        sense = next((one for one in self.concepts if one in _SENSES), None)
+        sense = next((word for word in self.concepts if word in _SENSES), None)
         if not self._has(Concept.SEE) or sense is None:
             return None
         nodes = self._history.nodes
         asking = [number for number, node in enumerate(nodes) if self._senses(node, sense)]
-        whens = (one for one, node in enumerate(nodes) if node.kind is Kind.WHEN)
-        if (when := next((one for one in whens if self._is_of(one, asking)), None)) is not None:
+        whens = (number for number, node in enumerate(nodes) if node.kind is Kind.WHEN)
+        if (
+            when := next((number for number in whens if self._is_of(number, asking)), None)
+        ) is not None:
             return Meaning(Ask.NOT_WHEN if self.is_negative else Ask.WHEN, nodes[when].name)
         inside = [node for node in nodes if node.control >= 0 and self._is_of(node.control, asking)]
         if not inside:
@@ -165,11 +169,11 @@ class Reader:
         last = self._history.nodes[control].last
         calls = [number for number in asking if control < number <= last]
         return any(
-            self._history.nodes[one].line == self._history.nodes[control].line for one in calls
+            self._history.nodes[call].line == self._history.nodes[control].line for call in calls
         )
 
     def _emotion(self) -> Meaning | None:
-        emotion = next((one for one in self.concepts if one in EMOTIONS), None)
+        emotion = next((word for word in self.concepts if word in EMOTIONS), None)
         if emotion is None:
             return None
         skill = f"express{emotion.value.capitalize()}"
@@ -179,9 +183,9 @@ class Reader:
         return Meaning(Ask.SKILL, skill) if is_used else Meaning(Ask.EMOTION, emotion.value)
 
     def _device(self) -> Meaning | None:
-        for one, pattern in self._devices():
+        for device, pattern in self._devices():
             skill = next((name for name in self.skills() if re.match(pattern, name)), None)
-            if skill is None and self.is_negative and one in _ONLY_DEVICES:
+            if skill is None and self.is_negative and device in _ONLY_DEVICES:
                 # The program has none: the answer says so.
                 skill = next((name for name in wording.blocks() if re.match(pattern, name)), None)
             if skill:
@@ -192,9 +196,9 @@ class Reader:
         """The devices that the words name; a face to drive to or look for is none."""
         moves = self._has(*_MOTIONS, Concept.SEARCH, Concept.SEE, Concept.LEAVE, Concept.FOLLOW)
         return [
-            (one, p)
-            for one, p in _DEVICES
-            if one in self._known and not (one is Concept.FACE and moves)
+            (device, p)
+            for device, p in _DEVICES
+            if device in self._known and not (device is Concept.FACE and moves)
         ]
 
     def _line_lost(self) -> Meaning | None:
@@ -267,7 +271,7 @@ class Reader:
 
     def _direction(self) -> str | None:
         """A turn; None if the words name none."""
-        sides = [one for one in self.concepts if one in (Concept.LEFT, Concept.RIGHT)]
+        sides = [word for word in self.concepts if word in (Concept.LEFT, Concept.RIGHT)]
         is_curve = self._has(Concept.CURVE)
         if not sides:
             return "" if self._has(Concept.TURN) or is_curve else None

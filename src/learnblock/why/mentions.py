@@ -37,9 +37,9 @@ def words_of(text: str) -> frozenset[str]:
 
 def root(word: str) -> str:
     """A word without the end of its plural, in English if its translation is known."""
-    for one in (word, word.removesuffix("s"), word.removesuffix("es")):
-        if one in _TRANSLATED:
-            return _TRANSLATED[one]
+    for singular in (word, word.removesuffix("s"), word.removesuffix("es")):
+        if singular in _TRANSLATED:
+            return _TRANSLATED[singular]
     return word.removesuffix("s") if len(word) > 3 else word
 
 
@@ -55,12 +55,12 @@ def content(tokens: Iterable[str]) -> frozenset[str]:
 def names_in(tokens: Iterable[str]) -> frozenset[str]:
     """The words of a question that only the program can explain: names, values, colours."""
     own = (None, Concept.COLOUR)
-    return frozenset(root(one) for one in tokens if one.isdigit() or concept(one) in own)
+    return frozenset(root(token) for token in tokens if token.isdigit() or concept(token) in own)
 
 
 def printed_text(history: History, wanted: frozenset[str]) -> str | None:
     """The printed text that has most of some words; None if none has any."""
-    texts = dict.fromkeys(str(one["print"]) for one in history.recorded.lines if "print" in one)
+    texts = dict.fromkeys(str(line["print"]) for line in history.recorded.lines if "print" in line)
     return _most(((text, words_of(text)) for text in reversed([*texts])), wanted)
 
 
@@ -73,8 +73,8 @@ def prints(history: History) -> Iterator[Node]:
 
 def print_with(history: History, wanted: frozenset[str]) -> str | None:
     """The text of a line that prints most of some words; None if none has any."""
-    found = [(node.text, words_of(node.text)) for node in prints(history)]
-    text = _most(iter(found), wanted)
+    texts = [(node.text, words_of(node.text)) for node in prints(history)]
+    text = _most(iter(texts), wanted)
     quoted = _TEXT.search(text) if text else None
     return quoted[1] if quoted else None
 
@@ -86,8 +86,8 @@ def line_with(history: History, wanted: frozenset[str]) -> int | None:
         for number, node in enumerate(history.nodes)
         if node.kind is Kind.CALL
     ]
-    found = _most(iter(calls), wanted)
-    return int(found) if found is not None else None
+    best = _most(iter(calls), wanted)
+    return int(best) if best is not None else None
 
 
 def variable_with(history: History, tokens: Sequence[str]) -> str | None:
@@ -115,7 +115,7 @@ def _function(history: History, node: Node) -> str:
     return history.nodes[node.function].name if node.function >= 0 else ""
 
 
-def _most(found: Iterator[tuple[str, frozenset[str]]], wanted: frozenset[str]) -> str | None:
-    counted = [(len(have & wanted), text) for text, have in found]
+def _most(texts: Iterator[tuple[str, frozenset[str]]], wanted: frozenset[str]) -> str | None:
+    counted = [(len(have & wanted), text) for text, have in texts]
     most = max((count for count, _ in counted), default=0)
     return next((text for count, text in counted if count == most), None) if most else None

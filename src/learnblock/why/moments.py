@@ -79,7 +79,7 @@ class Moments:
         self.robots = frozenset(
             name
             for name, writes in history.writes.items()
-            if all(written(history, one, name) == _ROBOT for one in writes)
+            if all(written(history, write, name) == _ROBOT for write in writes)
         )
         self._shared: dict[str, list[int]] = {}
         self._told_of: dict[str, _Told] = {}
@@ -119,14 +119,14 @@ class Moments:
 
     def changed(self, name: str) -> tuple[int, ...]:
         """The events that gave a variable another value than it had."""
-        found: list[int] = []
+        changes: list[int] = []
         values: dict[int, Any] = {}
         for event in self._history.writes.get(name, ()):
             scope, value = self.scope(event, name), written(self._history, event, name)
             if scope not in values or values[scope] != value:
-                found.append(event)
+                changes.append(event)
             values[scope] = value
-        return tuple(found)
+        return tuple(changes)
 
     def last_write(self, name: str, event: int, entered: int) -> int:
         """The last event up to `event` that wrote a variable; -1 if there is none.
@@ -160,7 +160,7 @@ class Moments:
             history = self._history
             first = bisect_left(history.ticks, history.ticks[last])
             begun = bisect_left(self._printed_at, time)
-            now = sum(_prints(history, one) for one in range(first, event + 1))
+            now = sum(_prints(history, index) for index in range(first, event + 1))
             printed = min(begun + now, printed)
         return self._characters[printed]
 
@@ -203,18 +203,18 @@ class Moments:
 
     def _tellings(self, place: "_Place", frame: Frame | None, name: str) -> Iterator[int]:
         """The events that tell a variable of a call, the last one first."""
-        told = self._told(name)
+        tellings = self._told(name)
         if frame is None:
-            return place.latest(told.shared)
-        return (event for event in place.latest(told.all) if self._owner(event, name) is frame)
+            return place.latest(tellings.shared)
+        return (event for event in place.latest(tellings.all) if self._owner(event, name) is frame)
 
     def _told(self, name: str) -> "_Told":
         """The events that tell a variable, in order."""
         if name not in self._told_of:
             history = self._history
-            told = sorted((*history.writes.get(name, ()), *history.told.get(name, ())))
-            shared = [event for event in told if self._owner(event, name) is None]
-            self._told_of[name] = _Told(told, shared)
+            tellings = sorted((*history.writes.get(name, ()), *history.told.get(name, ())))
+            shared = [event for event in tellings if self._owner(event, name) is None]
+            self._told_of[name] = _Told(tellings, shared)
         return self._told_of[name]
 
     def scope(self, write: int, name: str) -> int:
@@ -248,12 +248,12 @@ class Moments:
 
     def _when(self, name: str, time: float, event: int) -> tuple[bool, float]:
         active, since = False, 0.0
-        for one in switches(self._history, name):
-            if one[0] > event:
+        for switch in switches(self._history, name):
+            if switch[0] > event:
                 break
-            if one[1] and not active:
-                since = self._history.time(one[0])
-            active = one[1]
+            if switch[1] and not active:
+                since = self._history.time(switch[0])
+            active = switch[1]
         return active, round(time - since, 3) if active else 0.0
 
 
@@ -324,25 +324,29 @@ def written(history: History, event: int, name: str) -> Any:
 
 def _identity(history: History, event: int, name: str) -> int:
     """The identity of the list that an event says a variable holds; 0 if it holds none."""
-    told, of_each = history.events[event], identities(history.events[event])
+    event_told, of_each = history.events[event], identities(history.events[event])
     if not of_each:
         return 0
-    if told[0] == Op.VARIABLES:
-        names: Sequence[str] = [one for one, _ in told[3]]
+    if event_told[0] == Op.VARIABLES:
+        names: Sequence[str] = [variable for variable, _ in event_told[3]]
     else:
-        node = history.nodes[told[1]]
-        names = node.parameters if told[0] == Op.ENTER else node.writes
+        node = history.nodes[event_told[1]]
+        names = node.parameters if event_told[0] == Op.ENTER else node.writes
     return of_each[names.index(name)] if len(names) == len(of_each) else 0
 
 
-def _contents(told: Event, identity: int) -> Any:
+def _contents(telling: Event, identity: int) -> Any:
     """What a list contains, by an event that says it."""
-    if told[0] == Op.CONTENTS:
-        return told[2]
-    index = list(identities(told)).index(identity)
-    if told[0] == Op.VARIABLES:
-        return told[3][index][1]
-    return told[2] if len(identities(told)) == 1 and told[0] != Op.ENTER else told[2][index]
+    if telling[0] == Op.CONTENTS:
+        return telling[2]
+    index = list(identities(telling)).index(identity)
+    if telling[0] == Op.VARIABLES:
+        return telling[3][index][1]
+    return (
+        telling[2]
+        if len(identities(telling)) == 1 and telling[0] != Op.ENTER
+        else telling[2][index]
+    )
 
 
 def _function(frame: Frame | None) -> Frame | None:
@@ -360,7 +364,7 @@ def shown(value: Any) -> str:
         case {"is": kind}:
             return f"<{kind}>"
         case {"pairs": pairs}:
-            return f"{{{', '.join(f'{shown(key)}: {shown(one)}' for key, one in pairs)}}}"
+            return f"{{{', '.join(f'{shown(key)}: {shown(item)}' for key, item in pairs)}}}"
     return repr(value)
 
 

@@ -72,7 +72,9 @@ class Moving:
         commands = self._slices.of_base
         before = reversed(commands[: bisect_right(commands, until)])
         first = self._in_force(self._doing.first) if self._doing.first else 0
-        return next((one for one in before if name in self._names(one) and one >= first), -1)
+        return next(
+            (command for command in before if name in self._names(command) and command >= first), -1
+        )
 
     def _by_line(self, name: str, last: int, time: float | None) -> list[int]:
         """The last commands of a movement by each line that gave some, the last one first.
@@ -81,14 +83,14 @@ class Moving:
         """
         if self._doing.is_moment(time):
             return [last]
-        found: dict[int, int] = {}
+        last_by_line: dict[int, int] = {}
         first = self._in_force(self._doing.first)
         for command in reversed(self._slices.of_base[: bisect_right(self._slices.of_base, last)]):
             is_other = name == movement(*self._history.events[command][3][:2]) and command >= first
             if is_other or command == last:
                 use = self._doing.outermost(command)
-                found.setdefault(self._standing.call_of(use) if use else -1, command)
-        return [*found.values()][:LINES]
+                last_by_line.setdefault(self._standing.call_of(use) if use else -1, command)
+        return [*last_by_line.values()][:LINES]
 
     def _lasts_until(self, name: str, command: int, until: int) -> int:
         """The last event up to another one at which a movement is still in force."""
@@ -105,8 +107,8 @@ class Moving:
         """The first command of a movement by the skill that lasts at an event; -1 if none."""
         commands, use = self._slices.of_base, self._standing.running(until)
         later = commands[bisect_right(commands, until) :] if use else []
-        own = (one for one in later if self._doing.outermost(one) is use)
-        return next((one for one in own if name in self._names(one)), -1)
+        own = (command for command in later if self._doing.outermost(command) is use)
+        return next((command for command in own if name in self._names(command)), -1)
 
     def _is_long_over(self, name: str, command: int, time: float | None) -> bool:
         """Whether another movement has replaced one long before a moment."""
@@ -138,7 +140,7 @@ class Moving:
         at = self._history.end if time is None else time
         places = [line["pose"] for line in lines if "pose" in line and at - 0.5 <= line["t"] <= at]
         bumps = [line for line in lines if "bump" in line and line["t"] <= at]
-        is_still = places and all(dist(one[:2], places[0][:2]) < _STILL for one in places)
+        is_still = places and all(dist(place[:2], places[0][:2]) < _STILL for place in places)
         return bumps[-1] if bumps and is_still else None
 
     def _names(self, index: int) -> tuple[str, ...]:

@@ -18,20 +18,20 @@ _OF_LETTERS = 0.5
 
 def nearest(text: str, history: History) -> tuple[Question, ...]:
     """The three questions about a run that are most like a text."""
-    asked = [corrected(word) for word in words(plain(text))]
-    meant = {concept(word) for word in asked} - _VAGUE
-    written = " ".join(asked)
+    question_words = [corrected(word) for word in words(plain(text))]
+    meant = {concept(word) for word in question_words} - _VAGUE
+    written = " ".join(question_words)
 
     def likeness(question: Question) -> float:
         texts = [plain(translate(question.phrase, language)) for language in languages()]
-        found = {concept(word) for one in texts for word in words(one)} - _VAGUE
-        letters = max(SequenceMatcher(None, written, one).ratio() for one in texts)
-        return len(meant & found) + _OF_LETTERS * letters
+        concepts = {concept(word) for wording in texts for word in words(wording)} - _VAGUE
+        letters = max(SequenceMatcher(None, written, wording).ratio() for wording in texts)
+        return len(meant & concepts) + _OF_LETTERS * letters
 
     general = (Question(Ask.NOW, "", round(history.end, 2)), Question(Ask.NOTHING))
     # One about each subject: the first time.
-    found: dict[tuple[Ask, str], Question] = {}
-    for one in chain(questions(history), general):
-        found.setdefault((one.ask, one.subject), one)
-    ranked = sorted(found.values(), key=likeness, reverse=True)
-    return tuple(replace(one) for one in ranked[:_OFFERED])
+    by_subject: dict[tuple[Ask, str], Question] = {}
+    for question in chain(questions(history), general):
+        by_subject.setdefault((question.ask, question.subject), question)
+    ranked = sorted(by_subject.values(), key=likeness, reverse=True)
+    return tuple(replace(question) for question in ranked[:_OFFERED])

@@ -115,7 +115,7 @@ class Overall:
         """A program with events goes on as long as one of them can run."""
         history = self._history
         whens = [number for number, node in enumerate(history.nodes) if node.is_when]
-        ran = [(history.last_of(history.of_node.get(one, []), until), one) for one in whens]
+        ran = [(history.last_of(history.of_node.get(when, []), until), when) for when in whens]
         last, number = max(ran, default=(-1, -1))
         if last >= 0:
             self._telling.say("why-when-goes-on", number, last, name=history.nodes[number].name)
@@ -128,14 +128,18 @@ class Overall:
     def speed(self, which: str, first: int, until: int) -> None:
         """Tell which line decided how fast the robot was."""
         spent = self._time_by_command(first, until)
-        advancing = [one for one in spent if not self._is(one, STAND) and self._advance(one)]
+        advancing = [
+            command for command in spent if not self._is(command, STAND) and self._advance(command)
+        ]
         paused = self._longest_pause(first, until) if which == "slow" else None
-        is_pause_first = paused is not None and paused[1] > sum(spent[one] for one in advancing) / 2
+        is_pause_first = (
+            paused is not None and paused[1] > sum(spent[command] for command in advancing) / 2
+        )
         if paused is not None and is_pause_first:
             self._say_pause(*paused)
         if advancing:
             fastest = max(advancing, key=self._advance)
-            longest = max(advancing, key=lambda one: spent[one])
+            longest = max(advancing, key=lambda command: spent[command])
             self._doing.moved(longest if which == "slow" else fastest, until)
         if paused is not None:
             self._say_pause(*paused)
@@ -152,7 +156,7 @@ class Overall:
                 number = self._standing.call_of(use)
                 took[number] += self._lasted(use, until)
                 last[number] = use.begun
-        number = max(took, key=lambda one: took[one], default=-1)
+        number = max(took, key=lambda call: took[call], default=-1)
         if number < 0 or took[number] < _MUCH * self._history.time(until):
             return None
         return number, took[number], last[number]
@@ -179,8 +183,8 @@ class Overall:
         for command, lasted in self._commands(first, until):
             use = self._doing.outermost(command)
             number = self._standing.call_of(use) if use else -1
-            one = of_line.setdefault(number, command)
-            spent[one] = spent.get(one, 0.0) + lasted * history.times[command]
+            first_of_line = of_line.setdefault(number, command)
+            spent[first_of_line] = spent.get(first_of_line, 0.0) + lasted * history.times[command]
         return spent
 
     def _commands(self, first: int, until: int) -> Iterator[tuple[int, float]]:
@@ -212,15 +216,15 @@ class Overall:
 
     def lost(self, first: int, until: int) -> None:
         """Tell what the robot did when it last saw the line before it did not for longest."""
-        asked = self._line_asked(until)
-        seen = [event for event in asked if self._history.events[event][2] not in (None, False)]
-        if not asked or not seen:
-            code = "why-line-never-seen" if asked else "why-line-not-asked"
-            number = self._history.events[asked[-1]][1] if asked else -1
-            self._telling.say(code, number, asked[-1] if asked else until)
+        answers = self._line_asked(until)
+        seen = [event for event in answers if self._history.events[event][2] not in (None, False)]
+        if not answers or not seen:
+            code = "why-line-never-seen" if answers else "why-line-not-asked"
+            number = self._history.events[answers[-1]][1] if answers else -1
+            self._telling.say(code, number, answers[-1] if answers else until)
             self._told_by_last(until)
             return
-        last = self._before_longest_gap([one for one in seen if one >= first] or seen, until)
+        last = self._before_longest_gap([event for event in seen if event >= first] or seen, until)
         self._telling.say("why-line-seen", self._history.events[last][1], last)
         for command in self._after_line(last, until):
             self._doing.moved(command, command)
@@ -235,13 +239,15 @@ class Overall:
             for event in of_node.get(number, ())
         )
         is_result = self._history.events
-        return sorted(one for one in events if one <= until and is_result[one][0] == Op.RESULT)
+        return sorted(
+            event for event in events if event <= until and is_result[event][0] == Op.RESULT
+        )
 
     def _before_longest_gap(self, seen: list[int], until: int) -> int:
         """The sight of the line before the longest time without one."""
         history = self._history
-        ends = [*(history.time(one) for one in seen[1:]), self._ending.moment(until)]
-        gaps = [end - history.time(one) for one, end in zip(seen, ends, strict=True)]
+        ends = [*(history.time(event) for event in seen[1:]), self._ending.moment(until)]
+        gaps = [end - history.time(event) for event, end in zip(seen, ends, strict=True)]
         return seen[max(range(len(seen)), key=lambda index: gaps[index])]
 
     def _after_line(self, seen: int, until: int) -> list[int]:
@@ -249,13 +255,13 @@ class Overall:
         commands = self._slices.of_base
         after = bisect_right(commands, seen)
         later = [
-            one
-            for one in commands[after : bisect_right(commands, until)]
-            if self._doing.is_main(one)
+            command
+            for command in commands[after : bisect_right(commands, until)]
+            if self._doing.is_main(command)
         ]
         if not later:
             return commands[-1:]
-        other = next((one for one in later if not self._is_alike(one, later[0])), -1)
+        other = next((command for command in later if not self._is_alike(command, later[0])), -1)
         return [later[0], *([other] if other >= 0 else [])]
 
     def _is_alike(self, command: int, other: int) -> bool:

@@ -18,8 +18,8 @@ _NEAR = 200.0
 
 def place_time(history: History, text: str) -> float | None:
     """When the robot first was at the place that a plain text names, in s; None for no place."""
-    found = _PLACE.search(text)
-    name = words(found[1])[-1] if found and words(found[1]) else ""
+    place = _PLACE.search(text)
+    name = words(place[1])[-1] if place and words(place[1]) else ""
     if concept(name) not in (Concept.WALL, Concept.EDGE, Concept.TAG):
         return None
     bumps = [line for line in history.recorded.lines if "bump" in line]
@@ -31,12 +31,12 @@ def place_time(history: History, text: str) -> float | None:
 
 def _nearest(history: History) -> float | None:
     """When the front sensor first measured least; None if it saw nothing near."""
-    found: list[tuple[float, float]] = []
+    readings: list[tuple[float, float]] = []
     for index, event in enumerate(history.events):
         if event[0] == Op.READING and str(event[1]).startswith("DistanceSensors"):
             values = unpacked(event[2])
             front = values.get("front") if isinstance(values, dict) else None
             near = [mm for mm in front or () if isinstance(mm, int | float)]
             if near and min(near) < _NEAR:
-                found.append((min(near), history.time(index)))
-    return min(found)[1] if found else None
+                readings.append((min(near), history.time(index)))
+    return min(readings)[1] if readings else None

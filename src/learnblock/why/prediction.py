@@ -149,8 +149,8 @@ def _run(again: WorldAgain, end: float) -> tuple[Way, dict[int, float]]:
 def _distances(robot: SimulatedRobot) -> Mapping[str, Any]:
     for _, device in robot.devices():
         if type(device).__name__ == "DistanceSensors":
-            found: Mapping[str, Any] = device.functions["read"]()
-            return found
+            distances: Mapping[str, Any] = device.functions["read"]()
+            return distances
     return {}
 
 
@@ -179,9 +179,9 @@ def _delay(real: Way, twin: Way) -> float:
 def _disagreement(real: Way, twin: Way, delay: float) -> float:
     """The squares of the differences of both ways between each two poses: 1 mm counts as 1°."""
     return sum(
-        (math.dist(one[:2], other[:2]) - math.dist(*_pair(twin, first - delay, last - delay))) ** 2
-        + (other[2] - one[2] - twin.turn(first - delay, last - delay)) ** 2
-        for first, last, one, other in zip(
+        (math.dist(pose[:2], other[:2]) - math.dist(*_pair(twin, first - delay, last - delay))) ** 2
+        + (other[2] - pose[2] - twin.turn(first - delay, last - delay)) ** 2
+        for first, last, pose, other in zip(
             real.times, real.times[1:], real.poses, real.poses[1:], strict=False
         )
     )
@@ -195,8 +195,8 @@ def _pair(way: Way, first: float, last: float) -> tuple[tuple[float, float], tup
 def _parting(real: Way, twin: Way, delay: float) -> Parting | None:
     for time, pose in zip(real.times, real.poses, strict=True):
         near = _near(twin, time - delay)
-        distance = min(math.dist(pose[:2], one[:2]) for one in near)
-        angle = min((pose[2] - one[2] for one in near), key=abs)
+        distance = min(math.dist(pose[:2], twin_pose[:2]) for twin_pose in near)
+        angle = min((pose[2] - twin_pose[2] for twin_pose in near), key=abs)
         if distance > FAR or abs(angle) > ASKEW:
             return Parting(time, pose, twin.at(time - delay), round(distance, 1), round(angle, 1))
     return None

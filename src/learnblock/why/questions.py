@@ -166,7 +166,7 @@ class Question:
 
 def questions(history: History) -> tuple[Question, ...]:
     """What can be asked about a run, in the order of the page: what happened, what did not."""
-    found = [
+    listed = [
         *_movements(history),
         *_skills(history),
         *_whens(history),
@@ -178,7 +178,7 @@ def questions(history: History) -> tuple[Question, ...]:
         *_lines(history),
         *_endings(history),
     ]
-    return tuple(dict.fromkeys(found))
+    return tuple(dict.fromkeys(listed))
 
 
 def questions_about_moment(history: History, time: float) -> tuple[Question, ...]:
@@ -186,25 +186,27 @@ def questions_about_moment(history: History, time: float) -> tuple[Question, ...
     time = round(min(time, history.end), 2)
     commands = [index for index in movements(history) if history.time(index) <= time]
     moving = movement(*history.events[commands[-1]][3][:2]) if commands else _at_first(history)
-    found = [Question(Ask.NOW, "", time)]
+    listed = [Question(Ask.NOW, "", time)]
     if moving:
-        found.append(Question(Ask.MOVEMENT, moving, time))
-    found += [Question(Ask.NOT_MOVEMENT, one, time) for one in _possible(history) if one != moving]
-    steering = _steering_skills(history)
-    found += [
-        replace(one, time=time)
-        for one in _skills(history)
-        if one.ask is Ask.NOT_SKILL and one.subject not in steering
+        listed.append(Question(Ask.MOVEMENT, moving, time))
+    listed += [
+        Question(Ask.NOT_MOVEMENT, name, time) for name in _possible(history) if name != moving
     ]
-    found += [Question(one.ask, one.subject, time) for one in _whens(history)]
-    return tuple(dict.fromkeys(found))
+    steering = _steering_skills(history)
+    listed += [
+        replace(question, time=time)
+        for question in _skills(history)
+        if question.ask is Ask.NOT_SKILL and question.subject not in steering
+    ]
+    listed += [Question(question.ask, question.subject, time) for question in _whens(history)]
+    return tuple(dict.fromkeys(listed))
 
 
 def with_values(history: History, question: Question) -> Question:
     """A question whose skill is said with the values of its call."""
-    for one in _skills(history):
-        if (one.ask, one.subject) == (question.ask, question.subject):
-            return replace(question, said=one.said)
+    for candidate in _skills(history):
+        if (candidate.ask, candidate.subject) == (question.ask, question.subject):
+            return replace(question, said=candidate.said)
     return question
 
 
@@ -215,12 +217,12 @@ def _at_first(history: History) -> str:
 
 def askable(history: History) -> Iterator[Question]:
     """All questions that a list can have, without times, but for those about printed texts."""
-    yield from (replace(one, time=None) for one in questions(history))
+    yield from (replace(question, time=None) for question in questions(history))
     subjects: dict[tuple[Ask, Ask], Iterable[str]] = {
         (Ask.MOVEMENT, Ask.NOT_MOVEMENT): MOVEMENTS,
         (Ask.SKILL, Ask.NOT_SKILL): _calls(history),
         (Ask.WHEN, Ask.NOT_WHEN): (node.name for node in history.nodes if node.is_when),
-        (Ask.PRINT, Ask.NOT_PRINT): (one.subject for one in _prints(history)),
+        (Ask.PRINT, Ask.NOT_PRINT): (question.subject for question in _prints(history)),
         (Ask.LINE, Ask.NOT_LINE): map(str, _runs_of_lines(history)),
     }
     for (why, why_not), named in subjects.items():
@@ -232,8 +234,8 @@ def askable(history: History) -> Iterator[Question]:
 
 def _possible(history: History) -> Iterable[str]:
     """The movements that the program could make, in the order of its lines."""
-    made = [movement_of(node) for node in history.nodes if node.base == "robot"]
-    return dict.fromkeys(name for name in made if name)
+    names = [movement_of(node) for node in history.nodes if node.base == "robot"]
+    return dict.fromkeys(name for name in names if name)
 
 
 def _steering_skills(history: History) -> frozenset[str]:
@@ -251,16 +253,16 @@ def questions_about_lines(
         time: in s; None for the whole run.
     """
     until = history.end if time is None else min(time, history.end)
-    found: list[Question] = []
+    listed: list[Question] = []
     for line, ran in _runs_of_lines(history).items():
         if str(line) not in lines:
             continue
-        before = [one for one in map(history.time, ran) if one <= until]
+        before = [time_ran for time_ran in map(history.time, ran) if time_ran <= until]
         if before:
-            found.append(Question(Ask.LINE, str(line), max(before)))
+            listed.append(Question(Ask.LINE, str(line), max(before)))
         if not before or max(before) < until - _LONG_AGO:
-            found.append(Question(Ask.NOT_LINE, str(line), round(until, 2)))
-    return tuple(found)
+            listed.append(Question(Ask.NOT_LINE, str(line), round(until, 2)))
+    return tuple(listed)
 
 
 def _movements(history: History) -> Iterator[Question]:
@@ -284,18 +286,18 @@ def _skills(history: History) -> Iterator[Question]:
             continue
         written = skill_phrase(name, written_values(call.text))
         if name in ran:
-            said, time = skill_phrase(name, ran[name].args), history.time(ran[name].begun)
-            yield Question(Ask.SKILL, name, time, said=said)
+            phrase, time = skill_phrase(name, ran[name].args), history.time(ran[name].begun)
+            yield Question(Ask.SKILL, name, time, said=phrase)
         yield Question(Ask.NOT_SKILL, name, round(history.end, 2), said=written)
 
 
 def _calls(history: History) -> dict[str, Node]:
     """The skills that the program uses, each with its first call."""
-    found: dict[str, Node] = {}
+    first_calls: dict[str, Node] = {}
     for node in history.nodes:
         if node.kind is Kind.CALL and node.base == "robot" and node.name not in _UNSEEN:
-            found.setdefault(node.name, node)
-    return found
+            first_calls.setdefault(node.name, node)
+    return first_calls
 
 
 def _whens(history: History) -> Iterator[Question]:
@@ -360,9 +362,9 @@ def _lines(history: History) -> Iterator[Question]:
 
 def _runs_of_lines(history: History) -> dict[int, list[int]]:
     """By line of the author's, the events of its nodes."""
-    found: dict[int, list[int]] = {}
+    runs: dict[int, list[int]] = {}
     for number in range(len(history.nodes)):
         line = history.line(number)
         if line:
-            found.setdefault(line, []).extend(history.of_node.get(number, ()))
-    return found
+            runs.setdefault(line, []).extend(history.of_node.get(number, ()))
+    return runs

@@ -80,27 +80,27 @@ class Reaching:
 
     def _controlled(self, number: int, node: Node, until: int, since: int) -> None:
         control = self._history.nodes[node.control]
-        asked = [
+        decisions = [
             event
             for event in self._events(node.control, since, until)
             if self._history.events[event][0] in (Op.CONDITION, Op.TURN)
         ]
-        if not asked:
+        if not decisions:
             self._never_asked(number, node, until, since)
             return
-        good = [event for event in asked if self._standing.took(event, node)]
-        if good and control.kind in LOOPS and self._skipped(number, asked, good[-1], until):
+        good = [event for event in decisions if self._standing.took(event, node)]
+        if good and control.kind in LOOPS and self._skipped(number, decisions, good[-1], until):
             return
-        if good and good[-1] == asked[-1]:
+        if good and good[-1] == decisions[-1]:
             held_up = self._went_through if control.kind is Kind.FOR else self._held_up
             held_up(number, good[-1], until)
         else:
-            self._hidden_now(node.control, asked[-1], until)
-            self._never_right(number, node, control, asked, until)
+            self._hidden_now(node.control, decisions[-1], until)
+            self._never_right(number, node, control, decisions, until)
 
-    def _skipped(self, number: int, asked: list[int], turn: int, until: int) -> bool:
+    def _skipped(self, number: int, decisions: list[int], turn: int, until: int) -> bool:
         """Tell what left out a statement in the last turn of its loop, if something did."""
-        later = (event for event in asked if event > turn)
+        later = (event for event in decisions if event > turn)
         end = next(later, until)
         if self._events(number, turn, end):
             return False
@@ -166,9 +166,9 @@ class Reaching:
         )
 
     def _never_right(
-        self, number: int, node: Node, control: Node, asked: list[int], until: int
+        self, number: int, node: Node, control: Node, decisions: list[int], until: int
     ) -> None:
-        last = asked[-1]
+        last = decisions[-1]
         self._telling.say(
             "why-needs",
             node.control,
@@ -177,7 +177,7 @@ class Reaching:
             needed=str(node.branch).lower(),
             facts=self._readings.summary(last),
             loop=str(control.kind in LOOPS).lower(),
-            closest=self._closest(asked),
+            closest=self._closest(decisions),
         )
         if self._readings.is_inexact(last):
             self._telling.say_of_line("why-decimals", 0, last)
@@ -188,20 +188,20 @@ class Reaching:
         self._because.finish()
         self._because.around(last)
         self._hidden_now(node.control, last, until)
-        self._asked_once(node.control, control, asked, until)
+        self._asked_once(node.control, control, decisions, until)
         self._meanwhile(last)
 
-    def _asked_once(self, number: int, control: Node, asked: list[int], until: int) -> None:
+    def _asked_once(self, number: int, control: Node, decisions: list[int], until: int) -> None:
         """Tell that a condition was asked only once, because no loop is around it."""
         history, function = self._history, control.function
         is_once = function < 0 or history.nodes[function].name == _START
         is_last = until >= len(history.events) - 1
         is_over = is_last and history.recorded.ending.get("ended") == "finished"
         now = history.end if is_last else history.time(until)
-        is_long_ago = is_over or now - history.time(asked[-1]) > LONG
+        is_long_ago = is_over or now - history.time(decisions[-1]) > LONG
         in_loop = control.kind in LOOPS or self._slices.loop_around(number) >= 0
-        if is_once and not in_loop and len(asked) == 1 and is_long_ago:
-            self._telling.say("why-asked-once", number, asked[0])
+        if is_once and not in_loop and len(decisions) == 1 and is_long_ago:
+            self._telling.say("why-asked-once", number, decisions[0])
             if function >= 0:
                 self._started(function, until)
 
@@ -220,8 +220,8 @@ class Reaching:
                 "why-meanwhile", self._standing.call_of(use), index, motion=movement_phrase(name)
             )
 
-    def _closest(self, asked: list[int]) -> Phrase | str:
-        near = self._readings.closest(asked[-400:])
+    def _closest(self, decisions: list[int]) -> Phrase | str:
+        near = self._readings.closest(decisions[-400:])
         if near is None:
             return ""
         return Phrase("why-closest", mm=round(near[0]), time=round(self._history.time(near[2]), 2))
@@ -279,15 +279,15 @@ class Reaching:
         node = self._history.nodes[function]
         conditions = [
             index
-            for index, one in enumerate(self._history.nodes)
-            if one.kind is Kind.WHEN and one.name == node.name
+            for index, other in enumerate(self._history.nodes)
+            if other.kind is Kind.WHEN and other.name == node.name
         ]
         for condition in conditions:
-            asked = self._events(condition, since, until)
-            if not asked:
+            decisions = self._events(condition, since, until)
+            if not decisions:
                 self._held_up(condition, since, until)
                 continue
-            last = asked[-1]
+            last = decisions[-1]
             if self._ending.moment(until) - self._history.time(last) > _LONG_UNASKED:
                 # Something else held it up: one statement keeps all other events waiting.
                 self.busy(until)
@@ -297,7 +297,7 @@ class Reaching:
                 last,
                 name=node.name,
                 facts=self._readings.summary(last),
-                closest=self._closest(asked),
+                closest=self._closest(decisions),
             )
             self._because.condition(last)
             self._because.finish()
@@ -335,8 +335,8 @@ class Reaching:
             return
         switches = [
             index
-            for index, one in enumerate(self._history.nodes)
-            if one.kind is Kind.CALL and (one.base, one.name) == (node.name, "activate")
+            for index, other in enumerate(self._history.nodes)
+            if other.kind is Kind.CALL and (other.base, other.name) == (node.name, "activate")
         ]
         if switches and self._only_each_other(node.name, until):
             self._telling.say("why-only-each-other", function, until, name=node.name)
@@ -349,24 +349,24 @@ class Reaching:
 
     def _only_each_other(self, name: str, until: int) -> bool:
         """Whether a `when` is started only by events that wait for it themselves."""
-        nodes, found, new = self._history.nodes, set[str](), {name}
+        nodes, waiting, new = self._history.nodes, set[str](), {name}
         conditional = {node.name for node in nodes if node.kind is Kind.WHEN}
         is_circle = False
         while new:
-            found |= new
+            waiting |= new
             functions = [
                 node.function
                 for node in nodes
                 if node.kind is Kind.CALL and node.name == "activate" and node.base in new
             ]
-            if any(one < 0 or not nodes[one].is_when for one in functions):
+            if any(function < 0 or not nodes[function].is_when for function in functions):
                 return False
-            if any(self._events(one, 0, until) for one in functions):
+            if any(self._events(function, 0, until) for function in functions):
                 return False
-            names = {nodes[one].name for one in functions}
+            names = {nodes[function].name for function in functions}
             is_circle = is_circle or name in names
-            new = names - found
-        return is_circle and _START not in found and found.isdisjoint(conditional)
+            new = names - waiting
+        return is_circle and _START not in waiting and waiting.isdisjoint(conditional)
 
     def _others_activated(self, name: str) -> None:
         """Tell what was switched on instead: perhaps the wrong `when`."""
@@ -378,7 +378,7 @@ class Reaching:
         ]
         often = Counter(nodes[number].base for number in others)
         # One of several lines that start the same is the most likely to be wrong.
-        for number in sorted(others, key=lambda one: -often[nodes[one].base]):
+        for number in sorted(others, key=lambda number: -often[nodes[number].base]):
             self._telling.say("why-activates-other", number, name=nodes[number].base, inner=name)
 
     # Elsewhere.
@@ -412,8 +412,8 @@ class Reaching:
 
     def _say_loop(self, code: str, loop: int, until: int, **values: str) -> None:
         """Tell of a loop that was still going on, and what kept it going."""
-        asked = self._events(loop, 0, until)
-        last = asked[-1]
+        decisions = self._events(loop, 0, until)
+        last = decisions[-1]
         is_endless = self._history.nodes[loop].text == "True"
         self._telling.say(
             code,
@@ -422,7 +422,7 @@ class Reaching:
             endless=str(is_endless).lower(),
             time=round(self._ending.moment(until), 2),
             facts="" if is_endless else self._readings.summary(last),
-            closest="" if is_endless else self._closest(asked),
+            closest="" if is_endless else self._closest(decisions),
             **values,
         )
         self._because.condition(last)
@@ -459,18 +459,18 @@ class Reaching:
 
     def _waited(self, until: int) -> bool:
         """Tell which `wait until` the program was in, if it was in one."""
-        asked = self._standing.waiting(until)
-        if asked < 0:
+        question = self._standing.waiting(until)
+        if question < 0:
             return False
-        number = self._history.events[asked][1]
+        number = self._history.events[question][1]
         self._telling.say(
             "why-waiting",
             number,
-            asked,
-            facts=self._readings.summary(asked),
+            question,
+            facts=self._readings.summary(question),
             closest=self._closest(self._events(number, 0, until)),
         )
-        self._because.condition(asked)
+        self._because.condition(question)
         self._because.finish()
         return True
 

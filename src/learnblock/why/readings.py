@@ -40,13 +40,13 @@ class Readings:
 
     def facts(self, event: int) -> tuple[Value, ...]:
         """What made a condition true or not: its operands in words, without repetitions."""
-        found: dict[str, Value] = {}
+        facts: dict[str, Value] = {}
         count = self._decimals(event)
         for part in self._slices.parts(event):
             fact = self._fact(part, count)
             if fact is not None:
-                found.setdefault(str(fact), fact)
-        return tuple(found.values())
+                facts.setdefault(str(fact), fact)
+        return tuple(facts.values())
 
     def summary(self, event: int) -> Value:
         """The facts of a condition behind a colon; "" if there are none."""
@@ -64,7 +64,7 @@ class Readings:
         if history.events[event][0] != Op.CONDITION or not isinstance(outcome, bool):
             return FEW
         values = {
-            history.node(one).text: history.events[one][2] for one in self._slices.parts(event)
+            history.node(part).text: history.events[part][2] for part in self._slices.parts(event)
         }
         return decimals(history.node(event).text, values, was_true=outcome)
 
@@ -122,18 +122,18 @@ class Readings:
         """The numbers of a reading that has one for each side."""
         values = unpacked(self._history.events[reading][2])
         numbers = values.values() if isinstance(values, dict) else ()
-        return tuple(float(one) for one in numbers if _is_number(one))
+        return tuple(float(number) for number in numbers if _is_number(number))
 
     def closest(self, events: Iterable[int]) -> tuple[float, str, int] | None:
         """The smallest distance that some conditions asked about, its side, and the result."""
-        found: list[tuple[float, str, int]] = []
+        distances: list[tuple[float, str, int]] = []
         for event in events:
             for part in self._slices.parts(event):
                 use = self._history.skills.get(part)
                 near = self._nearest(use, part) if use and not use.missing else None
                 if near and near[0] < FAR:
-                    found.append((*near, part))
-        return min(found, default=None)
+                    distances.append((*near, part))
+        return min(distances, default=None)
 
     def _nearest(self, use: SkillUse, result: int) -> tuple[float, str] | None:
         block = blocks().get(use.name)
@@ -145,8 +145,10 @@ class Readings:
         values = unpacked(self._history.events[reading][2])
         if not isinstance(values, dict):
             return None
-        found = [(mm, side) for side in sides for mm in values.get(side) or () if _is_number(mm)]
-        return min(found, default=None)
+        distances = [
+            (mm, side) for side in sides for mm in values.get(side) or () if _is_number(mm)
+        ]
+        return min(distances, default=None)
 
     def _distance(self, use: SkillUse, result: int) -> Phrase | None:
         near = self._nearest(use, result)
@@ -184,17 +186,17 @@ class Readings:
         points = values.get(colour) if isinstance(values, dict) else None
         if not isinstance(points, dict):
             return None
-        given = {side: round(points.get(side) or 0) for side in ("left", "center", "right")}
-        if not any(given.values()):
+        shares = {side: round(points.get(side) or 0) for side in ("left", "center", "right")}
+        if not any(shares.values()):
             return Phrase("why-saw-no-line", colour=Phrase("why-colour", colour=colour))
-        return Phrase("why-saw-line", colour=Phrase("why-colour", colour=colour), **given)
+        return Phrase("why-saw-line", colour=Phrase("why-colour", colour=colour), **shares)
 
     def _tags(self, result: int) -> Phrase | None:
         reading = self._reading("Camera", self._history.skills[result], result)
         values = unpacked(self._history.events[reading][2]) if reading is not None else None
         if not isinstance(values, list):
             return None
-        numbers = [str(one["id"]) for one in values if isinstance(one, dict) and "id" in one]
+        numbers = [str(tag["id"]) for tag in values if isinstance(tag, dict) and "id" in tag]
         if not numbers:
             return Phrase("why-saw-no-tag")
         return Phrase("why-saw-tags", tags=tuple(numbers))

@@ -91,8 +91,8 @@ class Recorded:
     def _first(self, kind: str) -> dict[str, Any]:
         # A line of one robot among several has its name as "robot".
         lines = (line[kind] for line in self.lines if isinstance(line.get(kind), dict))
-        found: dict[str, Any] = next(lines, {})
-        return found
+        contents: dict[str, Any] = next(lines, {})
+        return contents
 
     @cached_property
     def ran(self) -> tuple[tuple[float, int], ...]:

@@ -36,10 +36,12 @@ def seen_in_run(recorded: Recorded) -> Seen | None:
 
 def with_things(answer: Answer, seen: Seen | None) -> Answer:
     """An answer whose sentences name the things that sensors looked at."""
-    wanted = {one for sentence in (*answer.sentences, *answer.more) for one in _in(sentence.phrase)}
+    wanted = {
+        sight for sentence in (*answer.sentences, *answer.more) for sight in _in(sentence.phrase)
+    }
     # In order: a world that runs again reaches a later moment faster than an earlier one.
-    in_order = sorted(wanted, key=lambda one: one[1])
-    things = {one: seen(*one) if seen else None for one in in_order}
+    in_order = sorted(wanted, key=lambda sight: sight[1])
+    things = {sight: seen(*sight) if seen else None for sight in in_order}
 
     def known(sentence: Sentence) -> Sentence:
         phrase = _known(sentence.phrase, things)
@@ -53,8 +55,8 @@ def with_things(answer: Answer, seen: Seen | None) -> Answer:
 def _in(value: Value) -> Iterator[tuple[str, float]]:
     """The places in a sentence where a thing is missing: sides and times."""
     if isinstance(value, tuple):
-        for one in value:
-            yield from _in(one)
+        for part in value:
+            yield from _in(part)
     elif isinstance(value, Phrase):
         side, time = value.values.get("side"), value.values.get("time")
         if value.code == _UNKNOWN and isinstance(side, str) and isinstance(time, float):
@@ -65,12 +67,12 @@ def _in(value: Value) -> Iterator[tuple[str, float]]:
 
 def _known(value: Value, things: dict[tuple[str, float], str | None]) -> Value:
     if isinstance(value, tuple):
-        known = (_known(one, things) for one in value)
-        return tuple(one for one in known if isinstance(one, str | Phrase))
+        parts = (_known(part, things) for part in value)
+        return tuple(part for part in parts if isinstance(part, str | Phrase))
     if not isinstance(value, Phrase):
         return value
     if value.code == _UNKNOWN:
         [place] = _in(value)
         thing = things[place]
         return Phrase("why-thing", thing=thing_phrase(thing)) if thing else ""
-    return Phrase(value.code, **{name: _known(one, things) for name, one in value.values.items()})
+    return Phrase(value.code, **{name: _known(part, things) for name, part in value.values.items()})

@@ -69,7 +69,7 @@ class Telling:
 
     def has(self, code: str, line: int) -> bool:
         """Whether a sentence has told something about a line."""
-        return any((one, of) == (code, line) for one, of, _ in self._told)
+        return any((known_code, of) == (code, line) for known_code, of, _ in self._told)
 
     def begin_part(self) -> None:
         """Begin another answer to the same question: the heads of all parts come first."""
@@ -92,10 +92,10 @@ class Telling:
         """Add a sentence about a line of its author."""
         history = self._history
         time = history.time(event) if event >= 0 else history.end
-        if isinstance(told := values.get("time"), int | float):
+        if isinstance(moment := values.get("time"), int | float):
             # What is told need not be an event of the program.
-            time = told
-        given = {
+            time = moment
+        details = {
             "line": str(line),
             "code": quoted(history, line),
             "time": round(time, 2),
@@ -104,21 +104,21 @@ class Telling:
         name = values.get("name")
         if isinstance(name, str) and name.endswith("_") and name not in history.program.written:
             # Python has the author's name for itself.
-            given["name"] = name.removesuffix("_")
-        phrase = Phrase(code, **given)
+            details["name"] = name.removesuffix("_")
+        phrase = Phrase(code, **details)
         fact = (code, line, str(values.get("name", "")) + str(values.get("inner", "")))
         self._told.setdefault(fact, Sentence(phrase, line, event, time))
 
     def answer(self) -> Answer:
         """The sentences so far."""
-        told = self._in_order(tuple(self._told.values()))
-        return Answer(told[:FIRST], told[FIRST:])
+        sentences = self._in_order(tuple(self._told.values()))
+        return Answer(sentences[:FIRST], sentences[FIRST:])
 
-    def _in_order(self, told: tuple[Sentence, ...]) -> tuple[Sentence, ...]:
-        ends = [*self._parts, len(told)]
-        parts = [told[start:end] for start, end in zip([0, *self._parts], ends, strict=True)]
-        heads = [one for part in parts for one in part[:_HEAD]]
-        return (*heads, *(one for part in parts for one in part[_HEAD:]))
+    def _in_order(self, sentences: tuple[Sentence, ...]) -> tuple[Sentence, ...]:
+        ends = [*self._parts, len(sentences)]
+        parts = [sentences[start:end] for start, end in zip([0, *self._parts], ends, strict=True)]
+        heads = [sentence for part in parts for sentence in part[:_HEAD]]
+        return (*heads, *(sentence for part in parts for sentence in part[_HEAD:]))
 
 
 def quoted(history: History, line: int) -> str:

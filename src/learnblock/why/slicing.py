@@ -54,18 +54,18 @@ class Slices:
         history = self.history
         number = history.events[event][1]
         last, frame = history.nodes[number].last, history.frames[event]
-        found: dict[int, int] = {}
+        parts: dict[int, int] = {}
         for index in range(event - 1, max(-1, event - _FAR), -1):
-            one = history.events[index]
-            if history.frames[index] is not frame or one[0] == Op.LEAVE:
+            earlier = history.events[index]
+            if history.frames[index] is not frame or earlier[0] == Op.LEAVE:
                 continue
-            if one[0] in (Op.OPERAND, Op.RESULT) and self._is_part(one[1], number, last):
-                if one[1] in found:
+            if earlier[0] in (Op.OPERAND, Op.RESULT) and self._is_part(earlier[1], number, last):
+                if earlier[1] in parts:
                     break
-                found[one[1]] = index
-            elif one[0] in _STATEMENTS:
+                parts[earlier[1]] = index
+            elif earlier[0] in _STATEMENTS:
                 break
-        return [found[number] for number in sorted(found)]
+        return [parts[number] for number in sorted(parts)]
 
     def _is_part(self, part: int, number: int, last: int) -> bool:
         """Whether a node is in another one's expression, and not in the block behind it."""
@@ -152,8 +152,8 @@ class Slices:
         }
         for node in nodes:
             if node.function >= 0:
-                known = self._globals.get(nodes[node.function].line, frozenset())
-                local[node.function].update(name for name in node.writes if name not in known)
+                shared = self._globals.get(nodes[node.function].line, frozenset())
+                local[node.function].update(name for name in node.writes if name not in shared)
         return local
 
     # Control.
@@ -207,7 +207,7 @@ class Slices:
         between = [history.events[index] for index in range(turns[0], turn)]
         if any(event[0] == Op.GAP for event in between):
             return 0
-        more = sum(one[2] for one in between if one[0] == Op.REPEATED and one[1] == number)
+        more = sum(inner[2] for inner in between if inner[0] == Op.REPEATED and inner[1] == number)
         return int(more) + len(turns)
 
     def first_turn(self, turn: int) -> int:
@@ -221,7 +221,7 @@ class Slices:
         turns = history.of_node[number]
         since = bisect_right(turns, self._loop_began(number, turn))
         mine = turns[since : bisect_right(turns, turn)]
-        return [one for one in mine if history.frames[one] is frame]
+        return [index for index in mine if history.frames[index] is frame]
 
     def _loop_began(self, number: int, event: int) -> int:
         """The event ahead of a turn that let its program come to the loop; -1 for its start."""
@@ -229,9 +229,9 @@ class Slices:
         outer = history.nodes[number].control
         if outer < 0:
             return frame.entered
-        asked = history.of_node.get(outer, [])
-        before = reversed(asked[: bisect_right(asked, event)])
-        return next((one for one in before if history.frames[one] is frame), -1)
+        decisions = history.of_node.get(outer, [])
+        before = reversed(decisions[: bisect_right(decisions, event)])
+        return next((index for index in before if history.frames[index] is frame), -1)
 
     def jump_from(self, loop: int, after: int, before: int) -> int:
         """The `break` or `return` that left a loop between two events; -1 if it was none."""
@@ -259,9 +259,9 @@ class Slices:
         """The conditions between two events that ended the loops around a statement."""
         control = self.loop_around(number) if number >= 0 else -1
         while control >= 0:
-            asked = self.history.last_of(self.history.of_node.get(control, []), before)
-            if asked > after and self.history.events[asked][2] is False:
-                yield asked
+            decision = self.history.last_of(self.history.of_node.get(control, []), before)
+            if decision > after and self.history.events[decision][2] is False:
+                yield decision
             control = self.loop_around(control)
 
     def loop_around(self, number: int) -> int:
@@ -285,7 +285,7 @@ def movements(history: History) -> Iterator[int]:
     for index, event in enumerate(history.events):
         if event[0] == Op.COMMAND and event[2] == "move" and event[1].startswith("Base"):
             args = event[3]
-            if len(args) > 1 and all(isinstance(one, int | float) for one in args[:2]):
+            if len(args) > 1 and all(isinstance(arg, int | float) for arg in args[:2]):
                 yield index
 
 
@@ -297,7 +297,10 @@ def _globals(source: str) -> dict[int, frozenset[str]]:
         return {}
     return {
         node.lineno: frozenset(
-            name for one in ast.walk(node) if isinstance(one, ast.Global) for name in one.names
+            name
+            for inner in ast.walk(node)
+            if isinstance(inner, ast.Global)
+            for name in inner.names
         )
         for node in ast.walk(tree)
         if isinstance(node, ast.FunctionDef)

@@ -42,15 +42,15 @@ class Span:
 def take_span(text: str) -> tuple[Span, str]:
     """The times in a plain text, and the text without them."""
     for pattern in (_BETWEEN, _RANGE):
-        if found := pattern.search(text):
-            first, last = sorted((_seconds(found[1]), _seconds(found[2])))
-            return Span(last, first), _without(text, found)
-    if found := _AFTER.search(text):
-        return Span(None, _seconds(found[1])), _without(text, found)
-    if found := _BEFORE.search(text):
-        return Span(_seconds(found[1]), 0.0), _without(text, found)
-    if found := _MOMENT.search(text):
-        return Span(_seconds(found[1] or found[2])), _without(text, found)
+        if times := pattern.search(text):
+            first, last = sorted((_seconds(times[1]), _seconds(times[2])))
+            return Span(last, first), _without(text, times)
+    if times := _AFTER.search(text):
+        return Span(None, _seconds(times[1])), _without(text, times)
+    if times := _BEFORE.search(text):
+        return Span(_seconds(times[1]), 0.0), _without(text, times)
+    if times := _MOMENT.search(text):
+        return Span(_seconds(times[1] or times[2])), _without(text, times)
     return Span(), text
 
 
@@ -58,5 +58,5 @@ def _seconds(digits: str) -> float:
     return float(digits.replace(",", "."))
 
 
-def _without(text: str, found: re.Match[str]) -> str:
-    return " ".join((text[: found.start()] + " " + text[found.end() :]).split()).strip(" ,;")
+def _without(text: str, times: re.Match[str]) -> str:
+    return " ".join((text[: times.start()] + " " + text[times.end() :]).split()).strip(" ,;")

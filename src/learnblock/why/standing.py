@@ -66,15 +66,17 @@ class Standing:
         Of loops in each other, the outermost that began another turn: those in it have ended.
         """
         for frame in self._stack(until):
-            found, loop = -1, self._innermost(frame, until)
+            outermost, loop = -1, self._innermost(frame, until)
             while loop >= 0:
                 node = self._history.nodes[loop]
                 is_around = number == loop or self._slices.is_inside(number, loop)
                 if node.kind in LOOPS and not is_around and self._is_open(loop, frame, until):
-                    found = loop if found < 0 or self._turns(loop, frame, until) > 1 else found
+                    outermost = (
+                        loop if outermost < 0 or self._turns(loop, frame, until) > 1 else outermost
+                    )
                 loop = node.control
-            if found >= 0:
-                return found
+            if outermost >= 0:
+                return outermost
         return -1
 
     def over(self, turn: int, until: int) -> int:
@@ -132,10 +134,10 @@ class Standing:
         return -1
 
     def _is_open(self, loop: int, frame: Frame, until: int) -> bool:
-        asked = self._history.last_of(self._history.of_node.get(loop, []), until)
-        if asked < 0 or self._history.frames[asked] is not frame:
+        decision = self._history.last_of(self._history.of_node.get(loop, []), until)
+        if decision < 0 or self._history.frames[decision] is not frame:
             return False
-        return self._history.events[asked][2] is not False
+        return self._history.events[decision][2] is not False
 
     def running(self, until: int) -> SkillUse | None:
         """The skill that a program was in for long at an event; None if it was in none."""
@@ -189,7 +191,7 @@ class Standing:
         ran = self._history.recorded.ran
         begun = bisect_right(ran, (self._history.time(use.begun) + TICK, 0))
         line = ran[begun - 1][1] if begun else 0
-        return [one for one in calls if self._is_in(line, self._history.nodes[one])]
+        return [call for call in calls if self._is_in(line, self._history.nodes[call])]
 
     @staticmethod
     def _is_in(line: int, node: Node) -> bool:
@@ -201,12 +203,12 @@ class Standing:
         if node.control < 0:
             ran = any(event < use.begun for event in history.of_node.get(number, ()))
             return node.function >= 0 or not ran
-        asked = history.last_of(history.of_node.get(node.control, []), use.begun)
-        return asked >= 0 and self.took(asked, node)
+        decision = history.last_of(history.of_node.get(node.control, []), use.begun)
+        return decision >= 0 and self.took(decision, node)
 
-    def took(self, asked: int, node: Node) -> bool:
+    def took(self, decision: int, node: Node) -> bool:
         """Whether a condition or loop turned out so that a statement in it ran."""
-        event = self._history.events[asked]
+        event = self._history.events[decision]
         return event[0] == Op.TURN or bool(event[2] == node.branch)
 
     def waiting(self, until: int) -> int:

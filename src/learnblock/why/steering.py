@@ -70,7 +70,7 @@ def written_values(text: str) -> list[Any]:
         call = ast.parse(text, mode="eval").body
     except (SyntaxError, ValueError):
         return []
-    return [_written(one) for one in call.args] if isinstance(call, ast.Call) else []
+    return [_written(argument) for argument in call.args] if isinstance(call, ast.Call) else []
 
 
 def _written(argument: ast.expr) -> Any:
@@ -86,13 +86,13 @@ def _numbers(text: str) -> list[float]:
         call = ast.parse(text, mode="eval").body
     except (SyntaxError, ValueError):
         return []
-    found: list[float] = []
-    for one in call.args if isinstance(call, ast.Call) else ():
+    numbers: list[float] = []
+    for argument in call.args if isinstance(call, ast.Call) else ():
         try:
-            value = ast.literal_eval(one)
+            value = ast.literal_eval(argument)
         except ValueError:
-            return found
+            return numbers
         if not isinstance(value, int | float):
-            return found
-        found.append(float(value))
-    return found
+            return numbers
+        numbers.append(float(value))
+    return numbers

@@ -74,14 +74,16 @@ class Steps:
             subject = frozenset({self._loop_around(place)})
         if (to, subject) not in self._found:
             self._found[to, subject] = self._find(to, subject)
-        found = self._found[to, subject]
-        index = bisect_right(found, place) if by > 0 else bisect_left(found, place) - 1
-        return found[index] if 0 <= index < len(found) else None
+        places = self._found[to, subject]
+        index = bisect_right(places, place) if by > 0 else bisect_left(places, place) - 1
+        return places[index] if 0 <= index < len(places) else None
 
     def _find(self, to: To, subject: str | frozenset[int]) -> Sequence[Place]:
         match to, subject:
             case To.MARK, str(kind):
-                return [self.at(one.time) for one in self._moments.marks if kind in ("", one.kind)]
+                return [
+                    self.at(mark.time) for mark in self._moments.marks if kind in ("", mark.kind)
+                ]
             case To.CHANGE, str(name):
                 return self._of_events(self._moments.changed(name))
             case To.RUN, frozenset(lines):
@@ -90,7 +92,7 @@ class Steps:
                 return sorted(set(self._turns(loops)))
             case To.EVENT, _:
                 events = enumerate(self._history.events)
-                return self._of_events(index for index, one in events if one[0] not in _UNSEEN)
+                return self._of_events(index for index, event in events if event[0] not in _UNSEEN)
             case _:
                 return self._places_of_lines
 
@@ -116,10 +118,10 @@ class Steps:
 
         Turns of a loop that were alike have no events of their own.
         """
-        known = set(self._history.ticks)
+        ticks_of_events = set(self._history.ticks)
         for time, line in self._moments.ran:
             place = self.at(time)
-            if place[0] not in known:
+            if place[0] not in ticks_of_events:
                 yield place, line
 
     def _by_event(self) -> Iterator[tuple[Place, int]]:

@@ -93,12 +93,12 @@ class _Parsing:
             self._print_of_unknown,
             self._at_place,
         ):
-            found = reading()
-            if found is not None:
-                return found
+            parsed = reading()
+            if parsed is not None:
+                return parsed
         if not self._rest and self._span.time is not None:
             return self._made(Ask.NOW)
-        first, second, third = (one.phrase for one in nearest(self._text, self._history))
+        first, second, third = (question.phrase for question in nearest(self._text, self._history))
         raise LearnBlockError(
             "why-not-understood", question=self._text, first=first, second=second, third=third
         )
@@ -114,10 +114,10 @@ class _Parsing:
     def _listed(self) -> Question | None:
         """A question in the words of the lists."""
         wanted = _without_quotes(self._without_time)
-        for one in askable(self._history):
-            written = (translate(one.phrase, language) for language in languages())
+        for question in askable(self._history):
+            written = (translate(question.phrase, language) for language in languages())
             if any(_without_quotes(plain(text)) == wanted for text in written):
-                return replace(one, time=self._span.time, since=self._span.since)
+                return replace(question, time=self._span.time, since=self._span.since)
         return None
 
     def _now(self) -> Question | None:
@@ -126,8 +126,8 @@ class _Parsing:
         return self._asked(Meaning(Ask.NOW))
 
     def _line(self) -> Question | None:
-        found = _LINE.search(self._rest)
-        return self._signed(Ask.LINE, found[1]) if found else None
+        line = _LINE.search(self._rest)
+        return self._signed(Ask.LINE, line[1]) if line else None
 
     def _named(self) -> Question | None:
         """A `when` or a variable."""
@@ -165,12 +165,12 @@ class _Parsing:
 
     def _skill_by_name(self) -> Question | None:
         called = {plain(node.name): node.name for node in self._calls()}
-        known = {plain(name): name for name in wording.blocks()}
+        skills = {plain(name): name for name in wording.blocks()}
         if self._rest == "turn":
             # A movement, which other skills make as well.
             return None
         first = re.sub(r"\(.*\)", "", self._rest).removeprefix("function.")
-        name = called.get(first.removeprefix("robot.")) or known.get(first.removeprefix("robot."))
+        name = called.get(first.removeprefix("robot.")) or skills.get(first.removeprefix("robot."))
         return self._signed(Ask.SKILL, name) if name else None
 
     def _calls(self) -> list[Node]:
@@ -179,19 +179,19 @@ class _Parsing:
 
     def _print(self) -> Question | None:
         quoted = _QUOTED.search(self._text)
-        found = _PRINTS.match(self._rest) or (quoted and _PRINTED.search(self._rest))
-        if not found or self._is_said(quoted[1] if quoted else self._rest[found.end() :]):
+        verb = _PRINTS.match(self._rest) or (quoted and _PRINTED.search(self._rest))
+        if not verb or self._is_said(quoted[1] if quoted else self._rest[verb.end() :]):
             return None
         if quoted and quoted[1] in self._printed and not self._is_negative:
             return self._made(Ask.PRINTED, quoted[1])
-        subject = quoted[1] if quoted else self._rest[found.end() :]
-        is_known = quoted or not subject or any(plain(subject) in one for one in self._texts())
+        subject = quoted[1] if quoted else self._rest[verb.end() :]
+        is_known = quoted or not subject or any(plain(subject) in text for text in self._texts())
         return self._signed(Ask.PRINT, subject) if is_known else None
 
     def _print_of_unknown(self) -> Question | None:
         """A text that no line prints: the answer says so."""
-        found = _PRINTS.match(self._rest)
-        return self._signed(Ask.PRINT, self._rest[found.end() :]) if found else None
+        verb = _PRINTS.match(self._rest)
+        return self._signed(Ask.PRINT, self._rest[verb.end() :]) if verb else None
 
     def _texts(self) -> Iterator[str]:
         """What the lines that print say, and what they printed."""
@@ -205,7 +205,7 @@ class _Parsing:
 
     def _is_said(self, text: str) -> bool:
         """Whether the program says a text aloud or shows it, and prints no such text."""
-        if not text or any(plain(text) in one for one in self._texts()):
+        if not text or any(plain(text) in printed for printed in self._texts()):
             return False
         is_elsewhere = any(plain(text) in plain(node.text) for node in self._calls())
         return is_elsewhere or bool(_SAYS.match(self._rest) and self._reader.skills())
@@ -218,7 +218,7 @@ class _Parsing:
             phrase = goal_phrase(name)
             names = {name}
             if isinstance(phrase, Phrase):
-                names |= {translate(phrase, one) for one in languages()}
+                names |= {translate(phrase, language) for language in languages()}
             if rest and rest in map(plain, names):
                 is_reached = goal.get("state") == "reached" and not self._is_negative
                 return self._made(Ask.REACHED if is_reached else Ask.GOAL, name)
@@ -227,8 +227,8 @@ class _Parsing:
     def _label(self) -> Question | None:
         """A skill in the words of its block."""
         by_words = {text: name for name in wording.blocks() for text in _words_of(name)}
-        known = frozenset(self._reader.concepts) - {Concept.NOT, Concept.KEEP}
-        is_movement = known and known <= {
+        concepts = frozenset(self._reader.concepts) - {Concept.NOT, Concept.KEEP}
+        is_movement = concepts and concepts <= {
             Concept.TURN,
             Concept.LEFT,
             Concept.RIGHT,
@@ -237,7 +237,7 @@ class _Parsing:
             Concept.FORWARD,
             Concept.BACK,
         }
-        has_side = known & {Concept.LEFT, Concept.RIGHT, Concept.BACK, Concept.FORWARD}
+        has_side = concepts & {Concept.LEFT, Concept.RIGHT, Concept.BACK, Concept.FORWARD}
         if is_movement and (has_side or len(self._rest.split()) == 1):
             return None
         for text in (self._rest, f"look {self._rest}"):
@@ -260,12 +260,12 @@ class _Parsing:
     @cached_property
     def _program_words(self) -> frozenset[str]:
         """What the program calls things: its names, its texts, and the words of its blocks."""
-        found = {*mentions.words_of(" ".join(self._history.writes))}
+        names = {*mentions.words_of(" ".join(self._history.writes))}
         for node in self._history.nodes:
-            found |= mentions.words_of(f"{node.name} {node.text if node.kind is Kind.CALL else ''}")
+            names |= mentions.words_of(f"{node.name} {node.text if node.kind is Kind.CALL else ''}")
         for text in self._printed:
-            found |= mentions.words_of(text)
-        return frozenset(found)
+            names |= mentions.words_of(text)
+        return frozenset(names)
 
     def _meant(self) -> Question | None:
         """What the words of a sentence mean."""
@@ -275,31 +275,36 @@ class _Parsing:
         return self._asked(meaning) if meaning else None
 
     def _asked(self, meaning: Meaning) -> Question:
-        found = self._made(meaning.ask, meaning.subject)
-        if found.time is not None or found.since is not None:
-            return found
+        question = self._made(meaning.ask, meaning.subject)
+        if question.time is not None or question.since is not None:
+            return question
         if meaning.is_first:
-            return self._first(found)
+            return self._first(question)
         time = place_time(self._history, self._without_time)
-        return found if time is None or meaning.ask is Ask.BUMP else replace(found, time=time)
+        return question if time is None or meaning.ask is Ask.BUMP else replace(question, time=time)
 
     def _first(self, question: Question) -> Question:
         """A question about the first time that something happened."""
         times = [
-            one.time
-            for one in questions(self._history)
-            if one.ask is question.ask
-            and one.time is not None
-            and (one.subject == question.subject or (not question.subject and "-" in one.subject))
+            listed.time
+            for listed in questions(self._history)
+            if listed.ask is question.ask
+            and listed.time is not None
+            and (
+                listed.subject == question.subject
+                or (not question.subject and "-" in listed.subject)
+            )
         ]
         return replace(question, time=min(times)) if times else question
 
     def _is_about_print(self, meaning: Meaning | None) -> bool:
-        known = self._reader.concepts
+        concepts = self._reader.concepts
         if not any(True for _ in mentions.prints(self._history)):
             return False
-        says = Concept.SAY in known or (Concept.SHOW in known and meaning is None)
-        return Concept.PRINT in known or (says and (meaning is None or meaning.ask is not Ask.BUMP))
+        says = Concept.SAY in concepts or (Concept.SHOW in concepts and meaning is None)
+        return Concept.PRINT in concepts or (
+            says and (meaning is None or meaning.ask is not Ask.BUMP)
+        )
 
     def _about_print(self) -> Question | None:
         wanted = mentions.content(self._reader.tokens)
@@ -347,8 +352,8 @@ def _without_quotes(text: str) -> str:
 
 
 def _without_opening(text: str) -> str:
-    while found := _OPENING.match(text):
-        if found.end() == len(text):
+    while opening := _OPENING.match(text):
+        if opening.end() == len(text):
             return ""
-        text = text[found.end() :]
+        text = text[opening.end() :]
     return text.strip()

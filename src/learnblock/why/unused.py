@@ -44,13 +44,13 @@ class Unused:
             name: the other variable.
         """
         value = self._history.events[write][2]
-        for one in self._never_read:
-            if self._may_be_meant(one, name, value):
-                yield one
+        for candidate in self._never_read:
+            if self._may_be_meant(candidate, name, value):
+                yield candidate
 
     def _may_be_meant(self, write: int, name: str, value: Any) -> bool:
         node, other = self._history.node(write), self._history.events[write][2]
-        names = [one.casefold() for one in node.writes]
+        names = [written.casefold() for written in node.writes]
         is_alike = bool(get_close_matches(name.casefold(), names, 1, _ALIKE))
         is_same_kind = type(value) is type(other) and isinstance(value, bool | list)
         return is_alike or is_same_kind or name in node.reads
@@ -75,14 +75,14 @@ class Unused:
     def _counters(self) -> frozenset[str]:
         """The variables with numbers that a line changes by their own value, and the robot."""
         history = self._history
-        found = {
+        counters = {
             name
             for number, node in enumerate(history.nodes)
             for name in node.writes
             if node.kind is Kind.ASSIGN and name in self._slices.reads(number)
             if any(self._is_number(event) for event in history.of_node.get(number, ())[-1:])
         }
-        return frozenset({*found, "robot"})
+        return frozenset({*counters, "robot"})
 
     def own_of_functions(self, name: str, after: int) -> Iterator[int]:
         """The last writes, later than an event, of what a function has for itself alone.
@@ -115,23 +115,23 @@ class Unused:
     @cached_property
     def _own(self) -> dict[str, list[int]]:
         """By name: what sets a variable of a function that the function never reads."""
-        found: dict[str, list[int]] = defaultdict(list)
+        setters: dict[str, list[int]] = defaultdict(list)
         for number, node in enumerate(self._history.nodes):
             for name in node.writes if node.kind is Kind.ASSIGN else ():
                 is_own = self._slices.is_local(name, node.function)
                 if is_own and not self._reads_in(node.function, name):
-                    found[name].append(number)
-        return found
+                    setters[name].append(number)
+        return setters
 
     @cached_property
     def _lost(self) -> dict[str, list[int]]:
         """By name: the calls of own functions given a variable, whose result goes nowhere."""
-        found: dict[str, list[int]] = defaultdict(list)
+        calls: dict[str, list[int]] = defaultdict(list)
         for number, node in enumerate(self._history.nodes):
             if node.kind is Kind.CALL and not node.base and not self.is_used(number):
                 for name in node.reads:
-                    found[name].append(number)
-        return found
+                    calls[name].append(number)
+        return calls
 
     @cached_property
     def _read(self) -> frozenset[str]:

@@ -75,11 +75,11 @@ class _There:
         ]
         names = (name for node in nodes for name in (*node.reads, *node.writes, *node.parameters))
         unseen = self._moments.robots
-        return [one for one in dict.fromkeys(names) if one not in unseen and one[0] != "_"]
+        return [name for name in dict.fromkeys(names) if name not in unseen and name[0] != "_"]
 
     def _decisions(self) -> Iterator[ValueThere]:
         """What the conditions in the line that ran have measured, and whether they were true."""
-        history, found = self._history, list[ValueThere]()
+        history, values = self._history, list[ValueThere]()
         decided = False
         for index in range(self._event, max(-1, self._event - _FARTHEST), -1):
             event = history.events[index]
@@ -91,10 +91,10 @@ class _There:
                 break
             if op == Op.CONDITION:
                 decided = True
-                found.insert(0, ValueThere(self._line, "", shown(bool(event[2]))))
+                values.insert(0, ValueThere(self._line, "", shown(bool(event[2]))))
             elif decided and op == Op.RESULT and not isinstance(event[2], bool | None):
-                found.insert(0, ValueThere(self._line, f"{node.name}()", shown(event[2])))
-        return iter(found)
+                values.insert(0, ValueThere(self._line, f"{node.name}()", shown(event[2])))
+        return iter(values)
 
     def _elsewhere(self, name: str) -> Iterator[ValueThere]:
         write = self._last_write(name)

@@ -142,7 +142,7 @@ def _is_sound(line: Mapping[str, Any]) -> bool:
 def _is_place(value: object) -> bool:
     if not isinstance(value, list) or len(value) != 3:
         return False
-    return all(isinstance(one, int | float) for one in value)
+    return all(isinstance(number, int | float) for number in value)
 
 
 def _runs_again(recorded: Recorded, end: float, now: Callable[[], float]) -> bool:

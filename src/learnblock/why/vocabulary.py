@@ -258,7 +258,7 @@ _ALIKE = 0.8
 def plain(text: str) -> str:
     """A text in small letters without accents, question marks and double spaces."""
     apart = unicodedata.normalize("NFKD", text.casefold())
-    bare = "".join(one for one in apart if not unicodedata.combining(one))
+    bare = "".join(character for character in apart if not unicodedata.combining(character))
     return " ".join(re.sub(r"[¿?!¡:]", " ", bare).split())
 
 
@@ -299,10 +299,12 @@ def corrected(word: str, others: Collection[str] = ()) -> str:
         (others.__contains__, exchanged),
         (exact.__contains__, exchanged),
     ):
-        if found := next((one for one in tried if is_known(one)), None):
-            return found
-    known = [one for one in (*others, *exact) if len(one) >= _SHORTEST_SLIP]
-    near = get_close_matches(word, known, n=1, cutoff=_ALIKE)
+        if likely := next((candidate for candidate in tried if is_known(candidate)), None):
+            return likely
+    known_words = [
+        known_word for known_word in (*others, *exact) if len(known_word) >= _SHORTEST_SLIP
+    ]
+    near = get_close_matches(word, known_words, n=1, cutoff=_ALIKE)
     return near[0] if near else word
 
 
@@ -333,8 +335,8 @@ def _table() -> tuple[dict[str, Concept], dict[str, Concept]]:
     """Whole words, and the beginnings of words, with their concepts."""
     exact: dict[str, Concept] = dict(_MADE_WORDS)
     stems: dict[str, Concept] = {}
-    for one, written in _WORDS.items():
+    for meaning, written in _WORDS.items():
         for word in written.split():
             table = stems if word.endswith("*") else exact
-            table.setdefault(word.removesuffix("*"), one)
+            table.setdefault(word.removesuffix("*"), meaning)
     return exact, stems

@@ -29,17 +29,17 @@ class Way:
     def of(cls, poses: Iterable[tuple[float, Pose]]) -> "Way":
         """The way through some poses, whose headings may jump by full turns."""
         times: list[float] = []
-        found: list[Pose] = []
+        unwound: list[Pose] = []
         for time, (x, y, heading) in poses:
-            if found:
-                heading = found[-1][2] + math.remainder(heading - found[-1][2], 360)  # noqa: PLW2901
+            if unwound:
+                heading = unwound[-1][2] + math.remainder(heading - unwound[-1][2], 360)  # noqa: PLW2901
                 if time - times[-1] > _PERIOD:
                     # It stood still until a moment ago.
                     times.append(time - _PERIOD)
-                    found.append(found[-1])
+                    unwound.append(unwound[-1])
             times.append(time)
-            found.append((x, y, heading))
-        return cls(tuple(times), tuple(found))
+            unwound.append((x, y, heading))
+        return cls(tuple(times), tuple(unwound))
 
     def at(self, time: float) -> Pose:
         """The pose at a time; before the first and behind the last one, that one."""
@@ -49,8 +49,8 @@ class Way:
         before, after = self.times[index - 1], self.times[index]
         part = (time - before) / (after - before)
         x, y, heading = (
-            one + part * (other - one)
-            for one, other in zip(self.poses[index - 1], self.poses[index], strict=True)
+            start + part * (end - start)
+            for start, end in zip(self.poses[index - 1], self.poses[index], strict=True)
         )
         return (x, y, heading)
 
@@ -58,7 +58,7 @@ class Way:
         """The mm driven forward between two times; backward is negative."""
         inside = self.poses[bisect_right(self.times, first) : bisect_left(self.times, last)]
         poses = [self.at(first), *inside, self.at(last)]
-        return sum(_forward(one, other) for one, other in pairwise(poses))
+        return sum(_forward(pose, other) for pose, other in pairwise(poses))
 
     def turn(self, first: float, last: float) -> float:
         """The degrees turned clockwise between two times."""
@@ -112,6 +112,6 @@ def _is_of_gyroscope(line: Mapping[str, Any]) -> bool:
     return str(line.get("sensed", "")).startswith("Gyroscope:")
 
 
-def _forward(one: Pose, other: Pose) -> float:
-    heading = math.radians((one[2] + other[2]) / 2)
-    return (other[0] - one[0]) * math.cos(heading) - (other[1] - one[1]) * math.sin(heading)
+def _forward(pose: Pose, other: Pose) -> float:
+    heading = math.radians((pose[2] + other[2]) / 2)
+    return (other[0] - pose[0]) * math.cos(heading) - (other[1] - pose[1]) * math.sin(heading)

@@ -76,9 +76,11 @@ def skill_phrase(name: str, args: list[Any] | None = None) -> Value:
 
 def _spoken(block: BlockConfiguration, language: str, args: list[Any] | None) -> str:
     if args is None:
-        filling = Filling(lambda _: "…", lambda one: direction(one, one.default, language))
+        filling = Filling(
+            lambda _: "…", lambda parameter: direction(parameter, parameter.default, language)
+        )
         return sentence(block, language, filling)
-    names = [one.name for one in block.parameters]
+    names = [parameter.name for parameter in block.parameters]
     return spoken(block, language, dict(zip(names, args, strict=False)))
 
 
@@ -118,7 +120,7 @@ def _structure(value: Any) -> str:
         return "[" + ", ".join(map(_structure, value)) + "]"
     if isinstance(value, dict):
         if "pairs" in value:
-            pairs = (f"{_structure(key)}: {_structure(one)}" for key, one in value["pairs"])
+            pairs = (f"{_structure(key)}: {_structure(item)}" for key, item in value["pairs"])
             return "{" + ", ".join(pairs) + "}"
         return "..."
     return repr(round(value, 2) if isinstance(value, float) else value)
@@ -127,7 +129,7 @@ def _structure(value: Any) -> str:
 def unpacked(value: Any) -> Any:
     """A snapshot with its dictionaries as such, for readings of sensors."""
     if isinstance(value, dict) and "pairs" in value:
-        return {str(key): unpacked(one) for key, one in value["pairs"]}
+        return {str(key): unpacked(item) for key, item in value["pairs"]}
     if isinstance(value, list):
-        return [unpacked(one) for one in value]
+        return [unpacked(item) for item in value]
     return value

@@ -71,7 +71,7 @@ class WorldAgain:
         Raises:
             LearnBlockError: the run is too long.
         """
-        new = [line for line in lines if any(one in line for one in _DECISIVE)]
+        new = [line for line in lines if any(name in line for name in _DECISIVE)]
         if not new:
             return
         first = _step(new[0])
@@ -80,7 +80,7 @@ class WorldAgain:
         if self._steps[-1] * TICK > LONGEST:
             raise LearnBlockError("log-too-long", most=LONGEST)
         # A world that is already behind them has missed them.
-        self._kept = [one for one in self._kept if one.step < first]
+        self._kept = [world for world in self._kept if world.step < first]
         if self._leader and self._leader.step >= first:
             self._leader = None
         if self._shown.step >= first:
@@ -109,25 +109,25 @@ class WorldAgain:
         self._leader = leader
         if leader.step + apart > last:
             return False
-        kept = _Kept(leader.step, leader.done, leader.simulation.world.copy())
-        again = self._again(kept)
+        state = _Kept(leader.step, leader.done, leader.simulation.world.copy())
+        again = self._again(state)
         for run in (leader, again):
-            self._advance(run, kept.step + apart)
+            self._advance(run, state.step + apart)
         if again.state == leader.state:
-            self._kept.append(kept)
+            self._kept.append(state)
         return True
 
     def _before(self, step: int, *others: "_Run") -> "_Run":
         """A run of the world that can go on to a step: the nearest, or one from the start."""
-        shown = [one for one in others if one.step <= step]
-        index = bisect_right(self._kept, step, key=lambda one: one.step) - 1
-        kept = self._kept[index] if index >= 0 else None
-        if shown and (kept is None or shown[0].step >= kept.step):
+        shown = [run for run in others if run.step <= step]
+        index = bisect_right(self._kept, step, key=lambda world: world.step) - 1
+        state = self._kept[index] if index >= 0 else None
+        if shown and (state is None or shown[0].step >= state.step):
             return shown[0]
-        return self._again(kept) if kept else self._begin()
+        return self._again(state) if state else self._begin()
 
-    def _again(self, kept: "_Kept") -> "_Run":
-        return self._shown.within(kept.world.copy(), kept.done)
+    def _again(self, state: "_Kept") -> "_Run":
+        return self._shown.within(state.world.copy(), state.done)
 
     def _begin(self) -> "_Run":
         return _Run(self._make())
@@ -223,8 +223,8 @@ def _recorded_robots(recorded: Recorded) -> Callable[[], Sequence[SimulatedRobot
         raise LearnBlockError("log-no-world")
     own = recorded.name
     roster = recorded.roster or ({**run, "name": own},)
-    kinds = {str(one["name"]): _kind(one) for one in roster}
-    starts = {str(one["name"]): tuple(one.get("start") or ()) or None for one in roster}
+    kinds = {str(member["name"]): _kind(member) for member in roster}
+    starts = {str(member["name"]): tuple(member.get("start") or ()) or None for member in roster}
     if own not in kinds:
         raise LearnBlockError("log-no-world")
     description = world_of_data(world)

@@ -139,10 +139,14 @@ class BlockConfiguration:
         Args:
             given: as for `lacks`.
         """
-        choices = [one for one in self.parameters if one.needs]
-        chosen = [one.needs for one in choices if given.get(one.name, str(one.default)) != "False"]
+        choices = [parameter for parameter in self.parameters if parameter.needs]
+        chosen = [
+            choice.needs
+            for choice in choices
+            if given.get(choice.name, str(choice.default)) != "False"
+        ]
         if choices:
-            return tuple(chosen or [one.needs for one in choices])
+            return tuple(chosen or [choice.needs for choice in choices])
         return tuple(self._chosen(need, given) for need in self.needs)
 
     def _chosen(self, need: str, given: Mapping[str, str | None]) -> str:
@@ -151,7 +155,9 @@ class BlockConfiguration:
         if not key.startswith("{"):
             return need
         name = key.strip("{}")
-        default = next((one.default for one in self.parameters if one.name == name), None)
+        default = next(
+            (parameter.default for parameter in self.parameters if parameter.name == name), None
+        )
         value = given.get(name, default)
         device = kind if value in (None, FIRST_KEY) else f"{kind}:{value}"
         return ASKED_BY_DEVICE.get(device, device)

@@ -13,7 +13,7 @@ LONGEST_CHOICE = 100
 def range_problem(found: Range) -> Phrase | None:
     """The mistake in a range, or None if there is none."""
     numbers = [found.least, found.most, 1 if found.step is None else found.step]
-    if not all(math.isfinite(one) and abs(one) <= 1e15 for one in numbers):
+    if not all(math.isfinite(number) and abs(number) <= 1e15 for number in numbers):
         return Phrase("block-range-ends")
     if not found.least < found.most:
         return Phrase("block-range-order")

@@ -121,10 +121,12 @@ def completed(block: BlockConfiguration, known: BlockConfiguration) -> BlockConf
     """`block`, completed from its earlier configuration."""
     same = {parameter.name: parameter for parameter in known.parameters}
     parameters = tuple(
-        replace(one, translations={**same[one.name].translations, **one.translations})
-        if one.name in same
-        else one
-        for one in block.parameters
+        replace(
+            parameter, translations={**same[parameter.name].translations, **parameter.translations}
+        )
+        if parameter.name in same
+        else parameter
+        for parameter in block.parameters
     )
     return replace(
         block,

@@ -104,7 +104,7 @@ class _Reader:
         items = self._list(fields, "variables", path, who, '[{"type": "float", ...}]')
         paths: list[Path] = [(*path, "variables", i) for i in range(len(items))]
         parameters = [self._parameter(item, at, who) for item, at in zip(items, paths, strict=True)]
-        self._refuse_repeated([one.name for one in parameters], paths, who)
+        self._refuse_repeated([parameter.name for parameter in parameters], paths, who)
         self._refuse_late_requirements(parameters, paths, who)
         return tuple(parameters)
 
@@ -404,6 +404,6 @@ def _to_range(value: object) -> Range | None:
     """A range written as a list of two or three numbers."""
     if not isinstance(value, list) or not 2 <= len(value) <= 3:
         return None
-    if any(isinstance(one, bool) or not isinstance(one, int | float) for one in value):
+    if any(isinstance(item, bool) or not isinstance(item, int | float) for item in value):
         return None
     return Range(*value)

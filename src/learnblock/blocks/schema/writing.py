@@ -42,7 +42,7 @@ def _parameter(parameter: Parameter) -> dict[str, Any]:
 
 
 def _words(key: str, words: Mapping[str, Mapping[str, str]]) -> dict[str, Any]:
-    found = {one: dict(translations) for one, translations in words.items()}
+    found = {word: dict(translations) for word, translations in words.items()}
     return {key: found} if found else {}
 
 

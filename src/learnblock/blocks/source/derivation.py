@@ -36,7 +36,7 @@ def derive(source: str, filename: str) -> tuple[BlockConfiguration, ...]:
     Raises:
         ProgramError: the source is not valid Python.
     """
-    return tuple(derived(one, filename) for one in signatures(source, filename))
+    return tuple(derived(signature, filename) for signature in signatures(source, filename))
 
 
 def derived(signature: Signature, filename: str) -> BlockConfiguration:
@@ -131,8 +131,8 @@ def derive_plugin(point: "EntryPoint") -> Iterator[tuple[Signature, BlockConfigu
         OSError: it cannot be read.
     """
     path = _source_of(point)
-    for one in signatures(skill_files.read(path), str(path)):
-        yield one, derived(one, str(path))
+    for signature in signatures(skill_files.read(path), str(path)):
+        yield signature, derived(signature, str(path))
 
 
 def _source_of(point: "EntryPoint") -> Path:

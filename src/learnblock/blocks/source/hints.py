@@ -76,7 +76,7 @@ def _alternatives(hint: ast.expr) -> Iterator[ast.expr]:
 def _either(alternatives: list[ast.expr]) -> FieldType:
     if len(alternatives) == 1:
         return field_type(alternatives[0])
-    names = {_name(one) for one in alternatives}
+    names = {_name(alternative) for alternative in alternatives}
     # Only tags have both a number and a name.
     if names == {"int", "str"}:
         return FieldType("apriltext")
@@ -135,8 +135,8 @@ def _number(expression: ast.expr) -> float | None:
 
 def _choices(inside: ast.expr) -> tuple[str, ...]:
     items = inside.elts if isinstance(inside, ast.Tuple) else [inside]
-    texts = [one.value for one in items if isinstance(one, ast.Constant)]
-    found = tuple(dict.fromkeys(one for one in texts if is_choice(one)))
+    texts = [item.value for item in items if isinstance(item, ast.Constant)]
+    found = tuple(dict.fromkeys(text for text in texts if is_choice(text)))
     if len(found) != len(items) or not 0 < len(found) <= MOST_CHOICES:
         raise HintError("block-hint-choices", hint=_written(inside), most=MOST_CHOICES)
     return found

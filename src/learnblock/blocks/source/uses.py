@@ -80,7 +80,9 @@ def uses_of(
         imported: what the functions use that it imports, as it writes them.
     """
     kinds = ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef
-    own = {one.name: _uses(one) for one in tree.body if isinstance(one, kinds)}
+    own = {
+        statement.name: _uses(statement) for statement in tree.body if isinstance(statement, kinds)
+    }
     return {name: _all(name, {**imported, **own}) for name in own}
 
 
@@ -98,17 +100,17 @@ def imported_names(
     found: dict[str, Uses] = {}
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
-            for one in node.names:
-                module = one.asname or one.name
-                uses = defined(one.name)
+            for alias in node.names:
+                module = alias.asname or alias.name
+                uses = defined(alias.name)
                 found |= {f"{module}.{name}": value for name, value in uses.items()}
         elif isinstance(node, ast.ImportFrom) and node.module:
             uses = defined(node.module)
-            for one in node.names:
-                if one.name == "*":
+            for alias in node.names:
+                if alias.name == "*":
                     found |= uses
-                elif one.name in uses:
-                    found[one.asname or one.name] = uses[one.name]
+                elif alias.name in uses:
+                    found[alias.asname or alias.name] = uses[alias.name]
     return found
 
 
@@ -127,7 +129,7 @@ def with_needs(
     for block in blocks:
         found = () if block.needs else _all(block.name, uses).needed(skills)
         # A question is answered without its decoration, too.
-        needs = [one for one in found if not (block.returns_value and is_decoration(one))]
+        needs = [need for need in found if not (block.returns_value and is_decoration(need))]
         yield replace(block, needs=tuple(needs)) if needs else block
 
 
@@ -231,7 +233,9 @@ def _read(call: ast.Call) -> str | None:
 def _skill_use(call: ast.Call) -> SkillUse | None:
     if not isinstance(call.func, ast.Attribute):
         return None
-    keywords = tuple((one.arg, text_of(one.value)) for one in call.keywords if one.arg)
+    keywords = tuple(
+        (keyword.arg, text_of(keyword.value)) for keyword in call.keywords if keyword.arg
+    )
     return SkillUse(call.func.attr, tuple(map(text_of, call.args)), keywords)
 
 

@@ -5,7 +5,6 @@ the senses, with what can serve each of them, is `learnblock.senses`.
 """
 
 from itertools import chain
-from typing import TYPE_CHECKING
 
 from learnblock.client.senses.heading import Heading
 from learnblock.client.senses.lines import (
@@ -17,11 +16,9 @@ from learnblock.client.senses.lines import (
     LinePosition,
 )
 from learnblock.client.senses.motion import Motion
+from learnblock.client.senses.sensed_robot import SensedRobot
 from learnblock.devices import NOTHING_SEEN, Bumper, Camera, DistanceSensors, LightSensor
 from learnblock.senses import served_by
-
-if TYPE_CHECKING:
-    from learnblock.client.client import Client
 
 __all__ = ["Heading", "Line", "Senses"]
 
@@ -45,7 +42,7 @@ class Senses:
         robot: the robot.
     """
 
-    def __init__(self, robot: "Client") -> None:
+    def __init__(self, robot: SensedRobot) -> None:
         self._robot = robot
         self._heading = Heading(robot)
         self._edge = LineEdge(robot)

@@ -1,11 +1,7 @@
 """The heading: by the gyroscope, or by the wheels."""
 
-from typing import TYPE_CHECKING
-
+from learnblock.client.senses.sensed_robot import SensedRobot
 from learnblock.devices import Base, Gyroscope
-
-if TYPE_CHECKING:
-    from learnblock.client.client import Client
 
 #: The key of the gyroscope whose axis points up.
 UPRIGHT = "Z_AXIS"
@@ -21,7 +17,7 @@ class Heading:
         robot: the robot.
     """
 
-    def __init__(self, robot: "Client") -> None:
+    def __init__(self, robot: SensedRobot) -> None:
         self._robot = robot
         self._direction = 0.0
         self._turned = 0.0

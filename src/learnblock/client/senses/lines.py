@@ -9,10 +9,10 @@ from itertools import product
 from typing import TYPE_CHECKING, Protocol
 
 from learnblock.client.senses.heading import Heading
+from learnblock.client.senses.sensed_robot import SensedRobot
 from learnblock.devices import Base, GroundSensors, JointMotor, Pose
 
 if TYPE_CHECKING:
-    from learnblock.client.client import Client
     from learnblock.perception import LineView
 
 #: A reading below this is dark; a white floor reads more than 90.
@@ -70,7 +70,7 @@ class LineEdge:
         robot: the robot.
     """
 
-    def __init__(self, robot: "Client") -> None:
+    def __init__(self, robot: SensedRobot) -> None:
         self._robot = robot
         self._seen = _LastSeen(robot)
 
@@ -96,7 +96,7 @@ class GroundLine:
         heading: its heading.
     """
 
-    def __init__(self, robot: "Client", heading: Heading) -> None:
+    def __init__(self, robot: SensedRobot, heading: Heading) -> None:
         self._robot = robot
         self._heading = heading
         self._seen = _LastSeen(robot)
@@ -142,7 +142,7 @@ class CameraLine:
         robot: the robot.
     """
 
-    def __init__(self, robot: "Client") -> None:
+    def __init__(self, robot: SensedRobot) -> None:
         self._robot = robot
 
     def look(self) -> Sighting:
@@ -179,7 +179,7 @@ class LinePosition:
         camera: the line in its camera's picture.
     """
 
-    def __init__(self, robot: "Client", camera: CameraLine) -> None:
+    def __init__(self, robot: SensedRobot, camera: CameraLine) -> None:
         self._robot = robot
         self._camera = camera
         self._last = 0.0
@@ -213,7 +213,7 @@ class _LastSeen:
         robot: the robot.
     """
 
-    def __init__(self, robot: "Client") -> None:
+    def __init__(self, robot: SensedRobot) -> None:
         self._robot = robot
         self._pose: Pose | None = None
 
@@ -238,7 +238,7 @@ def _position(view: "LineView") -> float:
     return 100 * (view.right - view.left) / (view.left + view.center + view.right)
 
 
-def _readings(robot: "Client") -> dict[str, float]:
+def _readings(robot: SensedRobot) -> dict[str, float]:
     """The readings of the sensors that the robot has."""
     readings = robot.read(GroundSensors) or {}
     return {side: value for side, value in readings.items() if value is not None}

@@ -1,12 +1,9 @@
 """How a person holds and shakes the robot, by its accelerometer."""
 
 import math
-from typing import TYPE_CHECKING
 
+from learnblock.client.senses.sensed_robot import SensedRobot
 from learnblock.devices import Accelerometer
-
-if TYPE_CHECKING:
-    from learnblock.client.client import Client
 
 #: m/s2 at rest.
 GRAVITY = 9.81
@@ -26,7 +23,7 @@ class Motion:
         robot: a robot with an accelerometer.
     """
 
-    def __init__(self, robot: "Client") -> None:
+    def __init__(self, robot: SensedRobot) -> None:
         self._robot = robot
         self._until = -math.inf
 

@@ -36,8 +36,8 @@ def taken_names(
 def others_names() -> Mapping[str, Phrase]:
     """The names that are taken by anything except custom blocks."""
     taken = {
-        one.name: Phrase("custom-taken-by-library", name=one.name, library=one.library)
-        for one in installed_blocks()
+        block.name: Phrase("custom-taken-by-library", name=block.name, library=block.library)
+        for block in installed_blocks()
     }
     taken |= {name: Phrase("custom-taken-by-plugin", name=name) for name in _of_plugins()}
     taken |= {name: Phrase("custom-taken-by-robot", name=name) for name in RESERVED}
@@ -86,8 +86,8 @@ def check(
     if not name and found:
         # The page calls a new file after its first function.
         filename = f"{found[0].name}.py"
-    followed = {one.name: one for one in choices.followed(chosen, found)}
-    stale = choices.out_of_date(followed, {one.name: one for one in found})
+    followed = {block.name: block for block in choices.followed(chosen, found)}
+    stale = choices.out_of_date(followed, {block.name: block for block in found})
     blocks = choices.complete(found, followed, filename)
     problems += _problems("configuration", map(_warning, stale))
     problems += _problems("configuration", _wrong_defaults(blocks, found))
@@ -99,11 +99,17 @@ def _wrong_defaults(
 ) -> Iterator[Diagnostic]:
     """Report defaults that the configuration does not allow."""
     for block, signature in zip(blocks, found, strict=True):
-        for one, argument in zip(block.parameters, signature.arguments, strict=True):
-            by_hint = one.type == argument.field.type and one.range == argument.field.range
-            if by_hint or one.default is None or not (why := one.objection(one.default)):
+        for parameter, argument in zip(block.parameters, signature.arguments, strict=True):
+            by_hint = (
+                parameter.type == argument.field.type and parameter.range == argument.field.range
+            )
+            if (
+                by_hint
+                or parameter.default is None
+                or not (why := parameter.objection(parameter.default))
+            ):
                 continue
-            message = bad_default(one.name, block.name, one.default, why)
+            message = bad_default(parameter.name, block.name, parameter.default, why)
             yield Diagnostic("bad-default", message)
 
 
@@ -118,7 +124,7 @@ def _wrong_name(name: str, replaces: str) -> Iterable[Diagnostic]:
 
 
 def _problems(part: Part, diagnostics: Iterable[Diagnostic]) -> list[Problem]:
-    return [Problem(part, one) for one in diagnostics]
+    return [Problem(part, diagnostic) for diagnostic in diagnostics]
 
 
 def _warning(message: Phrase) -> Diagnostic:

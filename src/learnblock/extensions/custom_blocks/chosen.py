@@ -30,9 +30,9 @@ def followed(
     If just one function and one configuration do not match any other, the function was renamed: it
     keeps its colour and its words in other languages.
     """
-    blocks, names = list(chosen), [one.name for one in signatures]
-    without_function = [one for one in blocks if one.name not in names]
-    known = {one.name for one in blocks}
+    blocks, names = list(chosen), [signature.name for signature in signatures]
+    without_function = [block for block in blocks if block.name not in names]
+    known = {block.name for block in blocks}
     without_choice = [name for name in names if name not in known]
     if len(without_function) != 1 or len(without_choice) != 1:
         return tuple(blocks)
@@ -40,7 +40,7 @@ def followed(
     # The English label is most likely the function's old name in words.
     words = {code: text for code, text in old.languages.items() if code != "EN"}
     renamed = replace(old, name=new, languages=words)
-    return tuple(renamed if one is old else one for one in blocks)
+    return tuple(renamed if block is old else block for block in blocks)
 
 
 def complete(
@@ -48,10 +48,10 @@ def complete(
 ) -> tuple[BlockConfiguration, ...]:
     """The blocks of a file, from its source and their configurations."""
     return tuple(
-        fitted(chosen[one.name], one, derived(one, filename))
-        if one.name in chosen
-        else derived(one, filename)
-        for one in signatures
+        fitted(chosen[signature.name], signature, derived(signature, filename))
+        if signature.name in chosen
+        else derived(signature, filename)
+        for signature in signatures
     )
 
 
@@ -61,7 +61,7 @@ def apart(blocks: Iterable[BlockConfiguration], signatures: Iterable[Signature])
     Otherwise, a later change to a docstring would never be shown.
     """
     pairs = zip(blocks, signatures, strict=True)
-    return written(_without(block, derived(one, "")) for block, one in pairs)
+    return written(_without(block, derived(signature, "")) for block, signature in pairs)
 
 
 def _without(block: BlockConfiguration, known: BlockConfiguration) -> BlockConfiguration:
@@ -71,8 +71,8 @@ def _without(block: BlockConfiguration, known: BlockConfiguration) -> BlockConfi
         languages=_differing(block.languages, known.languages),
         tooltip=_differing(block.tooltip, known.tooltip),
         parameters=tuple(
-            replace(one, translations=_differing(one.translations, other.translations))
-            for one, other in pairs
+            replace(block, translations=_differing(block.translations, other.translations))
+            for block, other in pairs
         ),
     )
 
@@ -94,17 +94,17 @@ def out_of_date(
 
 def _differences(block: BlockConfiguration, signature: Signature) -> Iterator[Phrase]:
     arguments = {argument.name: argument for argument in signature.arguments}
-    for one in block.parameters:
-        argument = arguments.get(one.name)
+    for parameter in block.parameters:
+        argument = arguments.get(parameter.name)
         if argument is None:
-            yield Phrase("custom-stale-parameter", block=block.name, parameter=one.name)
-        elif not may_be(argument, _field(one)):
+            yield Phrase("custom-stale-parameter", block=block.name, parameter=parameter.name)
+        elif not may_be(argument, _field(parameter)):
             yield Phrase(
                 "custom-stale-type",
                 block=block.name,
-                parameter=one.name,
+                parameter=parameter.name,
                 actual=_described(argument.field),
-                chosen=_described(_field(one)),
+                chosen=_described(_field(parameter)),
             )
     if signature.is_said and block.returns_value != signature.answers:
         kind = "value" if signature.answers else "statement"

@@ -37,7 +37,9 @@ def renamed_source(source: str, names: Mapping[str, str]) -> str:
     """
     tree = skill_files.parse(source, "block.py")
     # A name spelled in an unusual form of Unicode is not renamed; the check of the copy reports it.
-    return replaced(source, (one for one in places(tree, source, names) if one.is_plain), names)
+    return replaced(
+        source, (place for place in places(tree, source, names) if place.is_plain), names
+    )
 
 
 def renamed_configuration(configuration: str, names: Mapping[str, str]) -> str:
@@ -45,4 +47,4 @@ def renamed_configuration(configuration: str, names: Mapping[str, str]) -> str:
     blocks, wrong = choices.read(configuration)
     if wrong or not blocks:
         return configuration
-    return written(replace(one, name=names.get(one.name, one.name)) for one in blocks)
+    return written(replace(block, name=names.get(block.name, block.name)) for block in blocks)

@@ -202,7 +202,7 @@ def _unreadable(name: str, error: Exception) -> CustomBlock:
     found = error.diagnostics if isinstance(error, FileError) else ()
     reason = error.phrase if isinstance(error, LearnBlockError) else Phrase(str(error))
     unreadable = Diagnostic("unreadable", Phrase("custom-unreadable", reason=reason))
-    problems = tuple(Problem("source", one) for one in found or (unreadable,))
+    problems = tuple(Problem("source", diagnostic) for diagnostic in found or (unreadable,))
     return CustomBlock(name, "", "", (), category_of(name), problems)
 
 

@@ -83,7 +83,7 @@ def _wrong_name(module: str, name: str) -> Iterator[Phrase]:
         return
     known = _names(file)
     if name not in known:
-        public = [one for one in known if not one.startswith("_")]
+        public = [name for name in known if not name.startswith("_")]
         near = nearest(name, public)
         if near is None:
             yield Phrase("custom-import-name", module=module, name=name)

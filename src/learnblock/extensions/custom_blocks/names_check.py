@@ -79,15 +79,15 @@ def _makes_names(node: ast.AST) -> bool:
 def _global_names(code: CodeType) -> Iterator[str]:
     """The names that a module sets."""
     yield from _operands(code, "STORE_NAME")
-    for one in _codes(code):
-        yield from _operands(one, "STORE_GLOBAL")
+    for scope in _codes(code):
+        yield from _operands(scope, "STORE_GLOBAL")
 
 
 def _unknown_places(code: CodeType, known: Collection[str]) -> Iterator[_Place]:
     """Where a name is looked up that neither the module nor the class around it sets."""
-    for one in _codes(code):
-        here = {*known, *_operands(one, "STORE_NAME")}
-        for found in dis.get_instructions(one):
+    for scope in _codes(code):
+        here = {*known, *_operands(scope, "STORE_NAME")}
+        for found in dis.get_instructions(scope):
             is_unknown = found.opname in _LOADS and found.argval not in here
             if is_unknown and found.positions:
                 yield found.positions.lineno, found.positions.col_offset
@@ -102,7 +102,11 @@ def _codes(code: CodeType) -> Iterator[CodeType]:
 
 
 def _operands(code: CodeType, operation: str) -> Iterator[str]:
-    return (one.argval for one in dis.get_instructions(code) if one.opname == operation)
+    return (
+        instruction.argval
+        for instruction in dis.get_instructions(code)
+        if instruction.opname == operation
+    )
 
 
 def _expected_to_fail(node: ast.AST) -> Iterator[ast.AST]:
@@ -115,7 +119,7 @@ def _expected_to_fail(node: ast.AST) -> Iterator[ast.AST]:
 def _expects(handler: ast.ExceptHandler) -> bool:
     if handler.type is None:
         return True
-    names = (one.id for one in ast.walk(handler.type) if isinstance(one, ast.Name))
+    names = (name.id for name in ast.walk(handler.type) if isinstance(name, ast.Name))
     return not _EXPECTING.isdisjoint(names)
 
 
@@ -133,7 +137,7 @@ def _unknown_name(node: ast.Name, owner: ast.AST, known: Collection[str]) -> Phr
         return missing
     is_called = isinstance(owner, ast.Call) and owner.func is node
     # True, False and errors are no functions, and only these begin with a capital.
-    likely = [one for one in known if one not in _BUILTINS or (is_called and one.islower())]
+    likely = [name for name in known if name not in _BUILTINS or (is_called and name.islower())]
     sort = "function" if is_called else "name"
     if near := nearest(name, likely):
         return Phrase(f"check-unknown-{sort}-near", name=name, near=near)

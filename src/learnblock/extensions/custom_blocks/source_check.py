@@ -33,9 +33,11 @@ def wrong_source(source: str, filename: str, taken: Mapping[str, Phrase]) -> Ite
     wrong = [*_wrong_parts(tree, taken)]
     yield from wrong
     # A hint or an import with a mistake is not reported a second time.
-    lines = {one.line for one in wrong}
-    yield from (one for one in unknown_names(tree, code) if one.line not in lines)
-    own = {one.name for one in skill_files.functions(tree)}
+    lines = {diagnostic.line for diagnostic in wrong}
+    yield from (
+        diagnostic for diagnostic in unknown_names(tree, code) if diagnostic.line not in lines
+    )
+    own = {function.name for function in skill_files.functions(tree)}
     yield from unknown_skills(tree, {*taken, *own})
 
 
@@ -43,11 +45,11 @@ def _wrong_parts(tree: ast.Module, taken: Mapping[str, Phrase]) -> Iterator[Diag
     functions = list(skill_files.functions(tree))
     heads = list(_wrong_heads(tree))
     yield from heads
-    if not functions and not any(one.severity == "error" for one in heads):
+    if not functions and not any(diagnostic.severity == "error" for diagnostic in heads):
         yield Diagnostic("no-function", Phrase("custom-no-function"))
     yield from _repeated(functions)
-    for one in functions:
-        yield from _wrong_function(signature(one), taken)
+    for function in functions:
+        yield from _wrong_function(signature(function), taken)
     yield from wrong_imports(tree)
 
 
@@ -77,15 +79,17 @@ def _compiled(source: str, filename: str) -> tuple[ast.Module, CodeType]:
 
 def _wrong_heads(tree: ast.Module) -> Iterator[Diagnostic]:
     """Report public functions that cannot be blocks."""
-    for one in tree.body:
-        if not isinstance(one, ast.FunctionDef | ast.AsyncFunctionDef) or one.name.startswith("_"):
+    for statement in tree.body:
+        if not isinstance(
+            statement, ast.FunctionDef | ast.AsyncFunctionDef
+        ) or statement.name.startswith("_"):
             continue
-        start = one.col_offset + (len("async def ") if _is_async(one) else len("def "))
-        place = Place(one.lineno, start + 1, start + 1 + len(one.name))
-        if _is_async(one):
-            yield _at(place, "async-function", Phrase("custom-async", name=one.name))
-        elif not (one.args.posonlyargs or one.args.args):
-            yield _at(place, "no-robot", Phrase("custom-no-robot", name=one.name), "warning")
+        start = statement.col_offset + (len("async def ") if _is_async(statement) else len("def "))
+        place = Place(statement.lineno, start + 1, start + 1 + len(statement.name))
+        if _is_async(statement):
+            yield _at(place, "async-function", Phrase("custom-async", name=statement.name))
+        elif not (statement.args.posonlyargs or statement.args.args):
+            yield _at(place, "no-robot", Phrase("custom-no-robot", name=statement.name), "warning")
 
 
 def _is_async(function: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
@@ -94,27 +98,27 @@ def _is_async(function: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
 
 def _repeated(functions: list[ast.FunctionDef]) -> Iterator[Diagnostic]:
     seen: dict[str, int] = {}
-    for one in functions:
-        if one.name in seen:
-            line = str(seen[one.name])
-            message = Phrase("custom-duplicate-function", name=one.name, line=line)
-            yield _at(signature(one).place, "duplicate-name", message)
-        seen[one.name] = one.lineno
+    for function in functions:
+        if function.name in seen:
+            line = str(seen[function.name])
+            message = Phrase("custom-duplicate-function", name=function.name, line=line)
+            yield _at(signature(function).place, "duplicate-name", message)
+        seen[function.name] = function.lineno
 
 
-def _wrong_function(one: Signature, taken: Mapping[str, Phrase]) -> Iterator[Diagnostic]:
-    if one.name in taken:
-        yield _at(one.place, "name-taken", taken[one.name])
-    yield from _wrong_spelling(one.name, one.place)
-    if one.robot != _ROBOT:
-        message = Phrase("custom-first-parameter", name=one.name, parameter=one.robot)
-        yield _at(one.place, "no-robot", message)
-    for name in one.unfit:
-        message = Phrase("custom-unfit-parameter", name=one.name, parameter=name)
-        yield _at(one.place, "unfit-parameter", message)
-    for argument in one.arguments:
+def _wrong_function(skill: Signature, taken: Mapping[str, Phrase]) -> Iterator[Diagnostic]:
+    if skill.name in taken:
+        yield _at(skill.place, "name-taken", taken[skill.name])
+    yield from _wrong_spelling(skill.name, skill.place)
+    if skill.robot != _ROBOT:
+        message = Phrase("custom-first-parameter", name=skill.name, parameter=skill.robot)
+        yield _at(skill.place, "no-robot", message)
+    for name in skill.unfit:
+        message = Phrase("custom-unfit-parameter", name=skill.name, parameter=name)
+        yield _at(skill.place, "unfit-parameter", message)
+    for argument in skill.arguments:
         yield from _wrong_spelling(argument.name, argument.place)
-        yield from _wrong_argument(one.name, argument)
+        yield from _wrong_argument(skill.name, argument)
 
 
 def _wrong_spelling(name: str, place: Place) -> Iterator[Diagnostic]:
@@ -124,15 +128,15 @@ def _wrong_spelling(name: str, place: Place) -> Iterator[Diagnostic]:
         yield _at(place, "bad-name", Phrase("custom-python-word", name=name, plain=plain))
 
 
-def _wrong_argument(function: str, one: Argument) -> Iterator[Diagnostic]:
-    if one.wrong:
+def _wrong_argument(function: str, argument: Argument) -> Iterator[Diagnostic]:
+    if argument.wrong:
         message = Phrase(
-            "custom-bad-hint", parameter=one.name, function=function, problem=one.wrong
+            "custom-bad-hint", parameter=argument.name, function=function, problem=argument.wrong
         )
-        yield _at(one.place, "bad-hint", message)
-    elif one.default is not None and (why := _objection(one)):
-        message = bad_default(one.name, function, one.default, why)
-        yield _at(one.place, "bad-default", message)
+        yield _at(argument.place, "bad-hint", message)
+    elif argument.default is not None and (why := _objection(argument)):
+        message = bad_default(argument.name, function, argument.default, why)
+        yield _at(argument.place, "bad-default", message)
 
 
 def bad_default(parameter: str, function: str, default: object, expected: Phrase) -> Phrase:
@@ -146,9 +150,9 @@ def bad_default(parameter: str, function: str, default: object, expected: Phrase
     )
 
 
-def _objection(one: Argument) -> Phrase | None:
+def _objection(argument: Argument) -> Phrase | None:
     """What the default of a parameter should be; None if it fits the hint."""
-    kind, default = one.field.type, one.default
+    kind, default = argument.field.type, argument.default
     is_number = isinstance(default, int | float) and not isinstance(default, bool)
     fits = {
         **dict.fromkeys(NUMBERS, (is_number, Phrase("block-expects-number"))),
@@ -163,8 +167,8 @@ def _objection(one: Argument) -> Phrase | None:
     fit, expected = fits.get(kind, (True, None))
     if not fit:
         return expected
-    field = one.field
-    parameter = Parameter(one.name, kind, range=field.range, choices=field.choices)
+    field = argument.field
+    parameter = Parameter(argument.name, kind, range=field.range, choices=field.choices)
     return parameter.objection(default)
 
 

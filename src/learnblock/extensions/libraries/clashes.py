@@ -36,7 +36,7 @@ class Clash:
 def clashes(libraries: Iterable[Library]) -> tuple[Clash, ...]:
     """The taken names in libraries that are to be installed together."""
     libraries = tuple(libraries)
-    taken = {**_others({one.name for one in libraries})}
+    taken = {**_others({library.name for library in libraries})}
     found: list[Clash] = []
     for library in libraries:
         found += [
@@ -55,7 +55,7 @@ def refuse_clashes(libraries: Iterable[Library]) -> None:
     """
     found = clashes(libraries)
     if found:
-        problems = [Diagnostic("name-clash", one.phrase) for one in found]
+        problems = [Diagnostic("name-clash", clash.phrase) for clash in found]
         raise LibraryError(found[0].library, problems)
 
 
@@ -63,13 +63,13 @@ def _others(coming: Iterable[str]) -> Mapping[str, Phrase]:
     """The taken names and where they are, except those of the libraries to be installed."""
     found = {
         name: Phrase("library-place-plugin")
-        for name, one in all_configurations().items()
-        if not one.library
+        for name, configuration in all_configurations().items()
+        if not configuration.library
     }
     found |= {
-        one.name: Phrase("library-place-library", library=one.library)
-        for one in installed_blocks()
-        if one.library not in coming
+        block.name: Phrase("library-place-library", library=block.library)
+        for block in installed_blocks()
+        if block.library not in coming
     }
     found |= {
         skill: Phrase("library-place-block", block=stem)

@@ -67,7 +67,7 @@ class Library:
     @cached_property
     def skills(self) -> Mapping[str, BlockConfiguration]:
         """The blocks of its skills by name."""
-        return MappingProxyType({one.name: one for one in blocks(self.name, self.files)})
+        return MappingProxyType({block.name: block for block in blocks(self.name, self.files)})
 
 
 def from_files(files: Mapping[str, bytes], where: str) -> Library:
@@ -160,13 +160,15 @@ def _functions(text: str) -> str:
     if not text.strip():
         return ""
     program = language.parse(text, FUNCTIONS)
-    others = [one for one in program.items if not isinstance(one, Def | Assign | Comment | Blank)]
+    others = [
+        item for item in program.items if not isinstance(item, Def | Assign | Comment | Blank)
+    ]
     if others or program.main:
         line = others[0].span.line if others else program.main.span.line if program.main else 0
         message = Phrase("library-other-statement")
         raise LibraryError(FUNCTIONS, [Diagnostic("not-in-library", message, line)], text)
-    for one in program.functions.values():
-        refuse_name(one.name, FUNCTIONS, one.span.line)
+    for function in program.functions.values():
+        refuse_name(function.name, FUNCTIONS, function.span.line)
     return extracted(program, program.functions, FUNCTIONS)
 
 

@@ -91,7 +91,7 @@ def _module(path: Path) -> tuple[str, str]:
         ProgramError: the file is not valid Python.
     """
     source = plain_lines(skill_files.read(path))
-    known = {one.name for one in skills_in(path.name, source)}
+    known = {skill.name for skill in skills_in(path.name, source)}
     for function in skill_files.functions(skill_files.parse(source, path.name)):
         if function.name not in known:
             message = Phrase("library-first-parameter", function=function.name)
@@ -147,7 +147,10 @@ def _described(library: Library, program: Program) -> Iterator[BlockConfiguratio
 def _of_function(block: BlockConfiguration, program: Program) -> BlockConfiguration:
     """A function's block: its comment is the tooltip, and the calls to it determine the types."""
     types = _given(program, block.name)
-    parameters = tuple(replace(one, type=types.get(one.name, one.type)) for one in block.parameters)
+    parameters = tuple(
+        replace(parameter, type=types.get(parameter.name, parameter.type))
+        for parameter in block.parameters
+    )
     comment = _comment(program, block.name)
     tooltip = {"EN": comment} if comment else block.tooltip
     return replace(block, type="control", parameters=parameters, tooltip=tooltip)
@@ -173,7 +176,7 @@ def _given(program: Program, function: str) -> dict[str, ParameterType]:
     for node in _expressions((*program.items, *main)):
         if isinstance(node, Call) and node.name == function:
             pairs = [*zip(names, node.arguments, strict=False)]
-            pairs += [(one.name, one.value) for one in node.keywords]
+            pairs += [(keyword.name, keyword.value) for keyword in node.keywords]
             found.update((name, kind) for name, value in pairs if (kind := _type(value)))
     return found
 

@@ -68,7 +68,7 @@ def _in_configurations(text: str, name: str, new: str) -> str:
     if not text:
         return ""
     blocks = load_configurations(text)
-    return written(_named(one, new) if one.name == name else one for one in blocks)
+    return written(_named(block, new) if block.name == name else block for block in blocks)
 
 
 def _named(block: BlockConfiguration, new: str) -> BlockConfiguration:

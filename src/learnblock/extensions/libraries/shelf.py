@@ -57,7 +57,7 @@ def installed(name: str) -> Library:
 
 def readable() -> dict[str, Library]:
     """The installed libraries that are not broken, by name."""
-    return {one.name: one.library for one in shelved() if one.library}
+    return {entry.name: entry.library for entry in shelved() if entry.library}
 
 
 def versions() -> dict[str, str]:
@@ -83,7 +83,7 @@ def install(coming: Iterable[Library], *, replace: bool = False) -> tuple[Librar
     _refuse_twice(coming)
     refuse_clashes(coming)
     there = readable()
-    new = tuple(one for one in coming if not _is_same(there.get(one.name), one))
+    new = tuple(library for library in coming if not _is_same(there.get(library.name), library))
     if not replace:
         for library in new:
             _refuse_older(there.get(library.name), library)

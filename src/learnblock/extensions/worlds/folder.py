@@ -117,7 +117,7 @@ def _names_like(name: str) -> Iterator[tuple[int, str]]:
 
 def _is_free(name: str) -> bool:
     # Windows and macOS ignore case in file names.
-    return name.casefold() not in {one.casefold() for one in known_worlds()}
+    return name.casefold() not in {world.casefold() for world in known_worlds()}
 
 
 def _has(name: str, world: WorldDescription) -> bool:

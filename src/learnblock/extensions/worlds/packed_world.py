@@ -68,9 +68,9 @@ def staged(packed: PackedWorld) -> Iterator[Path]:
         yield file
 
 
-def is_same(one: WorldDescription, other: WorldDescription) -> bool:
+def is_same(first: WorldDescription, other: WorldDescription) -> bool:
     """Whether two worlds are the same apart from their names and titles."""
-    return _bare(one) == _bare(other) and picture_of(one) == picture_of(other)
+    return _bare(first) == _bare(other) and picture_of(first) == picture_of(other)
 
 
 def picture_of(world: WorldDescription) -> bytes | None:

@@ -1,17 +1,13 @@
 """Parse dictionaries: ``{"Ana": 1, "Luis": 2}``."""
 
-from typing import TYPE_CHECKING
-
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.lexer import Token
+from learnblock.language.blocktext.nested_reader import NestedReader
 from learnblock.language.blocktext.slips import Slip
 from learnblock.language.tree.nodes import Dictionary, Expression, Span
 
-if TYPE_CHECKING:
-    from learnblock.language.blocktext.expression_parser import ExpressionParser
 
-
-def dictionary(parser: "ExpressionParser", token: Token) -> Dictionary:
+def dictionary(parser: NestedReader, token: Token) -> Dictionary:
     """Read a dictionary."""
     parser.index += 1
     parser.nest()
@@ -34,7 +30,7 @@ def dictionary(parser: "ExpressionParser", token: Token) -> Dictionary:
     return Dictionary(tuple(key for key, _ in entries), tuple(value for _, value in entries), span)
 
 
-def _entry(parser: "ExpressionParser", opening: Token) -> tuple[tuple[Expression, Expression], int]:
+def _entry(parser: NestedReader, opening: Token) -> tuple[tuple[Expression, Expression], int]:
     """Read a key and its value, with the height of the larger one."""
     key = parser.expression()
     height = parser.height
@@ -45,7 +41,7 @@ def _entry(parser: "ExpressionParser", opening: Token) -> tuple[tuple[Expression
     return (key, value), max(height, parser.height)
 
 
-def _no_colon(parser: "ExpressionParser", opening: Token) -> Slip:
+def _no_colon(parser: NestedReader, opening: Token) -> Slip:
     kind = parser.kinds[parser.index]
     if kind == "=":
         return parser.slip("unexpected", Phrase("blocktext-entry-equals"))

@@ -8,10 +8,11 @@ from learnblock.i18n import Phrase
 from learnblock.language.blocktext import open_brackets, slips
 from learnblock.language.blocktext.dictionary_parser import dictionary
 from learnblock.language.blocktext.f_string_parser import bad_f_string, f_string
-from learnblock.language.blocktext.lexer import KEYWORDS, LINE_ENDS, Token, Tokens
+from learnblock.language.blocktext.lexer import KEYWORDS, LINE_ENDS, Token
+from learnblock.language.blocktext.nested_reader import LOOSEST, MAX_HEIGHT, NestedReader
 from learnblock.language.blocktext.open_brackets import CLOSING
 from learnblock.language.blocktext.slips import Slip, symbol
-from learnblock.language.blocktext.token_reader import TokenReader, new
+from learnblock.language.blocktext.token_reader import new
 from learnblock.language.tree.characters import write_instead
 from learnblock.language.tree.nodes import (
     Binary,
@@ -33,8 +34,6 @@ from learnblock.language.tree.nodes import (
 )
 from learnblock.language.tree.strings import unquote
 
-# Writing a deeper tree would overflow the stack of Python.
-MAX_HEIGHT = 200
 MAX_DIGITS = 1000
 
 _LEVELS = {
@@ -58,7 +57,7 @@ _LEVELS = {
     "**": 8,
 }
 OPERATORS = frozenset(_LEVELS) - {"if"}
-_LOOSEST, _OR = 0, 1
+_OR = 1
 _NOT, _COMPARE, _SIGN, _POWER = 3, 4, 7, 8
 _CONSTANTS = {"True": True, "False": False, "None": None}
 NUMBER = re.compile(
@@ -73,15 +72,10 @@ _SQUARE_BRACKET = symbol("]")
 _DOT_AND_SKILL = Phrase("blocktext-wanted-dot-and-skill")
 
 
-class ExpressionParser(TokenReader):
-    """Reads expressions; `height` is the height of the last tree."""
+class ExpressionParser(NestedReader):
+    """Reads expressions of all kinds."""
 
-    def __init__(self, tokens: Tokens) -> None:
-        super().__init__(tokens)
-        self.height = 0
-        self.nesting = 0  # the nesting depth of brackets
-
-    def expression(self, level: int = _LOOSEST) -> Expression:
+    def expression(self, level: int = LOOSEST) -> Expression:
         kinds = self.kinds
         kind = kinds[self.index]
         atom = _ATOMS.get(kind)
@@ -101,7 +95,7 @@ class ExpressionParser(TokenReader):
                     return left
                 left = self.comparison(left)
                 continue
-            if binding == _LOOSEST:
+            if binding == LOOSEST:
                 left = self.conditional(left)
                 continue
             height = self.height
@@ -120,12 +114,6 @@ class ExpressionParser(TokenReader):
         self.nesting -= 1
         return exponent
 
-    def grow(self, height: int) -> None:
-        """Join the last tree and one of height `height` into a tree above both."""
-        self.height = max(height, self.height) + 1
-        if self.height > MAX_HEIGHT:
-            raise slips.too_deep(self.before)
-
     def prefixed(self, kind: str, level: int) -> Expression:
         token = self.tokens[self.index]
         if kind not in {"-", "+", "not"}:
@@ -140,11 +128,6 @@ class ExpressionParser(TokenReader):
         last = operand.span
         span = Span(token.line, token.column, last.end_line, last.end_column)
         return Unary(kind, operand, span)
-
-    def nest(self) -> None:
-        self.nesting += 1
-        if self.nesting > MAX_HEIGHT:
-            raise slips.too_deep(self.token)
 
     def comparison(self, left: Expression) -> Compare:
         operators: list[str] = []
@@ -268,46 +251,6 @@ class ExpressionParser(TokenReader):
             message = Phrase("blocktext-argument-order", name=keywords[0].name)
             raise self.slip("argument-order", message, token)
         arguments.append(self.expression())
-
-    def another(self, opening: Token, closing: str) -> bool:
-        """Whether another value follows in a list of values; if not, read the closing bracket."""
-        kind = self.kinds[self.index]
-        if kind == ",":
-            self.index += 1
-            if self.kinds[self.index] != closing:
-                return True
-            kind = closing
-        if kind != closing:
-            raise self.unclosed_bracket(
-                opening, closing, slips.next_value(self.token, self.before, closing)
-            )
-        self.index += 1
-        return False
-
-    def unclosed_bracket(self, opening: Token, closing: str, otherwise: Slip) -> Slip:
-        kind = self.kinds[self.index]
-        if kind not in {"newline", "comment", "eof", ":"}:
-            return otherwise
-        values = {"opening": opening.text, "closing": closing}
-        message = Phrase("blocktext-unclosed-bracket", **values)
-        if kind != ":" and self.before.line == opening.line:
-            line, values["closing"] = self.closed_line()
-            message = Phrase("blocktext-unclosed-bracket-in-line", **values, instead=line)
-        return self.slip("unclosed-bracket", message, opening)
-
-    def closed_line(self) -> tuple[str, str]:
-        """The line before this token with its brackets closed, and those that were missing."""
-        last = self.before
-        missing = open_brackets.closing(open_brackets.opened(self.line_before()))
-        written = self.lines[last.line - 1][: last.column - 1] + last.text
-        return written.strip().removesuffix(",") + missing, missing
-
-    def line_before(self) -> list[Token]:
-        """The tokens of the line that ends at this token."""
-        line, start = self.before.line, self.index
-        while start and self.tokens[start - 1].line == line:
-            start -= 1
-        return self.tokens[start : self.index]
 
     def no_value(self) -> Slip:
         """The slip at a token that begins no value."""

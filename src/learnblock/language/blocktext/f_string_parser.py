@@ -1,19 +1,15 @@
 """Parse text with values in it: ``f"score: {score}"``."""
 
-from typing import TYPE_CHECKING
-
 from learnblock.errors import EscapeError
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.lexer import Token
+from learnblock.language.blocktext.nested_reader import NestedReader
 from learnblock.language.blocktext.slips import Slip
 from learnblock.language.tree import texts
 from learnblock.language.tree.nodes import Expression, FString, Span, String
 
-if TYPE_CHECKING:
-    from learnblock.language.blocktext.expression_parser import ExpressionParser
 
-
-def f_string(parser: "ExpressionParser", token: Token) -> FString:
+def f_string(parser: NestedReader, token: Token) -> FString:
     """Read an f-string: its text, and the values between its braces."""
     parts: list[Expression] = []
     height, piece, text = 0, token, token.text[2:]
@@ -34,7 +30,7 @@ def f_string(parser: "ExpressionParser", token: Token) -> FString:
     return found
 
 
-def bad_f_string(parser: "ExpressionParser", token: Token) -> FString:
+def bad_f_string(parser: NestedReader, token: Token) -> FString:
     """Report an f-string with a brace that is never closed, or closes nothing."""
     quote, rest = token.text[-1], parser.lines[token.line - 1][token.column :]
     code = "blocktext-f-string-brace"
@@ -43,7 +39,7 @@ def bad_f_string(parser: "ExpressionParser", token: Token) -> FString:
     raise parser.slip("text-value", Phrase(code), token)
 
 
-def _value(parser: "ExpressionParser") -> Expression:
+def _value(parser: NestedReader) -> Expression:
     """Read a value, up to the token with which the text goes on."""
     if parser.kinds[parser.index] == "f-part":
         raise parser.slip("text-value", Phrase("blocktext-f-string-brace"))
@@ -55,13 +51,13 @@ def _value(parser: "ExpressionParser") -> Expression:
     return value
 
 
-def _no_part(parser: "ExpressionParser") -> Slip:
+def _no_part(parser: NestedReader) -> Slip:
     if parser.token.text in {":", "=", "!"}:
         return parser.slip("text-value", Phrase("blocktext-f-string-format"))
     return parser.unexpected(Phrase("blocktext-token", text="}"))
 
 
-def _plain(parser: "ExpressionParser", token: Token, text: str) -> str:
+def _plain(parser: NestedReader, token: Token, text: str) -> str:
     try:
         return texts.read(text)
     except EscapeError as error:

@@ -334,7 +334,13 @@ OPERATORS = (
 )
 
 _METHODS = "|".join(
-    sorted({one.name for one in TEMPLATES.values() if 0 in one.receivers and one.name != "sublist"})
+    sorted(
+        {
+            template.name
+            for template in TEMPLATES.values()
+            if 0 in template.receivers and template.name != "sublist"
+        }
+    )
 )
 _FUNCTIONS = "|".join(sorted({name for name, _ in TEMPLATES}))
 

@@ -215,16 +215,16 @@ def _f_value(text: str, start: int, end: int, line: int, column: int) -> Iterato
         known, bad = found[2], found[3]
         if known is None and bad is None:
             return
-        one, at = known or bad, column + found.start(2 if known else 3)
-        kind = one if one in _FIXED else _KINDS.get(one[0], "name")
+        written, at = known or bad, column + found.start(2 if known else 3)
+        kind = written if written in _FIXED else _KINDS.get(written[0], "name")
         if bad or kind in LINE_ENDS:
-            yield Token("bad", one, line, at)
-        elif kind == "name" and one[-1] in _QUOTES:
-            yield from _f_string(one, line, at)
-        elif kind == "name" and not one.isascii():
-            yield Token(*_foreign_name(one), line, at)
+            yield Token("bad", written, line, at)
+        elif kind == "name" and written[-1] in _QUOTES:
+            yield from _f_string(written, line, at)
+        elif kind == "name" and not written.isascii():
+            yield Token(*_foreign_name(written), line, at)
         else:
-            yield Token(kind, one, line, at)
+            yield Token(kind, written, line, at)
 
 
 class _Lexer:

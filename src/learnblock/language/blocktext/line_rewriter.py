@@ -35,7 +35,7 @@ class LineRewriter(ExpressionParser):
             openers: the first tokens of the open blocks.
         """
         number = self.token.line
-        if self.compared >= MAX_COMPARED or any(one.line == number for one in openers):
+        if self.compared >= MAX_COMPARED or any(opener.line == number for opener in openers):
             return False
         start, end = self.line_start(), self.line_end_index()
         if any(token.line != number for token in self.tokens[start:end]):

@@ -24,7 +24,7 @@ def opened(tokens: Sequence[Token]) -> list[Token]:
 
 def closing(brackets: Sequence[Token]) -> str:
     """What closes some brackets."""
-    return "".join(CLOSING[one.kind] for one in reversed(brackets))
+    return "".join(CLOSING[bracket.kind] for bracket in reversed(brackets))
 
 
 def end_of_values(tokens: Sequence[Token], end: int) -> int:

@@ -125,12 +125,12 @@ class _Uses:
                 yield from _keys(statement)
 
     def named(self, body: tuple[Item, ...]) -> Iterator[Key]:
-        for one in statements(body):
-            if isinstance(one, Activate | Deactivate):
-                yield When, one.name
-            elif isinstance(one, Raw):
-                yield from _keys_in(one.text)
-            for node in all_expressions(one):
+        for statement in statements(body):
+            if isinstance(statement, Activate | Deactivate):
+                yield When, statement.name
+            elif isinstance(statement, Raw):
+                yield from _keys_in(statement.text)
+            for node in all_expressions(statement):
                 yield from self.named_in(node)
 
     def named_in(self, node: Expression) -> Iterator[Key]:
@@ -148,8 +148,8 @@ def _raw_functions(raw: Iterable[Raw]) -> dict[str, list[ast.stmt]]:
     """The bodies of the functions that parts in raw Python define, by their names in Block-Text."""
     return {
         name: node.body
-        for one in raw
-        for node in ast.walk(parsed(one.text))
+        for statement in raw
+        for node in ast.walk(parsed(statement.text))
         if isinstance(node, Function) and (name := from_python(node.name)) is not None
     }
 

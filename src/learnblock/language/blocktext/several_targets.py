@@ -19,7 +19,9 @@ def _lines(lines: Sequence[str]) -> str:
 
 def _of_pairs(groups: Sequence[str]) -> str:
     values = re.findall(_PLAIN, groups[3])
-    return _lines([f"{name} = {one}" for name, one in zip(_names(groups), values, strict=False)])
+    return _lines(
+        [f"{name} = {value}" for name, value in zip(_names(groups), values, strict=False)]
+    )
 
 
 def _of_items(groups: Sequence[str]) -> str:

@@ -12,7 +12,13 @@ _AHEAD = r"(?=\s+[\w(\"'\[-])"
 _VALUE = r"-?\w+(?:\.\w+)?(?:\([^()]*\))?"
 _TEXT_OR_LIST = r"(\"[^\"]*\"|'[^']*'|\[[^\[\]]*\])"
 _RECEIVERS = "|".join(
-    sorted({one.name for one in TEMPLATES.values() if 0 in one.receivers and one.name != "sublist"})
+    sorted(
+        {
+            template.name
+            for template in TEMPLATES.values()
+            if 0 in template.receivers and template.name != "sublist"
+        }
+    )
 )
 #: The functions that have only one argument.
 _CALLED = "|".join(sorted(FUNCTIONS - {"print", "random", "pi", "elapsedTime"}))
@@ -30,9 +36,10 @@ def _plain_parameters(groups: Sequence[str]) -> str:
     """A definition with the names of its parameters alone."""
     _, name, parameters = groups[:3]
     plain = [
-        re.split(r"[:=]", one, maxsplit=1)[0].strip(" *").split() for one in parameters.split(",")
+        re.split(r"[:=]", parameter, maxsplit=1)[0].strip(" *").split()
+        for parameter in parameters.split(",")
     ]
-    return f"def {name}({', '.join(one[-1] for one in plain if one)}):"
+    return f"def {name}({', '.join(words[-1] for words in plain if words)}):"
 
 
 def _signature(parameters: str, ending: str, code: str) -> Rule:

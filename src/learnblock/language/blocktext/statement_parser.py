@@ -116,7 +116,7 @@ class StatementParser(BlockParser):
             return read(self, token)
         if following in {"(", "["}:
             return self.perform(token)
-        if token.text in slips.HANDLERS and any(one.text == "try" for one in self.openers):
+        if token.text in slips.HANDLERS and any(opener.text == "try" for opener in self.openers):
             # What is to be done about it has been said at the `try`.
             self.skip_line()
             return None

@@ -186,7 +186,11 @@ class CallChecker:
         known = {parameter.name: parameter for parameter in parameters}
         self.keywords(node, call, given, known.keys())
         given |= {keyword.name for keyword in node.keywords}
-        missing = [one.name for one in parameters if one.required and one.name not in given]
+        missing = [
+            parameter.name
+            for parameter in parameters
+            if parameter.required and parameter.name not in given
+        ]
         self.missing(node, call, missing)
         for parameter, value in zip(parameters, node.arguments, strict=False):
             self.type_of(call, parameter, value)
@@ -278,7 +282,7 @@ class CallChecker:
         given = set(function.parameters[: len(node.arguments)])
         self.keywords(node, node.name, given, function.parameters)
         given |= {keyword.name for keyword in node.keywords}
-        self.missing(node, node.name, [one for one in function.parameters if one not in given])
+        self.missing(node, node.name, [name for name in function.parameters if name not in given])
 
     def library_call(self, node: Call) -> None:
         counts = _argument_counts(node.name)
@@ -327,7 +331,7 @@ class CallChecker:
 
 def _counting(node: Call) -> Phrase:
     """The message about ``range(4)``, with the loops that it means or an example of them."""
-    spelled = [one.text for one in node.arguments if isinstance(one, Number)]
+    spelled = [argument.text for argument in node.arguments if isinstance(argument, Number)]
     whole = [int(text) for text in spelled if text.isdecimal()]
     first, end = 0, 4
     if 1 <= len(whole) == len(node.arguments) <= 2 and [0, *whole][-2] < whole[-1]:
@@ -337,12 +341,12 @@ def _counting(node: Call) -> Phrase:
 
 def _decimal_comma(arguments: tuple[Expression, ...]) -> tuple[Phrase, Span] | None:
     """The message about ``0,5`` among arguments, and where it is."""
-    for one, other in pairwise(arguments):
-        if not (isinstance(one, Number) and isinstance(other, Number)):
+    for left, other in pairwise(arguments):
+        if not (isinstance(left, Number) and isinstance(other, Number)):
             continue
-        first, last = one.span, other.span
-        if last.column == first.end_column + 1 and (one.text + other.text).isdecimal():
-            found, instead = f"{one.text},{other.text}", f"{one.text}.{other.text}"
+        first, last = left.span, other.span
+        if last.column == first.end_column + 1 and (left.text + other.text).isdecimal():
+            found, instead = f"{left.text},{other.text}", f"{left.text}.{other.text}"
             message = Phrase("blocktext-decimal-comma", found=found, instead=instead)
             return message, first._replace(end_column=last.end_column)
     return None

@@ -161,7 +161,7 @@ class _Checker:
     def values_of_events(self) -> None:
         """Report variables and parameters that have the name of an event's state or time."""
         for item in self.findings.everything:
-            place = {one.name: one.span for one in targets(item)}
+            place = {target.name: target.span for target in targets(item)}
             for name in _used_parameters(item) if isinstance(item, Def) else place:
                 found = state_of(name, self.findings.whens.keys())
                 if found is not None:
@@ -218,8 +218,8 @@ class _Checker:
         Both together start its time again.
         """
         found = self.findings.everything
-        changes = [one for one in found if isinstance(one, Activate | Deactivate)]
-        alone = {type(one) for one in changes if one.name == item.name} == {type(item)}
+        changes = [statement for statement in found if isinstance(statement, Activate | Deactivate)]
+        alone = {type(change) for change in changes if change.name == item.name} == {type(item)}
         if alone and self.findings.whens[item.name].condition is not None:
             code = self.findings.worded("check-follows-condition", "check-follows-condition-python")
             word = type(item).__name__.lower()

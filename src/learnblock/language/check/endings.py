@@ -122,7 +122,7 @@ class Endings:
         found = None
         for guards in _exits(loop.body, ()):
             fixed = next(
-                filter(None, (self._fixed_guard(one, loop, effects) for one in guards)), None
+                filter(None, (self._fixed_guard(guard, loop, effects) for guard in guards)), None
             )
             if fixed is None or effects.anything:
                 return None
@@ -306,7 +306,7 @@ class Endings:
                 if isinstance(item, Perform) and item.call.name in self.functions.keys() - found:
                     found.add(item.call.name)
                     ahead.append(item.call.name)
-                if any(isinstance(one, Return | Raw) for one in statements((item,))):
+                if any(isinstance(statement, Return | Raw) for statement in statements((item,))):
                     break
         return found
 
@@ -326,7 +326,7 @@ class Endings:
 
     def _never_returns(self, body: Body, endless: set[str]) -> bool:
         for item in body:
-            if any(isinstance(one, Return | Raw) for one in statements((item,))):
+            if any(isinstance(statement, Return | Raw) for statement in statements((item,))):
                 return False
             if isinstance(item, While) and is_endless(item) and not breaks(item.body):
                 return True
@@ -345,7 +345,7 @@ class Endings:
 
     def leaves(self, loop: While) -> bool:
         """Whether a ``break``, a ``return``, or raw Python that may contain one, leaves a loop."""
-        returns = any(isinstance(one, Return | Raw) for one in statements(loop.body))
+        returns = any(isinstance(statement, Return | Raw) for statement in statements(loop.body))
         return returns or breaks(loop.body)
 
 
@@ -392,7 +392,7 @@ def _exits(body: Body, guards: tuple[Expression, ...]) -> Iterator[tuple[Express
                 yield from _exits(branch.body, guards + conditions)
             if item.otherwise is not None:
                 yield from _exits(item.otherwise.body, guards + conditions)
-        elif any(isinstance(one, Return | Raw) for one in statements((item,))):
+        elif any(isinstance(statement, Return | Raw) for statement in statements((item,))):
             yield ()
 
 
@@ -405,5 +405,7 @@ def _root(node: Expression) -> str:
 
 def _counted(body: Body) -> set[str]:
     """The variables of loops, which each function has for itself."""
-    loops = (one for one in statements(body) if isinstance(one, ForEach | ForRange))
+    loops = (
+        statement for statement in statements(body) if isinstance(statement, ForEach | ForRange)
+    )
     return {name for loop in loops for name in set_by(loop)}

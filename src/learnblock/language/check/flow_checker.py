@@ -130,18 +130,24 @@ class FlowChecker:
         """Report a loop that adds to the list that it goes through."""
         name = item.values.name if isinstance(item.values, Name) else ""
         changes = [
-            one.call
-            for one in statements(item.body)
-            if isinstance(one, Perform) and isinstance(one.call, Call) and one.call.arguments
-            if isinstance(target := one.call.arguments[0], Name) and target.name == name
+            statement.call
+            for statement in statements(item.body)
+            if isinstance(statement, Perform)
+            and isinstance(statement.call, Call)
+            and statement.call.arguments
+            if isinstance(target := statement.call.arguments[0], Name) and target.name == name
         ]
-        always = {id(one.call) for one in item.body if isinstance(one, Perform)}
-        grows = any(one.name in _ADDING and id(one) in always for one in changes)
-        shrinks = any(one.name in _TAKING for one in changes)
-        leaves = breaks(item.body) or any(isinstance(one, Return) for one in statements(item.body))
+        always = {id(statement.call) for statement in item.body if isinstance(statement, Perform)}
+        grows = any(change.name in _ADDING and id(change) in always for change in changes)
+        shrinks = any(change.name in _TAKING for change in changes)
+        leaves = breaks(item.body) or any(
+            isinstance(statement, Return) for statement in statements(item.body)
+        )
         if grows and not shrinks and not leaves:
             code = self.findings.worded("check-growing-list", "check-growing-list-python")
-            message = Phrase(code, name=name, target=", ".join(one.name for one in item.targets))
+            message = Phrase(
+                code, name=name, target=", ".join(target.name for target in item.targets)
+            )
             self.report("idle-loop", message, item.values.span, "warning")
 
     def waiting(self, item: WaitUntil) -> None:
@@ -180,8 +186,8 @@ class FlowChecker:
 
     def function(self, item: Def) -> None:
         """Report a function that calls itself before it can return."""
-        for one in item.body:
-            match one:
+        for statement in item.body:
+            match statement:
                 case Perform(call=Call(name=name) as call) if (
                     name == item.name or item.name in self.endings.always_called(name)
                 ):
@@ -189,7 +195,7 @@ class FlowChecker:
                     message = Phrase(code, name=item.name)
                     self.report("calls-itself", message, call.span, "warning")
                     return
-            if any(isinstance(inner, Return | Raw) for inner in statements((one,))):
+            if any(isinstance(inner, Return | Raw) for inner in statements((statement,))):
                 return
 
     def event(self, item: When) -> None:
@@ -206,9 +212,11 @@ class FlowChecker:
         """Whether a statement starts an event, or may mean to."""
         others = self.findings.whens.keys() - {name}
         return any(
-            one.name not in others if isinstance(one, Activate) else name in one.text
-            for one in self.findings.everything
-            if isinstance(one, Activate | Raw)
+            statement.name not in others
+            if isinstance(statement, Activate)
+            else name in statement.text
+            for statement in self.findings.everything
+            if isinstance(statement, Activate | Raw)
         )
 
     def events_behind_loops(self) -> None:
@@ -225,12 +233,12 @@ class FlowChecker:
             place: the event whose body it is, "" for what runs before the events.
             body: the statements.
         """
-        other = next((one for one in self.findings.whens if one not in {START, place}), None)
+        other = next((when for when in self.findings.whens if when not in {START, place}), None)
         if other is None:
             return
         for loop in self.endings.endless(body):
             is_before = place in {"", START}
-            if is_before and any(loop is one for one in body):
+            if is_before and any(loop is statement for statement in body):
                 self.event_behind(loop, "check-events-never-run", other)
             else:
                 held_up = "check-events-held-up" if is_before else "check-events-held-up-by-event"
@@ -272,7 +280,7 @@ _CHECKS: Mapping[type, Callable[[FlowChecker, Any], None]] = MappingProxyType(
 
 
 def _is_idle(body: Body) -> bool:
-    return all(isinstance(one, _NOTHING) for one in body)
+    return all(isinstance(statement, _NOTHING) for statement in body)
 
 
 def _spelled(number: float) -> str:

@@ -72,7 +72,7 @@ def _changed(expression: Expression, item: Item, items: list[Index]) -> set[str]
     """The names whose lists an expression may change; its indexes are added to `items`."""
     mentions: Counter[str] = Counter()
     if isinstance(item, Assign | ForEach) and any(
-        expression is one for one in (*targets(item), _values(item))
+        expression is part for part in (*targets(item), _values(item))
     ):
         mentions.subtract(_names((expression,)))
     for node in within(expression):
@@ -124,8 +124,8 @@ def _counting(findings: Findings, item: ForRange) -> None:
             pass
         case _:
             return
-    for one in item.body:
-        for node in all_expressions(one):
+    for statement in item.body:
+        for node in all_expressions(statement):
             match node:
                 case Index(value=Name(name=found), index=Name(name=index)) if (
                     found == values and index == item.target.name

@@ -42,9 +42,11 @@ class _PythonChecker:
         self.times_bound = Counter(_bound_names(self.nodes))
         self.bound = set(self.times_bound)
         # A warning does not hide the error at its place.
-        errors = [one for one in findings.diagnostics if one.severity == "error"]
-        self.told = {(one.line, one.column) for one in errors}
-        self.callees = {id(one.func) for one in self.nodes if isinstance(one, ast.Call)}
+        errors = [
+            diagnostic for diagnostic in findings.diagnostics if diagnostic.severity == "error"
+        ]
+        self.told = {(error.line, error.column) for error in errors}
+        self.callees = {id(call.func) for call in self.nodes if isinstance(call, ast.Call)}
         self.seen: set[str] = set()
 
     def run(self) -> None:
@@ -138,7 +140,7 @@ class _PythonChecker:
 
     def arguments(self, node: ast.Call, name: str, parameters: list[str]) -> None:
         given = {*parameters[: len(node.args)], *(keyword.arg for keyword in node.keywords)}
-        missing = tuple(one for one in parameters if one not in given)
+        missing = tuple(parameter for parameter in parameters if parameter not in given)
         if missing:
             message = Phrase("check-missing-argument", call=name, count=len(missing), names=missing)
             self.report(message, node)
@@ -190,7 +192,11 @@ class _PythonChecker:
         if is_called and name in FUNCTIONS:
             advice = Phrase("check-write", instead=f"{FUNCTIONS[name]}(...)")
             return Phrase("check-unknown-function-meant", name=name, advice=advice)
-        public = (one for one in _BUILTINS if is_called and one.islower())
+        public = (
+            name_of_builtin
+            for name_of_builtin in _BUILTINS
+            if is_called and name_of_builtin.islower()
+        )
         near = nearest(name, [*self.bound, *public])
         if near is None:
             return Phrase(f"check-unknown-{sort}", name=name)
@@ -212,7 +218,7 @@ _MODULE = DEFAULT_ROBOT.rpartition(".")[2]
 
 def _unpacks(node: ast.Call) -> bool:
     """Whether the number of a call's arguments is only known when it runs."""
-    return any(isinstance(one, ast.Starred) for one in node.args) or any(
+    return any(isinstance(arg, ast.Starred) for arg in node.args) or any(
         keyword.arg is None for keyword in node.keywords
     )
 

@@ -110,21 +110,21 @@ class _Order:
         """Find early uses in what runs at once, also through the functions that it calls."""
         nodes = list(at_once(node))
         inner_names = frozenset(_names_inside(nodes))
-        called = {id(one.func) for one in nodes if isinstance(one, ast.Call)}
-        for one in nodes:
-            match one:
+        called = {id(call.func) for call in nodes if isinstance(call, ast.Call)}
+        for inner in nodes:
+            match inner:
                 case ast.Call(func=ast.Name(id=name)) if name in self.functions:
                     if name in self.known:
                         yield from self.call(self.functions[name])
                 case ast.Call(func=ast.Attribute(value=ast.Name(id="robot"), attr="run")):
                     yield from self.events()
                 case ast.Name(id=name, ctx=ast.Load()) if name in self.functions:
-                    if id(one) not in called:
+                    if id(inner) not in called:
                         self.known.update(_shared(self.functions[name]))
-        for one in nodes:
-            match one:
+        for inner in nodes:
+            match inner:
                 case ast.Name(ctx=ast.Load()) | ast.AugAssign(target=ast.Name()):
-                    read = one.target if isinstance(one, ast.AugAssign) else one
+                    read = inner.target if isinstance(inner, ast.AugAssign) else inner
                     if isinstance(read, ast.Name) and read.id not in inner_names:
                         yield from self.read(read)
 
@@ -162,7 +162,9 @@ class _Order:
         known = self.known
         for when in whens:
             # Each runs again and again, after any other.
-            self.known = known.union(*(self.shared_by(one) for one in whens if one is not when))
+            self.known = known.union(
+                *(self.shared_by(other) for other in whens if other is not when)
+            )
             yield from self.call(when, Counter(_bound_in(when.body)))
         self.known = known
 
@@ -172,9 +174,9 @@ class _Order:
         seen: set[str] = set()
         ahead = [function]
         while ahead:
-            one = ahead.pop()
-            found.update(_shared(one))
-            loaded = {node.id for node in ast.walk(one) if isinstance(node, ast.Name)} - seen
+            inner = ahead.pop()
+            found.update(_shared(inner))
+            loaded = {node.id for node in ast.walk(inner) if isinstance(node, ast.Name)} - seen
             seen |= loaded
             ahead += (self.functions[name] for name in loaded & self.functions.keys())
         return found

@@ -97,7 +97,7 @@ class Verdict:
 def _devices(lacks: tuple[Lack, ...]) -> tuple[Phrase, ...]:
     needs = dict.fromkeys(need for lack in lacks for need in lack.needs)
     # Several senses may be served by one device, which is named once.
-    return tuple({str(one): one for one in map(need_phrase, needs)}.values())
+    return tuple({str(phrase): phrase for phrase in map(need_phrase, needs)}.values())
 
 
 def serving(needs: Iterable[str], equipment: frozenset[str]) -> tuple[str, ...]:
@@ -113,9 +113,9 @@ def asked(demanded: Iterable[Demand], equipment: frozenset[str] | None) -> tuple
         demanded: of `demands`.
         equipment: what the robot has; None if that is unknown.
     """
-    needs = (need for one in demanded if one.skill.returns_value for need in one.needs)
+    needs = (need for demand in demanded if demand.skill.returns_value for need in demand.needs)
     answering = (_answering(need, equipment) for need in needs)
-    return tuple(dict.fromkeys(one for one in answering if one))
+    return tuple(dict.fromkeys(answer for answer in answering if answer))
 
 
 def _answering(need: str, equipment: frozenset[str] | None) -> str | None:
@@ -162,7 +162,9 @@ def calls_that_demand(
         functions: of `learnblock.blocks.importable.Importable`.
         in_python: whether its author wrote Python.
     """
-    foreign = {name: one for name, one in functions.items() if name not in program.functions}
+    foreign = {
+        name: function for name, function in functions.items() if name not in program.functions
+    }
     for call in skill_calls(program, skills, foreign, in_python=in_python):
         skill = _sense(call) or skills.get(call.name) or foreign.get(call.name)
         if skill is not None and skill.needs:
@@ -201,8 +203,8 @@ def demands(
     functions: Mapping[str, BlockConfiguration] = MappingProxyType({}),
 ) -> tuple[Demand, ...]:
     """What a program demands of a robot; calls that demand the same are listed once."""
-    found = (one for _, one in calls_that_demand(program, skills, functions))
-    return tuple({one.key: one for one in found}.values())
+    found = (demand for _, demand in calls_that_demand(program, skills, functions))
+    return tuple({demand.key: demand for demand in found}.values())
 
 
 def verdict(demanded: tuple[Demand, ...], equipment: frozenset[str]) -> Verdict:
@@ -213,10 +215,12 @@ def verdict(demanded: tuple[Demand, ...], equipment: frozenset[str]) -> Verdict:
         equipment: what the robot has; see `learnblock.senses.equipment`.
     """
     lacks = {
-        (lack.skill.name, lack.needs): lack for one in demanded if (lack := one.lack(equipment))
+        (lack.skill.name, lack.needs): lack
+        for demand in demanded
+        if (lack := demand.lack(equipment))
     }
     return Verdict(
-        missed=tuple(one for one in lacks.values() if one.is_harmless),
-        refused=tuple(one for one in lacks.values() if not one.is_harmless),
-        served=serving((need for one in demanded for need in one.needs), equipment),
+        missed=tuple(lack for lack in lacks.values() if lack.is_harmless),
+        refused=tuple(lack for lack in lacks.values() if not lack.is_harmless),
+        served=serving((need for demand in demanded for need in demand.needs), equipment),
     )

@@ -37,10 +37,12 @@ def check_speeds(findings: Findings, drivetrain: Drivetrain) -> None:
 
 def _numbers(call: SkillCall, skill: BlockConfiguration) -> Iterator[tuple[str, float]]:
     """The numbers of a call by parameter, as far as they are known before the program runs."""
-    values: dict[str, Expression | None] = dict.fromkeys(one.name for one in skill.parameters)
+    values: dict[str, Expression | None] = dict.fromkeys(
+        parameter.name for parameter in skill.parameters
+    )
     values |= dict(zip(values, call.arguments, strict=False))
     values |= {keyword.name: keyword.value for keyword in call.keywords}
-    defaults = {one.name: one.default for one in skill.parameters}
+    defaults = {parameter.name: parameter.default for parameter in skill.parameters}
     for name, value in values.items():
         number = defaults.get(name) if value is None else _number(value)
         if isinstance(number, int | float):

@@ -193,7 +193,7 @@ class _TypeChecker:
 
     def each(self, item: ForEach) -> None:
         if len(item.targets) > 1 and self.types.of(item.values) is Type.DICTIONARY:
-            names = ", ".join(one.name for one in item.targets)
+            names = ", ".join(target.name for target in item.targets)
             code = self.findings.worded("check-for-dictionary", "check-for-dictionary-python")
             message = Phrase(code, names=names, value=self.spelled(item.values))
             self.report(message, item.values, "warning")
@@ -263,9 +263,9 @@ class _TypeChecker:
         kinds = {self.types.of(left), self.types.of(right)}
         if not kinds <= KNOWN or kinds <= NUMBERS or kinds <= TEXTS or kinds == {Type.LIST}:
             return
-        for one, other in ((left, right), (right, left)):
-            if self.types.of(one) is Type.LIST:
-                self.report(self.append(one, other), other)
+        for operand, other in ((left, right), (right, left)):
+            if self.types.of(operand) is Type.LIST:
+                self.report(self.append(operand, other), other)
                 return
         if not kinds & TEXTS:
             self.number(left if self.types.of(left) is Type.DICTIONARY else right)
@@ -374,7 +374,9 @@ class _TypeChecker:
         if skill is None:
             return
         named = {keyword.name: keyword.value for keyword in node.keywords}
-        given = dict(zip([one.name for one in skill.parameters], node.arguments, strict=False))
+        given = dict(
+            zip([parameter.name for parameter in skill.parameters], node.arguments, strict=False)
+        )
         for parameter in skill.parameters:
             value = {**named, **given}.get(parameter.name)
             if parameter.is_number and value is not None and not isinstance(value, String):

@@ -275,12 +275,12 @@ class Types:
         return Type.UNSET if operator in {"+", "-"} and {left, right} <= KNOWN else Type.UNKNOWN
 
 
-def _joined(one: Type, other: Type) -> Type:
-    if one is Type.UNSET or one is other:
+def _joined(first: Type, other: Type) -> Type:
+    if first is Type.UNSET or first is other:
         return other
     if other is Type.UNSET:
-        return one
-    return Type.TEXT if one in TEXTS and other in TEXTS else Type.UNKNOWN
+        return first
+    return Type.TEXT if first in TEXTS and other in TEXTS else Type.UNKNOWN
 
 
 def _all_parameters(findings: Findings) -> set[str]:

@@ -80,7 +80,7 @@ def imports_of(program: Program) -> ast.Module:
     for item in statements(_running(program)):
         if isinstance(item, Raw):
             nodes = ast.walk(parsed(item.text))
-            found += [one for one in nodes if isinstance(one, ast.Import | ast.ImportFrom)]
+            found += [node for node in nodes if isinstance(node, ast.Import | ast.ImportFrom)]
         elif isinstance(item, Import):
             found.append(ast.ImportFrom(item.module, [ast.alias("*")], 0))
     return ast.Module(found, [])
@@ -104,10 +104,10 @@ def _running(program: Program) -> tuple[Item, ...]:
 
 def _names(item: Item) -> Iterator[str]:
     """The names of variables and functions that an item mentions."""
-    for one in statements((item,)):
-        if isinstance(one, Raw):
-            yield from _names_in(one.text)
-        for node in all_expressions(one):
+    for statement in statements((item,)):
+        if isinstance(statement, Raw):
+            yield from _names_in(statement.text)
+        for node in all_expressions(statement):
             if isinstance(node, Call | Name):
                 yield node.name
             elif isinstance(node, RawExpression):
@@ -148,9 +148,13 @@ class _Raw:
         for item in parts:
             for node in ast.walk(parsed(item.text if isinstance(item, Raw) else "")):
                 if isinstance(node, ast.Import):
-                    modules |= {(one.asname or one.name).partition(".")[0] for one in node.names}
+                    modules |= {
+                        (alias.asname or alias.name).partition(".")[0] for alias in node.names
+                    }
                 elif isinstance(node, ast.ClassDef):
-                    methods |= {one.name for one in node.body if isinstance(one, ast.FunctionDef)}
+                    methods |= {
+                        inner.name for inner in node.body if isinstance(inner, ast.FunctionDef)
+                    }
         return cls(skills, functions, frozenset(modules), frozenset(methods))
 
     def calls(self, text: str, span: Span) -> Iterator[SkillCall]:
@@ -159,11 +163,15 @@ class _Raw:
         called = {id(node.func): node for node in ast.walk(tree) if isinstance(node, ast.Call)}
         nodes = (node for node in ast.walk(tree) if isinstance(node, ast.expr))
         found = [(node, name) for node in nodes if (name := self.skill(node))]
-        for node, name in sorted(found, key=lambda one: (one[0].lineno, one[0].col_offset)):
+        for node, name in sorted(found, key=lambda place: (place[0].lineno, place[0].col_offset)):
             call = called.get(id(node))
             given = () if call is None else tuple(map(_argument, call.args))
             keywords = () if call is None else call.keywords
-            named = tuple(Keyword(one.arg, _argument(one.value)) for one in keywords if one.arg)
+            named = tuple(
+                Keyword(keyword.arg, _argument(keyword.value))
+                for keyword in keywords
+                if keyword.arg
+            )
             yield SkillCall(name, given, named, _span(node, span))
 
     def skill(self, node: ast.expr) -> str:

@@ -138,15 +138,15 @@ class _Order:
         program, whens = self.findings.program, self.findings.whens
         known = set(self.findings.raw_names)
         known.update(*(self.sets(self.functions[name].body) for name in self.called_in_raw()))
-        runs = [one for one in program.items if not isinstance(one, Def | When)]
+        runs = [item for item in program.items if not isinstance(item, Def | When)]
         if self.findings.in_python:
             # The text runs from top to bottom; the tree has definitions first.
-            runs.sort(key=lambda one: one.span.line)
+            runs.sort(key=lambda statement: statement.span.line)
         self.block((*runs, *self.findings.main), _Scope(known))
         self.events(list(whens.values()), known)
 
     def events(self, whens: list[When], known: set[str]) -> None:
-        start = [one for one in whens if one.name == "start" and one.condition is None]
+        start = [when for when in whens if when.name == "start" and when.condition is None]
         for when in start:
             self.event(when, known, Counter())
         for when in whens:
@@ -242,7 +242,9 @@ class _Order:
 
 def _counted(body: Body) -> frozenset[str]:
     """The variables of loops, which each function has for itself."""
-    loops = (one for one in statements(body) if isinstance(one, ForEach | ForRange))
+    loops = (
+        statement for statement in statements(body) if isinstance(statement, ForEach | ForRange)
+    )
     return frozenset(chain.from_iterable(map(set_by, loops)))
 
 
@@ -251,7 +253,7 @@ def _evaluated(item: Item) -> Iterator[Expression]:
     is_changed = isinstance(item, Assign) and item.operator != "="
     names = () if is_changed else targets(item)
     for expression in expressions(item):
-        if not any(expression is one for one in names):
+        if not any(expression is name for name in names):
             yield from within(expression)
 
 

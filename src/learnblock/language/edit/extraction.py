@@ -107,7 +107,7 @@ class _Extraction:
     def shared(self) -> dict[str, Span]:
         """The variables that the functions share with the program, and each one's first use."""
         found: dict[str, Span] = {}
-        ahead = [(name, span) for one in self.functions for name, span in self.used(one)]
+        ahead = [(name, span) for function in self.functions for name, span in self.used(function)]
         for name, span in ahead:
             if name not in found:
                 found[name] = span
@@ -125,7 +125,7 @@ class _Extraction:
 
     def kept(self) -> Iterator[Item]:
         """The functions, the assignments of the variables, and the comments directly above them."""
-        chosen = {id(one) for one in self.functions}
+        chosen = {id(function) for function in self.functions}
         chosen |= {id(self.beginnings[name]) for name in self.shared if name in self.beginnings}
         comments: list[Comment] = []
         for item in self.program.items:
@@ -149,7 +149,7 @@ class _Extraction:
 
     def events(self, function: Def) -> Iterator[Diagnostic]:
         for statement in statements((function,)):
-            used = [(name, one.span) for one, name in _names_in(statement) if self.is_state(name)]
+            used = [(name, node.span) for node, name in _names_in(statement) if self.is_state(name)]
             if isinstance(statement, Activate | Deactivate):
                 used.append((statement.name, statement.span))
             for name, span in used:
@@ -188,8 +188,10 @@ class _Extraction:
     @cached_property
     def set_in_python(self) -> set[str]:
         """The names that raw Python outside of functions sets, defines and imports."""
-        outside = (one for one in self.symbols.items if not isinstance(one, Def))
-        found = (one.text for one in statements(tuple(outside)) if isinstance(one, Raw))
+        outside = (item for item in self.symbols.items if not isinstance(item, Def))
+        found = (
+            statement.text for statement in statements(tuple(outside)) if isinstance(statement, Raw)
+        )
         return {name for text in found for name in _set_by_python(text)}
 
     def variable(self, name: str, span: Span) -> Iterator[Diagnostic]:
@@ -212,7 +214,7 @@ class _Extraction:
     @cached_property
     def set_elsewhere(self) -> dict[str, Span]:
         """Where the rest of the program first sets each variable, which a library would not do."""
-        taken = {id(one) for one in (*self.functions, *self.beginnings.values())}
+        taken = {id(body) for body in (*self.functions, *self.beginnings.values())}
         found: dict[str, Span] = {}
         for item in self.symbols.items:
             if id(item) in taken:

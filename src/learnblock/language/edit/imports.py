@@ -25,7 +25,7 @@ def with_import(program: Program, module: str) -> Program:
 
 def imported(program: Program) -> frozenset[str]:
     """The libraries that a program imports."""
-    return frozenset(one.module for one in program.items if isinstance(one, Import))
+    return frozenset(item.module for item in program.items if isinstance(item, Import))
 
 
 def libraries_used(
@@ -33,7 +33,7 @@ def libraries_used(
 ) -> frozenset[str]:
     """The libraries whose skills a program calls, whether it imports them or not."""
     found = (configurations.get(name) for name in _skills(program))
-    return frozenset(one.library for one in found if one is not None and one.library)
+    return frozenset(module.library for module in found if module is not None and module.library)
 
 
 def _skills(program: Program) -> Iterator[str]:

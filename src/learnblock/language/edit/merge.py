@@ -98,7 +98,7 @@ class _Meeting:
 def _meetings(other: Sequence[_Change], preferred: Sequence[_Change]) -> Iterator[_Meeting]:
     """Group the changes by where they overlap, in the order of the text."""
     sided = [*((change, 0) for change in other), *((change, 1) for change in preferred)]
-    sided.sort(key=lambda one: (one[0].start, one[0].end))
+    sided.sort(key=lambda sided_change: (sided_change[0].start, sided_change[0].end))
     meeting: _Meeting | None = None
     for change, side in sided:
         if meeting is None or not meeting.takes(change):
@@ -158,8 +158,8 @@ def _kept(old: Sequence[str], new: Sequence[str]) -> list[tuple[int, int]]:
     return kept
 
 
-def _common(one: Sequence[str], other: Sequence[str], most: int) -> int:
-    return next((at for at in range(most) if one[at] != other[at]), most)
+def _common(first: Sequence[str], other: Sequence[str], most: int) -> int:
+    return next((at for at in range(most) if first[at] != other[at]), most)
 
 
 def _split(start: int, old: Sequence[str], new: Sequence[str]) -> Iterator[_Change]:

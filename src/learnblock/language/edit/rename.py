@@ -117,7 +117,9 @@ def _variable_change(name: str, new: str) -> Change:
         if isinstance(node, Name) and node.name == name:
             return replace(node, name=new)
         if isinstance(node, Def) and name in node.parameters:
-            parameters = tuple(new if one == name else one for one in node.parameters)
+            parameters = tuple(
+                new if parameter == name else parameter for parameter in node.parameters
+            )
             return replace(node, parameters=parameters)
         return _in_python(node, name, new)
 
@@ -128,7 +130,8 @@ def _parameter_change(function: str, name: str, new: str) -> Change:
     def change(node: Any) -> Any:
         if isinstance(node, Call) and node.name == function:
             keywords = tuple(
-                replace(one, name=new) if one.name == name else one for one in node.keywords
+                replace(keyword, name=new) if keyword.name == name else keyword
+                for keyword in node.keywords
             )
             return replace(node, keywords=keywords)
         return node
@@ -238,11 +241,11 @@ def _mapped(program: Program, items: Iterable[Item], change: Change) -> Program:
 def _rewritten(node: Any, change: Change) -> Any:
     """Apply `change` to all nodes inside a node, and then to itself."""
     changed = {}
-    for one in fields(node):
-        value = getattr(node, one.name)
+    for field in fields(node):
+        value = getattr(node, field.name)
         other = _rewritten_value(value, change)
         if other is not value:
-            changed[one.name] = other
+            changed[field.name] = other
     return change(replace(node, **changed) if changed else node)
 
 
@@ -250,7 +253,7 @@ def _rewritten_value(value: Any, change: Change) -> Any:
     if isinstance(value, Span):
         return value
     if isinstance(value, tuple):
-        mapped = tuple(_rewritten_value(one, change) for one in value)
-        same = all(one is other for one, other in zip(mapped, value, strict=True))
+        mapped = tuple(_rewritten_value(item, change) for item in value)
+        same = all(item is other for item, other in zip(mapped, value, strict=True))
         return value if same else mapped
     return _rewritten(value, change) if hasattr(value, "__dataclass_fields__") else value

@@ -77,8 +77,8 @@ class Symbols:
         found = dict.fromkeys(item.parameters, item.span) if isinstance(item, Def) else {}
         for node in statements(item.body):
             if isinstance(node, ForEach | ForRange):
-                for one in targets(node):
-                    found.setdefault(one.name, one.span)
+                for target in targets(node):
+                    found.setdefault(target.name, target.span)
         return found
 
     def owner(self, line: int) -> Def | When | None:
@@ -92,7 +92,9 @@ class Symbols:
 def names_in(item: Item) -> Iterator[Name]:
     """Every variable that is set or read in an item of the top level."""
     for node in statements((item,)):
-        yield from (one for one in all_expressions(node) if isinstance(one, Name))
+        yield from (
+            expression for expression in all_expressions(node) if isinstance(expression, Name)
+        )
 
 
 def _targets(item: Item) -> Iterator[Name]:

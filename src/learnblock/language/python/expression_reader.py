@@ -4,8 +4,8 @@ import ast
 from collections.abc import Callable
 
 from learnblock.language.blocktext import names
-from learnblock.language.blocktext.expression_parser import MAX_HEIGHT
 from learnblock.language.blocktext.names import state_of
+from learnblock.language.blocktext.nested_reader import MAX_HEIGHT
 from learnblock.language.tree import texts
 from learnblock.language.tree.builtins import TEMPLATES, is_builtin, recognized
 from learnblock.language.tree.nodes import (
@@ -275,7 +275,11 @@ class ExpressionReader:
 
 def start_of(node: ast.stmt) -> int:
     decorators = getattr(node, "decorator_list", None)
-    return min([node.lineno, *(one.lineno for one in decorators)]) if decorators else node.lineno
+    return (
+        min([node.lineno, *(decorator.lineno for decorator in decorators)])
+        if decorators
+        else node.lineno
+    )
 
 
 def end_of(node: ast.stmt) -> int:

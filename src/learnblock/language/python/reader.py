@@ -105,7 +105,7 @@ def _syntax_errors(error: SyntaxError, text: str) -> list[Diagnostic]:
         line = rest.lineno or 0
         code = lines[line - 1].partition("#")[0] if 0 < line <= len(lines) else ""
         rewording = reworded(code, RULES)
-        if rewording is None or any(one.line == line for one in found):
+        if rewording is None or any(diagnostic.line == line for diagnostic in found):
             break
         start, end = rewording.start + 1, rewording.end + 1
         message = _without_main(rewording.message, text)

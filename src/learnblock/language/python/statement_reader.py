@@ -110,7 +110,7 @@ class StatementReader(CommentReader):
         """Read one statement, or several as raw Python; return the index of the next."""
         node = nodes[index]
         saved = self.line
-        if not top_level and all(isinstance(one, ast.Global) for one in nodes[: index + 1]):
+        if not top_level and all(isinstance(node, ast.Global) for node in nodes[: index + 1]):
             if self.comment_after(node) is not None:
                 items.append(self.own_comment(end_of(node)))
             self.line = end_of(node) + 1
@@ -229,8 +229,8 @@ class StatementReader(CommentReader):
 
     def loop_variables(self, target: ast.expr) -> tuple[Name, ...]:
         parts = target.elts if isinstance(target, ast.Tuple) and target.elts[1:] else [target]
-        found = [self.target(one) for one in parts]
-        names = tuple(one for one in found if isinstance(one, Name))
+        found = [self.target(part) for part in parts]
+        names = tuple(target for target in found if isinstance(target, Name))
         if len(names) != len(found):
             raise Unlike
         return names

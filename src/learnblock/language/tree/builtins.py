@@ -167,7 +167,7 @@ def _matches(pattern: object, node: object, found: dict[str, ast.expr]) -> bool:
         )
     if isinstance(pattern, list) and isinstance(node, list):
         return len(pattern) == len(node) and all(
-            _matches(one, other, found) for one, other in zip(pattern, node, strict=True)
+            _matches(part, other, found) for part, other in zip(pattern, node, strict=True)
         )
     return pattern == node
 

@@ -30,11 +30,11 @@ def write_instead(found: str, instead: str) -> Phrase:
 
 def foreign(text: str) -> Phrase | None:
     """The message about a character that programs do not have; None if there is nothing to add."""
-    for one in text:
-        if unicodedata.category(one) in _INVISIBLE:
-            code = "blocktext-odd-space" if one.isspace() else "blocktext-invisible"
-            name = unicodedata.name(one, "?").lower()
-            return Phrase(code, name=name, number=f"U+{ord(one):04X}")
+    for character in text:
+        if unicodedata.category(character) in _INVISIBLE:
+            code = "blocktext-odd-space" if character.isspace() else "blocktext-invisible"
+            name = unicodedata.name(character, "?").lower()
+            return Phrase(code, name=name, number=f"U+{ord(character):04X}")
     plain = _PLAIN.get(text) or _plain(text)
     return None if plain is None else write_instead(text, plain)
 

@@ -53,6 +53,8 @@ def moved(lines: Iterable[Extent], before: str, after: str) -> tuple[Extent, ...
     return tuple((place(first), place(last)) for first, last in lines)
 
 
-def _common(one: list[str], other: list[str]) -> int:
+def _common(first: list[str], other: list[str]) -> int:
     """The number of equal lines at the beginning of two texts."""
-    return sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(one, other, strict=False)))
+    return sum(
+        1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(first, other, strict=False))
+    )

@@ -46,7 +46,7 @@ def targets(node: Item | Main) -> tuple[Name, ...]:
 
 def set_by(node: Item | Main) -> tuple[str, ...]:
     """The names of the variables that a statement itself sets; its bodies are ignored."""
-    return tuple(one.name for one in targets(node))
+    return tuple(target.name for target in targets(node))
 
 
 def _if_bodies(node: If) -> tuple[Body, ...]:
@@ -103,7 +103,7 @@ def _arguments(node: Any) -> tuple[Expression, ...]:
 
 def _entries(node: Dictionary) -> tuple[Expression, ...]:
     """The keys and values, in the order of the source."""
-    return tuple(one for pair in zip(node.keys, node.values, strict=True) for one in pair)
+    return tuple(part for pair in zip(node.keys, node.values, strict=True) for part in pair)
 
 
 _EXPRESSIONS: dict[type, Callable[[Any], tuple[Expression, ...]]] = {

@@ -70,7 +70,7 @@ def _between(
         gaps.append(_Gap(start, place, old_start, old_place))
         start, old_start = place + 1, old_place + 1
     gaps.append(_Gap(start, gap.end, old_start, gap.old_end))
-    return [one for one in gaps if one.start < one.end and one.old_start < one.old_end]
+    return [gap for gap in gaps if gap.start < gap.end and gap.old_start < gap.old_end]
 
 
 def _unique(new: Sequence[Group], old: Sequence[Group], gap: _Gap) -> list[tuple[int, int]]:

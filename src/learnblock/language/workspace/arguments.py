@@ -60,7 +60,9 @@ def given_by(call: Call | SkillCall, configuration: BlockConfiguration) -> Given
     held = {*names[:count], *keywords}
     if count > len(names) or len(held) < count + len(keywords) or not held <= set(names):
         return None
-    if any(one.required and one.name not in held for one in configuration.parameters):
+    if any(
+        parameter.required and parameter.name not in held for parameter in configuration.parameters
+    ):
         return None
     return Given(tuple(names[:count]), tuple(keywords))
 
@@ -70,13 +72,14 @@ def noted(
 ) -> Notes:
     """The notes that a block needs to reproduce the arguments of the call."""
     stated = Given(
-        tuple(one.name for one in configuration.parameters[: len(call.arguments)]),
+        tuple(parameter.name for parameter in configuration.parameters[: len(call.arguments)]),
         tuple(keyword.name for keyword in call.keywords),
     )
     names = [parameter.name for parameter in configuration.parameters]
     present = {
-        one.name: one.required or (one.name in values and not _is_default(values[one.name], one))
-        for one in configuration.parameters
+        parameter.name: parameter.required
+        or (parameter.name in values and not _is_default(values[parameter.name], parameter))
+        for parameter in configuration.parameters
     }
     if given(names, present, NO_NOTES) == stated:
         return NO_NOTES

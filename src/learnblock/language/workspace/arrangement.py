@@ -14,13 +14,15 @@ from learnblock.language.workspace.statement_reader import Group, spaced
 
 def arranged(groups: Sequence[Group]) -> Program:
     """The program of stacks in their drawn order, without blank lines that the layout adds."""
-    place = next((i for i, one in enumerate(groups) if type(one.statement) is Main), len(groups))
+    place = next(
+        (i for i, group in enumerate(groups) if type(group.statement) is Main), len(groups)
+    )
     main, behind = groups[place : place + 1], groups[place + 1 :]
     # Comments stay below `main` only if nothing else is below it.
-    if not all(type(one.statement) is Comment for one in behind):
+    if not all(type(group.statement) is Comment for group in behind):
         groups = [*groups[:place], *behind, *main]
     items = normalized(definitions_first(spaced(groups)))
-    at = next((i for i, one in enumerate(items) if isinstance(one, Main)), len(items))
+    at = next((i for i, item in enumerate(items) if isinstance(item, Main)), len(items))
     above, found, below = items[:at], items[at : at + 1], items[at + 1 :]
     return Program(tuple(above), found[0] if found else None, tuple(below))  # type: ignore[arg-type]
 
@@ -53,8 +55,8 @@ def grouped(items: Iterable[Item | Main]) -> list[Group]:
 
 def _orders(groups: Sequence[Group]) -> Iterator[list[Group]]:
     """Orders that show more of what runs first, the best one first."""
-    main = [one for one in groups if type(one.statement) is Main]
-    others = [one for one in groups if type(one.statement) is not Main]
+    main = [group for group in groups if type(group.statement) is Main]
+    others = [group for group in groups if type(group.statement) is not Main]
     top, definitions, run, rest = _parts(others)
     yield [*top, *run, *main, *definitions, *rest]
     yield [*top, *main, *definitions, *run, *rest]
@@ -63,7 +65,7 @@ def _orders(groups: Sequence[Group]) -> Iterator[list[Group]]:
 
 def _parts(groups: Sequence[Group]) -> list[list[Group]]:
     """What is above the first definitions, those, the statements below them, and the rest."""
-    kinds = [isinstance(one.statement, Def | When) for one in groups]
+    kinds = [isinstance(group.statement, Def | When) for group in groups]
     parts: list[list[Group]] = []
     start = 0
     for wanted in (False, True, False):
@@ -75,6 +77,6 @@ def _parts(groups: Sequence[Group]) -> list[list[Group]]:
 
 def _alone(lead: Sequence[Blank | Comment]) -> list[Group]:
     """Comments without a statement directly below."""
-    comments = [one for one in lead if isinstance(one, Comment)]
-    blank = tuple(one for one in lead if isinstance(one, Blank))
-    return [Group(() if place else blank, one) for place, one in enumerate(comments)]
+    comments = [item for item in lead if isinstance(item, Comment)]
+    blank = tuple(item for item in lead if isinstance(item, Blank))
+    return [Group(() if place else blank, comment) for place, comment in enumerate(comments)]

@@ -54,8 +54,8 @@ class BlockReader:
 
     def made(self, node: Made, block: Block) -> Made:
         """Record the block of a node, and of the nodes inside it that have no block yet."""
-        for one in within(node):
-            self.ids.setdefault(id(one), block.id)
+        for part in within(node):
+            self.ids.setdefault(id(part), block.id)
         return node
 
     def choice(self, block: Block, field: str, choices: Mapping[str, Found]) -> Found:

@@ -53,7 +53,7 @@ def _empty(stack: Iterable[Block]) -> Iterator[tuple[str, Diagnostic]]:
         block = ahead.pop()
         if block.type not in _HOLDERS or is_disabled(block):
             continue
-        inside = [one for plug in block.inputs.values() for one in plug.stack]
+        inside = [inner for plug in block.inputs.values() for inner in plug.stack]
         if not inside and block.type in _FRAMES:
             yield block.id, _warning("empty-block", Phrase("workspace-empty-block"))
         ahead += inside
@@ -68,7 +68,7 @@ def _loose(
     if len(stack) == 1 and _is_value(stack[0], configurations):
         return Phrase("workspace-loose-value")
     code = "workspace-loose-blocks" if has_program else "workspace-no-program"
-    return Phrase(code, count=sum(one.type != COMMENT for one in stack))
+    return Phrase(code, count=sum(block.type != COMMENT for block in stack))
 
 
 def _is_value(block: Block, configurations: Mapping[str, BlockConfiguration]) -> bool:

@@ -90,10 +90,12 @@ class WorkspaceReader(StatementReader):
         """Whether a block that creates the robot comes first and is not implied anyway."""
         setup = group.statement
         # `main` runs last wherever it is drawn.
-        if any(type(one.statement) not in {Comment, Import, Main} for one, _, _ in self.entries):
+        if any(
+            type(group.statement) not in {Comment, Import, Main} for group, _, _ in self.entries
+        ):
             self.report(block, "misplaced-block", Phrase("workspace-robot-not-first"))
             return False
-        noted = any(type(one) is Comment for one in group.lead)
+        noted = any(type(item) is Comment for item in group.lead)
         return noted or setup != Setup() or self.robot_and_raw
 
     def top_statement(self, block: Block, notes: Notes, ends: Ends) -> Item | None:
@@ -132,7 +134,7 @@ class WorkspaceReader(StatementReader):
 
     def parameters(self, block: Block) -> tuple[str, ...]:
         """The names of a function's parameters."""
-        names = [self.name(block, one) for one in self.parameter_names(block)]
+        names = [self.name(block, name) for name in self.parameter_names(block)]
         if len(set(names)) < len(names):
             self.report(block, "duplicate-parameter", Phrase("workspace-duplicate-parameter"))
         return tuple(dict.fromkeys(names))
@@ -140,8 +142,12 @@ class WorkspaceReader(StatementReader):
     def parameter_names(self, block: Block) -> list[object]:
         """The current names of the variables, which may have changed since the block was saved."""
         found: list[object] = []
-        for one in extra_list(block, "params"):
-            name, key = (one.get("name"), one.get("id")) if isinstance(one, dict) else (one, None)
+        for parameter in extra_list(block, "params"):
+            name, key = (
+                (parameter.get("name"), parameter.get("id"))
+                if isinstance(parameter, dict)
+                else (parameter, None)
+            )
             found.append(self.variables.get(key, name) if isinstance(key, str) else name)
         return found
 

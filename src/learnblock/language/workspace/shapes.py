@@ -213,9 +213,11 @@ def _dictionaries(program: Program) -> frozenset[str]:
     """The variables that hold dictionaries."""
     main = () if program.main is None else program.main.body
     return frozenset(
-        one.target.name
-        for one in statements((*program.items, *main))
-        if type(one) is Assign and type(one.value) is Dictionary and type(one.target) is Name
+        statement.target.name
+        for statement in statements((*program.items, *main))
+        if type(statement) is Assign
+        and type(statement.value) is Dictionary
+        and type(statement.target) is Name
     )
 
 

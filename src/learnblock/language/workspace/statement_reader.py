@@ -208,9 +208,9 @@ def spaced(groups: Sequence[Group]) -> tuple[Item | Main, ...]:
 
 def _does_something(body: Body) -> bool:
     return any(
-        type(one) not in {Comment, Blank}
-        and not (type(one) is Raw and not raw.code_lines(one.text))
-        for one in body
+        type(statement) not in {Comment, Blank}
+        and not (type(statement) is Raw and not raw.code_lines(statement.text))
+        for statement in body
     )
 
 

@@ -152,7 +152,7 @@ def _set_index(node: Assign, target: Index) -> Shape:
 
 
 def _if(_: StatementShaper, node: If) -> Shape:
-    bodies = {f"DO{place}": one.body for place, one in enumerate(node.branches)}
+    bodies = {f"DO{place}": branch.body for place, branch in enumerate(node.branches)}
     ends = [branch.comment for branch in node.branches]
     extra: dict[str, object] = {}
     if len(node.branches) > 1:

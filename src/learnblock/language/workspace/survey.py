@@ -68,6 +68,6 @@ def _variables(block: Block) -> set[str]:
     found = {chosen.get("id", "") for chosen in fields if isinstance(chosen, dict)}
     parameters = block.extraState.get("params") if isinstance(block.extraState, dict) else None
     if isinstance(parameters, list):
-        ids = (one.get("id") for one in parameters if isinstance(one, dict))
-        found.update(one for one in ids if isinstance(one, str))
+        ids = (parameter.get("id") for parameter in parameters if isinstance(parameter, dict))
+        found.update(key for key in ids if isinstance(key, str))
     return found

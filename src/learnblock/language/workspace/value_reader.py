@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping
 from learnblock.blocks import BlockConfiguration, Parameter
 from learnblock.blocks.toolbox import SKILL
 from learnblock.i18n import Phrase
-from learnblock.language.blocktext.expression_parser import MAX_HEIGHT
+from learnblock.language.blocktext.nested_reader import MAX_HEIGHT
 from learnblock.language.tree import texts
 from learnblock.language.tree.nodes import (
     NOWHERE,
@@ -176,9 +176,11 @@ class ValueReader(BlockReader):
     def skill_arguments(
         self, block: Block, configuration: BlockConfiguration
     ) -> tuple[tuple[Expression, ...], tuple[Keyword, ...]]:
-        present = {one.name: _is_given(block, one) for one in configuration.parameters}
+        present = {
+            parameter.name: _is_given(block, parameter) for parameter in configuration.parameters
+        }
         found = given([*present], present, notes_of(block))
-        parameters = {one.name: one for one in configuration.parameters}
+        parameters = {parameter.name: parameter for parameter in configuration.parameters}
         return (
             tuple([self.argument(block, parameters[name]) for name in found.arguments]),
             tuple(
@@ -325,7 +327,7 @@ def _library(reader: ValueReader, block: Block) -> Expression:
     known = FUNCTIONS_OF[block.type]
     name, found = known[""] if "" in known else reader.choice(block, _field(known), known)
     missing = _MISSING.get(block.type, "workspace-missing-value")
-    return Call(name, tuple([reader.value(block, one, None, missing) for one in found.inputs]))
+    return Call(name, tuple([reader.value(block, name, None, missing) for name in found.inputs]))
 
 
 def _field(known: Mapping[str, tuple[str, Library]]) -> str:
@@ -335,7 +337,7 @@ def _field(known: Mapping[str, tuple[str, Library]]) -> str:
 def _chain(reader: ValueReader, block: Block) -> Expression:
     known = {*COMPARISONS, *MEMBERSHIPS}
     asked = extra_list(block, "operators")
-    operators = tuple([one for one in asked if isinstance(one, str) and one in known])
+    operators = tuple([name for name in asked if isinstance(name, str) and name in known])
     if not operators:
         reader.report(block, "unknown-choice", Phrase("workspace-empty-comparison"))
         return Constant(value=False)

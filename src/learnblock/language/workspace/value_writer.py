@@ -78,18 +78,18 @@ class ValueWriter:
     def keep_values(self, node: Expression, earlier: Expression) -> None:
         """Record the blocks of an equal value as those of this one."""
         ids, before = self.ids, self.before.ids
-        for one, other in zip(within(node), within(earlier), strict=True):
-            ids[id(one)] = before[id(other)]
+        for part, other in zip(within(node), within(earlier), strict=True):
+            ids[id(part)] = before[id(other)]
 
     def has_changed(self, nodes: Iterable[Node]) -> bool:
         """Whether nodes use a name whose blocks have changed."""
-        return any(isinstance(one, Name | Call) and one.name in self.changed for one in nodes)
+        return any(isinstance(node, Name | Call) and node.name in self.changed for node in nodes)
 
     def has_changed_within(self, statement: Item | Main) -> bool:
         return any(
             self.has_changed(within(value))
-            for one in statements((statement,))  # type: ignore[arg-type]
-            for value in expressions(one)
+            for part in statements((statement,))  # type: ignore[arg-type]
+            for value in expressions(part)
         )
 
     # Blocks that are written.
@@ -112,8 +112,8 @@ class ValueWriter:
 
     def note_parts(self, node: Expression, block: Block) -> None:
         """Assign the parts of a value without their own blocks to the block of the value."""
-        for one in within(node):
-            self.ids.setdefault(id(one), block.id)
+        for part in within(node):
+            self.ids.setdefault(id(part), block.id)
 
     def block(self, shape: Shape, old: Block | None, inputs: dict[str, Input]) -> Block:
         """Write a shape as a block, without a comment; keep the old block if possible.
@@ -210,8 +210,8 @@ class ValueWriter:
         found = shadow_literal(node, *shadow)
         if found is not None and inner is None:
             block = self.shadow(found.type, {found.field: found.value}, found.notes, under)
-            for one in within(node):
-                self.ids[id(one)] = block.id
+            for part in within(node):
+                self.ids[id(part)] = block.id
             return Input(shadow=block)
         return Input(self.value(node, inner or wrapped), under or self.default(shadow[0]))
 
@@ -239,9 +239,9 @@ class ValueWriter:
         if configuration is None or not kind.startswith(SKILL):
             return _LANGUAGE.get(kind, {})
         return {
-            one.name: (shadow, one)
-            for one in configuration.parameters
-            if (shadow := parameter_shadow(one)) is not None
+            parameter.name: (shadow, parameter)
+            for parameter in configuration.parameters
+            if (shadow := parameter_shadow(parameter)) is not None
         }
 
 

@@ -95,7 +95,7 @@ class WorkspaceWriter(ValueWriter):
         notes = self.notes_of_run([(group, block) for group, block, _ in run])
         for note, part in groupby(zip(notes, run, strict=True), lambda pair: pair[0]):
             blocks = [(block, hat) for _, (_, block, hat) in part]
-            is_only_comments = all(one.type == COMMENT and hat is None for one, hat in blocks)
+            is_only_comments = all(block.type == COMMENT and hat is None for block, hat in blocks)
             if note is not None or is_only_comments:
                 self.stacks.append([block for block, _ in blocks])
             else:
@@ -108,7 +108,7 @@ class WorkspaceWriter(ValueWriter):
         because a hat below a comment begins with a blank line.
         """
         notes = [self.notes.get(block.id) for _, block in run]
-        joined = [_continues(one, other) for (one, _), (other, _) in pairwise(run)]
+        joined = [_continues(group, other) for (group, _), (other, _) in pairwise(run)]
         for place, joins in enumerate(joined, 1):
             if joins and notes[place] is None:
                 notes[place] = notes[place - 1]
@@ -217,12 +217,12 @@ class WorkspaceWriter(ValueWriter):
         for note, other in zip(group.lead, earlier.lead, strict=True):
             ids[id(note)] = before[id(other)]
         new, old = statements((group.statement,)), statements((earlier.statement,))  # type: ignore[arg-type]
-        for one, was in zip(new, old, strict=True):
+        for statement, was in zip(new, old, strict=True):
             if id(was) in before:
-                ids[id(one)] = before[id(was)]
-            for part, part_was in zip(_parts(one), _parts(was), strict=True):
+                ids[id(statement)] = before[id(was)]
+            for part, part_was in zip(_parts(statement), _parts(was), strict=True):
                 ids[id(part)] = before[id(part_was)]
-            for value, value_was in zip(expressions(one), expressions(was), strict=True):
+            for value, value_was in zip(expressions(statement), expressions(was), strict=True):
                 self.keep_values(value, value_was)
 
     def note_statement(self, group: Group, block: Block) -> None:
@@ -232,15 +232,16 @@ class WorkspaceWriter(ValueWriter):
         for value in expressions(group.statement):
             self.note_parts(value, block)
         for body in bodies(group.statement):
-            for one in body[-2:]:
-                self.ids.setdefault(id(one), block.id)
+            for statement in body[-2:]:
+                self.ids.setdefault(id(statement), block.id)
 
     def parametrized(self, shape: Shape) -> Shape:
         """The shape of a function, with the ids of its parameters."""
         if shape.type not in {FUNCTION, ANSWERING_FUNCTION} or shape.extra is None:
             return shape
         parameters = [
-            {"name": one["name"], "id": self.variable(one["name"])} for one in shape.extra["params"]
+            {"name": parameter["name"], "id": self.variable(parameter["name"])}
+            for parameter in shape.extra["params"]
         ]
         return shape._replace(extra={"params": parameters})
 
@@ -284,13 +285,17 @@ class WorkspaceWriter(ValueWriter):
         """The variables in use, and those that the user created for later."""
         used = survey(Workspace(self.stacks)).variables
         known = {key: Variable(name, key) for key, name in self.before.variables.items()}
-        known.update((one.id, one) for one in self.variables.values())
-        return [one for one in known.values() if one.id in used or one.id in self.set_aside]
+        known.update((variable.id, variable) for variable in self.variables.values())
+        return [
+            variable
+            for variable in known.values()
+            if variable.id in used or variable.id in self.set_aside
+        ]
 
 
-def _continues(one: Group, other: Group) -> bool:
+def _continues(group: Group, other: Group) -> bool:
     """Whether two comments have neither a statement nor a blank line between them."""
-    return type(one.statement) is type(other.statement) is Comment and not other.lead
+    return type(group.statement) is type(other.statement) is Comment and not other.lead
 
 
 def _may_follow(old: str, new: str) -> bool:
@@ -303,7 +308,7 @@ def _matches(groups: Sequence[Group], old: Sequence[Group]) -> list[Match | None
     matches: list[Match | None] = [None] * len(groups)
     for hatted in (True, False):
         new_places, old_places = (
-            [i for i, one in enumerate(some) if isinstance(one.statement, _HATTED) is hatted]
+            [i for i, group in enumerate(some) if isinstance(group.statement, _HATTED) is hatted]
             for some in (groups, old)
         )
         found = aligned([groups[i] for i in new_places], [old[i] for i in old_places])

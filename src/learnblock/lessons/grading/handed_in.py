@@ -89,10 +89,10 @@ class _Reader:
     def read_class(self, folder: Path) -> Iterator[HandedIn]:
         """What each pupil has in a folder."""
         pupils = _pupils(folder)
-        bearers = Counter(one.name for one in pupils)
-        for one in pupils:
+        bearers = Counter(pupil.name for pupil in pupils)
+        for pupil in pupils:
             yield from self._read_pupil(
-                one.name if bearers[one.name] == 1 else one.full_name, one.paths
+                pupil.name if bearers[pupil.name] == 1 else pupil.full_name, pupil.paths
             )
 
     def read(self, path: Path, pupil: str) -> HandedIn:

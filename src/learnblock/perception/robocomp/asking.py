@@ -116,16 +116,16 @@ class AskedTags(Asked):
         except IceRefusedError:
             # It may refuse a picture whose size it misreads.
             return False
-        return any(_is_shown(one) for one in found)
+        return any(_is_shown(face) for face in found)
 
     def _understood(self, found: list[FoundTag], frame: Frame) -> tuple[Tag, ...]:
         height, width = frame.shape[:2]
         seen = [
             # The interface does not give the corners.
-            Tag(one.id, center, (center,) * 4, frame_width=width, frame_height=height)
-            for one in found
-            if 0 <= one.id < TAGS and 0 <= one.cx < width and 0 <= one.cy < height
-            for center in [(float(one.cx), float(one.cy))]
+            Tag(tag.id, center, (center,) * 4, frame_width=width, frame_height=height)
+            for tag in found
+            if 0 <= tag.id < TAGS and 0 <= tag.cx < width and 0 <= tag.cy < height
+            for center in [(float(tag.cx), float(tag.cy))]
         ]
         return tuple(sorted(seen, key=lambda tag: (tag.id, tag.center)))
 
@@ -140,10 +140,10 @@ class AskedEmotions(Asked):
         faces = [
             # The interface does not give a confidence.
             FaceEmotion(face, emotion, confidence=1.0)
-            for one in found
-            if (emotion := emotion_of(one.emotion)) and (face := _face(one, frame))
+            for face_seen in found
+            if (emotion := emotion_of(face_seen.emotion)) and (face := _face(face_seen, frame))
         ]
-        return tuple(sorted(faces, key=lambda one: (one.face.x, one.face.y)))
+        return tuple(sorted(faces, key=lambda emotion: (emotion.face.x, emotion.face.y)))
 
 
 #: The tag in the picture that detects the order: id, column and row of its centre.

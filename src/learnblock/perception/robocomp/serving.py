@@ -54,7 +54,7 @@ class Emotions(Component):
 
     def processimage(self, picture: Picture) -> tuple[FoundEmotion, ...]:
         found = map(_as_found, self._found(picture))
-        return tuple(one for one in found if one is not None)
+        return tuple(answer for answer in found if answer is not None)
 
 
 #: By the identities of their objects.

@@ -66,8 +66,8 @@ class Vision(Closing):
         from learnblock.perception.sources.asking import chosen_components  # noqa: PLC0415 - as above
 
         asked = chosen_components(self._settings)
-        for one in asked.values():
-            self._ending.callback(one.close)
+        for connection in asked.values():
+            self._ending.callback(connection.close)
         return {**DETECTORS, **asked}
 
     def _look(self, frame: "Frame") -> "Sight":
@@ -80,9 +80,9 @@ class Vision(Closing):
         return sight
 
 
-def _is_same(one: "Frame", other: "Frame") -> bool:
+def _is_same(frame: "Frame", other: "Frame") -> bool:
     """Whether two frames are equal, like those of a simulator while nothing moves."""
     import numpy as np  # noqa: PLC0415 - as above
 
     # Comparing them takes a hundredth of the time for face detection.
-    return one is other or np.array_equal(one, other)
+    return frame is other or np.array_equal(frame, other)

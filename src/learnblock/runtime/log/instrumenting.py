@@ -124,7 +124,7 @@ class _Instrumenting(ast.NodeTransformer):
         number = self._begin(node, Kind.CALL, name=name, base=base, reads=_reads(node))
         if name == "wait_until" and len(node.args) == 1:
             self._instrument_condition(node.args[0], Kind.UNTIL)
-        node.args = [self._expression(one) for one in node.args]
+        node.args = [self._expression(arg) for arg in node.args]
         for keyword in node.keywords:
             keyword.value = self._expression(keyword.value)
         if not base and name in self._functions:
@@ -162,11 +162,11 @@ class _Instrumenting(ast.NodeTransformer):
 
     def visit_Compare(self, node: ast.Compare) -> ast.AST:
         node.left = self._operand(node.left)
-        node.comparators = [self._operand(one) for one in node.comparators]
+        node.comparators = [self._operand(comparator) for comparator in node.comparators]
         return node
 
     def visit_BoolOp(self, node: ast.BoolOp) -> ast.AST:
-        node.values = [self._operand(one) for one in node.values]
+        node.values = [self._operand(operand) for operand in node.values]
         return node
 
     def _expression(self, node: ast.expr) -> ast.expr:
@@ -222,10 +222,10 @@ class _Instrumenting(ast.NodeTransformer):
         return node
 
     def visit_With(self, node: ast.With) -> ast.AST:
-        targets = [one.optional_vars for one in node.items if one.optional_vars]
+        targets = [item.optional_vars for item in node.items if item.optional_vars]
         for item in node.items:
             item.context_expr = self._expression(item.context_expr)
-        bound = self._bound(node, tuple(name for one in targets for name in _names(one)))
+        bound = self._bound(node, tuple(name for target in targets for name in _names(target)))
         node.body = [*bound, *self.block(node.body)]
         return node
 
@@ -253,9 +253,12 @@ class _Instrumenting(ast.NodeTransformer):
         return node
 
     def visit_Delete(self, node: ast.Delete) -> ast.AST | list[ast.stmt]:
-        gone = tuple(one.id for one in node.targets if isinstance(one, ast.Name))
+        gone = tuple(target.id for target in node.targets if isinstance(target, ast.Name))
         changed = tuple(
-            name for one in node.targets if not isinstance(one, ast.Name) for name in _names(one)
+            name
+            for target in node.targets
+            if not isinstance(target, ast.Name)
+            for name in _names(target)
         )
         more = self._bound(node, tuple(name for name in changed if name not in gone))
         return [node, *self._deleted(node, gone), *more]
@@ -274,7 +277,7 @@ class _Instrumenting(ast.NodeTransformer):
         return [self._statement(GONE, number, ast.Constant(None), at)]
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.AST:
-        kept = self._control, self._branch, self._function
+        context = self._control, self._branch, self._function
         self._control, self._branch = -1, True
         is_when = bool(node.decorator_list)
         condition = -1
@@ -283,7 +286,7 @@ class _Instrumenting(ast.NodeTransformer):
                 condition = self._instrument_condition(decorator.args[0], Kind.WHEN)
         if condition >= 0:
             self._change(condition, name=node.name)
-        parameters = tuple(one.arg for one in node.args.args)
+        parameters = tuple(arg.arg for arg in node.args.args)
         self._function = -1
         number = self._begin(
             node,
@@ -297,7 +300,7 @@ class _Instrumenting(ast.NodeTransformer):
         if not _yields(node):
             node.body = self._function_body(node, number)
         self._end(number, node.end_lineno)
-        self._control, self._branch, self._function = kept
+        self._control, self._branch, self._function = context
         return node
 
     def _function_body(self, node: ast.FunctionDef, number: int) -> list[ast.stmt]:
@@ -305,7 +308,7 @@ class _Instrumenting(ast.NodeTransformer):
         body = self.block(node.body[len(ahead) :]) or [ast.Pass(lineno=node.lineno, col_offset=0)]
         # The line where Python says that the function begins, so that it is no line of its body.
         at = node.decorator_list[0] if node.decorator_list else node
-        values = ast.Tuple([ast.Name(one.arg, ast.Load()) for one in node.args.args], ast.Load())
+        values = ast.Tuple([ast.Name(arg.arg, ast.Load()) for arg in node.args.args], ast.Load())
         left = self._statement(LEAVE, number, ast.Constant(None), at)
         enclosed = ast.Try(body=body, handlers=[], orelse=[], finalbody=[left])
         ast.copy_location(enclosed, at)
@@ -379,10 +382,10 @@ class _Instrumenting(ast.NodeTransformer):
     def _controlled(
         self, number: int, body: Sequence[ast.stmt], *, branch: bool = True
     ) -> list[ast.stmt]:
-        kept = self._control, self._branch
+        context = self._control, self._branch
         self._control, self._branch = number, branch
         done = self.block(body)
-        self._control, self._branch = kept
+        self._control, self._branch = context
         return done
 
     def _begin(
@@ -440,9 +443,9 @@ class _Instrumenting(ast.NodeTransformer):
 
 def _reads(node: ast.AST) -> tuple[str, ...]:
     names = (
-        one.id
-        for one in ast.walk(node)
-        if isinstance(one, ast.Name) and isinstance(one.ctx, ast.Load)
+        inner.id
+        for inner in ast.walk(node)
+        if isinstance(inner, ast.Name) and isinstance(inner.ctx, ast.Load)
     )
     return tuple(dict.fromkeys(names))
 
@@ -450,7 +453,7 @@ def _reads(node: ast.AST) -> tuple[str, ...]:
 def _names(target: ast.expr) -> tuple[str, ...]:
     """The variables that an assignment to `target` writes, or whose list it changes."""
     if isinstance(target, ast.Tuple | ast.List):
-        return tuple(name for one in target.elts for name in _names(one))
+        return tuple(name for element in target.elts for name in _names(element))
     while isinstance(target, ast.Subscript | ast.Attribute | ast.Starred):
         target = target.value
     return (target.id,) if isinstance(target, ast.Name) else ()
@@ -469,11 +472,11 @@ def _read(names: Sequence[str]) -> ast.expr:
 
 def _captured(pattern: ast.pattern) -> Iterator[str]:
     """The variables that a pattern of `match` writes."""
-    for one in ast.walk(pattern):
-        if isinstance(one, ast.MatchAs | ast.MatchStar) and one.name:
-            yield one.name
-        elif isinstance(one, ast.MatchMapping) and one.rest:
-            yield one.rest
+    for part in ast.walk(pattern):
+        if isinstance(part, ast.MatchAs | ast.MatchStar) and part.name:
+            yield part.name
+        elif isinstance(part, ast.MatchMapping) and part.rest:
+            yield part.rest
 
 
 def _changed_list(value: ast.expr) -> str:
@@ -499,4 +502,4 @@ def _declarations(body: Sequence[ast.stmt]) -> Iterable[ast.stmt]:
 
 
 def _yields(node: ast.FunctionDef) -> bool:
-    return any(isinstance(one, ast.Yield | ast.YieldFrom) for one in ast.walk(node))
+    return any(isinstance(inner, ast.Yield | ast.YieldFrom) for inner in ast.walk(node))

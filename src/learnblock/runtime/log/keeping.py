@@ -124,7 +124,7 @@ class RunLog:
         """What is kept now, oldest first."""
         self.flush()
         with self._lock:
-            return tuple(one.block for one in self._blocks)
+            return tuple(entry.block for entry in self._blocks)
 
     def flush(self) -> None:
         """Close the blocks that are open."""
@@ -176,16 +176,16 @@ class RunLog:
 
     def _drop(self, streams: Collection[Stream]) -> bool:
         """Drop the oldest blocks of some streams; return whether there were any."""
-        kept: list[_Kept] = []
-        for one in self._blocks:
-            if one.is_needed or one.block.stream not in streams or not self._is_half_full:
-                kept.append(one)
+        remaining: list[_Kept] = []
+        for entry in self._blocks:
+            if entry.is_needed or entry.block.stream not in streams or not self._is_half_full:
+                remaining.append(entry)
                 continue
-            self._bytes -= len(one.block.packed)
-            self._unpacked -= one.unpacked
-            self.complete_since = max(self.complete_since, one.block.last)
-        has_dropped = len(kept) < len(self._blocks)
-        self._blocks = kept
+            self._bytes -= len(entry.block.packed)
+            self._unpacked -= entry.unpacked
+            self.complete_since = max(self.complete_since, entry.block.last)
+        has_dropped = len(remaining) < len(self._blocks)
+        self._blocks = remaining
         return has_dropped
 
     def _write(self, data: bytes) -> None:
@@ -204,7 +204,7 @@ class RunLog:
         """
         try:
             file.seek(len(MAGIC))
-            file.writelines(bytes(one.block) for one in self._blocks)
+            file.writelines(bytes(entry.block) for entry in self._blocks)
             file.truncate()
         except OSError as error:
             self._give_file_up(error)

@@ -232,10 +232,10 @@ class Noting:
         if value is None:
             self._events.append((Op.RESULT, node, None))
             return None
-        kept = snapshot(value)
-        self._events.append((Op.RESULT, node, kept))
-        if type(kept) is list:
-            self._weigh(kept)
+        contents = snapshot(value)
+        self._events.append((Op.RESULT, node, contents))
+        if type(contents) is list:
+            self._weigh(contents)
         return value
 
     def _changer(self, node: int, value: Any) -> Any:
@@ -258,11 +258,11 @@ class Noting:
             self._may_differ = True
         else:
             # A list is known by its address: two variables that share one now have the same.
-            kept = snapshot(value)
-            self._watch(value, kept)
-            self._events.append((Op.WRITE, node, kept, id(value)))
+            contents = snapshot(value)
+            self._watch(value, contents)
+            self._events.append((Op.WRITE, node, contents, id(value)))
             self._may_differ = True
-            self._weigh(kept)
+            self._weigh(contents)
         return value
 
     def _calls(self, node: int, function: Any) -> Any:
@@ -288,18 +288,18 @@ class Noting:
 
     # Lists, which several variables may share.
 
-    def _watch(self, value: Any, kept: Any) -> None:
+    def _watch(self, value: Any, contents: Any) -> None:
         """Watch the contents of a list, because it may change without an event."""
         if len(value) > LONGEST_LIST:
             return
-        self._lists[id(value)] = value, kept
+        self._lists[id(value)] = value, contents
         if len(self._lists) > MOST_LISTS:
             del self._lists[next(iter(self._lists))]
 
-    def _weigh(self, kept: Any) -> None:
+    def _weigh(self, contents: Any) -> None:
         """Let a list count as much as its items, in what is kept of one moment."""
-        each = kept if type(kept) is list else ()
-        self._began -= len(each) + sum(len(one) for one in each if type(one) is list)
+        each = contents if type(contents) is list else ()
+        self._began -= len(each) + sum(len(value) for value in each if type(value) is list)
 
     def _lists_of(self, values: Any) -> list[int] | None:
         """The identities of the lists among some values, or of a list; None if there are none."""
@@ -314,13 +314,13 @@ class Noting:
     def _tell_contents(self) -> None:
         self._may_differ = False
         for identity in [*self._lists]:
-            value, kept = self._lists[identity]
+            value, contents = self._lists[identity]
             if sys.getrefcount(value) < _OWN_REFERENCES:
                 # The program has forgotten it.
                 del self._lists[identity]
                 continue
             now = snapshot(value)
-            if now != kept:
+            if now != contents:
                 self._lists[identity] = value, now
                 self._events.append((Op.CONTENTS, identity, now))
 

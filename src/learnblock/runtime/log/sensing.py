@@ -56,8 +56,8 @@ def _found(client: Client, log: RunLog, of: str, operation: str) -> None:
 
 def _keep(client: Client, log: RunLog, key: str, device: Device) -> None:
     name = "odometry" if isinstance(device, Base) else f"{type(device).__name__}:{key}"
-    kept = _Kept(log, name, client.clock.time)
-    read = device.functions["read"] = partial(kept.read, device.functions["read"])
+    sensor_log = _Kept(log, name, client.clock.time)
+    read = device.functions["read"] = partial(sensor_log.read, device.functions["read"])
     if isinstance(device, Sensor):
         device.read = read
     client.readings.watch((type(device), key), read)
@@ -91,7 +91,7 @@ def _rounded(value: Any) -> Any:
     if isinstance(value, float):
         return round(value, _DIGITS) + 0.0
     if isinstance(value, list | tuple):
-        return [_rounded(one) for one in value]
+        return [_rounded(item) for item in value]
     if isinstance(value, dict):
-        return {key: _rounded(one) for key, one in value.items()}
+        return {key: _rounded(item) for key, item in value.items()}
     return value

@@ -50,6 +50,6 @@ def _pairs(value: dict[Any, Any], levels: int) -> Any:
     few = islice(value.items(), MOST)
     return {
         "pairs": [
-            [snapshot(key), snapshot(one, levels - 1)] for key, one in few if type(key) in _KEYS
+            [snapshot(key), snapshot(item, levels - 1)] for key, item in few if type(key) in _KEYS
         ]
     }

@@ -17,7 +17,7 @@ from learnblock.server.runs.reported import Reported, predicted
 from learnblock.server.runs.telemetry import Drawn
 
 if TYPE_CHECKING:
-    from learnblock.monitor.pictures import Picture
+    from learnblock.monitor.monitor import Picture
     from learnblock.why import History, Recorded
     from learnblock.why.answers import Answers
     from learnblock.why.calls import Calls

@@ -17,7 +17,7 @@ from learnblock.why.wording import thing_phrase
 
 if TYPE_CHECKING:
     from learnblock.monitor import Monitor
-    from learnblock.monitor.pictures import Picture
+    from learnblock.monitor.monitor import Picture
     from learnblock.server.runs.player import Player
 
 Found = TypeVar("Found")

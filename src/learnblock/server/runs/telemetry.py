@@ -9,8 +9,7 @@ from learnblock.server import messages
 
 if TYPE_CHECKING:
     from learnblock.monitor import Monitor, Stroke
-    from learnblock.monitor.monitor import State
-    from learnblock.monitor.pictures import Picture
+    from learnblock.monitor.monitor import Picture, State
 
 
 def scene(monitor: "Monitor") -> messages.Scene:

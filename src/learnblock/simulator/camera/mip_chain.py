@@ -51,8 +51,8 @@ class MipChain:
         """A level to take samples from: of a grey texture only one channel, a third of the work."""
         if number not in self._samples:
             level = self.level(number)
-            one = np.ascontiguousarray(level[..., 0]) if self.is_grey else level
-            self._samples.setdefault(number, one)
+            channels = np.ascontiguousarray(level[..., 0]) if self.is_grey else level
+            self._samples.setdefault(number, channels)
         return self._samples[number]
 
 

@@ -1,0 +1,66 @@
+"""The modules of the package as syntax trees: their imports, loops and classes."""
+
+import ast
+from functools import cache
+from pathlib import Path
+
+from places import ROOT
+
+PACKAGE = ROOT / "src" / "learnblock"
+
+
+@cache
+def modules():
+    """Return the tree of each module, by its dotted name; templates are no modules."""
+    files = (file for file in sorted(PACKAGE.rglob("*.py")) if "templates" not in file.parts)
+    return {name_of(file): ast.parse(file.read_text("utf-8"), str(file)) for file in files}
+
+
+def name_of(file):
+    """Return the dotted name of a file's module."""
+    parts = Path(file).relative_to(PACKAGE.parent).with_suffix("").parts
+    return ".".join(parts).removesuffix(".__init__")
+
+
+def folder_of(module):
+    """Return the folder of the package that a module is in, or the module that is in none."""
+    return module.split(".")[1] if "." in module else module
+
+
+def imports_of(tree, names):
+    """Return those of some modules that a module imports, also in functions and only for types."""
+    found = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            wholes = {f"{node.module}.{alias.name}" for alias in node.names}
+            inner = wholes & names
+            found |= inner if inner == wholes else {*inner, node.module}
+    return found & names
+
+
+def circles(graph):
+    """Return the groups of nodes from each of which an arrow leads to each other one.
+
+    Args:
+        graph: for each node, where its arrows lead.
+    """
+    reached = {node: reachable(graph, node) for node in graph}
+    groups = {
+        frozenset(other for other in reached[node] if node in reached[other])
+        for node in graph
+        if node in reached[node]
+    }
+    return sorted(sorted(group) for group in groups)
+
+
+def reachable(graph, start):
+    """Return the nodes to which arrows lead from a node."""
+    found, ahead = set(), [*graph[start]]
+    while ahead:
+        node = ahead.pop()
+        if node not in found:
+            found.add(node)
+            ahead += graph[node]
+    return found
