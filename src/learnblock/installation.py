@@ -6,6 +6,7 @@ import re
 import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
 from importlib import metadata, util
 from pathlib import Path
 from typing import Any
@@ -19,6 +20,12 @@ _REQUIREMENT = re.compile(
     r"(?P<packages>[^;]+?)\s*;\s*(?:\(?(?P<condition>.+?)\)?\s+and\s+)?"
     r"extra\s*==\s*['\"](?P<extra>[^'\"]+)['\"]"
 )
+
+
+@cache
+def version() -> str:
+    """The version of LearnBlock, looked up once: reading it takes as long as a short run."""
+    return metadata.version(DISTRIBUTION)
 
 
 @dataclass(frozen=True, slots=True)

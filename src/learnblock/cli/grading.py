@@ -4,7 +4,6 @@ import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +15,7 @@ from learnblock.cli.interrupts import stopped_by_signals
 from learnblock.cli.language import language
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
+from learnblock.installation import version
 from learnblock.lessons.grading.executors import OpenWorkers, cluster, local
 from learnblock.lessons.grading.grading import Grading
 from learnblock.lessons.grading.handed_in import read_all
@@ -69,7 +69,7 @@ def grade(handed_in: Sequence[Path], wish: Wish) -> bool:
         step,
         tuple(_handed_in(handed_in, wish, step)),
         tries(opened_lesson, step, wanted),
-        version("learnblock-studio"),
+        version(),
     )
     if not plan.handed_in:
         raise usage_error("grade-nothing-handed-in")

@@ -23,10 +23,11 @@ from learnblock.running.job import Job, Order
 from learnblock.running.program_run import ProgramRun
 from learnblock.running.report import Report
 from learnblock.runtime import process_group
+from learnblock.runtime.claims import is_sayable
 from learnblock.runtime.containment.environment import harmless
 from learnblock.runtime.ending import How
 from learnblock.runtime.limits import Limits
-from learnblock.runtime.validation import is_sayable, refused
+from learnblock.runtime.validation import refused
 from learnblock.storage.home import home
 
 #: Seconds in which stopped runs have to end.

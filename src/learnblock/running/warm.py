@@ -31,7 +31,7 @@ from learnblock.running.plain import is_plain
 from learnblock.running.program_run import ProgramRun
 from learnblock.running.recorded_keys import RecordedKeys
 from learnblock.running.report import Report
-from learnblock.runtime import validation
+from learnblock.runtime.claims import NOT_CONTAINED
 from learnblock.runtime.containment import kernel
 from learnblock.runtime.containment.fence import contain_host
 from learnblock.runtime.ending import How
@@ -52,8 +52,6 @@ _LOOK = 0.5
 WATCHING = 0.5
 #: The status of a child that has reported why it failed, and the limit of that report in bytes.
 _FAILED, _LONGEST_CAUSE = 2, 1000
-#: The code of the error of a system that refuses to contain a program.
-_NOT_CONTAINED = validation.NOT_CONTAINED
 #: What runs on simulated robots load when they need it, in addition to our skills.
 _PRELOADED = (
     "email.parser",
@@ -324,7 +322,7 @@ def _isolated(job: Job, limits: Limits) -> Sent:
     if _has_begun(sent):
         return sent
     again = _made(job, limits, ProcessWorker, prepare)
-    if again.message.code == _NOT_CONTAINED:
+    if again.message.code == NOT_CONTAINED:
         return lost(str(again.message))
     return again
 
@@ -332,7 +330,7 @@ def _isolated(job: Job, limits: Limits) -> Sent:
 def _has_begun(sent: Sent) -> bool:
     """Whether a program had its chance: a busy computer may end its process at the start."""
     died_at_once = sent.report.ended == How.KILLED and sent.report.time == 0
-    return not died_at_once and sent.message.code != _NOT_CONTAINED
+    return not died_at_once and sent.message.code != NOT_CONTAINED
 
 
 def _together(job: Job, limits: Limits) -> Sent:

@@ -16,6 +16,7 @@ from typing import Any, NoReturn
 from learnblock.client import Client, skills
 from learnblock.errors import InputEndedError, LearnBlockError, ProgramStopped
 from learnblock.runtime import remote
+from learnblock.runtime.claims import last_line
 from learnblock.runtime.containment import fence
 from learnblock.runtime.error_phrases import phrase_of
 from learnblock.runtime.failed_code import failed_code
@@ -47,7 +48,6 @@ from learnblock.runtime.output import LineWriter
 from learnblock.runtime.own_files import own_frame, own_place
 from learnblock.runtime.userrandom import use_own_random
 from learnblock.runtime.usertime import use_robot_time
-from learnblock.runtime.validation import last_line
 from learnblock.runtime.values import described, encodable, shortened
 from learnblock.runtime.wire import Wire
 

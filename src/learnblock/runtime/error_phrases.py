@@ -8,9 +8,9 @@ from typing import overload
 
 from learnblock.errors import LearnBlockError, nearest
 from learnblock.i18n import Phrase, Value
+from learnblock.runtime.claims import is_of_program
 from learnblock.runtime.explanations import explanation
 from learnblock.runtime.failed_code import UNKNOWN, FailedCode
-from learnblock.runtime.validation import is_of_program
 from learnblock.runtime.values import encodable, shortened
 
 #: The maximum length of a string in a phrase; longer ones are cut.

@@ -20,6 +20,7 @@ from learnblock.errors import (
     RobotConnectionError,
 )
 from learnblock.i18n import Phrase
+from learnblock.runtime.claims import is_need
 from learnblock.runtime.lines import without_line_events
 from learnblock.runtime.lockstep import LockStepClock
 from learnblock.runtime.log.events import QUESTIONS
@@ -34,7 +35,6 @@ from learnblock.runtime.messages import (
     Missing,
     Send,
 )
-from learnblock.runtime.validation import is_need
 from learnblock.runtime.values import described, plain
 from learnblock.runtime.wire import LONGEST_WAIT, Wire
 from learnblock.senses import is_decoration

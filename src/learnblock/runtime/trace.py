@@ -5,7 +5,6 @@ import threading
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache, partial
-from importlib.metadata import version
 from inspect import isroutine
 from typing import Any, BinaryIO
 
@@ -14,6 +13,7 @@ import msgspec
 from learnblock.client import Client, Witness
 from learnblock.client.reckoning import Reckoning
 from learnblock.devices import Function, Pose
+from learnblock.installation import version
 from learnblock.runtime.log.events import QUESTIONS
 from learnblock.runtime.log.keeping import RunLog, TeamLog
 from learnblock.runtime.log.sensing import keep_operations, keep_readings
@@ -400,7 +400,7 @@ def record(
     is_real = client.clock.instant is None
     recorder = Recorder(trace, client.clock.time, client.where, label or {}, counts_turns=is_real)
     format_version = VERSION_WITH_TURNS if is_real else VERSION
-    versions = {"learnblock": version("learnblock-studio"), "trace": format_version}
+    versions = {"learnblock": version(), "trace": format_version}
     if trace.log:
         trace.log.began({"drivers": _drivers(client), **client.surroundings()})
     recorder.begin({"program": program, **client.conditions(), "versions": versions, **more})

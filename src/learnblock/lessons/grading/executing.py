@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache
-from importlib.metadata import version
 from pathlib import Path
 from queue import Empty, SimpleQueue
 
@@ -17,6 +16,7 @@ import msgspec
 from learnblock import robots, running
 from learnblock.errors import FileError, LearnBlockError
 from learnblock.i18n import Phrase, languages, translate
+from learnblock.installation import version
 from learnblock.lessons.evidence import Evidence, evidence_of
 from learnblock.lessons.expert import Experts
 from learnblock.lessons.grading.thinning import thinned
@@ -127,7 +127,7 @@ def run_piece(order: Order) -> bytes:
         LearnBlockError: this computer has another version of LearnBlock.
         NotRunError: the run could not be made.
     """
-    here = version("learnblock-studio")
+    here = version()
     if here != order.version:
         raise LearnBlockError("grade-other-version", here=here, there=order.version)
     try:

@@ -3,13 +3,13 @@
 import threading
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
-from importlib.metadata import version
 from pathlib import Path
 from time import monotonic
 from typing import Any, BinaryIO
 
 import msgspec
 
+from learnblock.installation import version
 from learnblock.runtime.log.blocks import DETAIL, MAGIC, Block, Stream
 from learnblock.runtime.log.instrumenting import instrument
 from learnblock.runtime.log.noting import TICK
@@ -308,7 +308,7 @@ def _header(program: Program) -> dict[str, Any]:
         # The run itself says what is wrong with it.
         nodes = ()
     return {
-        "learnblock": version("learnblock-studio"),
+        "learnblock": version(),
         "name": program.name,
         "program": program.identity,
         "python": program.python,

@@ -1,9 +1,8 @@
 """The first messages to a page: what it can choose from, and the names of tags."""
 
-from importlib.metadata import version
-
 from learnblock.errors import LearnBlockError, phrase_of
 from learnblock.i18n import Phrase
+from learnblock.installation import version
 from learnblock.perception import tag_names
 from learnblock.server.catalog.examples import example_choices
 from learnblock.server.catalog.robots import robot_choices
@@ -29,7 +28,7 @@ def welcome(
         address: the address by which other devices reach the server; None if they can't.
     """
     return Welcome(
-        version=version("learnblock-studio"),
+        version=version(),
         robots=robot_choices(),
         worlds=world_choices(),
         examples=tuple(example_choices().values()),
