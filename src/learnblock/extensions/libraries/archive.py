@@ -84,7 +84,7 @@ def _unzipped(content: bytes, where: str) -> dict[str, bytes]:
 
 
 def _too_many(where: str) -> LibraryError:
-    return _wrong(where, "too-large", Phrase("library-too-many-files", most=MOST_FILES))
+    return _wrong(where, "too-many-files", Phrase("library-too-many-files", most=MOST_FILES))
 
 
 def _wrong(where: str, code: str, message: Phrase) -> LibraryError:

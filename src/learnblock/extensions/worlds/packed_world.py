@@ -22,10 +22,9 @@ _LONGEST_NAME = 40
 ENDINGS = (".toml", ".zip")
 #: The limit in bytes of a file, packed and unpacked: the largest picture and a world's file.
 LARGEST = 12 * 1024 * 1024
-_MEGABYTES = LARGEST // 1024**2
 #: A system adds files of its own to a zip.
 MOST_FILES = 20
-_TOO_LARGE = Phrase("world-file-too-large", limit=_MEGABYTES)
+_TOO_LARGE = Phrase("world-file-too-large", limit=LARGEST // 1024**2)
 _RULES = Rules(
     WorldError,
     entries=MOST_FILES,
