@@ -1,13 +1,31 @@
 """Real robots in tests: programs reach an emulator at the other end of the wire."""
 
 from contextlib import contextmanager
+from functools import partial
+from importlib import import_module
 
-from learnblock.emulators import emulate
+from learnblock.emulators import TWINS, Emulation, Twin, emulate
 from learnblock.robots import find, settings
+from twins_time import follow
 
 #: The timeout in seconds of a driver whose robot answers. A busy machine may stop an emulator for
 #: seconds.
 LONG = 20.0
+
+
+#: How much faster than real time a quick world runs.
+SPEED = 4
+
+
+@contextmanager
+def quick(name, monkeypatch):
+    """Emulate a robot in a quick world, whose time is that of programs; yield the emulation."""
+    twin = Twin(TWINS[name], "empty", speed=SPEED)
+    make = import_module(f"learnblock.emulators.{name}").Emulator
+    with Emulation(partial(make, twin), twin) as emulation:
+        follow(twin, monkeypatch)
+        emulation.settings = {**emulation.settings, "patience": LONG}
+        yield emulation
 
 
 @contextmanager

@@ -78,13 +78,13 @@ class Playground(thymio.Emulator):
         self._call(f"{self._robot}/thymio2", method, str(button), str(down).lower())
 
     @contextmanager
-    def watching(self):
-        """Record the robot's path as a growing list of (s, pose)."""
+    def watching(self, every=0.04):
+        """Record the robot's path as a growing list of (s, pose), each so many seconds."""
         path, ended = [], threading.Event()
         began = monotonic()
 
         def watch():
-            while not ended.wait(0.04):
+            while not ended.wait(every):
                 path.append((monotonic() - began, self.pose))
 
         thread = threading.Thread(target=watch, daemon=True)

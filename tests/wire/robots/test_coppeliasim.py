@@ -24,7 +24,7 @@ from learnblock.robots.coppeliasim import Robot, Settings
 from learnblock.robots.coppeliasim.named_parts import Axle
 from learnblock.robots.coppeliasim.readings import Turning
 from learnblock.storage.home import home
-from learnblock.testing import Fault, Relay, check_robot
+from learnblock.testing import LINK_CLAIMS, Fault, Relay, check_robot
 from places import ROOT
 from ports import mute_server
 from runs import run_example, run_file
@@ -76,17 +76,25 @@ def place():
 # What every robot promises.
 
 
-def test_our_scene_script_conforms_even_when_its_link_fails(place):
-    with Relay(("127.0.0.1", place.port)) as relay:
-        relay.delay = 0.1
-        certificate = check_robot(
-            lambda: place.robot(port=relay.port, patience=TIMEOUT), relay=relay
-        )
+def test_our_scene_script_conforms(place):
+    certificate = check_robot(place.robot)
     broken = [one.claim for one in certificate.findings if one.outcome != "holds"]
     assert broken == [
         "its accelerometer shows 1 g upwards at rest",
         "its joints move to the commanded angle",
+        *LINK_CLAIMS,
     ]
+
+
+def test_a_link_that_fails_is_reported_as_of_every_robot(place):
+    with Relay(("127.0.0.1", place.port)) as relay:
+        relay.delay = 0.1
+        certificate = check_robot(
+            lambda: place.robot(port=relay.port, patience=TIMEOUT),
+            relay=relay,
+            claims=LINK_CLAIMS,
+        )
+    assert {one.outcome for one in certificate.findings} == {"holds"}
 
 
 @pytest.mark.parametrize("scene", ["paper", "names"])

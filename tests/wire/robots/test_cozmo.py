@@ -6,7 +6,6 @@ import re
 import socket
 import threading
 import wave
-from time import monotonic
 
 import numpy as np
 import pytest
@@ -45,7 +44,7 @@ from learnblock.robots.cozmo.camera import Picture
 from learnblock.robots.cozmo.link import batches, decoded
 from learnblock.robots.cozmo.odometry import Odometry
 from learnblock.skills import cozmo as skills
-from learnblock.testing import Fault, check_robot
+from learnblock.testing import LINK_CLAIMS, Fault, check_robot
 from places import ROOT
 from runs import run_example
 from twins import emotion as emotion_of
@@ -56,12 +55,20 @@ from waiting import wait_for
 # What every robot promises.
 
 
-def test_it_conforms_even_when_its_link_fails():
+def test_it_conforms():
+    with cozmo(speed=FastClock.speed) as there:
+        certificate = check_robot(lambda: there.robot(clock=FastClock()))
+    skipped = [finding.claim for finding in certificate.findings if finding.outcome != "holds"]
+    assert skipped == list(LINK_CLAIMS)
+
+
+def test_a_link_that_fails_is_reported_as_of_every_robot():
     with cozmo(speed=FastClock.speed) as there:
         certificate = check_robot(
-            lambda: there.robot(patience=1.0, clock=FastClock()), relay=there.wire
+            lambda: there.robot(patience=1.0, clock=FastClock()),
+            relay=there.wire,
+            claims=LINK_CLAIMS,
         )
-    assert certificate.passed
     assert {finding.outcome for finding in certificate.findings} == {"holds"}
 
 
@@ -420,13 +427,12 @@ def test_a_cut_of_a_third_of_a_second_is_bridged():
 # Robots that do not answer.
 
 
-def test_a_robot_that_never_answers_is_reported_in_time():
+def test_a_robot_that_never_answers_is_reported_and_leaves_no_thread():
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as silent:
         silent.bind(("127.0.0.1", 0))
-        began, threads = monotonic(), threading.active_count()
+        threads = threading.active_count()
         with pytest.raises(RobotConnectionError, match="Can't reach Cozmo at 127"):
             connect("cozmo", address="127.0.0.1", port=silent.getsockname()[1], patience=0.5)
-    assert monotonic() - began >= 0.5
     assert threading.active_count() == threads
 
 

@@ -9,7 +9,7 @@ import paho.mqtt.client as mqtt
 import pytest
 
 from driven import assert_drives_like_its_twin, assert_told_when_gone
-from emulated import LONG, settle
+from emulated import LONG, quick, settle
 from ice_runtime import components
 from learnblock.devices import Base, Camera, Display, DistanceSensors, Emotion, JointMotor
 from learnblock.emulators import emulate
@@ -22,7 +22,7 @@ from learnblock.ice.robocomp import Layout
 from learnblock.robots.ebo import Robot, Settings
 from learnblock.robots.ebo.camera import TOPIC, StreamedCamera
 from learnblock.robots.settings import change
-from learnblock.testing import CLAIMS, Fault, Relay, check_robot
+from learnblock.testing import CLAIMS, LINK_CLAIMS, Fault, Relay, check_robot
 from twins import emotion, pose, x_of
 from waiting import wait_for
 
@@ -242,10 +242,9 @@ def emulation():
         yield emulation
 
 
-def test_it_conforms(emulation):
-    with Relay(("127.0.0.1", emulation.settings["base_port"])) as relay:
-        settings = {**emulation.settings, "base_port": relay.port, "patience": 1.0}
-        certificate = check_robot(lambda: Robot(**settings), relay=relay)
+def test_it_conforms(monkeypatch):
+    with quick("ebo", monkeypatch) as emulation:
+        certificate = check_robot(lambda: Robot(**emulation.settings))
     outcomes = {finding.claim: finding.outcome for finding in certificate.findings}
     assert list(outcomes) == list(CLAIMS)
     skipped = {claim for claim, outcome in outcomes.items() if outcome == "skipped"}
@@ -254,7 +253,14 @@ def test_it_conforms(emulation):
         "positive speed is forward",
         "positive rotation is to the right",
         "its gyroscope reads 0 after a reset",
+        *LINK_CLAIMS,
     }, NO_ODOMETRY
+
+
+def test_a_link_that_fails_is_reported_as_of_every_robot(emulation):
+    with Relay(("127.0.0.1", emulation.settings["base_port"])) as relay:
+        settings = {**emulation.settings, "base_port": relay.port, "patience": 1.0}
+        assert check_robot(lambda: Robot(**settings), relay=relay, claims=LINK_CLAIMS).passed
 
 
 def test_positive_speeds_are_forward_and_to_the_right(emulation):

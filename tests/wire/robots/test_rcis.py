@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from driven import assert_drives_like_its_twin, assert_told_when_gone
-from emulated import LONG, settle
+from emulated import LONG, quick, settle
 from ice_runtime import components
 from learnblock.devices import Base, Camera, Display, DistanceSensors, Emotion, JointMotor
 from learnblock.emulators import emulate
@@ -20,7 +20,7 @@ from learnblock.ice.robocomp import Layout
 from learnblock.robots.rcis import Robot
 from learnblock.robots.rcis.camera import Pictures, shape_of
 from learnblock.robots.rcis.face import draw_face, draw_text
-from learnblock.testing import Fault, Relay, check_robot
+from learnblock.testing import LINK_CLAIMS, Fault, Relay, check_robot
 from runs import run_file
 from twins import let_pass, pose, stands_after, x_of
 from waiting import wait_for
@@ -184,15 +184,21 @@ def emulation():
         yield emulation
 
 
-def test_it_conforms(emulation):
-    with Relay(("127.0.0.1", emulation.settings["base_port"])) as relay:
-        settings = {**emulation.settings, "base_port": relay.port, "patience": 1.0}
-        certificate = check_robot(lambda: Robot(**settings), relay=relay)
+def test_it_conforms(monkeypatch):
+    with quick("rcis", monkeypatch) as emulation:
+        certificate = check_robot(lambda: Robot(**emulation.settings))
     outcomes = {finding.claim: finding.outcome for finding in certificate.findings}
     assert [claim for claim, outcome in outcomes.items() if outcome != "holds"] == [
         "its accelerometer shows 1 g upwards at rest",
         "its gyroscope reads 0 after a reset",
+        *LINK_CLAIMS,
     ]
+
+
+def test_a_link_that_fails_is_reported_as_of_every_robot(emulation):
+    with Relay(("127.0.0.1", emulation.settings["base_port"])) as relay:
+        settings = {**emulation.settings, "base_port": relay.port, "patience": 1.0}
+        assert check_robot(lambda: Robot(**settings), relay=relay, claims=LINK_CLAIMS).passed
 
 
 @pytest.mark.parametrize(

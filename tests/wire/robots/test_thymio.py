@@ -32,10 +32,11 @@ from learnblock.robots.thymio.program import DONE, LEFT, RIGHT, SOUND, TONE, TOP
 from learnblock.robots.thymio.units import level
 from learnblock.simulator.geometry import Pose
 from learnblock.simulator.goals import RobotState, goals
-from learnblock.testing import Fault, Relay, check_robot
+from learnblock.testing import LINK_CLAIMS, Fault, Relay, check_robot
 from playground import Playground, missing
 from ports import free_port, mute_server
 from runs import run_example
+from twins import off
 from waiting import wait_for
 
 #: Seconds within which the motors must stop, and the mm that count as standing still.
@@ -128,10 +129,15 @@ def listens(port):
 # What every robot promises.
 
 
-def test_it_conforms(hub, relay):
+def test_it_conforms(hub):
+    assert check_robot(lambda: Robot(**hub.settings), excused=EXCUSED).passed
+
+
+def test_a_link_that_fails_is_reported_as_of_every_robot(hub, relay):
     chosen = {**hub.settings, "port": relay.port, "patience": 1.0}
-    certificate = check_robot(lambda: Robot(**chosen), relay=relay, excused=EXCUSED, patience=3.5)
-    assert certificate.passed
+    assert check_robot(
+        lambda: Robot(**chosen), relay=relay, claims=LINK_CLAIMS, patience=3.5
+    ).passed
 
 
 # Devices, compared with the robot's true pose.
@@ -288,25 +294,21 @@ def test_the_papers_program_follows_a_line(tmp_path):
 
 def test_a_program_drives_it_to_the_same_place_as_its_twin(ground):
     reach(ground.settings)
-    with ground.watching() as path:
-        run_example("polygons.bt", "thymio", seconds=9)
-    twin = run_example("polygons.bt", "sim-thymio", world="empty", seconds=9).recorder.path
-    expected = from_its_start([(time, x, y) for time, (x, y, _) in twin])
-    actual = from_its_start([(time, pose.x, pose.y) for time, pose in path])
-    gaps = [math.dist(at(actual, time), (x, y)) for time, x, y in expected if time < 8]
-    # Stated tolerance: 15 mm over the 200 mm that it drives, with a turn in them.
-    assert max(gaps) < 15, max(gaps)
+    # Places are compared, without their times: asking for one takes a process of its own, so on a
+    # busy machine nobody knows when it was there. Seldom, since each of them keeps it busy, too.
+    with ground.watching(every=0.2) as path:
+        run_example("polygons.bt", "thymio", seconds=7)
+    twin = run_example("polygons.bt", "sim-thymio", world="empty", seconds=7).recorder.path
+    expected = from_its_start([(x, y) for time, (x, y, _) in twin if time < 6])
+    actual = from_its_start([(pose.x, pose.y) for _, pose in path])
+    # Stated tolerance: 15 mm over the 190 mm that it drives, with a turn in them.
+    assert off(expected, actual) < 15
+    assert off(actual, from_its_start([(x, y) for _, (x, y, _) in twin])) < 15
 
 
-def from_its_start(track):
-    """A track whose time starts when the robot starts, relative to its start."""
-    _, x0, y0 = track[0]
-    begin = next(time for time, x, y in track if math.dist((x, y), (x0, y0)) > 2)
-    return [(time - begin, x - x0, y - y0) for time, x, y in track if time >= begin]
-
-
-def at(track, time):
-    return min(track, key=lambda one: abs(one[0] - time))[1:]
+def from_its_start(places):
+    (x0, y0), *_ = places
+    return [(x - x0, y - y0) for x, y in places]
 
 
 # However the program ends, the robot stops.
