@@ -1,4 +1,4 @@
-"""Whether what a child says can be true: its host believes no message unseen.
+"""Checks whether the messages of a child can be true: its host believes none unchecked.
 
 A program runs in the child, so it can send whatever it likes. The types of the messages limit the
 size of each field (`learnblock.runtime.messages`); here is checked what each field means. The child
@@ -37,7 +37,7 @@ _OF_HOST = frozenset(
         "run-too-much-disk", "run-too-much-output",
     }
 )  # fmt: skip
-#: The areas of words that are no errors of a program, but say what commands and pages do.
+#: The areas of words that aren't errors of a program, but texts of commands and pages.
 _OTHER_AREAS = frozenset({"calls", "class", "cli", "doctor", "grade", "hint", "page", "report"})
 _ROBOTS = re.compile(r"learnblock\.robots(\.[A-Za-z_]\w*)+")
 _SENSE = re.compile("|".join(one.replace("{}", r"\w{1,50}") for one in {*METHODS.values()}))
@@ -130,7 +130,7 @@ class Validator:
         self._lines = 0
 
     def _check_input(self, _: messages.Input) -> None:
-        # A simulated world goes on meanwhile.
+        # A simulated world continues during it.
         self._lines = 0
 
     def _check_steps(self, message: messages.Steps) -> None:
