@@ -44,7 +44,7 @@ def bad_f_string(parser: "ExpressionParser", token: Token) -> FString:
 
 
 def _value(parser: "ExpressionParser") -> Expression:
-    """Read a value, up to the token with which the text goes on."""
+    """Read a value, up to the token where the text continues."""
     if parser.kinds[parser.index] == "f-part":
         raise parser.slip("text-value", Phrase("blocktext-f-string-brace"))
     parser.nest()
