@@ -47,7 +47,7 @@ def unknown_names(tree: ast.Module, code: CodeType) -> Iterator[Diagnostic]:
 
 
 def unknown_skills(tree: ast.Module, known: Collection[str]) -> Iterator[Diagnostic]:
-    """Report what is used of the robot although no robot has it.
+    """Report methods that are called on the robot although no robot has them.
 
     Args:
         tree: the syntax tree of a file.
@@ -132,7 +132,7 @@ def _unknown_name(node: ast.Name, owner: ast.AST, known: Collection[str]) -> Phr
     if missing := missing_import(name, before_dot=isinstance(owner, ast.Attribute)):
         return missing
     is_called = isinstance(owner, ast.Call) and owner.func is node
-    # True, False and errors are no functions, and only these begin with a capital.
+    # True, False and errors aren't functions, and only these begin with a capital.
     likely = [one for one in known if one not in _BUILTINS or (is_called and one.islower())]
     sort = "function" if is_called else "name"
     if near := nearest(name, likely):
