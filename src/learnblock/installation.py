@@ -1,4 +1,4 @@
-"""How this LearnBlock is installed, and the command that adds to it what it lacks."""
+"""How this LearnBlock is installed, and the command that adds what it lacks."""
 
 import json
 import os

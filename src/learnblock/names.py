@@ -11,19 +11,19 @@ from typing import NamedTuple
 LONGEST, MOST_MARKS = 30, 6
 #: The most bytes of a first name, so that it fits into the name of a folder.
 MOST_BYTES = 200
-#: What names contain besides letters, their signs and digits: spaces, hyphens and
+#: What names contain in addition to letters, their signs and digits: spaces, hyphens and
 #: apostrophes, and the dots of Catalan, Japanese and Tibetan.
 _BETWEEN = frozenset(" .-'`´‘’‐‑·・･་׳״")
 #: A name can begin with an apostrophe, as in Tongan.
 _APOSTROPHES = frozenset("'`´‘’")
-#: They change how the letters beside them are joined, as Persian and Sinhala names need.
+#: They change how the letters next to them are joined, as Persian and Sinhala names need.
 _JOINERS = frozenset("\u200c\u200d")
 #: Unicode calls them letters and signs, but they show nothing.
 _FILLERS = frozenset("\u034f\u115f\u1160\u17b4\u17b5\u3164\uffa0")
 
 
 class Flaw(NamedTuple):
-    """Why a text is no first name.
+    """Why a text isn't a first name.
 
     Args:
         hidden: the number of a character that can't be seen, such as ``U+202E``; empty if it has

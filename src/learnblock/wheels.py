@@ -124,7 +124,7 @@ class Odometry:
         self.proceed(*body_speeds((left, right), self._track))
 
     def proceed(self, arc: float, turned: float) -> None:
-        """Process an arc of so many mm, on which the robot has turned by so many degrees."""
+        """Process an arc: its length in mm, and the angle in degrees that the robot has turned."""
         half = math.radians(turned / 2)
         # The straight way from one end of the arc to the other, which is a chord of its circle.
         chord = arc * math.sin(half) / half if half else arc

@@ -158,11 +158,11 @@ class Link(Generic[Incoming]):
         """Offer the other end what needs no message if it is in this thread; None ends that."""
 
     def fail(self, error: Exception) -> None:
-        """Raise an error in the next `receive`; only needed by those who offer something."""
+        """Raise an error in the next `receive`; only needed by the end that offers functions."""
         raise NotImplementedError
 
     def copied(self, value: Any) -> Any:
-        """A value as it arrives at the other end; only needed by those who offer something."""
+        """A value as it arrives at the other end; only needed by the end that offers functions."""
         raise NotImplementedError
 
     def decode(self, message: bytearray) -> Incoming:
@@ -273,7 +273,7 @@ class SocketLink(Link[Incoming]):
 
     @staticmethod
     def _may_be_larger(head: bytearray, size: int) -> bool:
-        """Whether a message that begins so may have so many bytes."""
+        """Whether a message with this beginning may have this length in bytes."""
         limit = MAX_MESSAGE if len(head) < _HEAD else _LARGER.get(_tag(head), LARGEST)
         return size <= limit
 

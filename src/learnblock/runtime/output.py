@@ -42,7 +42,7 @@ class LineWriter(io.TextIOBase):
 
     def flush(self) -> None:
         """Pass on everything at once, as ``print(..., flush=True)`` does."""
-        # Python also flushes a stream that it discards, when there is no receiver left.
+        # Python also flushes a stream that it discards, when its receiver is gone.
         if self._unseen:
             self.finish()
             self._on_flush()

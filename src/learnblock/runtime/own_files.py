@@ -28,7 +28,7 @@ def own_files() -> frozenset[str]:
 
 
 def quoted(file: str, line: int) -> str:
-    """The text of a line of a file; "" if there is none, or if it is no regular file."""
+    """The text of a line of a file; "" if there is none, or if it isn't a regular file."""
     # It may have been deleted since.
     with suppress(OSError), open(file, "rb", opener=_opened) as opened:
         if stat.S_ISREG(os.fstat(opened.fileno()).st_mode):

@@ -17,7 +17,7 @@ _WITH_VARIABLE = {
 
 
 def in_own_words(meaning: Phrase, failed: FailedCode) -> Phrase:
-    """An explanation, with what the code that failed tells about the way out."""
+    """An explanation, with the correction that the failed code suggests."""
     rewrite = _REWRITERS.get(meaning.code)
     return meaning if rewrite is None else rewrite(meaning, failed)
 

@@ -50,7 +50,7 @@ class Pacing:
         return self.factor is None and not self._paused
 
     def wake(self) -> None:
-        """Make those who wait look whether they have given up."""
+        """Wake the waiting threads, so that they check whether to stop waiting."""
         with self._changed:
             self._changed.notify_all()
 

@@ -20,7 +20,7 @@ from learnblock.runtime.link import Link, SocketLink
 from learnblock.runtime.messages import FromChild, FromHost
 from learnblock.runtime.standby import Standby
 
-#: Seconds in which a program has to take what it has asked for.
+#: Seconds in which a program has to read the answer to its question.
 LONGEST_SENDING = 10
 
 
@@ -64,7 +64,7 @@ class Worker(Protocol):
         """Return the resources it uses."""
 
     def activity(self) -> Activity | None:
-        """Return what it has done so far; None if the system does not say."""
+        """Return what it has done so far; None if the system does not report it."""
 
 
 # Why: docs/decisions.md, "A program runs as a light child of a robot host"

@@ -14,7 +14,7 @@ def abort(process: "subprocess.Popen[bytes]") -> None:
 
     What it has started is in its group. Windows has no groups: only the process itself ends there.
     """
-    # Its number may be that of another process once somebody has waited for it.
+    # Its number may be that of another process once it has been waited for.
     if process.poll() is None:
         _kill(process)
 

@@ -61,7 +61,7 @@ def main_program() -> str | None:
 
 
 def report_main_program(client: Client, name: str, seconds: float) -> None:
-    """Say on the standard error what the robot of a program did.
+    """Report on the standard error what the program's robot did.
 
     Args:
         client: the robot.

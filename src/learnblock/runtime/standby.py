@@ -1,4 +1,4 @@
-"""A process that waits for a program, and meanwhile loads what programs need.
+"""A process that loads what programs need while it waits for one.
 
 This module imports little, so that a command can start such a process before it loads the rest.
 """

@@ -150,7 +150,7 @@ class Collision:
 
 @dataclass(slots=True)
 class _Told:
-    """What a function of a device was told last.
+    """The last command to a function of a device.
 
     Args:
         kind: the type of the device.
@@ -255,7 +255,7 @@ class Recorder(Witness):
     def note_call(self, skill: str, args: Sequence[object]) -> None:
         """Note the call of a skill with arguments; see `note`."""
         if self.trace.log:
-            # There it is no step, because its arguments are kept.
+            # There it isn't a step, because its arguments are kept.
             self.called(skill, args, {})
         else:
             self._noted.append(_call(skill, args))
@@ -432,7 +432,7 @@ def _named(function: Any) -> str:
         return _named(reckoning.driver)
     name: str = getattr(function, "__qualname__", type(function).__name__)
     first, *inner = name.replace(".<lambda>", "").split(".<locals>")
-    # A function in a method is told as one of the class.
+    # A function in a method is reported as one of the class.
     return f"{first.rpartition('.')[0]}{inner[-1]}" if inner and inner[-1] else first
 
 

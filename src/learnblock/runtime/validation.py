@@ -1,4 +1,4 @@
-"""Whether what a child says can be true: its host believes no message unseen.
+"""Checks whether the messages of a child can be true: its host believes none unchecked.
 
 A program runs in the child, so it can send whatever it likes. The types of the messages limit the
 size of each field (`learnblock.runtime.messages`); here is checked what each field means.
@@ -108,7 +108,7 @@ class Validator:
         self._lines = 0
 
     def _check_input(self, _: messages.Input) -> None:
-        # A simulated world goes on meanwhile.
+        # A simulated world continues during it.
         self._lines = 0
 
     def _check_steps(self, message: messages.Steps) -> None:

@@ -195,7 +195,7 @@ class Wire:
             self.flush()
 
     def flush(self) -> None:
-        """Send the steps of the program and whatever else is queued."""
+        """Send the steps of the program and everything else in the queue."""
         with self.turn:
             if self._steps:
                 self._put_steps()

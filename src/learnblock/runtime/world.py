@@ -42,7 +42,7 @@ class World:
 
     def __init__(self, debugger: Debugger | None) -> None:
         self.simulation: Simulation | None = None
-        #: Whether no other program is in it, which would have to be woken meanwhile.
+        #: Whether no other program is in it, which would have to be woken.
         self.is_private = True
         self._debugger = debugger
         self._entering = threading.Lock()

@@ -47,7 +47,7 @@ def unknown_names(tree: ast.Module, code: CodeType) -> Iterator[Diagnostic]:
 
 
 def unknown_skills(tree: ast.Module, known: Collection[str]) -> Iterator[Diagnostic]:
-    """Report what is used of the robot although no robot has it.
+    """Report methods that are called on the robot although no robot has them.
 
     Args:
         tree: the syntax tree of a file.

@@ -1,4 +1,4 @@
-"""Rules that recognise a wrong line, and reword it: what is wrong, and what to write instead."""
+"""Rules that recognise a wrong line, name the mistake and say what to write instead."""
 
 import re
 from collections.abc import Callable, Sequence

@@ -28,7 +28,7 @@ def closing(brackets: Sequence[Token]) -> str:
 
 
 def end_of_values(tokens: Sequence[Token], end: int) -> int:
-    """The index of the last line end of values that go on below a line.
+    """The index of the last line end of values that continue below a line.
 
     Args:
         tokens: the program.

@@ -6,7 +6,7 @@ from types import MappingProxyType
 #: The robot then drives until the next command.
 MOVE_STRAIGHT = "move_straight(40)"
 
-#: Skills that do not exist, and a call that does what was meant.
+#: Skills that do not exist, and the call that was meant.
 SKILLS: Mapping[str, str] = MappingProxyType(
     {
         **dict.fromkeys(

@@ -1,4 +1,4 @@
-"""Find what could end a loop or a wait: no other line runs meanwhile, and no event."""
+"""Find what could end a loop or a wait, during which no other line runs and no event."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -54,7 +54,7 @@ _VARYING = frozenset(("elapsedTime", "random", "random_fraction", "choice", "inp
 _CHANGING = frozenset(
     ("append", "extend", "insert", "remove", "pop", "clear", "sort", "reverse", "shuffle")
 )
-#: The skills that answer what the robot was told to do, which only another command changes.
+#: The skills that return the last command to the robot, which only another command changes.
 _TOLD = frozenset(
     (
         *("is_moving_straight", "is_moving_left", "is_moving_right"),
@@ -63,7 +63,7 @@ _TOLD = frozenset(
         "is_Neutral",
     )
 )
-#: The skills that leave the robot doing what it does.
+#: The skills that leave the current movement as it is.
 _IDLE = frozenset(("sleep", "wait_until_still", "reset_timer"))
 _ORDERS: Mapping[str, Callable[[Any, Any], bool]] = MappingProxyType(
     {"==": eq, "!=": ne, "<": lt, "<=": le, ">": gt, ">=": ge}

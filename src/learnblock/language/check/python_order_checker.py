@@ -197,7 +197,7 @@ def _is_event(decorator: ast.expr) -> bool:
 
 
 def _certain(condition: ast.expr) -> ast.expr:
-    """The part of a condition that is evaluated whatever the others are."""
+    """The part of a condition that is evaluated in any case."""
     while True:
         match condition:
             case ast.BoolOp(values=[first, *_]) | ast.IfExp(test=first):

@@ -16,7 +16,7 @@ Texts = Mapping[str, str | None]
 
 @dataclass(frozen=True, slots=True)
 class Demand:
-    """A call of a skill, as far as it matters for what a robot needs.
+    """The parts of a skill's call that decide what a robot needs for it.
 
     Args:
         skill: its block.
@@ -142,7 +142,7 @@ def need_phrase(need: str) -> Phrase:
 
 
 def device_phrase(need: str) -> Phrase:
-    """What a skill needs, without a remark on who has it."""
+    """What a skill needs, without a remark on the robots that have it."""
     kind, _, key = need.partition(":")
     return Phrase("check-device", kind=kind, key=key)
 

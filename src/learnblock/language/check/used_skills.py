@@ -33,7 +33,7 @@ from learnblock.language.tree.nodes import (
 from learnblock.language.tree.traversal import all_expressions, statements
 from learnblock.senses import METHODS
 
-#: What a file with functions for other programs contains besides them.
+#: What else a file with functions for other programs may contain.
 _BESIDE_FUNCTIONS = Blank | Comment | Import | Setup
 #: Columns by which Block-Text indents a block.
 _INDENT = 4

@@ -258,7 +258,7 @@ def _evaluated(item: Item) -> Iterator[Expression]:
 
 
 def _certain(condition: Expression | None) -> Iterator[Expression]:
-    """The parts of a condition that are evaluated whatever the others are."""
+    """The parts of a condition that are evaluated in any case."""
     ahead = [] if condition is None else [condition]
     while ahead:
         node = ahead.pop()

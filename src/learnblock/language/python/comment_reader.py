@@ -160,5 +160,5 @@ class CommentReader(ExpressionReader):
 
 
 def _own_line(comment: markers.NotedComment, column: int) -> markers.NotedComment:
-    """A comment on a line of its own, where it is no marker."""
+    """A comment on a line of its own that isn't a marker."""
     return markers.NotedComment(column, markers.escaped(comment.text), own_line=True, inside=False)

@@ -97,7 +97,7 @@ def _parsed(text: str, filename: str) -> ast.Module:
 
 
 def _syntax_errors(error: SyntaxError, text: str) -> list[Diagnostic]:
-    """The first error, and what is found in other lines once the known slips are mended."""
+    """The first error, and those in other lines once the known slips are mended."""
     lines = text.split("\n")
     found: list[Diagnostic] = []
     rest: SyntaxError | None = error

@@ -10,7 +10,7 @@ import warnings
 from learnblock.i18n import Phrase
 from learnblock.language.tree.characters import foreign
 
-# A complete Python message, and the code of ours; the named groups become its values.
+# A complete Python message, and the code of our phrase; the named groups become its values.
 _MESSAGES = tuple(
     (re.compile(pattern), code)
     for pattern, code in (
@@ -56,7 +56,7 @@ _HEADERS = {
     "except": "try: pass\n",
     "finally": "try: pass\n",
 }
-#: A bracket is expected to be closed within so many lines.
+#: The number of lines within which a bracket is expected to be closed.
 _MOST_LINES = 20
 _TEXT = re.compile(r"\"[^\"]*\"|'[^']*'|#.*")
 _CLOSING = {"(": ")", "[": "]", "{": "}"}
@@ -93,7 +93,7 @@ class _Lines:
 
 
 def _with_advice(message: Phrase, error: SyntaxError, lines: _Lines) -> Phrase:
-    """A message with what the lines of the program tell about the way out."""
+    """A message with the correction that the lines of the program suggest."""
     number = error.lineno or 0
     if message.code == "python-missing-block":
         header = int(str(message.values["line"]))

@@ -1,4 +1,4 @@
-"""The functions of the language besides the robot's skills, and their Python."""
+"""The functions of the language other than the robot's skills, and their Python."""
 
 import ast
 import re

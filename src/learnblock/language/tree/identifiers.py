@@ -2,7 +2,8 @@
 
 import unicodedata
 
-#: What continues a name besides letters, digits and ``_``: accents, vowel signs, the Catalan point.
+#: What can follow in a name, in addition to letters, digits and ``_``: accents, vowel signs, the
+#: Catalan point.
 MARKS = (
     "\u00b7\u0300-\u036f\u0387\u0483-\u0487\u0591-\u05bd\u05bf\u05c1-\u05c2\u05c4-\u05c5"
     "\u05c7\u0610-\u061a\u064b-\u065f\u0670\u06d6-\u06dc\u06df-\u06e8\u06ea-\u06ed"

@@ -40,7 +40,7 @@ class Webcam(Closing):
         self._newest: cv2.typing.MatLike | None = None
         self._shown: cv2.typing.MatLike | None = None
         self._frame: Frame | None = None
-        #: The code of the phrase that says why there are no pictures.
+        #: The code of the phrase about why there are no pictures.
         self._trouble = ""
 
     def read(self) -> Frame | None:

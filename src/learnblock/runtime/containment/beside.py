@@ -1,4 +1,4 @@
-"""The files beside a program whose folder has other things in it, as a home folder has.
+"""The files next to a program whose folder has other things in it, as a home folder has.
 
 Landlock's right to list a folder holds for all folders below. So the program gets each of these
 files, but not the list of them, and a finder for the modules among them.
@@ -16,7 +16,7 @@ from types import ModuleType
 
 #: The most files; modules count first.
 MOST_FILES = 4096
-#: Where programs import the modules beside them: by their names alone, and like a library.
+#: Where programs import the modules next to them: by their names alone, and like a library.
 _PACKAGES = ("", "learnblock.libraries")
 
 

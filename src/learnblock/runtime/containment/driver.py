@@ -1,4 +1,4 @@
-"""What contains a robot's driver: the thread that calls it gives up what it does not need.
+"""Contains a robot's driver: the thread that calls it gives up the rights that it does not need.
 
 Landlock and seccomp apply to a thread and to the threads and programs that it starts later. The
 host of a run is a thread, so it can give up rights that the server's other threads keep.

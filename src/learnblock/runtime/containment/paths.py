@@ -54,7 +54,7 @@ def allowed_to_host(world: str | None) -> Iterator[tuple[str, int]]:
     for path in (*_SYSTEM, *_SETTINGS, *_installation(""), *own):
         yield path, landlock.READ
     if world and Path(world).is_file():
-        # A world may have a picture beside it.
+        # A world may have a picture in its folder.
         yield from _own_files(Path(world).resolve().parent)
 
 

@@ -51,7 +51,7 @@ class Scratch:
             self._is_removed = True
             removing = self._keeper.submit(_remove, self.path)
             self._keeper.shutdown(wait=False)
-            # What takes longer, such as on a network drive, goes on without its run.
+            # Slower work, such as on a network drive, continues without its run.
             with suppress(TimeoutError):
                 removing.result(_REMOVING)
 

@@ -1,4 +1,4 @@
-"""Instruments a program: the same program, which also tells what it does.
+"""Instruments a program: the same program, which also reports its steps.
 
 Each expression that the log wants to know is put into a call of a noting function, which returns
 its value unchanged. Lines stay as they are, so that errors, breakpoints and the trace do, too.
@@ -58,7 +58,7 @@ _JUMPS = {ast.Break: Kind.BREAK, ast.Continue: Kind.CONTINUE, ast.Pass: Kind.PAS
 
 @dataclass(frozen=True)
 class Instrumented:
-    """A program that tells what it does.
+    """A program that reports its steps.
 
     Args:
         tree: its syntax tree, with the lines of the original.
@@ -306,7 +306,7 @@ class _Instrumenting(ast.NodeTransformer):
     def _function_body(self, node: ast.FunctionDef, number: int) -> list[ast.stmt]:
         ahead = [*_declarations(node.body)]
         body = self.block(node.body[len(ahead) :]) or [ast.Pass(lineno=node.lineno, col_offset=0)]
-        # The line where Python says that the function begins, so that it is no line of its body.
+        # The line where Python says that the function begins, so that it isn't a line of its body.
         at = node.decorator_list[0] if node.decorator_list else node
         values = ast.Tuple([ast.Name(arg.arg, ast.Load()) for arg in node.args.args], ast.Load())
         left = self._statement(LEAVE, number, ast.Constant(None), at)
@@ -493,7 +493,7 @@ def _changed_list(value: ast.expr) -> str:
 
 
 def _declarations(body: Sequence[ast.stmt]) -> Iterable[ast.stmt]:
-    """What must stay ahead in a function: its docstring, and what is global."""
+    """What must come first in a function: its docstring and its `global` statements."""
     for statement in body:
         is_text = isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Constant)
         if not (is_text or isinstance(statement, ast.Global | ast.Nonlocal)):

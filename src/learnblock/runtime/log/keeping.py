@@ -18,7 +18,7 @@ from learnblock.runtime.program import Program
 #: The most bytes that a log keeps, and the most before they are compressed, since reading them
 #: takes seconds and thirty times as much memory; then the oldest detail goes.
 MOST_BYTES, MOST_UNPACKED = 32 * 1024 * 1024, 32 * 1024 * 1024
-#: A block is closed when it has so many bytes, or after so many seconds.
+#: The bytes and the seconds after which a block is closed.
 BLOCK, LONGEST_WAIT = 64 * 1024, 1.0
 #: What is given up in the end: also the world, which can then be shown only as it was recorded.
 _WORLDS = frozenset({Stream.WORLD, Stream.TEAM})
@@ -147,7 +147,7 @@ class RunLog:
             self._add(block, unpacked)
 
     def _add(self, block: Block, unpacked: int = 0) -> None:
-        """Keep a block, which has so many bytes unpacked."""
+        """Keep a block with its length in bytes, unpacked."""
         # The first lines of the world say what run it is.
         is_first = block.stream in _WORLDS - self._begun
         self._begun.add(block.stream)
@@ -210,7 +210,7 @@ class RunLog:
             self._give_file_up(error)
 
     def _give_file_up(self, error: OSError) -> None:
-        # A full disk, for example: the run goes on.
+        # A full disk, for example: the run continues.
         self.failure = error.strerror or str(error)
         if self._file:
             file, self._file = self._file, None
@@ -305,7 +305,7 @@ def _header(program: Program) -> dict[str, Any]:
     try:
         nodes = instrument(program.python).nodes
     except (SyntaxError, ValueError, RecursionError):
-        # The run itself says what is wrong with it.
+        # The run itself reports what is wrong with it.
         nodes = ()
     return {
         "learnblock": version(),

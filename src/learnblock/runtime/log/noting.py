@@ -17,9 +17,9 @@ from learnblock.runtime.log.events import Event, Op
 from learnblock.runtime.log.snapshots import snapshot
 from learnblock.runtime.messages import LARGEST_LOGGED
 
-#: At one moment of the robot, so many events are kept; then it notes nothing until time passes.
+#: The events kept of one moment of the robot; then nothing is noted until time passes.
 MOST_AT_ONE_TIME = 2000
-#: A batch is sent when it has so many events, or after so many seconds.
+#: The events and the seconds after which a batch is sent.
 BATCH, LONGEST_WAIT = 4000, 0.05
 #: So many events cannot be halved any more.
 LEAST_EVENTS = 2
@@ -35,11 +35,11 @@ _THROUGH: Callable[..., Any] = {}.get
 _LISTS = frozenset({list, dict, set})
 #: Values that may have lists in them.
 _HOLDERS = _LISTS | {tuple}
-#: The most lists whose contents are watched, and variables of a call that are told at once.
+#: The most lists whose contents are watched, and variables of a call that are reported at once.
 MOST_LISTS, MOST_VARIABLES = 50, 200
-#: The calls of functions whose variables are told: so many of the innermost.
+#: The number of innermost calls whose variables are reported.
 MOST_CALLS = 20
-#: A program that waits for so many ticks first sends what it has done.
+#: The length of a wait, in ticks, before which a program sends what it has done.
 LONG_WAIT = 100
 #: The longest list that is watched, since that keeps it in memory for a moment longer.
 LONGEST_LIST = 1000
@@ -80,7 +80,7 @@ class Noting:
         self._batch = 0
         self._builtins: dict[str, Any] = {}
         self._passes_through = False
-        #: By identity, the lists of the program's variables, and what was last said of each.
+        #: By identity, the lists of the program's variables, and what was last reported of each.
         self._lists: dict[int, tuple[Any, Any]] = {}
         #: Whether one of them may have changed since.
         self._may_differ = False
@@ -406,7 +406,7 @@ def _frames(frame: FrameType | None, filename: str) -> Iterator[FrameType]:
 
 def _variables(names: dict[str, Any]) -> Iterator[tuple[str, Any]]:
     seen = 0
-    # Another thread may change them meanwhile, and a program may give them any key.
+    # Another thread may change them at the same time, and a program may give them any key.
     for name, value in [*names.items()]:
         if (
             type(name) is str

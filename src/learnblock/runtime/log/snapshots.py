@@ -11,7 +11,7 @@ _PLAIN = frozenset({type(None), bool, float})
 
 
 def snapshot(value: Any, levels: int = DEEPEST) -> Any:
-    """A value as plain data; what is left out is said by ``{"more": number}`` or ``{"is": type}``.
+    """A value as plain data; omissions are marked by ``{"more": number}`` or ``{"is": type}``.
 
     It runs no code of the program.
     """
