@@ -14,7 +14,7 @@ from learnblock.running.batch import Batch, WarmProcess, _result
 from learnblock.running.job import Job
 from learnblock.running.warm import Prints, Sent
 from learnblock.runtime.ending import How
-from learnblock.runtime.limits import Limits
+from learnblock.runtime.limits import MEGABYTE, Limits
 from learnblock.runtime.program import Program
 from runs import EXAMPLES, WORLDS
 
@@ -34,10 +34,10 @@ def job(program, **options):
     return Job(program, EBO, Options(**{"world": "empty", "seconds": 3, **options}))
 
 
-def alone(one):
+def alone(one, limits=None):
     """The report of a job's run with a process of its own."""
     prints = Prints()
-    run = ProgramRun(one.program, one.robot, one.options, watcher=prints)
+    run = ProgramRun(one.program, one.robot, one.options, watcher=prints, limits=limits)
     return replace(run.run(), output=prints.text)
 
 
@@ -73,10 +73,11 @@ def test_a_plain_program_that_never_calls_its_robot_ends_as_alone():
 
 def test_a_plain_program_with_too_much_memory_ends_as_one_in_a_process():
     greedy = in_python("x = [0]\nwhile len(x) < 1e10:\n    x.extend(x)")
-    [result] = Batch([job(greedy)]).results()
+    limits = Limits(memory=1024 * MEGABYTE)
+    [result] = Batch([job(greedy)], limits=limits).results()
 
     assert result.report.ended == How.ERROR
-    assert result.report.error["message"] == alone(job(greedy)).error["message"]
+    assert result.report.error["message"] == alone(job(greedy), limits).error["message"]
 
 
 def test_a_kept_process_makes_the_runs_of_further_batches():

@@ -76,6 +76,7 @@ def run(tmp_path):
     return run
 
 
+@pytest.mark.exhaustive
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 def test_a_test_that_hangs_leaves_its_stacks_and_processes_and_the_run_goes_on(run):
     said = run(HANGS)

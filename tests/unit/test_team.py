@@ -89,10 +89,8 @@ def test_a_robot_is_called_like_its_program_with_a_number_if_needed(wishes, name
 
 def test_programs_in_one_world_leave_one_trace_that_is_the_same_every_time(member):
     team = member("a", DRIVE), member("b", DRIVE, "sim-thymio"), member("c", WAIT, "sim-ev3")
-    hashes = {play(*team, seed=5)[1].trace_sha256 for _ in range(3)}
-    assert len(hashes) == 1
     _, report, trace = play(*team, seed=5)
-    assert {report.trace_sha256} == hashes
+    assert play(*team, seed=5)[1].trace_sha256 == report.trace_sha256
     assert {"a", "b", "c"} == {line["robot"] for line in trace}
     assert ["a", "b", "c"] == [line["robot"] for line in trace if "run" in line]
     driven = {one.name: own.distance for one, own in report.robots}

@@ -20,7 +20,7 @@ from learnblock.runtime.program import Program
 from learnblock.runtime.run import Run
 from learnblock.runtime.trace import Trace, record
 from listener import Listener
-from waiting import wait_for
+from waiting import SECONDS, wait_for
 
 HEADER = "from learnblock.robots.tiny import Robot\nrobot = Robot()\n"
 
@@ -210,6 +210,16 @@ class Stage:
         ]
 
 
+@pytest.fixture(autouse=True)
+def ended_threads():
+    """Fail if a program goes on in a thread: it would compute beside all later tests."""
+    yield
+    for thread in threading.enumerate():
+        if thread.name == "program":
+            thread.join(SECONDS)
+            assert not thread.is_alive()
+
+
 @pytest.fixture
 def stage(tmp_path, monkeypatch):
     monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path / "home"))
@@ -231,5 +241,8 @@ def run(stage):
 
 @pytest.fixture
 def impatient():
-    """Limits for programs that do not end, long enough to start on a busy machine."""
-    return Limits(silence=1.0, blocked=3.0)
+    """Limits for programs that do not end.
+
+    They count what a program itself does, so that a busy machine does not matter.
+    """
+    return Limits(silence=0.3, blocked=0.5)

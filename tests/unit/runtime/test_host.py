@@ -3,6 +3,7 @@
 import signal
 import sys
 import threading
+from functools import partial
 
 import pytest
 
@@ -31,6 +32,12 @@ FINISHED = Phrase("run-finished")
 BROKEN = Phrase("OSError: the cable is out")
 needs_posix = pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 needs_linux = pytest.mark.skipif(sys.platform != "linux", reason="needs the states of Linux")
+
+
+@pytest.fixture
+def run_here(run):
+    """Run a program in a thread, where the claim is not about a process."""
+    return partial(run, worker=ThreadWorker)
 
 
 def endless(lines):
@@ -306,34 +313,34 @@ def test_a_program_that_gets_no_processor_is_not_ended(run, worker, how):
     assert run(source, limits=limits, worker=worker).how == how
 
 
-def test_an_error_in_the_python_names_its_line(run):
-    result = run("def f(x:\n    pass")
+def test_an_error_in_the_python_names_its_line(run_here):
+    result = run_here("def f(x:\n    pass")
     assert result.ending == Ending(How.ERROR, Phrase("SyntaxError: '(' was never closed"), 3)
 
 
-def test_a_stop_that_fails_is_reported_if_nothing_else_went_wrong(run):
-    result = run("", broken={"disconnect"})
+def test_a_stop_that_fails_is_reported_if_nothing_else_went_wrong(run_here):
+    result = run_here("", broken={"disconnect"})
     assert How.ERROR == result.how
     assert result.ending.phrase == Phrase("run-robot-not-stopped", reason=BROKEN)
 
 
-def test_a_stop_that_fails_does_not_hide_an_earlier_error(run):
-    ending = run("1 / 0", broken={"disconnect"}).ending
+def test_a_stop_that_fails_does_not_hide_an_earlier_error(run_here):
+    ending = run_here("1 / 0", broken={"disconnect"}).ending
     assert ending.phrase.values["error"] == "ZeroDivisionError: division by zero"
 
 
-def test_a_stop_that_fails_in_the_program_is_reported_too(run):
-    result = run("robot.stop()", broken={"disconnect"})
+def test_a_stop_that_fails_in_the_program_is_reported_too(run_here):
+    result = run_here("robot.stop()", broken={"disconnect"})
     assert result.ending.phrase == Phrase("run-robot-not-stopped", reason=BROKEN)
     assert result.log.count(("disconnect",)) == 1
 
 
-def test_motors_that_do_not_stop_are_still_disconnected(run):
-    assert run("", broken={"move"}).log == [("move", 0.0, 0.0), ("disconnect",)]
+def test_motors_that_do_not_stop_are_still_disconnected(run_here):
+    assert run_here("", broken={"move"}).log == [("move", 0.0, 0.0), ("disconnect",)]
 
 
-def test_a_failing_sensor_raises_at_the_line_that_reads_it(run):
-    result = run(
+def test_a_failing_sensor_raises_at_the_line_that_reads_it(run_here):
+    result = run_here(
         "from learnblock.devices import DistanceSensors\n\nrobot.read(DistanceSensors)",
         broken={"read"},
     )
@@ -348,28 +355,28 @@ def test_a_command_that_fails_ends_the_program(run):
 
 
 @pytest.mark.parametrize("error", [OSError("no such port"), TypeError("no argument `speed`")])
-def test_a_robot_that_cannot_be_created_is_reported_at_its_line(run, error):
+def test_a_robot_that_cannot_be_created_is_reported_at_its_line(run_here, error):
     def fail(module, arguments):
         raise error
 
-    result = run("", make_robot=fail)
+    result = run_here("", make_robot=fail)
     assert result.ending.line == 2
     reason = Phrase(f"{type(error).__name__}: {error}")
     assert result.ending.phrase == Phrase("run-robot-not-created", reason=reason)
 
 
-def test_a_program_has_one_robot_at_a_time(run):
-    result = run("Robot()")
+def test_a_program_has_one_robot_at_a_time(run_here):
+    result = run_here("Robot()")
     assert result.ending.phrase == Phrase("run-second-robot")
 
 
-def test_a_second_robot_may_follow_the_first(run):
-    result = run("robot.stop()\nwith Robot() as robot: print(robot.stopped)")
+def test_a_second_robot_may_follow_the_first(run_here):
+    result = run_here("robot.stop()\nwith Robot() as robot: print(robot.stopped)")
     assert (How.FINISHED, "False\n") == (result.how, result.output)
 
 
-def test_a_device_kept_after_the_stop_cannot_be_used(run):
-    result = run(
+def test_a_device_kept_after_the_stop_cannot_be_used(run_here):
+    result = run_here(
         "from learnblock.devices import Base\n"
         "base = robot.device(Base)\nrobot.stop()\nbase.move(100, 0)\nrobot.sleep"
     )
@@ -377,8 +384,8 @@ def test_a_device_kept_after_the_stop_cannot_be_used(run):
     assert result.ending.phrase == Phrase("run-robot-stopped")
 
 
-def test_a_gyroscope_reset_is_seen_at_once(run):
-    result = run(
+def test_a_gyroscope_reset_is_seen_at_once(run_here):
+    result = run_here(
         "from learnblock.devices import Gyroscope\n"
         "gyroscope = robot.device(Gyroscope, 'Z_AXIS')\n"
         "print(gyroscope.read())\ngyroscope.reset()\nprint(gyroscope.read())"
@@ -387,8 +394,8 @@ def test_a_gyroscope_reset_is_seen_at_once(run):
     assert [event["do"] for event in result.events if "device" in event] == ["reset", "move"]
 
 
-def test_a_frame_crosses_to_the_robot_as_a_picture(run):
-    result = run(
+def test_a_frame_crosses_to_the_robot_as_a_picture(run_here):
+    result = run_here(
         "import numpy\nfrom learnblock.devices import Display\n"
         "robot.device(Display).show_image(numpy.full((2, 3, 3), 7, numpy.uint8))"
     )
@@ -399,22 +406,22 @@ def test_a_frame_crosses_to_the_robot_as_a_picture(run):
     ).items()
 
 
-def test_input_comes_from_the_watcher(run):
-    result = run("print('hello', input('name? '))", answers=["Ada"])
+def test_input_comes_from_the_watcher(run_here):
+    result = run_here("print('hello', input('name? '))", answers=["Ada"])
     assert result.output == "name? hello Ada\n"
 
 
-def test_a_sleep_takes_time_of_the_world(run):
-    assert run("robot.clock.sleep(1.234)\nprint(robot.clock.time())").output == "1.24\n"
+def test_a_sleep_takes_time_of_the_world(run_here):
+    assert run_here("robot.clock.sleep(1.234)\nprint(robot.clock.time())").output == "1.24\n"
 
 
-def test_a_poll_without_a_sleep_moves_the_world(run):
-    result = run("while robot.time() < 0.05: pass\nprint(robot.clock.time())")
+def test_a_poll_without_a_sleep_moves_the_world(run_here):
+    result = run_here("while robot.time() < 0.05: pass\nprint(robot.clock.time())")
     assert result.output == "0.05\n"
 
 
-def test_a_time_limit_is_not_an_error(run):
-    result = run("n = 0\nwhile True:\n    robot.clock.sleep(0.3)\n    n += 1\n", seconds=1)
+def test_a_time_limit_is_not_an_error(run_here):
+    result = run_here("n = 0\nwhile True:\n    robot.clock.sleep(0.3)\n    n += 1\n", seconds=1)
     assert result.ending == Ending(How.TIME_LIMIT, Phrase("run-time-limit", seconds=1), 5)
     assert result.ending.well
     assert result.run.recorder.time() == 1.0
@@ -453,6 +460,7 @@ def test_programs_in_one_world_take_turns_in_order(stage):
             f"    print('{name}', robot.clock.time())",
             label={"robot": name},
             watcher=shared,
+            worker=ThreadWorker,
         )
     stage.host().run()
     assert shared.text == [
@@ -547,8 +555,8 @@ def test_a_trace_is_the_same_every_time_in_a_process_and_in_a_thread(stage):
     assert addresses[0] == addresses[1] == addresses[2]
 
 
-def test_nothing_is_recorded_after_the_robot_was_stopped(run):
-    result = run("robot.stop()\nprint('bye')")
+def test_nothing_is_recorded_after_the_robot_was_stopped(run_here):
+    result = run_here("robot.stop()\nprint('bye')")
     assert [key for event in result.events for key in event][-2:] == ["t", "end"]
     assert b"bye" not in result.trace
     assert result.output == "bye\n"
@@ -559,21 +567,21 @@ def test_a_programs_module_is_found_next_to_it(run, tmp_path):
     assert run("from helper import greet\ngreet()", folder=str(tmp_path)).output == "hello\n"
 
 
-def test_third_party_robots_come_from_their_own_modules(run):
-    result = run("print(robot.stopped)", header="from acme.rover import Robot\nrobot = Robot()\n",
-                 robots=("acme.rover",))  # fmt: skip
+def test_third_party_robots_come_from_their_own_modules(run_here):
+    header = "from acme.rover import Robot\nrobot = Robot()\n"
+    result = run_here("print(robot.stopped)", header=header, robots=("acme.rover",))
     assert result.output == "False\n"
 
 
 @pytest.mark.certain
-def test_lines_reach_the_watcher_and_the_trace_in_order(run):
-    result = run("x = 1\nfor i in range(2):\n    x += i\nrobot.time()")
+def test_lines_reach_the_watcher_and_the_trace_in_order(run_here):
+    result = run_here("x = 1\nfor i in range(2):\n    x += i\nrobot.time()")
     assert [3, 4, 5, 4, 5, 4, 6] == result.lines
     assert result.lines == [event["line"] for event in result.events if "line" in event]
 
 
-def test_lines_at_one_time_are_limited(run):
-    result = run("for i in range(5000):\n    x = i\nrobot.time()")
+def test_lines_at_one_time_are_limited(run_here):
+    result = run_here("for i in range(5000):\n    x = i\nrobot.time()")
     assert 1000 == len(result.lines)
 
 
@@ -597,8 +605,8 @@ def test_an_endless_loop_in_a_skill_of_the_user_s_is_stopped_with_its_line(
     assert result.ending.file_line in {2, 3}
 
 
-def test_ending_a_run_twice_does_nothing(run):
-    result = run("pass")
+def test_ending_a_run_twice_does_nothing(run_here):
+    result = run_here("pass")
     result.run.end()
     assert result.log.count(("disconnect",)) == 1
 
@@ -633,7 +641,7 @@ def test_a_debugged_loop_without_a_call_is_ended_too(run, impatient):
     assert How.NO_CALL == result.how
 
 
-def test_a_device_of_a_type_that_programs_cannot_reach_is_named(run):
+def test_a_device_of_a_type_that_programs_cannot_reach_is_named(run_here):
     class Gripper(Device):
         pass
 
@@ -641,7 +649,7 @@ def test_a_device_of_a_type_that_programs_cannot_reach_is_named(run):
         def connect(self):
             self.add(Gripper(close=bool))
 
-    result = run("", make_robot=lambda module, arguments: Rover(skills=[]))
+    result = run_here("", make_robot=lambda module, arguments: Rover(skills=[]))
     assert result.ending.phrase.code == "run-unknown-device"
     assert result.ending.phrase.values["device"] == "Gripper"
 
@@ -661,8 +669,8 @@ def test_the_number_of_open_files_is_limited(run):
 @pytest.mark.parametrize(
     "argument", ["10**30", "'\\ud800'", "[[[[[]]]]]", "{(1, 2): 3}", "object()"]
 )
-def test_an_argument_that_cannot_be_sent_is_recorded_by_its_description(run, argument):
-    result = run(f"robot.say_Text({argument})\nrobot.clock.sleep(1)\nprint('on')")
+def test_an_argument_that_cannot_be_sent_is_recorded_by_its_description(run_here, argument):
+    result = run_here(f"robot.say_Text({argument})\nrobot.clock.sleep(1)\nprint('on')")
     assert (How.FINISHED, "on\n") == (result.how, result.output)
     assert ["say_Text"] == [event["call"] for event in result.events if "call" in event]
     assert result.run.recorder.missed == {("say_Text", "Speaker:ROBOT"): 1}

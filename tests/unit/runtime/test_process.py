@@ -18,6 +18,7 @@ from learnblock.runtime.messages import (
     Ended,
     FromChild,
     FromHost,
+    Input,
     Printed,
     Setup,
 )
@@ -80,11 +81,25 @@ def test_a_program_that_reads_nothing_does_not_keep_its_host_waiting(monkeypatch
         worker.kill()
 
 
-def test_an_aborted_program_is_noticed_at_once(worker):
-    worker.link.send(setup("while True:\n    pass"))
+def test_an_aborted_program_is_noticed_at_once_even_in_a_call(worker):
+    worker.link.send(setup("input()"))
+    assert worker.link.receive(10) == Contained()
+    assert worker.link.receive(10) == Input("")
     worker.abort()
     with pytest.raises(EOFError):
         worker.link.receive(10)
+
+
+def test_an_aborted_process_is_noticed_at_once_even_if_it_computes():
+    # A thread would compute beside all later tests.
+    worker = ProcessWorker()
+    try:
+        worker.link.send(setup("while True:\n    pass"))
+        worker.abort()
+        with pytest.raises(EOFError):
+            worker.link.receive(10)
+    finally:
+        worker.kill()
 
 
 def test_an_interrupted_program_reports_its_line(worker):

@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from learnblock.runtime.process import ProcessWorker
+from learnblock.runtime.process import ThreadWorker
 
 # A simulated robot small enough for a test, as a module next to the program.
 TINY = """
@@ -67,7 +67,7 @@ HEADER = "from tiny import Robot\nrobot = Robot()\n"
 
 def test_a_program_without_a_host_has_the_same_trace(tmp_path, run):
     done, trace = alone(tmp_path, HEADER + PROGRAM)
-    hosted = run(PROGRAM, worker=ProcessWorker)
+    hosted = run(PROGRAM)
     assert trace[1:] == hosted.events[1:]
     assert done.stdout == hosted.output
 
@@ -85,7 +85,7 @@ def test_a_program_without_a_host_has_the_same_trace(tmp_path, run):
 def test_a_trace_ends_like_the_program_standalone_and_hosted(tmp_path, run, source, how):
     _, trace = alone(tmp_path, HEADER + source)
     assert trace[-1] == {"t": 0.0, "end": how}
-    assert trace[1:] == run(source).events[1:]
+    assert trace[1:] == run(source, worker=ThreadWorker).events[1:]
 
 
 def test_lines_of_a_function_that_creates_the_robot_are_traced(tmp_path):

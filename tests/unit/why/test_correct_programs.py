@@ -45,6 +45,7 @@ BLAME = frozenset(
 )
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(("name", "robot", "world"), EXAMPLES, ids=[one[0] for one in EXAMPLES])
 def test_nothing_is_blamed_that_is_right(name, robot, world):
     run = logged_example(name, robot, world=world, seconds=6, seed=1)

@@ -30,6 +30,7 @@ def test_a_drawing_goes_on_in_a_kept_world_where_its_robot_is():
     assert differences(run) == []
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize("seed", range(100, 120))
 def test_a_random_program_is_shown_as_it_was(seed, tmp_path):
     run = remembered(random_job(tmp_path, seed), 8, seed, Watcher)
