@@ -176,13 +176,14 @@ def locate(kind: str, name_or_path: str | Path, folders: Sequence[Path]) -> Path
     Raises:
         UnknownNameError: no folder has it, or there is no file at the path.
     """
-    known = names(folders)
-    if str(name_or_path) in known:
-        return known[str(name_or_path)]
     path = Path(name_or_path)
+    if path.name == str(name_or_path):
+        for folder in folders:
+            if (file := Path(folder) / f"{path.name}.toml").is_file():
+                return file
     if path.suffix == ".toml" and path.is_file():
         return path
-    raise UnknownNameError(kind, str(name_or_path), known)
+    raise UnknownNameError(kind, str(name_or_path), names(folders))
 
 
 def names(folders: Sequence[Path]) -> dict[str, Path]:
