@@ -8,6 +8,7 @@ and the line.
 import re
 import tomllib
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeVar
@@ -179,11 +180,18 @@ def locate(kind: str, name_or_path: str | Path, folders: Sequence[Path]) -> Path
     path = Path(name_or_path)
     if path.name == str(name_or_path):
         for folder in folders:
-            if (file := Path(folder) / f"{path.name}.toml").is_file():
+            if _is_file(file := Path(folder) / f"{path.name}.toml"):
                 return file
-    if path.suffix == ".toml" and path.is_file():
+    if path.suffix == ".toml" and _is_file(path):
         return path
     raise UnknownNameError(kind, str(name_or_path), names(folders))
+
+
+def _is_file(path: Path) -> bool:
+    # No file has a name that is too long for the system.
+    with suppress(OSError):
+        return path.is_file()
+    return False
 
 
 def names(folders: Sequence[Path]) -> dict[str, Path]:
