@@ -1,5 +1,6 @@
 """Fixtures and settings of all tests."""
 
+import gc
 import os
 import signal
 import subprocess
@@ -66,6 +67,12 @@ def pytest_collection_modifyitems(items):
         # The tests of a file share fixtures, such as a server, so one worker runs them all.
         if item.get_closest_marker("spread") is None:
             item.add_marker(pytest.mark.xdist_group(str(item.path.relative_to(TESTS))))
+
+
+def pytest_collection_finish():
+    # As a server does too: otherwise each collection of garbage, as after a run, looks at all tests
+    # that there are, which takes a third of a second and holds up every thread.
+    gc.freeze()
 
 
 def _turn(item):

@@ -7,6 +7,7 @@ directions are degrees clockwise, 0 is straight ahead.
 import math
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from functools import cache
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -302,9 +303,17 @@ def load_robot(name_or_path: str | Path, folders: Sequence[Path] = ()) -> RobotD
         RobotDescriptionError: the file is invalid.
     """
     file = toml_source.locate("simulated-robot", name_or_path, [*folders, SHIPPED_ROBOTS])
+    return _shipped(file) if file.parent == SHIPPED_ROBOTS else _read(file)
+
+
+def _read(file: Path) -> RobotDescription:
     robot = toml_source.read(file, RobotFile, RobotDescriptionError, check)
     values = {field: getattr(robot, field) for field in RobotFile.__struct_fields__}
     return RobotDescription(name=file.stem, **values)
+
+
+#: A robot's class is asked for its description again and again.
+_shipped = cache(_read)
 
 
 def robot_names(folders: Sequence[Path] = ()) -> tuple[str, ...]:

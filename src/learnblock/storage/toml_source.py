@@ -8,6 +8,7 @@ and the line.
 import re
 import tomllib
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeVar
@@ -176,13 +177,21 @@ def locate(kind: str, name_or_path: str | Path, folders: Sequence[Path]) -> Path
     Raises:
         UnknownNameError: no folder has it, or there is no file at the path.
     """
-    known = names(folders)
-    if str(name_or_path) in known:
-        return known[str(name_or_path)]
     path = Path(name_or_path)
-    if path.suffix == ".toml" and path.is_file():
+    if path.name == str(name_or_path):
+        for folder in folders:
+            if _is_file(file := Path(folder) / f"{path.name}.toml"):
+                return file
+    if path.suffix == ".toml" and _is_file(path):
         return path
-    raise UnknownNameError(kind, str(name_or_path), known)
+    raise UnknownNameError(kind, str(name_or_path), names(folders))
+
+
+def _is_file(path: Path) -> bool:
+    # No file has a name that is too long for the system.
+    with suppress(OSError):
+        return path.is_file()
+    return False
 
 
 def names(folders: Sequence[Path]) -> dict[str, Path]:

@@ -89,6 +89,12 @@ def test_an_unknown_world_is_answered_with_a_near_name() -> None:
         load_world("labyrint")
 
 
+@pytest.mark.parametrize("name", ["", ".", "..", "../worlds/line", "x" * 300, "line\0", "line/"])
+def test_what_can_be_no_name_is_an_unknown_world(name: str) -> None:
+    with pytest.raises(UnknownNameError):
+        load_world(name)
+
+
 def test_an_unknown_robot_is_answered_with_a_near_name() -> None:
     with pytest.raises(UnknownNameError, match="Did you mean 'thymio'"):
         load_robot("tymio")
