@@ -19,8 +19,10 @@ from learnblock.server.messages import New
 from learnblock.server.pages import projecting
 from places import ROOT
 
-#: The folder for the screenshots of the tests.
-ARTEFACTS = Path(os.environ.get("LEARNBLOCK_ARTEFACTS", ROOT / "build" / "screenshots"))
+#: The folder for the screenshots of the tests; None if nobody wants to look at them.
+ARTEFACTS = Path(folder) if (folder := os.environ.get("LEARNBLOCK_ARTEFACTS")) else None
+#: The folder for a screenshot of a failure.
+FAILURES = ARTEFACTS or ROOT / "build" / "screenshots"
 #: The first has no window, which saves a tenth of the time.
 BROWSERS = (
     "chromium-headless-shell",

@@ -28,7 +28,7 @@ if __name__ == "__main__":
     sys.path[:0] = [str(TESTS), str(TESTS / "helpers")]
 
 from browser.acts import ROOMS, Monkey
-from browser.conftest import ARTEFACTS, SOFTWARE_RENDERING, Server, chromium
+from browser.conftest import FAILURES, SOFTWARE_RENDERING, Server, chromium
 from browser.pupil import TIMEOUT, Pupil
 
 #: Actions between two checks that the page still answers.
@@ -99,7 +99,7 @@ def run_monkey(browser, home, *, seed, seconds):
     diary = Diary(seed)
     log = home / "log.txt"
     with log.open("w") as errors, _serving(home, errors) as server:
-        pupil = Pupil(browser, server, ARTEFACTS, f"monkey-{seed}")
+        pupil = Pupil(browser, server, FAILURES, f"monkey-{seed}")
         monkey = Monkey(pupil, random.Random(seed))  # noqa: S311 - repeatable, not secret
         try:
             _run_monkey(monkey, Watch(pupil, log), diary, seconds)
@@ -108,7 +108,7 @@ def run_monkey(browser, home, *, seed, seconds):
             diary.failure = repr(error)
             return diary
         except (AssertionError, Error) as error:
-            diary.failure = f"{type(error).__name__}: {error}\nsee failure.png in {ARTEFACTS}"
+            diary.failure = f"{type(error).__name__}: {error}\nsee failure.png in {FAILURES}"
             pupil.picture("failure")
         pupil.context.close()
     return diary

@@ -25,6 +25,13 @@ HAVE_RUN = """kinds => {
     for (const classes of ran) if (classes.includes(left[0])) left.shift();
     return left.length === 0;
 }"""
+#: Makes a browser that cannot draw in 3D.
+FLAT = """{
+    const all = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...options) {
+        return kind.startsWith("webgl") ? null : all.call(this, kind, ...options);
+    };
+}"""
 #: The commands of the page's menus, by the name of the menu's button.
 MENUS = {
     "View and robot": (
@@ -73,11 +80,13 @@ class Pupil:
     Args:
         browser: the browser.
         server: the server of the page.
-        artefacts: the folder for screenshots.
+        artefacts: the folder for screenshots; None for none.
         test: the name of the test, used for its screenshots.
         tour: whether the first-run tour is shown.
         empty: whether the page opens a new, empty project instead of the last one.
         start: whether the page opens without a project, as newcomers see it.
+        flat: whether the browser cannot draw in 3D, so that the page shows no picture of the world;
+            without a graphics card that takes half of the time in which a page opens.
         options: options of the browser context, such as ``viewport`` or ``has_touch``.
     """
 
@@ -91,6 +100,7 @@ class Pupil:
         tour=False,
         empty=False,
         start=False,
+        flat=False,
         stage="explorer",
         language="en",
         theme="light",
@@ -98,10 +108,12 @@ class Pupil:
     ):
         self.errors = []
         self.foreign = []
-        self._pictures = artefacts / re.sub(r"[^\w-]+", "-", test)
+        self._pictures = artefacts and artefacts / re.sub(r"[^\w-]+", "-", test)
         options = {"viewport": {"width": 1366, "height": 768}, "locale": language, **options}
         self.context = browser.new_context(**options)
         self.context.set_default_timeout(TIMEOUT)
+        if flat:
+            self.context.add_init_script(FLAT)
         if not tour:
             layout = {"layout": LAYOUT} if stage == "explorer" and not start else {}
             likes = json.dumps(
@@ -148,9 +160,10 @@ class Pupil:
         return page
 
     def picture(self, name):
-        """Save a screenshot."""
-        self._pictures.mkdir(parents=True, exist_ok=True)
-        self.page.screenshot(path=self._pictures / f"{name}.png")
+        """Save a screenshot, if there is a folder for it."""
+        if self._pictures:
+            self._pictures.mkdir(parents=True, exist_ok=True)
+            self.page.screenshot(path=self._pictures / f"{name}.png")
 
     # Projects.
 
@@ -377,8 +390,14 @@ class Pupil:
             self.scroll_to_offered(more)
             more.click()
 
-    def take(self, category, kind, words=""):
-        """Drag the first block with these words from the palette to an empty spot.
+    def take(self, category, kind, words="", to=None):
+        """Drag the first block with these words out of the palette.
+
+        Args:
+            category: the group of the palette.
+            kind: the type of the block.
+            words: on the block.
+            to: returns where to, once the palette is open; None for an empty spot.
 
         Returns:
             Its id.
@@ -389,8 +408,7 @@ class Pupil:
             self.show_more_blocks()
         self.scroll_to_offered(offered)
         known = self.block_ids()
-        ground = box_of(self.page.locator(f"{WORKSPACE} .blocklyMainBackground"))
-        self._drag(offered, (ground["x"] + 0.62 * ground["width"], ground["y"] + 60))
+        self._drag(offered, to() if to else self.empty_spot())
         expect(self.page.locator(f"{WORKSPACE} .blocklyDragging")).to_have_count(0)
         return next(one for one in self.block_ids() if one not in known)
 
@@ -400,17 +418,16 @@ class Pupil:
         self.page.locator(".blocklyFlyoutButton").first.click()
         self.answer(name)
 
-    def set_variable(self, name, value):
+    def set_variable(self, name, value, to=None):
         """Take a block that sets a variable to a number; return its id."""
-        block = self.take("Variables", "variables_set")
+        block = self.take("Variables", "variables_set", to=to)
         self.choose_in(block, name)
         self.put_number(block, value)
         return block
 
     def put_number(self, block, value):
         """Plug a number into the first empty input of a block."""
-        number = self.take("Maths", "math_number")
-        self.put_on(number, self.hole(block))
+        number = self.take("Maths", "math_number", to=lambda: self.on(self.hole(block)))
         self.fill(self.block(number), value)
 
     def choose_in(self, block, choice):
@@ -444,21 +461,42 @@ class Pupil:
 
     def put_into(self, block, hat):
         """Put a statement into a hat, as the first one."""
-        self._drag(self.block(block), self._corner(self.block(hat), *FIRST_IN_HAT))
+        self._drag(self.block(block), self.inside(hat))
 
     def put_into_loop(self, block, loop):
         """Put a statement into a loop, as the first one."""
-        self._drag(self.block(block), self._corner(self.block(loop), *FIRST_IN_LOOP))
+        self._drag(self.block(block), self.inside_loop(loop))
 
     def put_below(self, block, above):
         """Put a statement below another."""
-        path = box_of(self.block(above).locator("> .blocklyPath").first)
-        self._drag(self.block(block), (path["x"], path["y"] + path["height"] - 8 * SCALE))
+        self._drag(self.block(block), self.below(above))
 
     def put_on(self, block, value):
         """Plug in a value in place of another value or into an empty input."""
+        self._drag(self.block(block), self.on(value))
+
+    def empty_spot(self):
+        """Return where no blocks are."""
+        ground = box_of(self.page.locator(f"{WORKSPACE} .blocklyMainBackground"))
+        return ground["x"] + 0.62 * ground["width"], ground["y"] + 60
+
+    def inside(self, hat):
+        """Return where the corner of the first statement in a hat is."""
+        return self._corner(self.block(hat), *FIRST_IN_HAT)
+
+    def inside_loop(self, loop):
+        """Return where the corner of the first statement in a loop is."""
+        return self._corner(self.block(loop), *FIRST_IN_LOOP)
+
+    def below(self, above):
+        """Return where the corner of the statement after another is."""
+        path = box_of(self.block(above).locator("> .blocklyPath").first)
+        return path["x"], path["y"] + path["height"] - 8 * SCALE
+
+    def on(self, value):
+        """Return where the corner of a value is that takes the place of another."""
         box = box_of(value)
-        self._drag(self.block(block), (box["x"] + 4, box["y"] + 4))
+        return box["x"] + 4, box["y"] + 4
 
     def fill(self, field, text):
         """Type into a field of a block."""
@@ -540,7 +578,6 @@ class Pupil:
             mouse.move(
                 box["x"] + grip[0] + part * (to[0] - box["x"]),
                 box["y"] + grip[1] + part * (to[1] - box["y"]),
-                steps=4,
             )
         yield
         mouse.up()

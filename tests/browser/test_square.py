@@ -58,40 +58,34 @@ def test_listing_4_is_built_by_dragging_blocks_and_the_robot_closes_the_square(p
 def build_listing_4(pupil):
     for name in ("angle", "times"):
         pupil.make_variable(name)
-    times = pupil.set_variable("times", "0")
-    pupil.put_into(times, pupil.blocks("lb_main").get_attribute("data-id"))
+    main = pupil.blocks("lb_main").get_attribute("data-id")
+    times = pupil.set_variable("times", "0", to=lambda: pupil.inside(main))
     angle = pupil.set_variable("angle", "90")
+    # Most are dragged to where they belong at once; this one is moved later.
     pupil.put_below(angle, times)
-    reset = pupil.take("Move", "lb_skill_reset_orientation")
-    pupil.put_below(reset, angle)
-    loop = pupil.take("Control", "controls_whileUntil")
-    pupil.put_below(loop, reset)
+    reset = pupil.take("Move", "lb_skill_reset_orientation", to=lambda: pupil.below(angle))
+    loop = pupil.take("Control", "controls_whileUntil", to=lambda: pupil.below(reset))
     fewer_than_four(pupil, loop)
     turn_a_corner(pupil, loop)
 
 
 def fewer_than_four(pupil, loop):
-    comparison = pupil.take("Maths", "logic_compare")
-    pupil.put_on(comparison, pupil.hole(loop))
+    comparison = pupil.take("Maths", "logic_compare", to=lambda: pupil.on(pupil.hole(loop)))
     pupil.choose_in(comparison, "<")
-    times = pupil.take("Variables", "variables_get", "times")
-    pupil.put_on(times, pupil.hole(comparison))
+    left = pupil.hole(comparison)
+    pupil.take("Variables", "variables_get", "times", to=lambda: pupil.on(left))
     pupil.put_number(comparison, "4")
 
 
 def turn_a_corner(pupil, loop):
-    ahead = pupil.take("Move", "lb_skill_move_straight")
-    pupil.put_into_loop(ahead, loop)
-    wait = pupil.take("Control", "lb_skill_sleep")
-    pupil.put_below(wait, ahead)
+    ahead = pupil.take("Move", "lb_skill_move_straight", to=lambda: pupil.inside_loop(loop))
+    stop = pupil.take("Move", "lb_skill_stop_bot", to=lambda: pupil.below(ahead))
+    turn = pupil.take("Move", "lb_skill_set_orientation", to=lambda: pupil.below(stop))
+    wait = pupil.take("Control", "lb_skill_sleep", to=lambda: pupil.below(ahead))
     pupil.fill(pupil.hole(wait), "5")
-    stop = pupil.take("Move", "lb_skill_stop_bot")
-    pupil.put_below(stop, wait)
-    turn = pupil.take("Move", "lb_skill_set_orientation")
-    pupil.put_below(turn, stop)
-    pupil.put_on(pupil.take("Variables", "variables_get", "angle"), pupil.hole(turn))
+    direction = pupil.hole(turn)
+    pupil.take("Variables", "variables_get", "angle", to=lambda: pupil.on(direction))
     for name, change in (("angle", "90"), ("times", "1")):
-        count = pupil.take("Variables", "math_change")
-        pupil.put_below(count, turn)
+        count = pupil.take("Variables", "math_change", to=lambda: pupil.below(turn))
         pupil.choose_in(count, name)
         pupil.fill(pupil.hole(count), change)

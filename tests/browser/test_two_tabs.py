@@ -13,7 +13,7 @@ main:
 end
 """
 VIEWS = ("blocktext", "python")
-DIGITS = "1234567890" * 2
+DIGITS = "1234567890"
 #: A page sends an edit with one of its next frames.
 SOME_FRAMES = """async () => {
     for (let frame = 0; frame < 3; frame++) {
@@ -25,7 +25,7 @@ SOME_FRAMES = """async () => {
 @pytest.fixture
 def tabs(sit_down, server):
     """Two tabs that show the same program in all views."""
-    pupil = sit_down(server, empty=True)
+    pupil = sit_down(server, empty=True, flat=True)
     first, second = pupil.page, pupil.open(pupil.page.url)
     pupil.write("blocktext", PROGRAM)
     for pupil.page in (second, first):

@@ -25,7 +25,7 @@ if __name__ == "__main__":
     # pytest does this for its tests.
     sys.path[:0] = [str(Path(__file__).parents[1] / "helpers"), str(Path(__file__).parents[1])]
 
-from browser.conftest import ARTEFACTS, SOFTWARE_RENDERING, Server, chromium
+from browser.conftest import FAILURES, SOFTWARE_RENDERING, Server, chromium
 from browser.jitter import Jitter
 from browser.pupil import TIMEOUT, Pupil
 
@@ -192,7 +192,7 @@ def _writers(browser, server, chance, stack):
     first = None
     for name in PAGES:
         line = stack.enter_context(Jitter(server.port, chance, 0))
-        pupil = Pupil(browser, Behind(server, line), ARTEFACTS, "together")
+        pupil = Pupil(browser, Behind(server, line), FAILURES, "together")
         stack.callback(pupil.context.close)
         if first is None:
             pupil.begin()

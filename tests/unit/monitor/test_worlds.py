@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from gate import examples
 from learnblock.errors import LearnBlockError, WorldError
 from learnblock.i18n import Phrase
 from learnblock.monitor import worlds
@@ -71,7 +72,7 @@ edited = of(
 )
 
 
-@settings(max_examples=150)
+@settings(max_examples=examples(150, gate=40))
 @given(edited)
 def test_a_saved_world_is_read_back_unchanged(values):
     worlds.save_world("mine", values)
@@ -150,7 +151,7 @@ json = st.recursive(
 )
 
 
-@settings(max_examples=300)
+@settings(max_examples=examples(300, gate=75))
 @given(
     st.dictionaries(
         st.sampled_from(["title", "floor", "line", "box", "tag", "goal", "start", "wall", "?"]),

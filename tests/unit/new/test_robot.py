@@ -19,6 +19,9 @@ from new_robots import DOCS, EVERYTHING, guide
 from places import ROOT
 from runs import EXAMPLES, run_example
 
+#: Who writes a robot has none of the plugins that our own tests need.
+USUAL = {"PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
+
 
 def plan(folder, text, name):
     (folder / f"{name}.toml").write_text(text, encoding="utf-8")
@@ -62,7 +65,7 @@ def test_the_written_files_are_clean(home):
 def test_the_test_of_the_guides_robot_passes_at_once(home, tmp_path):
     command = ("-rs", "-p", "no:cacheprovider", home / "tests" / "test_pathfinder.py")
     # It finds its own folder, whichever folder the environment names.
-    status, said = tool("pytest", *command, folder=tmp_path, LEARNBLOCK_HOME="elsewhere")
+    status, said = tool("pytest", *command, folder=tmp_path, **USUAL, LEARNBLOCK_HOME="elsewhere")
     assert status == 0, said
     assert "14 passed, 2 skipped" in said
     told = DOCS.read_text("utf-8")
@@ -107,7 +110,11 @@ def test_a_separate_package_passes_its_test_after_installation(tmp_path):
     with zipfile.ZipFile(next((tmp_path / "dist").glob("*.whl"))) as wheel:
         wheel.extractall(installed)
     status, said = tool(
-        "pytest", "-q", "-p", "no:cacheprovider", "tests", folder=package, PYTHONPATH=str(installed)
+        "pytest",
+        *("-q", "-p", "no:cacheprovider", "tests"),
+        folder=package,
+        **USUAL,
+        PYTHONPATH=str(installed),
     )
     assert status == 0, said
     assert "14 passed, 2 skipped" in said

@@ -2,9 +2,10 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from gate import examples
 from learnblock.simulator.camera import CameraModel, CameraPose, Surface, render
 from learnblock.simulator.camera.mip_chain import MipChain
 
@@ -351,6 +352,7 @@ def test_a_lens_without_size_is_refused(values):
         CameraModel(*values)
 
 
+@settings(max_examples=examples(100, gate=30))
 @given(seed=st.integers(0, 10_000))
 def test_a_surface_that_fills_the_picture_is_drawn_as_one_that_does_not(seed):
     generator = np.random.default_rng(seed)

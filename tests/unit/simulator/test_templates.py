@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from gate import examples
 from learnblock.simulator import make_world, read_world, unreachable_goals, write_world
 from learnblock.simulator.geometry import Point
 from learnblock.simulator.props import body_of
@@ -18,7 +19,7 @@ SIZES = st.integers(SMALLEST, LARGEST)
 SEEDS = st.integers(0, LARGEST_SEED)
 #: The reach of the largest robot is 127 mm; all others are narrower than this.
 WIDE = 95.0
-few = settings(max_examples=40, deadline=None)
+few = settings(max_examples=examples(40, gate=12), deadline=None)
 
 
 @few

@@ -104,9 +104,9 @@ text = "a"
 
 def test_changes_at_the_same_time_are_all_saved():
     def count(table):
-        for _ in range(20):
+        for _ in range(8):
             table.update(lambda settings: {"text": settings.text + "x"})
 
     with ThreadPoolExecutor() as threads:
         list(threads.map(count, [OUTER, INNER, OUTER]))
-    assert (len(OUTER.load().text), len(INNER.load().text)) == (40, 20)
+    assert (len(OUTER.load().text), len(INNER.load().text)) == (16, 8)

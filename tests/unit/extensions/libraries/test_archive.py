@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, reject, settings
 from hypothesis import strategies as st
 
+from gate import examples
 from learnblock import language
 from learnblock.errors import LibraryError, ProgramError
 from learnblock.extensions.libraries import make, manifest, pack, read, unpack, write
@@ -102,7 +103,7 @@ class Functions(Trees):
         return language.parse(language.format(Program(items)))
 
 
-@settings(max_examples=100)
+@settings(max_examples=examples(100, gate=30))
 @given(st.integers(0, 2**32))
 def test_functions_are_the_same_after_export_and_import(seed):
     trees = Functions(seed)

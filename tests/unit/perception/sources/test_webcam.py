@@ -96,6 +96,8 @@ def refusal(webcam):
 def test_a_webcam_that_sends_nothing_is_reported(held):
     with Webcam(0, timeout=0.05) as webcam:
         assert refusal(webcam) == Phrase("perception-webcam-silent", webcam="0")
+        # The thread that waits for a picture ends.
+        held.show(None)
 
 
 def test_a_webcam_that_was_unplugged_is_reported(held):
