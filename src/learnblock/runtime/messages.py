@@ -5,7 +5,7 @@ wait for each other. Messages stay in order, so the host can put a program's pri
 at the right place in the trace.
 
 The types of the child's messages say how large each field may be; whether it makes sense is checked
-by `learnblock.runtime.validation`.
+by `learnblock.runtime.validator`.
 """
 
 from enum import IntEnum

@@ -28,7 +28,8 @@ from learnblock.runtime.program import Program
 from learnblock.runtime.status import State
 from learnblock.runtime.supervision import Supervision
 from learnblock.runtime.trace import Recorder
-from learnblock.runtime.validation import Validator, refused
+from learnblock.runtime.validation import refused
+from learnblock.runtime.validator import Validator
 from learnblock.runtime.variables import VariableReports
 from learnblock.runtime.watcher import Watcher
 from learnblock.runtime.world import Simulation, World
