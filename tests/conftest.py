@@ -24,6 +24,10 @@ pytest_plugins = ("gate", "limits", "reruns", "spent")
 settings.register_profile("untimed", deadline=None, derandomize=False)
 settings.load_profile("untimed")
 
+# To rewrite the assertions of all tests takes half of the time of collecting them, so the result is
+# kept, also where PYTHONDONTWRITEBYTECODE is set.
+sys.dont_write_bytecode = False
+
 # A shell ignores Ctrl-C for background processes, and their children inherit that.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -45,7 +49,7 @@ LOADED = (
 def pytest_configure(config):
     # The tests start more than a thousand processes. Where PYTHONDONTWRITEBYTECODE is set, each
     # would compile everything that it imports, which takes longer than most of these tests.
-    if sys.dont_write_bytecode and not hasattr(config, "workerinput"):
+    if os.environ.get("PYTHONDONTWRITEBYTECODE") and not hasattr(config, "workerinput"):
         found = [spec for name in LOADED if (spec := find_spec(name))]
         folders = [folder for spec in found for folder in spec.submodule_search_locations]
         # Some packages bring files of another version of Python, which can't be compiled.
