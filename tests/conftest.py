@@ -5,6 +5,7 @@ import os
 import signal
 import subprocess
 import sys
+from importlib.util import find_spec
 from pathlib import Path
 from uuid import uuid4
 
@@ -19,9 +20,14 @@ sys.path.insert(0, str(TESTS / "helpers"))
 # The tiers, limits and reruns of the tests, and the report of the time that they took.
 pytest_plugins = ("gate", "limits", "reruns", "spent")
 
-# A busy machine takes longer for an example, which is no failure.
-settings.register_profile("untimed", deadline=None)
+# A busy machine takes longer for an example, which is no failure. The examples are new each time
+# also where `CI` is set, which Hypothesis takes as a wish for the same ones.
+settings.register_profile("untimed", deadline=None, derandomize=False)
 settings.load_profile("untimed")
+
+# To rewrite the assertions of all tests takes half of the time of collecting them, so the result is
+# kept, also where PYTHONDONTWRITEBYTECODE is set.
+sys.dont_write_bytecode = False
 
 # A shell ignores Ctrl-C for background processes, and their children inherit that.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
@@ -34,17 +40,22 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
 MARKED = ("wire", "browser")
 
 
-#: What the processes that tests start import, and with it nearly all of LearnBlock.
-IMPORTED = "hypothesis, learnblock.cli.page, learnblock.cli.programs, learnblock.server.pages.lobby"
-IMPORTED += ", learnblock.runtime.child, learnblock.server.serve"
+#: The packages that the processes of tests load: ours, the server's, the cluster's and pytest.
+LOADED = (
+    "learnblock", "_pytest", "click", "dask", "distributed", "fluent", "hypothesis", "msgspec",
+    "PIL", "pymunk", "starlette", "tornado", "uvicorn", "websockets",
+)  # fmt: skip
 
 
 def pytest_configure(config):
     # The tests start more than a thousand processes. Where PYTHONDONTWRITEBYTECODE is set, each
     # would compile everything that it imports, which takes longer than most of these tests.
-    if sys.dont_write_bytecode and not hasattr(config, "workerinput"):
-        env = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
-        subprocess.run([sys.executable, "-c", f"import {IMPORTED}"], env=env, check=True)
+    if os.environ.get("PYTHONDONTWRITEBYTECODE") and not hasattr(config, "workerinput"):
+        found = [spec for name in LOADED if (spec := find_spec(name))]
+        folders = [folder for spec in found for folder in spec.submodule_search_locations]
+        # Some packages bring files of another version of Python, which can't be compiled.
+        command = [sys.executable, "-m", "compileall", "-q", "-q", "-j", "0", *folders]
+        subprocess.run(command, check=False)
 
 
 def pytest_xdist_auto_num_workers(config):

@@ -9,6 +9,7 @@ tests run too.
 """
 
 from collections import defaultdict
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -57,6 +58,21 @@ def pytest_report_header(config):
     if config.stash[IS_GATE]:
         return f"tier: the gate, with {len(listed())} tests of browser and wire (--all: everything)"
     return "tier: everything that was asked for"
+
+
+def pytest_ignore_collect(collection_path, config):
+    """Leave out the files of browser and wire of which the gate runs no test."""
+    is_test = collection_path.match("test_*.py") and collection_path.is_relative_to(TESTS)
+    if not (config.stash[IS_GATE] and is_test):
+        return None
+    path = collection_path.relative_to(TESTS)
+    is_left_out = path.parts[0] in FOLDERS and path.as_posix() not in _listed_files()
+    return True if is_left_out else None
+
+
+@cache
+def _listed_files():
+    return {name.partition("::")[0] for name in listed()}
 
 
 def pytest_collection_modifyitems(config, items):

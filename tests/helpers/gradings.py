@@ -7,6 +7,7 @@ from learnblock.lessons.grading.journal import opened_journal
 from learnblock.lessons.grading.plan import Plan, Try
 from learnblock.lessons.grading.values import HandedIn
 from learnblock.lessons.reading import read_files
+from learnblock.runtime.limits import Limits
 
 LESSON = """
 lesson = 1
@@ -41,6 +42,7 @@ GOOD = (
     "main:\n    function.move_straight(60)\n    function.sleep(3)\n    function.stop_bot()\nend\n"
 )
 SHORT = GOOD.replace("(60)", "(10)")
+LIMITS = Limits()
 HEAD = "from learnblock.robots.sim_ebo import Robot\n\nrobot = Robot()\n"
 
 
@@ -60,9 +62,9 @@ def handed_in(**programs):
     )
 
 
-def plan(programs, *, opened=None, seeds=1):
+def plan(programs, *, opened=None, seeds=1, limits=LIMITS):
     tries = tuple(Try("sim-ebo", 0, seed) for seed in range(seeds))
-    return Plan(opened or lesson(), 1, programs, tries, version("learnblock-studio"))
+    return Plan(opened or lesson(), 1, programs, tries, version("learnblock-studio"), limits)
 
 
 def rows(wanted, folder, workers):

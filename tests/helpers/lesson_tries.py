@@ -2,6 +2,7 @@
 
 import hashlib
 from collections.abc import Iterable, Iterator, Sequence
+from functools import cache
 
 import msgspec
 
@@ -9,10 +10,12 @@ from learnblock.lessons.evidence import evidence_of
 from learnblock.lessons.expert import Experts
 from learnblock.lessons.judging import is_done, judge
 from learnblock.lessons.mutants import Mutant
-from learnblock.lessons.reading import OpenLesson
+from learnblock.lessons.reading import OpenLesson, find_lesson
 from learnblock.lessons.trying import Attempt, Trial, Tried, attempts, read_program, try_step
 from learnblock.running.batch import Batch, WarmProcess
 
+#: A lesson that comes with LearnBlock, read once by all tests.
+read_once = cache(find_lesson)
 #: What of a trace is behaviour: not which lines ran, nor which skills asked what.
 _BEHAVIOUR = ("pose", "device", "print", "goal", "send", "stroke", "end")
 

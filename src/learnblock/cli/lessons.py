@@ -46,7 +46,7 @@ def lesson_group() -> None:
 @json_option
 def list_command(as_json: bool) -> None:  # noqa: FBT001 - a click flag
     """List the lessons that come with LearnBlock."""
-    from learnblock.lessons.reading import find_lesson, shipped  # noqa: PLC0415 - `--help`
+    from learnblock.lessons.reading import shipped, shipped_lesson  # noqa: PLC0415 - `--help`
     from learnblock.lessons.texts import in_language  # noqa: PLC0415 - `--help` needs none of it
 
     found = [
@@ -56,7 +56,7 @@ def list_command(as_json: bool) -> None:  # noqa: FBT001 - a click flag
             "level": opened.lesson.level,
             "minutes": opened.lesson.minutes,
         }
-        for opened in map(find_lesson, shipped())
+        for opened in map(shipped_lesson, shipped())
     ]
     if as_json:
         print_json(found)

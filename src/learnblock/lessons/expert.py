@@ -21,9 +21,12 @@ from learnblock.lessons.opened import EXPERTS, OpenLesson
 from learnblock.runtime import process_group
 from learnblock.runtime.containment.environment import environment
 from learnblock.runtime.containment.scratch import Scratch
+from learnblock.runtime.limits import MEGABYTE, Limits
 
 #: The most seconds of a check.
 SECONDS = 10.0
+#: The resources that a check may use.
+LIMITS = Limits(memory=1024 * MEGABYTE, cpu=5, file_size=MEGABYTE, open_files=32)
 #: The largest answer, in bytes; it may have a reason in several languages.
 _LARGEST_ANSWER = 64 * 1024
 _LONGEST_REASON = 300
@@ -49,15 +52,24 @@ class Experts:
     Args:
         opened: the lesson.
         seconds: the most seconds of a check.
+        limits: the resources that a check may use.
     """
 
-    def __init__(self, opened: OpenLesson, seconds: float = SECONDS) -> None:
+    def __init__(
+        self, opened: OpenLesson, seconds: float = SECONDS, limits: Limits = LIMITS
+    ) -> None:
         self._source = opened.text(EXPERTS) if EXPERTS in opened.files else ""
         self._seconds = seconds
+        self._limits = limits
 
     def __call__(self, check: Expert, evidence: Evidence) -> Finding:
         """Judge a run that is over."""
-        task = {"source": self._source, "function": check.function, "run": _plain(evidence)}
+        task = {
+            "source": self._source,
+            "function": check.function,
+            "run": _plain(evidence),
+            "limits": self._limits,
+        }
         answer = _answer(_run(msgspec.json.encode(task), self._seconds))
         if answer is None:
             return Finding("failed", evidence.now, Phrase("lesson-expert-silent"))

@@ -7,17 +7,14 @@ from types import SimpleNamespace
 from typing import Any
 
 from learnblock.runtime.containment.fence import contain
-from learnblock.runtime.limits import MEGABYTE, Limits
+from learnblock.runtime.limits import Limits
 from learnblock.runtime.messages import Setup
-
-#: The resources that a check may use.
-_LIMITS = Limits(memory=1024 * MEGABYTE, cpu=5, file_size=MEGABYTE, open_files=32)
 
 
 def main() -> None:
     """Read the task from the standard input, and write the answer to the standard output."""
     task = json.load(sys.stdin.buffer)
-    contain(Setup("", "checks.py", "", (), (), None, _LIMITS))
+    contain(Setup("", "checks.py", "", (), (), None, Limits(*task["limits"])))
     answer = json.dumps(_answer(task["source"], task["function"], SimpleNamespace(**task["run"])))
     os.write(1, answer.encode())
     # Nothing of the check's is to run any more, such as its threads.

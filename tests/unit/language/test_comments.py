@@ -19,6 +19,7 @@ from comment_places import (
     squeezed,
     with_comments,
 )
+from gate import examples
 from learnblock.language import format as format_program
 from learnblock.language import from_python, parse, to_python
 from learnblock.language.tree.nodes import Comment
@@ -136,7 +137,7 @@ def test_a_comment_at_each_place_of_events_and_one_line_statements_survives():
         assert UNHARMED == fate(EVENTS, [place])
 
 
-@pytest.mark.parametrize("path", library_files(6), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", library_files(examples(6, gate=2)), ids=lambda path: path.stem)
 def test_comments_in_a_file_of_the_standard_library_survive(path):
     text = path.read_text("utf-8")
     assert UNHARMED == fate(text, python_places(text))
@@ -146,7 +147,7 @@ def test_comments_in_a_file_of_the_standard_library_survive(path):
     assert UNHARMED == fate(program, apart(places, 41)[len(text) % 41])
 
 
-@settings(many, max_examples=60)
+@settings(many, max_examples=examples(60, gate=20))
 @given(seeds)
 def test_comments_in_a_random_program_survive(seed):
     choice = random.Random(seed)  # noqa: S311 - no secret

@@ -8,17 +8,22 @@ import pytest
 from learnblock.i18n import translate
 from learnblock.lessons.checks import Expert
 from learnblock.lessons.evidence import Evidence
-from learnblock.lessons.expert import Experts
+from learnblock.lessons.expert import LIMITS, Experts
 from learnblock.lessons.opened import OpenLesson
 from learnblock.running import Report
+from learnblock.runtime.limits import MEGABYTE, Limits
 from lesson_files import LESSON, evidence
 
 contained = pytest.mark.skipif(sys.platform != "linux", reason="only Linux's kernel contains")
 
 
-def judge(source: str, run: Evidence | None = None, seconds: float = 10.0):
+#: What checks that take all they can may use here, so that they have it soon.
+LITTLE = Limits(memory=256 * MEGABYTE, cpu=1, file_size=MEGABYTE)
+
+
+def judge(source: str, run: Evidence | None = None, seconds: float = 10.0, limits: Limits = LIMITS):
     files = MappingProxyType({"checks.py": source.encode()})
-    experts = Experts(OpenLesson("it", LESSON, None, files), seconds)
+    experts = Experts(OpenLesson("it", LESSON, None, files), seconds, limits)
     return experts(Expert(function="holds"), run or evidence())
 
 
@@ -86,12 +91,12 @@ def test_a_check_with_a_mistake_is_not_met(source, words):
     ],
 )
 def test_a_hostile_check_is_not_met(source):
-    assert judge(source).state == "failed"
+    assert judge(source, limits=LITTLE).state == "failed"
 
 
 @pytest.mark.parametrize("source", ["while True: pass", "import time\ntime.sleep(1000)"])
 def test_a_check_without_an_end_is_ended(source):
-    assert judge(source, seconds=2.0).state == "failed"
+    assert judge(source, seconds=1.0).state == "failed"
 
 
 @contained

@@ -1,7 +1,6 @@
 """The lessons that come with LearnBlock; `learnblock lesson check` tries them on more robots."""
 
 from collections.abc import Iterator, Mapping
-from functools import cache
 
 import pytest
 
@@ -12,10 +11,11 @@ from learnblock.lessons.checks import Size, Uses
 from learnblock.lessons.hints import gives_away
 from learnblock.lessons.hints.guess import Hint
 from learnblock.lessons.lesson import HintRule
-from learnblock.lessons.reading import OpenLesson, find_lesson, shipped
+from learnblock.lessons.reading import OpenLesson, shipped
 from learnblock.lessons.texts import in_language
 from learnblock.lessons.trying import Attempt, Tried, attempts, read_program
 from learnblock.running.batch import WarmProcess
+from lesson_tries import read_once as opened
 from lesson_tries import tried
 from right_programs import known
 
@@ -42,7 +42,6 @@ BUILT_OF = {
     "variable": {"en": ["variable"], "es": ["variable"]},
 }
 
-opened = cache(find_lesson)
 EVERY_WRONG = [
     (name, wrong)
     for name in LESSONS
@@ -194,7 +193,7 @@ def runs():
     kept.end()
 
 
-@pytest.mark.sample(6)
+@pytest.mark.sample(4)
 @pytest.mark.slow
 @pytest.mark.spread
 @every_lesson
@@ -213,7 +212,7 @@ def test_a_lesson_has_at_least_three_wrong_programs(name):
     assert len(teacher.wrong) >= WRONG
 
 
-@pytest.mark.sample(24)
+@pytest.mark.sample(8)
 @pytest.mark.slow
 @pytest.mark.spread
 @pytest.mark.parametrize(

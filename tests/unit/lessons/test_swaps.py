@@ -17,6 +17,7 @@ def program(body):
     return f"main:\n{body}end\n"
 
 
+@pytest.mark.sample(6)
 @pytest.mark.parametrize("file", EXAMPLES, ids=lambda file: file.stem)
 def test_every_swap_is_another_program_that_can_be_read(file):
     source = language.format(parse(file.read_text()))

@@ -5,8 +5,9 @@ import pytest
 import small_lesson
 from learnblock.i18n import Phrase, languages, translate
 from learnblock.language import parse
-from learnblock.lessons.reading import find_lesson, for_pupils, read_files, shipped
+from learnblock.lessons.reading import for_pupils, read_files, shipped
 from learnblock.lessons.teachers_part import teachers_part
+from lesson_tries import read_once
 
 TEACHER = """solutions = { 2 = "two.py" }
 
@@ -70,7 +71,7 @@ def test_pupils_have_nothing_of_it(opened):
 
 @pytest.mark.parametrize("name", shipped())
 def test_every_lesson_of_ours_has_notes_readable_solutions_and_hints_with_words(name):
-    part = teachers_part(find_lesson(name))
+    part = teachers_part(read_once(name))
     assert set(languages()) <= part.notes.keys()
     assert all(parse(one.solution) for one in part.steps if one.solution)
     wrong = [one for step in part.steps for one in step.wrong]

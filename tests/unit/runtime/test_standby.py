@@ -58,13 +58,18 @@ def test_a_process_on_standby_that_has_died_ends_the_run_and_not_its_host():
             worker.link.receive(10)
 
 
-def test_starting_a_process_loads_neither_the_language_nor_the_runtime():
-    program = "import sys, learnblock.runtime.standby; print(*sys.modules)"
-    done = subprocess.run(
-        [sys.executable, "-c", program], capture_output=True, text=True, check=True
-    )
+def loaded(module):
+    """The modules that a new process has loaded with one of ours."""
+    program = f"import sys, {module}; print(*sys.modules)"
+    command = [sys.executable, "-c", program]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    return set(done.stdout.split())
+
+
+@pytest.mark.parametrize("module", ["learnblock.runtime.standby", "learnblock.runtime.child"])
+def test_the_process_of_a_program_starts_without_the_language_and_the_host(module):
     slow = {"learnblock.language", "learnblock.running", "learnblock.runtime.run", "click", "numpy"}
-    assert not slow & set(done.stdout.split())
+    assert not (slow | {"learnblock.runtime.trace"}) & loaded(module)
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux has these modules")

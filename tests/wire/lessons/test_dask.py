@@ -98,7 +98,7 @@ def graded(workers, folder, seeds=3, each=lambda progress: None):
 
 @pytest.mark.certain
 def test_two_workers_make_the_same_table_also_if_one_of_them_is_killed(scheduler, tmp_path):
-    here = graded(lambda: local(2), tmp_path / "here")
+    here = graded(lambda: local(1), tmp_path / "here")
     with worker(scheduler) as doomed, worker(scheduler):
         there = address(scheduler)
         with Client(there, set_as_default=False) as client:
@@ -115,7 +115,7 @@ def test_two_workers_make_the_same_table_also_if_one_of_them_is_killed(scheduler
 
 def test_a_restarted_scheduler_makes_the_same_table(tmp_path):
     file, [port] = tmp_path / "scheduler.json", free_ports(1)
-    here = graded(lambda: local(2), tmp_path / "here")
+    here = graded(lambda: local(1), tmp_path / "here")
     with ExitStack() as stack:
         doomed = stack.enter_context(scheduling(file, port))
         stack.enter_context(worker(str(file)))

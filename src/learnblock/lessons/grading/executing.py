@@ -41,7 +41,7 @@ from learnblock.running import Report, Source
 from learnblock.running.batch import CAN_FORK, Batch, JobResult, WarmProcess
 from learnblock.running.job import Job
 from learnblock.runtime.ending import How
-from learnblock.runtime.limits import MEGABYTE
+from learnblock.runtime.limits import MEGABYTE, Limits
 from learnblock.simulator import WorldDescription
 
 #: The most hints of a result, besides the one about other attempts.
@@ -91,6 +91,7 @@ class Order:
         seed: the seed of all noise.
         usual: the usual robot among those that are tried.
         manner: how the program is run.
+        limits: the resources that the program may use.
     """
 
     version: str
@@ -104,6 +105,7 @@ class Order:
     seed: int
     usual: str
     manner: Manner
+    limits: Limits
 
 
 def packed_lesson(opened: OpenLesson, step: int) -> bytes:
@@ -162,10 +164,10 @@ class _Piece:
             if self._step.partners:
                 return self._in_team(trial)
             made = self._job(trial)
-            first = _run(replace(made, isolated=self.order.manner == "isolated"))
+            first = self._run(replace(made, isolated=self.order.manner == "isolated"))
             if self.order.manner != "compared" or first.isolated:
                 return self._of(first, "isolated" if first.isolated else "shared")
-            apart = _run(replace(made, isolated=True))
+            apart = self._run(replace(made, isolated=True))
         same = apart.report == first.report
         return self._of(apart, "shared, same isolated" if same else DIFFERS)
 
@@ -183,9 +185,17 @@ class _Piece:
         options = replace(made.options, seed=self.order.seed)
         return replace(made, program=program, options=options)
 
+    def _run(self, made: Job) -> JobResult:
+        """Make one run, in a process that is kept for the next one."""
+        limits = self.order.limits
+        [result] = _forked(made, limits) if CAN_FORK else Batch([made], limits=limits).results()
+        if result.lost:
+            raise NotRunError("run-lost", reason=result.lost)
+        return result
+
     def _in_team(self, trial: Trial) -> Result:
         """The result of a step with partners, where every program has a process of its own."""
-        [(_, evidence, _, _)] = trial.teams([self._attempt], None)
+        [(_, evidence, _, _)] = trial.teams([self._attempt], self.order.limits)
         return self._judged(evidence, "isolated")
 
     def _of(self, made: JobResult, checked: Checked) -> Result:
@@ -226,22 +236,14 @@ class _Piece:
         )
 
 
-def _run(made: Job) -> JobResult:
-    """Make one run, in a process that is kept for the next one."""
-    [result] = Batch([made]).results() if not CAN_FORK else _forked(made)
-    if result.lost:
-        raise NotRunError("run-lost", reason=result.lost)
-    return result
-
-
-def _forked(made: Job) -> list[JobResult]:
+def _forked(made: Job, limits: Limits) -> list[JobResult]:
     idle = _idle()
     try:
         kept = idle.get_nowait()
     except Empty:
         kept = WarmProcess()
     try:
-        return [*Batch([made], 1, kept=kept).results()]
+        return [*Batch([made], 1, limits=limits, kept=kept).results()]
     finally:
         if kept.is_running:
             idle.put(kept)

@@ -13,6 +13,7 @@ from learnblock.lessons.grading.executing import Order, packed_lesson
 from learnblock.lessons.grading.values import HandedIn, Manner
 from learnblock.lessons.opened import OpenLesson
 from learnblock.lessons.trying import Attempt
+from learnblock.runtime.limits import Limits
 from learnblock.simulator import make_variant
 
 #: The share of a program's pieces that are run again in isolation; at least one of them is.
@@ -66,6 +67,7 @@ class Plan:
         handed_in: what was handed in, in the order of the table.
         tries: what each program is tried in.
         version: of LearnBlock.
+        limits: the resources that each program may use.
     """
 
     opened: OpenLesson
@@ -73,6 +75,7 @@ class Plan:
     handed_in: tuple[HandedIn, ...]
     tries: tuple[Try, ...]
     version: str
+    limits: Limits = Limits()  # noqa: RUF009 - it is frozen
 
     @cached_property
     def lesson(self) -> bytes:
@@ -120,4 +123,5 @@ class Plan:
             seed=attempt.seed,
             usual=self.tries[0].robot,
             manner=manner,
+            limits=self.limits,
         )

@@ -8,12 +8,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from gate import examples
 from learnblock.client.events import Events
 from learnblock.language import check, from_python, from_workspace, parse, to_python, to_workspace
 from learnblock.testing import VirtualClock
 from ordered_programs import Ordered
 
-SAME_EACH_TIME = settings(max_examples=120, derandomize=True, database=None, deadline=None)
+MANY = settings(max_examples=examples(120, gate=60), database=None)
 seeds = st.integers(min_value=0, max_value=2**32)
 
 
@@ -74,7 +75,7 @@ NOTATIONS = [python_of_blocktext, python_of_blocks, python_of_python]
 
 
 @pytest.mark.parametrize("notation", NOTATIONS)
-@SAME_EACH_TIME
+@MANY
 @given(seeds)
 def test_a_program_that_passes_the_check_knows_its_names(notation, seed):
     python = notation(seed)

@@ -14,6 +14,7 @@ from learnblock.lessons.grading.values import unpacked
 from learnblock.running import Options
 from learnblock.running.batch import Batch
 from learnblock.running.job import Job
+from learnblock.runtime.limits import Limits
 from learnblock.runtime.program import Program
 
 pytestmark = [
@@ -30,15 +31,24 @@ def processes():
     end_idle()
 
 
-def graded(text, opened=None, manner="shared"):
+#: So much processor time a program has until its next call: a tenth of it is enough here.
+LIMITS = Limits(silence=1.0)
+
+
+def graded(text):
     [one] = handed_in(eve=text)
-    [(_, order)] = plan((one,), opened=opened or lesson()).orders(one)
-    return unpacked(run_piece(replace(order, manner=manner)))
+    [(_, order)] = plan((one,), limits=LIMITS).orders(one)
+    return unpacked(run_piece(replace(order, manner="shared")))
+
+
+@pytest.fixture(scope="module")
+def honest():
+    """The result of an honest program before any cheat."""
+    return graded(GOOD)
 
 
 @pytest.mark.parametrize("name", CHEATS)
-def test_a_cheat_gets_no_star_and_changes_nothing(name, tmp_path, monkeypatch):
-    honest = graded(GOOD)
+def test_a_cheat_gets_no_star_and_changes_nothing(honest, name, tmp_path, monkeypatch):
     files = {
         "solution.bt": GOOD,
         "lesson.toml": LESSON,

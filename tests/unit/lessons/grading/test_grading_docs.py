@@ -3,12 +3,12 @@
 import csv
 import re
 import shlex
-import subprocess
-import sys
 
 import pytest
+from click.testing import CliRunner
 
 from cheats import CHEATS
+from learnblock.cli import main
 from learnblock.cli.grade import grade_command
 from places import ROOT
 
@@ -24,17 +24,12 @@ def rows(head):
 
 
 @pytest.mark.slow
-def test_the_example_grades_two_programs(tmp_path):
+def test_the_example_grades_two_programs(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
     (tmp_path / "examples").symlink_to(ROOT / "examples")
     [command] = re.findall(r"^```sh\nlearnblock (.*)\n```", PAGE, re.MULTILINE)
-    made = subprocess.run(
-        [sys.executable, "-m", "learnblock", *shlex.split(command), *TINY],
-        cwd=tmp_path,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert made.returncode == 0, made.stderr
+    made = CliRunner().invoke(main, [*shlex.split(command), *TINY])
+    assert made.exit_code == 0, made.output
     assert (tmp_path / "results" / "results.html").exists()
     with (tmp_path / "results" / "results.csv").open(encoding="utf-8-sig") as file:
         found = [*csv.DictReader(file)]
