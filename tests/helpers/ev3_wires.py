@@ -113,6 +113,9 @@ class Vehicle:
     def note(self, *values):
         """Make no sound."""
 
+    def show(self, text):
+        """Show nothing."""
+
     def turned(self):
         return {}
 

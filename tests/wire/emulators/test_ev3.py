@@ -168,6 +168,9 @@ class FakeVehicle:
     def note(self, *values):
         self.noted.append(values)
 
+    def show(self, text):
+        self.noted.append(("show", text))
+
 
 class Time:
     now = 0.0
