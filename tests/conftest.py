@@ -17,8 +17,8 @@ TESTS = Path(__file__).parent
 # Modules of helpers that several tests import, such as `runs`.
 sys.path.insert(0, str(TESTS / "helpers"))
 
-# The tiers, limits and reruns of the tests, and the report of the time that they took.
-pytest_plugins = ("gate", "limits", "reruns", "spent")
+# The tiers, limits and reruns of the tests, the runs that they share, and the time that they took.
+pytest_plugins = ("gate", "limits", "made_runs", "reruns", "spent")
 
 # A busy machine takes longer for an example, which is no failure. The examples are new each time
 # also where `CI` is set, which Hypothesis takes as a wish for the same ones.

@@ -9,6 +9,7 @@ from pathlib import Path
 import msgspec
 
 from learnblock import robots, running
+from learnblock.errors import Diagnostic
 from learnblock.running import Options, ProgramRun, Report
 from learnblock.running.recorded_keys import RecordedKeys, read_keys
 from learnblock.runtime.inline import InlineWorker
@@ -58,7 +59,7 @@ TASKS = {
     "first/traffic-light.bt": ("patrol", 60),
     "first/turn-away.bt": ("arena", 40),
     "flower.bt": ("flower", 200),
-    "imitate.bt": ("faces", 60),
+    "imitate.bt": ("faces", 50),
     "labyrinth.bt": ("labyrinth", 150),
     "line-ebo.bt": ("line", 145),
     "line-states.bt": ("line", 145),
@@ -73,6 +74,9 @@ TASKS = {
     "wall.bt": ("walls", 50),
     "watch-out.bt": ("table", 50),
 }
+
+#: Seconds of an example that are enough to tell two runs apart.
+FEW = 8
 
 
 @dataclass(frozen=True)
@@ -151,6 +155,17 @@ def person(name: str) -> Watcher:
         return Holder(HANDS[name])
     keys = (EXAMPLES / name).with_suffix(".jsonl")
     return Presser(read_keys(keys)) if keys.exists() else Answerer(ANSWERS.get(name, ()))
+
+
+def refusal(name: str, robot: str) -> list[Diagnostic]:
+    """Return the errors of the check, which prevent an example from running on a robot."""
+    found = running.check(running.read(EXAMPLES / name), robots.find(robot))
+    return [one for one in found if one.severity == "error"]
+
+
+def able_twin(name: str) -> str:
+    """Return the first twin that can run an example."""
+    return next(robot for robot in TWINS if not refusal(name, robot))
 
 
 def run_file(path: Path, robot: str, *, worker=None, watcher=None, **options) -> Finished:

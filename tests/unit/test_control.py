@@ -19,7 +19,7 @@ from learnblock.runtime.program import Program
 from learnblock.runtime.watcher import Watcher
 from learnblock.simulator.physics import DT
 from learnblock.testing import VirtualClock
-from runs import EXAMPLES, TWINS, WORLDS
+from runs import EXAMPLES, TASKS, able_twin
 from waiting import SECONDS, wait_for
 
 NAMES = sorted(path.name for path in EXAMPLES.glob("*.bt"))
@@ -388,29 +388,21 @@ class Stepper(Watcher):
         next(self._commands, self._resume)()
 
 
-def robot_for(name):
-    """A twin that can run the example."""
-    source = running.read(EXAMPLES / name)
-    for robot in map(robots.find, TWINS):
-        if not any(found.severity == "error" for found in running.check(source, robot)):
-            return robot
-    raise AssertionError(f"no twin runs {name}")
+CONDITIONS = {"seed": 3, "seconds": 1.0}
 
 
-def session_of(name, *, seconds=1.0, **options):
-    robot = robot_for(name)
+def session_of(name, **options):
+    robot = robots.find(able_twin(name))
     program = running.program(running.read(EXAMPLES / name), robot)
-    return ProgramRun(
-        program, robot, Options(world=WORLDS.get(name), seed=3, seconds=seconds), **options
-    )
+    return ProgramRun(program, robot, Options(world=TASKS[name][0], **CONDITIONS), **options)
 
 
 @pytest.mark.sample(6)
 @pytest.mark.certain
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
-def test_an_example_that_is_debugged_leaves_the_trace_of_one_that_is_not(name):
-    expected = session_of(name).run()
+def test_an_example_that_is_debugged_leaves_the_trace_of_one_that_is_not(made, name):
+    expected = made(name, able_twin(name), **CONDITIONS).report
     debugger = Debugger(paused=True)
     stepper = Stepper(debugger, 60)
     assert session_of(name, debugger=Debugger()).run() == expected
@@ -468,14 +460,14 @@ def hammering(run):
         thread.join()
 
 
+@pytest.mark.sample(5)
 @pytest.mark.certain
 @pytest.mark.slow
+@pytest.mark.parametrize("speed", [None, 4.0, 10.0, 15.0, 20.0, 30.0, 50.0, 75.0, 100.0])
 @pytest.mark.parametrize("name", ["tags.bt", "line-ebo.bt"])
-def test_ten_runs_watched_paused_and_at_any_speed_leave_one_trace(name):
-    expected = session_of(name).run()
-    for speed in (None, 4.0, 30.0, 10.0, None, 100.0, 20.0, None, 50.0):
-        run = session_of(name, debugger=Debugger(), monitored=True)
-        run.set_speed(speed)
-        run.report_variables(enabled=True)
-        with hammering(run):
-            assert run.run() == expected
+def test_a_run_watched_paused_and_at_any_speed_leaves_the_same_trace(made, name, speed):
+    run = session_of(name, debugger=Debugger(), monitored=True)
+    run.set_speed(speed)
+    run.report_variables(enabled=True)
+    with hammering(run):
+        assert run.run() == made(name, able_twin(name), **CONDITIONS).report

@@ -7,31 +7,43 @@ import re
 import subprocess
 import sys
 import threading
+from operator import itemgetter
 
 import pytest
 
 from learnblock import language, robots, running
 from learnblock.runtime.process import ProcessWorker, ThreadWorker
 from pythons import VERSIONS, with_learnblock
-from runs import EXAMPLES, TASKS, TWINS, WORLDS, person, run_example, run_file
+from runs import (
+    EXAMPLES,
+    FEW,
+    TASKS,
+    TWINS,
+    WORLDS,
+    able_twin,
+    person,
+    refusal,
+    run_example,
+    run_file,
+)
 
 NAMES = sorted(TASKS)
 #: In the order in which a robot that turns to the right reaches them.
 SEVEN = ("joy", "sadness", "anger", "surprise", "fear", "disgust", "neutral")
 PAIRS = list(itertools.product(NAMES, TWINS))
+#: On their page: each example with a robot and a world.
+COMMANDS = re.findall(
+    r"`learnblock run (\S+) --robot (\S+) --world (\S+)`",
+    (EXAMPLES / "README.md").read_text(encoding="utf-8"),
+)
+ROBOTS = {name: robot for name, robot, _ in COMMANDS}
 
 pytestmark = [pytest.mark.slow, pytest.mark.spread]
 
 
-def refusal(name, robot):
-    """Return the errors of the check, which prevent a program from running on a robot."""
-    found = running.check(running.read(EXAMPLES / name), robots.find(robot))
-    return [one for one in found if one.severity == "error"]
-
-
 @pytest.mark.sample(24)
 @pytest.mark.parametrize(("name", "robot"), PAIRS)
-def test_an_example_runs_on_a_twin_or_is_refused_by_naming_the_missing_device(name, robot):
+def test_an_example_runs_on_a_twin_or_is_refused_by_naming_the_missing_device(made, name, robot):
     errors = refusal(name, robot)
     if errors:
         assert {error.code for error in errors} == {"missing-device"}
@@ -41,9 +53,9 @@ def test_an_example_runs_on_a_twin_or_is_refused_by_naming_the_missing_device(na
         assert lacking
         assert not {device.partition(":")[0] for device in devices} & lacking
     else:
-        finished = run_example(name, robot, world=WORLDS.get(name), seconds=8)
-        assert finished.report.error is None
-        assert finished.report.ended in {"finished", "time limit"}
+        report = made(name, robot, seconds=FEW).report
+        assert report.error is None
+        assert report.ended in {"finished", "time limit"}
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -54,27 +66,26 @@ def test_an_example_keeps_its_form_and_comes_back_from_python_unchanged(name):
     assert language.format(again) == source.text
 
 
-@pytest.mark.sample(9)
+@pytest.mark.sample(6)
 @pytest.mark.parametrize("name", NAMES)
-def test_block_text_and_python_of_an_example_leave_the_same_trace(name, tmp_path):
-    robot = next(robot for robot in TWINS if not refusal(name, robot))
+def test_block_text_and_python_of_an_example_leave_the_same_trace(made, name, tmp_path):
+    robot = able_twin(name)
     python = tmp_path / "program.py"
     tree = running.read(EXAMPLES / name).tree
     python.write_text(language.to_python(tree, robots.module_of("cozmo")).text)
-    options = {"world": WORLDS.get(name), "seconds": 4}
-    of_block_text = run_example(name, robot, **options).report.trace_sha256
+    options = {"world": TASKS[name][0], "seconds": FEW}
     same = run_file(python, robot, watcher=person(name), **options)
-    assert same.report.trace_sha256 == of_block_text
+    assert same.trace == made(name, robot, **options).trace
 
 
-def test_a_generated_file_runs_by_itself_with_the_same_trace(tmp_path):
+def test_a_generated_file_runs_by_itself_with_the_same_trace(made, tmp_path):
     module = robots.module_of("sim-cozmo")
     program = tmp_path / "square.py"
     program.write_text(language.to_python(running.read(EXAMPLES / "square.bt").tree, module).text)
-    environment = {**os.environ, "LEARNBLOCK_TRACE": str(tmp_path / "trace.jsonl")}
-    subprocess.run([sys.executable, program], env=environment, check=True)
-    trace = (tmp_path / "trace.jsonl").read_bytes()
-    assert trace == run_example("square.bt", "sim-cozmo").trace
+    trace = tmp_path / "trace.jsonl"
+    given = {"LEARNBLOCK_TRACE": str(trace), "LEARNBLOCK_WORLD": TASKS["square.bt"][0]}
+    subprocess.run([sys.executable, program], env={**os.environ, **given}, check=True)
+    assert trace.read_bytes() == made("square.bt", "sim-cozmo").trace
 
 
 def busy(until):
@@ -83,54 +94,57 @@ def busy(until):
         hashlib.sha256(b"0" * 100_000).digest()
 
 
-def test_ten_runs_with_and_without_load_leave_one_trace():
-    options = {"world": "obstacles", "seed": 7, "seconds": 5, "worker": ProcessWorker}
-    quiet = {run_example("avoid.bt", "sim-ebo", **options).report.trace_sha256 for _ in range(5)}
+def test_runs_with_and_without_load_leave_one_trace(made):
+    options = {"world": "obstacles", "seed": 7, "seconds": 5}
+    quiet = made("avoid.bt", "sim-ebo", **options).trace
+    options["worker"] = ProcessWorker
     until = threading.Event()
     load = [threading.Thread(target=busy, args=(until,)) for _ in range(3)]
     for thread in load:
         thread.start()
     try:
-        loaded = {
-            run_example("avoid.bt", "sim-ebo", **options).report.trace_sha256 for _ in range(5)
-        }
+        loaded = [run_example("avoid.bt", "sim-ebo", **options).trace for _ in range(3)]
     finally:
         until.set()
         for thread in load:
             thread.join()
-    assert len(quiet | loaded) == 1
+    assert loaded == [quiet] * 3
 
 
 @pytest.mark.parametrize("worker", [ProcessWorker, ThreadWorker])
 @pytest.mark.parametrize("pace", ["free", "5"])
-def test_neither_pace_nor_the_kind_of_worker_changes_the_trace(worker, pace):
+def test_neither_pace_nor_the_kind_of_worker_changes_the_trace(made, worker, pace):
     options = {"world": "tags", "seed": 3, "seconds": 5}
-    expected = run_example("tags.bt", "sim-cozmo", **options).trace
     actual = run_example("tags.bt", "sim-cozmo", worker=worker, pace=pace, **options).trace
-    assert actual == expected
+    assert actual == made("tags.bt", "sim-cozmo", **options).trace
 
 
 @pytest.mark.parametrize("robot", ["sim-ebo", "sim-cozmo"])
-def test_all_seven_faces_are_found_and_imitated(robot):
-    report = run_example("imitate.bt", robot, world="faces", seconds=50).report
+def test_all_seven_faces_are_found_and_imitated(made, robot):
+    report = made("imitate.bt", robot).report
     met = [(goal.name, goal.state) for goal in report.goals]
     assert met == [(emotion, "reached") for emotion in SEVEN]
     # Before it sees a face, it is calm.
     assert ["neutral", *SEVEN] == list(report.emotions)
 
 
-@pytest.mark.sample(9)
+@pytest.mark.sample(6)
 @pytest.mark.parametrize("name", NAMES)
-def test_an_example_reaches_all_goals_of_its_world_and_an_idle_program_none(name, tmp_path):
-    page = (EXAMPLES / "README.md").read_text(encoding="utf-8")
-    [robot] = re.findall(rf"`learnblock run {re.escape(name)} --robot (\S+) --world", page)
-    world, seconds = TASKS[name]
-    goals = run_example(name, robot, world=world, seconds=seconds).report.goals
-    assert {goal.state for goal in goals} == {"reached"}
+def test_an_example_reaches_all_goals_of_its_world(made, name):
+    assert {goal.state for goal in made(name, ROBOTS[name]).report.goals} == {"reached"}
+
+
+@pytest.mark.sample(6)
+@pytest.mark.parametrize("world", sorted({world for world, _ in TASKS.values()}))
+def test_an_idle_program_reaches_no_goal_of_a_world(world, tmp_path):
+    name, seconds = max(
+        ((name, seconds) for name, (own, seconds) in TASKS.items() if own == world),
+        key=itemgetter(1),
+    )
     idle = tmp_path / "idle.bt"
     idle.write_text(f"main:\n    function.sleep({seconds})\nend\n")
-    missed = run_file(idle, robot, world=world).report.goals
-    assert {goal.state for goal in missed} <= {"open", "failed"}
+    goals = run_file(idle, ROBOTS[name], world=world).report.goals
+    assert {goal.state for goal in goals} <= {"open", "failed"}
 
 
 def test_another_seed_gives_another_path():
@@ -146,10 +160,8 @@ def test_every_example_has_a_task():
 
 
 def test_the_page_of_examples_names_each_with_a_robot_that_can_run_it():
-    page = (EXAMPLES / "README.md").read_text(encoding="utf-8")
-    commands = re.findall(r"`learnblock run (\S+) --robot (\S+) --world (\S+)`", page)
-    assert sorted(name for name, _, _ in commands) == NAMES
-    for name, robot, world in commands:
+    assert sorted(name for name, _, _ in COMMANDS) == NAMES
+    for name, robot, world in COMMANDS:
         assert refusal(name, robot) == []
         assert world == TASKS[name][0]
 
@@ -157,14 +169,14 @@ def test_the_page_of_examples_names_each_with_a_robot_that_can_run_it():
 @pytest.mark.slow
 @pytest.mark.parametrize("version", VERSIONS)
 @pytest.mark.parametrize("name", ["line-states.bt", "tags.bt", "watch-out.bt"])
-def test_another_version_of_python_leaves_the_same_trace(name, version, tmp_path):
+def test_another_version_of_python_leaves_the_same_trace(made, name, version, tmp_path):
     python = with_learnblock(version)
     if python is None:
         pytest.skip(f"`scripts/bench hashes` has not installed LearnBlock for Python {version}")
-    robot = next(robot for robot in TWINS if not refusal(name, robot))
+    robot = able_twin(name)
     options = {"world": WORLDS.get(name, "empty"), "seconds": 4}
     trace = tmp_path / "trace.jsonl"
     command = [python, "-m", "learnblock", "run", EXAMPLES / name, "--robot", robot]
     given = ["--for", "4", "--world", options["world"], "--trace", trace]
     subprocess.run([*command, *given], stdout=subprocess.DEVNULL, check=True)
-    assert trace.read_bytes() == run_example(name, robot, **options).trace
+    assert trace.read_bytes() == made(name, robot, **options).trace

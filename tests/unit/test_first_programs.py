@@ -3,7 +3,7 @@
 import pytest
 
 from learnblock import running
-from runs import EXAMPLES, TASKS, TWINS, person, run_example, run_file
+from runs import EXAMPLES, TASKS, TWINS, run_file
 
 pytestmark = pytest.mark.spread
 
@@ -32,17 +32,16 @@ def runs_wholly(name, robot):
     ("name", "robot"),
     [(name, robot) for name in SHORT for robot in TWINS if runs_wholly(name, robot)],
 )
-def test_a_program_that_runs_wholly_reaches_every_goal(name, robot):
-    world, seconds = TASKS[name]
-    report = run_example(name, robot, world=world, seconds=seconds).report
+def test_a_program_that_runs_wholly_reaches_every_goal(made, name, robot):
+    report = made(name, robot).report
     assert report.error is None
     assert {goal.state for goal in report.goals} == {"reached"}
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("robot", ["sim-thymio", "sim-ev3"])
-def test_a_control_loop_follows_a_line_by_sensors_under_the_robot(robot):
-    report = run_example("first/pid.bt", robot, world="line", seconds=145).report
+def test_a_control_loop_follows_a_line_by_sensors_under_the_robot(made, robot):
+    report = made("first/pid.bt", robot).report
     assert {goal.state for goal in report.goals} == {"reached"}
 
 
@@ -70,7 +69,6 @@ def test_a_robot_that_only_drives_straight_on_does_not_reach_the_goals(world, tm
         ("first/reaction.bt", " seconds.\n"),
     ],
 )
-def test_a_program_asks_and_answers(name, said):
-    watcher = person(name)
-    run_example(name, "sim-ebo", seconds=TASKS[name][1], watcher=watcher)
-    assert said in watcher.output
+def test_a_program_asks_and_answers(made, name, said):
+    printed = "".join(f"{line['print']}\n" for line in made(name, "sim-ebo").entries("print"))
+    assert said in printed

@@ -13,28 +13,21 @@ from learnblock.running.recorded_keys import read_keys_of
 from learnblock.running.replay import replay
 from learnblock.running.team import Member, TeamRun
 from learnblock.runtime.inline import InlineWorker
-from runs import EXAMPLES, TASKS, TWINS, WORLDS, Presser, run_example
+from runs import EXAMPLES, FEW, Presser, able_twin
 
 NAMES = sorted(path.name for path in EXAMPLES.glob("*.bt"))
 
 
-@pytest.fixture(scope="module")
-def square():
-    return run_example("square.bt", "sim-ebo", world="square", worker=InlineWorker).trace
+@pytest.fixture
+def square(made):
+    return made("square.bt", "sim-ebo").trace
 
 
 @pytest.mark.slow
+@pytest.mark.sample(6)
 @pytest.mark.parametrize("name", NAMES)
-def test_every_example_is_repeated_exactly(name):
-    source = running.read(EXAMPLES / name)
-    robot = next(
-        robot
-        for robot in TWINS
-        if all(one.severity != "error" for one in running.check(source, robots.find(robot)))
-    )
-    world = TASKS[name][0] if name in TASKS else WORLDS.get(name)
-    options = {"world": world, "seconds": 12, "seed": 3}
-    repeated = replay(run_example(name, robot, worker=InlineWorker, **options).trace)
+def test_every_example_is_repeated_exactly(made, name):
+    repeated = replay(made(name, able_twin(name), seconds=FEW).trace)
 
     assert repeated.recorded == repeated.repeated
     assert len(repeated.recorded) > 10

@@ -60,7 +60,7 @@ def players(world: str, programs: Sequence[Member]) -> Callable[[Member], Watche
 def test_a_command_of_the_page_reaches_all_goals_of_its_world(programs, world):
     team = members(programs)
     options = Options(world=world, seconds=40)
-    report = TeamRun(team, options, watch=players(world, team)).run()
+    report = TeamRun(team, options, watch=players(world, team), worker=InlineWorker).run()
     assert report.goals
     assert {goal.name: goal.state for goal in report.goals} == {
         goal.name: "reached" for goal in report.goals
@@ -70,10 +70,12 @@ def test_a_command_of_the_page_reaches_all_goals_of_its_world(programs, world):
 
 def test_nobody_wins_the_race_without_keys():
     [race] = [programs for programs, world in COMMANDS if world == "race"]
-    report = TeamRun(members(race), Options(world="race", seconds=40)).run()
+    options = Options(world="race", seconds=40)
+    report = TeamRun(members(race), options, worker=InlineWorker).run()
     assert {goal.state for goal in report.goals} == {"open"}
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize(("programs", "world"), COMMANDS, ids=[world for _, world in COMMANDS])
 def test_programs_in_one_thread_leave_the_trace_of_programs_in_processes(programs, world):
     here, there = (

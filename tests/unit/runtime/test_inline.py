@@ -8,8 +8,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from learnblock import running
-from learnblock.robots import find
 from learnblock.runtime.ending import How
 from learnblock.runtime.inline import InlineWorker, stays_the_same
 from learnblock.runtime.link import SocketLink
@@ -19,7 +17,7 @@ from learnblock.runtime.trace import Trace, record
 from learnblock.runtime.watcher import Watcher
 from listener import Listener
 from places import ROOT
-from runs import EXAMPLES, TWINS, WORLDS, run_example
+from runs import EXAMPLES, FEW, TASKS, able_twin, run_example
 
 NAMES = sorted(path.name for path in EXAMPLES.glob("*.bt"))
 TURNS = """\
@@ -50,19 +48,10 @@ PROGRAMS = {
 @pytest.mark.slow
 @pytest.mark.spread
 @pytest.mark.parametrize("name", NAMES)
-def test_an_example_leaves_the_same_trace_in_its_hosts_thread(name):
-    source = running.read(EXAMPLES / name)
-    robot = next(
-        robot
-        for robot in TWINS
-        if all(one.severity != "error" for one in running.check(source, find(robot)))
-    )
-    options = {"world": WORLDS.get(name), "seconds": 8}
-    here, there = (
-        run_example(name, robot, worker=worker, **options)
-        for worker in (InlineWorker, ThreadWorker)
-    )
-
+def test_an_example_leaves_the_same_trace_in_its_hosts_thread(made, name):
+    robot, options = able_twin(name), {"world": TASKS[name][0], "seconds": FEW}
+    here = made(name, robot, **options)
+    there = run_example(name, robot, worker=ThreadWorker, **options)
     assert here.trace == there.trace
     assert here.report == there.report
 

@@ -2,11 +2,11 @@
 
 import pytest
 
-from learnblock import robots, running
+from learnblock import robots
 from learnblock.robots.simulated import Simulation
 from learnblock.why.world_again import WorldAgain
 from logged_runs import logged_example
-from runs import EXAMPLES, TASKS, TWINS, run_example
+from runs import FEW, TASKS, able_twin
 
 NAMES = sorted(TASKS)
 #: Every so many steps the world is compared.
@@ -15,13 +15,7 @@ STRIDE = 61
 
 def conditions(name):
     """A robot that can run an example, its world and a few seconds."""
-    source = running.read(EXAMPLES / name)
-    robot = next(
-        robot
-        for robot in TWINS
-        if all(one.severity != "error" for one in running.check(source, robots.find(robot)))
-    )
-    return robot, {"world": TASKS[name][0], "seconds": 8, "seed": 2}
+    return able_twin(name), {"world": TASKS[name][0], "seconds": FEW}
 
 
 def shown(robot):
@@ -43,9 +37,9 @@ def cameras(robot):
 @pytest.mark.sample(6)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
-def test_a_log_leaves_the_trace_as_it_is(name):
+def test_a_log_leaves_the_trace_as_it_is(made, name):
     robot, options = conditions(name)
-    plain = run_example(name, robot, **options).report
+    plain = made(name, robot, **options).report
     logged = logged_example(name, robot, **options).report
     assert logged.trace_sha256 == plain.trace_sha256
 
