@@ -18,8 +18,9 @@ sys.path.insert(0, str(TESTS / "helpers"))
 # The tiers, limits and reruns of the tests, and the report of the time that they took.
 pytest_plugins = ("gate", "limits", "reruns", "spent")
 
-# A busy machine takes longer for an example, which is no failure.
-settings.register_profile("untimed", deadline=None)
+# A busy machine takes longer for an example, which is no failure. In CI, Hypothesis would try the
+# same examples each time.
+settings.register_profile("untimed", deadline=None, derandomize=False)
 settings.load_profile("untimed")
 
 # A shell ignores Ctrl-C for background processes, and their children inherit that.
