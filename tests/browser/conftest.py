@@ -14,15 +14,16 @@ import pytest
 from playwright.sync_api import Browser, Error, expect, sync_playwright
 
 from browser.pupil import TIMEOUT, Pupil
+from gate import in_gate
 from learnblock.project.files.folder import ProjectFolder
 from learnblock.server.messages import New
 from learnblock.server.pages import projecting
 from places import ROOT
 
-#: The folder for the screenshots of the tests; None if nobody wants to look at them.
-ARTEFACTS = Path(folder) if (folder := os.environ.get("LEARNBLOCK_ARTEFACTS")) else None
 #: The folder for a screenshot of a failure.
-FAILURES = ARTEFACTS or ROOT / "build" / "screenshots"
+FAILURES = Path(os.environ.get("LEARNBLOCK_ARTEFACTS", ROOT / "build" / "screenshots"))
+#: The folder for the screenshots of the tests; nobody looks at those of the gate.
+ARTEFACTS = None if in_gate() else FAILURES
 #: The first has no window, which saves a tenth of the time.
 BROWSERS = (
     "chromium-headless-shell",

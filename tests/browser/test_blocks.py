@@ -41,7 +41,7 @@ COLOURS = """(plain) => [...document.querySelectorAll(
 @pytest.fixture
 def pupil(sit_down, server):
     """A pupil with an empty program."""
-    return sit_down(server, viewport={"width": 1600, "height": 900}, empty=True)
+    return sit_down(server, viewport={"width": 1600, "height": 900}, empty=True, flat=True)
 
 
 def test_all_blocks_of_a_group_have_one_colour_and_the_groups_have_nine(pupil):

@@ -49,7 +49,7 @@ def workshop(tmp_path_factory):
 
 @pytest.fixture
 def pupil(sit_down, workshop):
-    return sit_down(workshop, empty=True)
+    return sit_down(workshop, empty=True, flat=True)
 
 
 @pytest.fixture
@@ -63,13 +63,13 @@ def test_ten_lines_of_python_become_a_block_that_runs_the_same_in_a_new_profile(
     pupil.choose("Speed", "Fastest")
     bench.make(ZIGZAG)
     (main,) = pupil.block_ids()
-    pupil.put_into(pupil.take("My blocks", "lb_skill_zigzag"), main)
+    pupil.take("My blocks", "lb_skill_zigzag", to=lambda: pupil.inside(main))
     pupil.sees("blocktext", "function.zigzag(2)")
     pupil.picture("in-the-palette")
     bench.uses(USES_ZIGZAG, "lb_skill_zigzag")
     trace = pupil.trace_of_a_run()
     filename, content = bench.export("zigzag")
-    other = sit_down(own_server)
+    other = sit_down(own_server, flat=True)
     elsewhere = Bench(other)
     other.choose("Speed", "Fastest")
     elsewhere.list()

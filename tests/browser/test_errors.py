@@ -9,7 +9,7 @@ GOOD = "main:\n    x = 3\n    while x > 0:\n        x -= 1\n    end\nend\n"
 @pytest.fixture
 def pupil(sit_down, server):
     """A pupil with a correct program in all three views on a wide screen."""
-    pupil = sit_down(server, viewport={"width": 1800, "height": 900}, empty=True)
+    pupil = sit_down(server, viewport={"width": 1800, "height": 900}, empty=True, flat=True)
     pupil.show("Blocks", "Block-Text", "Python")
     pupil.write("blocktext", GOOD)
     pupil.sees("python", "while x > 0:")

@@ -22,7 +22,7 @@ end
 @pytest.fixture
 def pupil(sit_down, server):
     """A pupil with an empty program."""
-    return sit_down(server, viewport={"width": 1600, "height": 900}, empty=True)
+    return sit_down(server, viewport={"width": 1600, "height": 900}, empty=True, flat=True)
 
 
 def test_a_note_is_chosen_on_a_piano_with_the_mouse(pupil):

@@ -20,7 +20,7 @@ NEW = "when b = True:\n    pass\nend\n\nwhen c = True:\n    pass\nend\n\n"
 @pytest.fixture
 def empty(sit_down, server):
     """A pupil with an empty program in blocks and Block-Text."""
-    pupil = sit_down(server, empty=True)
+    pupil = sit_down(server, empty=True, flat=True)
     pupil.show("Blocks", "Block-Text")
     return pupil
 

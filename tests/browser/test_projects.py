@@ -70,7 +70,7 @@ def test_a_renamed_project_keeps_its_program_and_its_address(own_server, sit_dow
 
 @pytest.mark.certain
 def test_no_change_is_lost_when_the_server_is_killed(own_server, sit_down):
-    pupil = sit_down(own_server, empty=True)
+    pupil = sit_down(own_server, empty=True, flat=True)
     wave(pupil)
     pupil.wait_until_saved()
     own_server.kill()

@@ -50,10 +50,17 @@ end
 
 @pytest.fixture
 def pupil(sit_down, server):
-    """A pupil with an empty program in all three views on a wide screen."""
-    pupil = sit_down(server, viewport={"width": 1800, "height": 900}, empty=True)
+    """A pupil with an empty program in all three views on a wide screen, without the world."""
+    pupil = sit_down(server, viewport={"width": 1800, "height": 900}, empty=True, flat=True)
     pupil.show("Blocks", "Block-Text", "Python")
     return pupil
+
+
+def test_a_browser_without_3d_says_so_and_runs_programs(pupil):
+    missing = pupil.page.locator(".world-missing")
+    expect(missing).to_contain_text("This browser can't show the world in 3D")
+    pupil.choose("Speed", "Fastest")
+    pupil.run_to_the_end()
 
 
 def test_a_pause_during_a_sleep_stops_the_world_until_resume(pupil):

@@ -23,11 +23,11 @@ end
 @pytest.fixture
 def pupil(sit_down, server):
     """A pupil with room beside the program."""
-    return sit_down(server, stage="starter", viewport={"width": 1920, "height": 1080})
+    viewport = {"width": 1920, "height": 1080}
+    return sit_down(server, stage="starter", viewport=viewport, empty=True)
 
 
 def test_listing_4_is_built_by_dragging_blocks_and_the_robot_closes_the_square(pupil):
-    pupil.begin()
     pupil.choose("Robot", "Cozmo")
     build_listing_4(pupil)
     pupil.picture("built")

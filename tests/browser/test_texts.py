@@ -34,7 +34,7 @@ end
 @pytest.fixture
 def pupil(sit_down, server):
     """A pupil with an empty program in all three views on a wide screen."""
-    pupil = sit_down(server, viewport={"width": 1800, "height": 900}, empty=True)
+    pupil = sit_down(server, viewport={"width": 1800, "height": 900}, empty=True, flat=True)
     pupil.show(*ALL)
     return pupil
 
