@@ -45,8 +45,7 @@ class Bench:
     @contextmanager
     def fault(self, fault: Fault) -> Iterator[None]:
         """Make the link fail inside the `with` block."""
-        if self.relay is None:
-            raise SkippedClaimError("no relay was given")
+        assert self.relay is not None  # noqa: S101 - such a claim is skipped without one
         self.relay.fault = fault
         try:
             yield

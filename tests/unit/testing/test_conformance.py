@@ -9,6 +9,7 @@ from learnblock.client import Client
 from learnblock.devices import Base, DistanceSensors, Gyroscope
 from learnblock.testing import (
     CLAIMS,
+    LINK_CLAIMS,
     FakeRobot,
     NotConformingError,
     VirtualClock,
@@ -120,3 +121,17 @@ def test_a_sensor_that_is_usually_slow_is_told(monkeypatch):
     sentence = "less than 5 readings a second: DistanceSensors:ROBOT"
     with pytest.raises(NotConformingError, match=sentence):
         check_robot(delayed(monkeypatch, [0.3, 0.3, 0.1]))
+
+
+def test_without_a_link_that_can_fail_no_robot_is_connected_for_the_claims_about_it():
+    made = []
+
+    def make():
+        made.append(FakeRobot())
+        return made[-1]
+
+    certificate = check_robot(make, claims=LINK_CLAIMS)
+    assert {finding.outcome for finding in certificate.findings} == {"skipped"}
+    assert [finding.claim for finding in certificate.findings] == list(LINK_CLAIMS)
+    # One tells its name.
+    assert len(made) == 1
