@@ -101,7 +101,7 @@ def is_all_raw(program):
 
 
 @pytest.mark.slow
-@settings(many, max_examples=examples(2000, gate=100))
+@settings(many, max_examples=examples(1000, gate=100))
 @given(seeds)
 def test_a_random_program_survives_every_round_trip(trees):
     program = trees.program()
@@ -143,7 +143,7 @@ TERMINALS = {
 
 
 @pytest.mark.slow
-@settings(many, max_examples=examples(120, gate=15))
+@settings(many, max_examples=examples(60, gate=15))
 @given(from_lark(GRAMMAR, start="program", explicit=TERMINALS))
 def test_a_program_of_the_grammar_survives_every_round_trip(text):
     program, diagnostics = recover(text)

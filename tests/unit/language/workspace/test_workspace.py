@@ -68,7 +68,7 @@ def test_python_survives_as_blocks(path):
 
 
 @pytest.mark.slow
-@settings(many, max_examples=examples(2000, gate=100))
+@settings(many, max_examples=examples(1000, gate=100))
 @given(seeds)
 def test_a_random_program_survives_as_blocks(trees):
     assert_survives(trees.program())
