@@ -108,12 +108,14 @@ class Class:
         said = {"word": word or self.word, "name": name, "pictures": pictures}
         return self.ask("/join", json.dumps(said), device=device)
 
+    def device(self):
+        """The address of another device; None where all have the same."""
+        # Only Linux has all of these addresses.
+        return (f"127.0.1.{next(self._devices)}", 0) if sys.platform == "linux" else None
+
     def pupil(self, name):
         """Join as a new pupil, on a device of its own."""
-        # Only Linux has all of these addresses.
-        number = next(self._devices)
-        device = (f"127.0.1.{number}", 0) if sys.platform == "linux" else None
-        answer = self.join(name, device=device)
+        answer = self.join(name, device=self.device())
         assert answer.status == 200, answer
         return Joined(self, name, answer.json["address"], answer.cookie, answer.json["pictures"])
 

@@ -24,11 +24,17 @@ from learnblock.classroom import pupil_server
 from learnblock.classroom.pupil_server import Order
 from learnblock.runtime.containment import kernel
 from learnblock.server.runs.memory import share_one_heap
+from learnblock.simulator import load_robot, load_world, robot_names, world_names
 
 #: What pupils' servers load when they need it.
 _PRELOADED = (
     "cv2",
     "learnblock.lessons",
+    "learnblock.monitor.world_monitor",
+    "learnblock.robots.sim_cozmo",
+    "learnblock.robots.sim_ebo",
+    "learnblock.robots.sim_ev3",
+    "learnblock.robots.sim_thymio",
     "learnblock.running",
     "learnblock.server.pages.lobby",
     "learnblock.server.serve",
@@ -127,18 +133,22 @@ class Nursery:
             self._stop(ask.stop, self._patience.asked)
 
     def _start(self, order: Order) -> None:
+        # Until the server handles it: ours would take a server's signal for one to us.
+        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGTERM})
         process = os.fork()
         if process == 0:
             _serve(order, self._connection)
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGTERM})
         self.servers[process] = order.pupil
 
     def _reap(self) -> None:
         for process in list(self.servers):
             ended, status = os.waitpid(process, os.WNOHANG)
             if ended:
-                self.has_killed |= os.WIFSIGNALED(status)
+                # One that a request to end has ended by itself had nothing to save yet.
+                self.has_killed |= os.WIFSIGNALED(status) and os.WTERMSIG(status) != signal.SIGTERM
                 self._deadlines.pop(process, None)
-                self._tell(News(self.servers.pop(process), process))
+                _send(self._connection, News(self.servers.pop(process), process))
             elif self._deadlines.get(process, math.inf) < monotonic():
                 os.kill(process, signal.SIGKILL)
 
@@ -154,17 +164,13 @@ class Nursery:
         for process in self.servers:
             self._stop(process, seconds)
 
-    def _tell(self, news: News) -> None:
-        # The classroom may have gone.
-        with suppress(ConnectionError):
-            _send(self._connection, news)
-
 
 def _serve(order: Order, connection: socket.socket) -> NoReturn:
     """Be a server, and end with it."""
     status = 1
     try:
         signal.signal(signal.SIGTERM, signal.SIG_DFL)
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGTERM})
 
         def started(port: int) -> None:
             _send(connection, News(order.pupil, os.getpid(), port))
@@ -180,8 +186,21 @@ def _serve(order: Order, connection: socket.socket) -> NoReturn:
 
 
 def _send(connection: socket.socket, news: News) -> None:
-    # One call, because servers share the connection.
-    connection.sendall(msgspec.json.encode(news) + b"\n")
+    # The classroom may have gone.
+    with suppress(ConnectionError):
+        # One call, because servers share the connection.
+        connection.sendall(msgspec.json.encode(news) + b"\n")
+
+
+def _preload() -> None:
+    for module in _PRELOADED:
+        import_module(module)
+    # Each server tells its pages of all robots and worlds, and `load_robot` and `load_world` read
+    # those that come with LearnBlock once.
+    for name in robot_names():
+        load_robot(name)
+    for name in world_names():
+        load_world(name)
 
 
 def main() -> None:
@@ -190,8 +209,7 @@ def main() -> None:
     connection = socket.socket(fileno=int(sys.argv[1]))
     # Every server that is forked here has this setting.
     share_one_heap()
-    for module in _PRELOADED:
-        import_module(module)
+    _preload()
     # A server that collected what we have loaded would copy all of it.
     gc.freeze()
     nursery = Nursery(connection, Patience())

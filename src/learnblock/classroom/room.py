@@ -57,6 +57,10 @@ class Room:
         """Whether every server has saved everything, once the class is closed."""
         return self._servers.are_saved
 
+    def end(self) -> None:
+        """Start no more servers, because the class is about to close."""
+        self._servers.refuse()
+
     async def close(self) -> None:
         """Have every server save everything and end."""
         for task in self._ending.values():
@@ -86,7 +90,7 @@ class Room:
         """The place of a pupil's server, which is started if it is not running.
 
         Raises:
-            LearnBlockError: it does not start.
+            LearnBlockError: it does not start, or the class ends.
         """
         if ending := self._ending.pop(pupil.id, None):
             ending.cancel()

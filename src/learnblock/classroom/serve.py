@@ -90,7 +90,7 @@ def serve_class(service: ClassService, *, show: Callable[[str], object] | None =
             config,
             LastResort(partial(_hurry, room), service.announce, service.deadlines),
             _opened(service, address, show),
-            lambda: service.announce(Phrase("class-closing", title=title)),
+            partial(_begin_to_end, room, service),
         )
         collect_rarely()
         # Uvicorn stops the server, then raises the signal again.
@@ -99,6 +99,12 @@ def serve_class(service: ClassService, *, show: Callable[[str], object] | None =
             server.run([listening])
         code = "class-ended" if room.is_saved else "class-ended-by-force"
         service.announce(Phrase(code, title=title))
+
+
+def _begin_to_end(room: Room, service: ClassService) -> None:
+    service.announce(Phrase("class-closing", title=service.roster.title))
+    # Whoever waits for a server is answered before connections are closed.
+    room.end()
 
 
 def _hurry(room: Room) -> Iterable[Phrase]:

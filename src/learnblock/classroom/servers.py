@@ -56,6 +56,7 @@ class Servers:
         self._ended = ended
         #: Whether every server has saved everything and ended by itself, once all are closed.
         self.are_saved = False
+        self._is_ending = False
         self._places: dict[str, Place] = {}
         self._starting: dict[str, asyncio.Future[News]] = {}
         self._locks: dict[str, asyncio.Lock] = {}
@@ -76,10 +77,18 @@ class Servers:
         reader, self._writer = await asyncio.open_connection(sock=ours)
         self._listening = asyncio.create_task(self._listen(reader))
 
+    def refuse(self) -> None:
+        """Start no more servers, and tell those who wait for one; the others go on."""
+        self._is_ending = True
+        for news in self._starting.values():
+            if not news.done():
+                news.set_exception(LearnBlockError("class-ends"))
+
     async def close(self) -> None:
         """Have every server save everything and end."""
         if self._writer is None:
             return
+        self.refuse()
         self._writer.close()
         await asyncio.to_thread(self._end, Measure(bool, _CLOSING))
         if self._listening:
@@ -101,7 +110,7 @@ class Servers:
         """The place of a pupil's server, which is started if it is not running.
 
         Raises:
-            LearnBlockError: it does not start.
+            LearnBlockError: it does not start, or the class ends.
         """
         async with self._locks.setdefault(pupil, asyncio.Lock()):
             if pupil not in self._places:
@@ -123,6 +132,8 @@ class Servers:
                 await self._changed.wait_for(lambda: self._places.get(pupil) is not place)
 
     async def _start(self, pupil: str, folder: Path) -> Place:
+        if self._is_ending:
+            raise LearnBlockError("class-ends")
         token, base_url = secrets.token_urlsafe(24), f"/p/{pupil}/"
         news = self._starting[pupil] = asyncio.get_running_loop().create_future()
         self._ask(Ask(Order(pupil, str(folder), base_url, token)))

@@ -1,6 +1,7 @@
 """A class closes when the teacher wants it to, whatever its pupils' programs and servers do."""
 
 import contextlib
+import http.client
 import os
 import resource
 import signal
@@ -12,8 +13,9 @@ from time import monotonic
 
 import pytest
 
-from classes import Class
+from classes import Class, opened
 from learnblock.classroom.nursery import Nursery, Patience
+from learnblock.i18n import Phrase
 from waiting import SECONDS, wait_for
 
 pytestmark = [
@@ -50,7 +52,8 @@ def server_of(room):
 def say_nothing_more(room):
     """Return what the class still prints until it has closed, and the seconds that took."""
     began = monotonic()
-    said = room.process.stdout.read()
+    with room.process.stdout as output:
+        said = output.read()
     room.process.wait(SECONDS)
     return said, monotonic() - began
 
@@ -108,6 +111,32 @@ def test_a_second_ctrl_c_closes_a_class_with_a_server_that_hangs(room):
         said, seconds = say_nothing_more(room)
     assert "ending at once" in said
     assert seconds < 10
+
+
+def test_whoever_waits_for_a_server_is_told_that_the_class_closes(tmp_path):
+    with (
+        (tmp_path / "errors").open("w+") as errors,
+        opened(tmp_path, errors=errors) as room,
+        socket.create_connection(("127.0.0.1", room.port), SECONDS) as waiting,
+    ):
+        pupil = room.pupil("Ada")
+        (nursery,) = children(room.process.pid)
+        # It starts no server meanwhile.
+        os.kill(nursery, signal.SIGSTOP)
+        waiting.sendall(
+            f"GET /{pupil.address}palette/en.json HTTP/1.1\r\nHost: 127.0.0.1\r\n"
+            f"Cookie: {pupil.cookie}\r\n\r\n".encode()
+        )
+        # A later request is answered, so that this one has been read.
+        assert room.ask("/about.json").status == 200
+        room.process.send_signal(signal.SIGINT)
+        answer = http.client.HTTPResponse(waiting)
+        answer.begin()
+        assert (answer.status, answer.read()) == (503, f"{Phrase('class-ends')}\n".encode())
+        os.kill(nursery, signal.SIGCONT)
+        said, _ = say_nothing_more(room)
+        errors.seek(0)
+        assert ("Everything is saved" in said, errors.read()) == (True, "")
 
 
 def test_a_server_that_does_not_end_is_killed():

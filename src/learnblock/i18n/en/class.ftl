@@ -60,5 +60,6 @@ class-too-fast = That was too often. Wait a moment and try again.
 class-too-many-pages = You have { $most } pages of this class open. Close one of them.
 class-uploading = Another file is still being opened. Wait until it is done.
 class-no-pupil = This pupil is no longer in the class.
+class-ends = The class is closing. Your work is saved.
 class-server-silent = Your place in class is not ready yet. Try again in a moment.
 class-server-failed = Your place in class could not be prepared: { $reason }

@@ -52,5 +52,6 @@ class-too-fast = Demasiado seguido. Espera un momento y prueba otra vez.
 class-too-many-pages = Tienes { $most } páginas de esta clase abiertas. Cierra una.
 class-uploading = Todavía se está abriendo otro archivo. Espera a que termine.
 class-no-pupil = Esta persona ya no está en la clase.
+class-ends = La clase se está cerrando. Tu trabajo está guardado.
 class-server-silent = Tu sitio en la clase aún no está listo. Prueba otra vez dentro de un momento.
 class-server-failed = No se pudo preparar tu sitio en la clase: { $reason }

@@ -1,5 +1,6 @@
 """What repeated faults print: each is said once, and then how often it has come again."""
 
+import asyncio
 import logging
 import re
 import sys
@@ -60,6 +61,12 @@ class SaidOnce(logging.Filter):
             self._faults.popitem(last=False)
 
 
+def is_fault(record: logging.LogRecord) -> bool:
+    """Whether a record tells of a fault: a request that the server's end cuts off is none."""
+    error = record.exc_info and record.exc_info[1]
+    return not isinstance(error, asyncio.CancelledError)
+
+
 def _key(record: logging.LogRecord) -> tuple[str, ...]:
     """What two records of the same fault have in common."""
     error = record.exc_info and record.exc_info[1]
@@ -77,6 +84,7 @@ def faults_said_once() -> Iterator[None]:
     """Print what goes wrong in this process to its standard error, each fault once a minute."""
     handler = logging.StreamHandler(sys.stderr)
     handler.setLevel(logging.WARNING)
+    handler.addFilter(is_fault)
     handler.addFilter(SaidOnce())
     root = logging.getLogger()
     root.addHandler(handler)

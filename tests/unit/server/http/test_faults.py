@@ -1,11 +1,12 @@
 """What repeated faults print is said once."""
 
+import asyncio
 import logging
 
 import pytest
 
 from clocks import Clock
-from learnblock.server.http.faults import SaidOnce
+from learnblock.server.http.faults import SaidOnce, faults_said_once
 
 
 @pytest.fixture
@@ -63,3 +64,12 @@ def test_memory_for_faults_is_bounded(said):
     assert len(printed) == 150
     (handler,) = logger.handlers
     assert len(handler.filters[0]._faults) == 100
+
+
+def test_a_request_that_the_end_of_the_server_cuts_off_is_no_fault(capsys):
+    with faults_said_once():
+        for error in (asyncio.CancelledError(), ValueError("a")):
+            logging.getLogger("uvicorn.error").error("in the application", exc_info=error)
+    said = capsys.readouterr().err
+    assert "ValueError" in said
+    assert "CancelledError" not in said
