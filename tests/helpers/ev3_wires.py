@@ -39,7 +39,7 @@ def read_agent(text):
     data = text.encode("utf-8", "surrogatepass")
     with suppress(ValueError):
         lines.greeting(data)
-    guarding = agent.Guard(Brick(), lambda: None, agent.Clock())
+    guarding = agent.Guard(Brick(), lambda: None, agent.BrickClock())
     with suppress(agent.BrickError), closing(guarding) as guard:
         json.loads(guard.answer(text))
         agent.wished(agent.parsed(text))

@@ -13,11 +13,12 @@ from places import TESTS
 LOOPS_OVER_ONE = {
     "classroom": 6,
     "ice": 3,
-    "lessons": 171,
+    "lessons": 169,
+    "project": 31,
     "robots": 18,
     "running": 18,
     "runtime": 11,
-    "server": 136,
+    "server": 105,
 }
 #: Modules that import each other, with the reason; the list may only become shorter.
 CIRCLES = {

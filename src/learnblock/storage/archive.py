@@ -1,7 +1,7 @@
 """The one reader of zips, whoever made them: within limits, and without writing to disk.
 
 A zip can lie about its sizes, have names that lead out of any folder, and hold what no person has
-put there. `unzipped` refuses all of that; with `Reader`, its caller leaves out what is refused.
+put there. `unzipped` refuses all of that; with `ZipReader`, its caller leaves out what is refused.
 """
 
 import io
@@ -106,7 +106,7 @@ class Entry:
         return len(content) > max(_SMALL, LARGEST_RATIO * self.info.compress_size)
 
 
-class Reader:
+class ZipReader:
     """Reads zips, and adds up what was read of them.
 
     Args:
@@ -236,7 +236,7 @@ def zipped(files: Mapping[str, bytes]) -> bytes:
 
 
 def _files(content: bytes, rules: Rules) -> dict[str, bytes]:
-    reader = Reader(rules.entries, rules.total)
+    reader = ZipReader(rules.entries, rules.total)
     found: dict[str, bytes] = {}
     for entry in reader.entries(io.BytesIO(content)):
         if entry.is_folder:

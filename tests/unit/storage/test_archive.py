@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from learnblock.errors import ProjectError
 from learnblock.i18n import Phrase
-from learnblock.storage.archive import DEEPEST, Reader, RefusedError, Rules, unzipped, zipped
+from learnblock.storage.archive import DEEPEST, RefusedError, Rules, ZipReader, unzipped, zipped
 
 NAMES = st.text(
     st.characters(codec="utf-8", exclude_characters="\0/\\", exclude_categories=["Cs"]),
@@ -59,7 +59,7 @@ def names(raw, *, flag):
     if flag:
         written[7] |= 8
         written[written.index(b"PK\1\2") + 9] |= 8
-    return [entry.name for entry in Reader(10, 10).entries(io.BytesIO(bytes(written)))]
+    return [entry.name for entry in ZipReader(10, 10).entries(io.BytesIO(bytes(written)))]
 
 
 @given(NAMES.filter(lambda name: "x" not in name and not name.startswith(".")))
@@ -174,7 +174,7 @@ def test_a_zip_that_lies_about_sizes_is_refused():
 )
 def test_the_zips_in_a_zip_count_together(entries, total, rule):
     inner = made(("a", "x"), ("b", "x"))
-    reader = Reader(entries, total)
+    reader = ZipReader(entries, total)
 
     def read_all():
         for entry in reader.entries(io.BytesIO(made(("1.zip", inner), ("2.zip", inner)))):
@@ -187,7 +187,7 @@ def test_the_zips_in_a_zip_count_together(entries, total, rule):
 
 
 def test_of_a_file_no_more_is_read_than_is_asked_for():
-    reader = Reader(1, 100)
+    reader = ZipReader(1, 100)
     [content] = (reader.read(one, 3) for one in reader.entries(io.BytesIO(made(("a", "xxxx")))))
     assert content == b"xxx"
 

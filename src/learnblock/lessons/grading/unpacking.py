@@ -11,7 +11,7 @@ from pathlib import Path, PurePosixPath
 from learnblock.errors import LearnBlockError
 from learnblock.running.source import LARGEST_PROGRAM
 from learnblock.runtime.limits import MEGABYTE
-from learnblock.storage.archive import DEEPEST, Entry, Reader, RefusedError
+from learnblock.storage.archive import DEEPEST, Entry, RefusedError, ZipReader
 
 #: The files that can be graded.
 ENDINGS = (".bt", ".py", ".learnblock")
@@ -152,7 +152,7 @@ def _all_files(file: Path) -> Iterator[_File]:
     Raises:
         LearnBlockError: it is damaged or too large.
     """
-    reader = Reader(MOST_ENTRIES, LARGEST_CLASS)
+    reader = ZipReader(MOST_ENTRIES, LARGEST_CLASS)
     try:
         with file.open("rb") as opened:
             yield from _files(reader, reader.entries(opened), ())
@@ -161,7 +161,7 @@ def _all_files(file: Path) -> Iterator[_File]:
         raise LearnBlockError(code, file=str(file)) from refused
 
 
-def _files(reader: Reader, entries: Iterator[Entry], outer: tuple[str, ...]) -> Iterator[_File]:
+def _files(reader: ZipReader, entries: Iterator[Entry], outer: tuple[str, ...]) -> Iterator[_File]:
     """The programs in a zip, those in zips inside it, and the folders of all other files."""
     for entry in entries:
         if not (names := _parts(entry.name)):
@@ -177,7 +177,7 @@ def _files(reader: Reader, entries: Iterator[Entry], outer: tuple[str, ...]) -> 
             yield _File(entry.name, parts)
 
 
-def _program(reader: Reader, entry: Entry, parts: Sequence[str]) -> _File:
+def _program(reader: ZipReader, entry: Entry, parts: Sequence[str]) -> _File:
     try:
         # A larger one is refused when it is read.
         return _File(entry.name, parts, reader.read(entry, LARGEST_PROGRAM + 1))
@@ -187,7 +187,7 @@ def _program(reader: Reader, entry: Entry, parts: Sequence[str]) -> _File:
         return _File(entry.name, parts, is_damaged=True)
 
 
-def _inner(reader: Reader, entry: Entry, parts: Sequence[str]) -> Iterator[_File]:
+def _inner(reader: ZipReader, entry: Entry, parts: Sequence[str]) -> Iterator[_File]:
     """What is in a zip inside, in a folder with its name."""
     *outer, name = parts
     folder = (*outer, name[: -len(_ZIP)] or "_")

@@ -81,7 +81,7 @@ class BrickError(Exception):
         return json.dumps({"error": self.code, "values": self.values})
 
 
-class Clock:
+class BrickClock:
     """The brick's clock; tests use one that they set."""
 
     def now(self) -> float:
@@ -151,7 +151,7 @@ class Sensor(Device):
 class Battery:
     """The brick's battery, read occasionally."""
 
-    def __init__(self, clock: Clock) -> None:
+    def __init__(self, clock: BrickClock) -> None:
         self._clock = clock
         self._read = None  # type: Optional[float]
         self._volts = None  # type: Optional[float]
@@ -201,7 +201,7 @@ class Brick:
         wish: Dict[str, Any],
         motor: Callable[..., Any],
         sensors: Callable[[], Any],
-        clock: Clock,
+        clock: BrickClock,
     ) -> None:
         self._motors = [open_motor(motor, port) for port in wish["motors"]]
         self._fastest = [motor.max_speed for motor in self._motors]
@@ -321,7 +321,7 @@ class Guard:
         clock: the brick's clock.
     """
 
-    def __init__(self, brick: Brick, at_end: Callable[[], object], clock: Clock) -> None:
+    def __init__(self, brick: Brick, at_end: Callable[[], object], clock: BrickClock) -> None:
         self._brick = brick
         self._clock = clock
         self._at_end = at_end
@@ -432,10 +432,10 @@ def serve(
     motor: Callable[..., Any],
     sensors: Callable[[], Any],
     at_end: Callable[[], object] = lambda: None,
-    clock: Optional[Clock] = None,
+    clock: Optional[BrickClock] = None,
 ) -> Guard:
     """Start answering a client; its first line names the ports of motors and sensors."""
-    clock = clock or Clock()
+    clock = clock or BrickClock()
     return Guard(Brick(wished(parsed(line)), motor, sensors, clock), at_end, clock)
 
 
@@ -492,8 +492,10 @@ class Agent:
         clock: the brick's clock.
     """
 
-    def __init__(self, listener: socket.socket, token: str, clock: Optional[Clock] = None) -> None:
-        self._clock = clock or Clock()
+    def __init__(
+        self, listener: socket.socket, token: str, clock: Optional[BrickClock] = None
+    ) -> None:
+        self._clock = clock or BrickClock()
         self._listener = listener
         self._token = token.encode()
         self._clients = {}  # type: Dict[socket.socket, Conversation]
