@@ -16,10 +16,15 @@ from websockets.sync.client import connect
 from learnblock.i18n import Phrase
 from learnblock.server.app import create_app
 from learnblock.server.serve import configured
+from learnblock.server.sessions.periods import Periods
 from waiting import SECONDS
 
 TOKEN = "the-token-of-the-tests"
 TIMEOUT = SECONDS
+#: A user would not notice the difference.
+SOON = Periods(save=0.02)
+#: What another program writes is noticed at once, or only when the project is saved.
+WATCHING, ON_SAVING = Periods(save=0.02, watch=0.02), Periods(save=0.02, watch=3600)
 
 # uvicorn looks every tenth of a second whether it should stop and whether its connections have
 # closed, which costs the tests two minutes.
@@ -34,8 +39,8 @@ class Server:
     It runs in a thread, and stops in the same way as a user's server.
     """
 
-    def __init__(self, folder, **options):
-        self.app = create_app(folder, token=TOKEN, **options)
+    def __init__(self, folder, *, periods=SOON, **options):
+        self.app = create_app(folder, token=TOKEN, periods=periods, **options)
         self._server = uvicorn.Server(configured(self.app))
         self._started = threading.Event()
         self._thread = threading.Thread(target=self._run, name="server")

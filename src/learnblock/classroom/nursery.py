@@ -23,8 +23,8 @@ import msgspec
 from learnblock.classroom import pupil_server
 from learnblock.classroom.pupil_server import Order
 from learnblock.runtime.containment import kernel
+from learnblock.server.catalog import world_choices
 from learnblock.server.runs.memory import share_one_heap
-from learnblock.simulator import load_robot, load_world, robot_names, world_names
 
 #: What pupils' servers load when they need it.
 _PRELOADED = (
@@ -195,12 +195,8 @@ def _send(connection: socket.socket, news: News) -> None:
 def _preload() -> None:
     for module in _PRELOADED:
         import_module(module)
-    # Each server tells its pages of all robots and worlds, and `load_robot` and `load_world` read
-    # those that come with LearnBlock once.
-    for name in robot_names():
-        load_robot(name)
-    for name in world_names():
-        load_world(name)
+    # Each server tells its pages of all worlds; those that come with LearnBlock are read once.
+    world_choices()
 
 
 def main() -> None:

@@ -29,14 +29,14 @@ from learnblock.server.http.protection import (
     offered_token,
 )
 from learnblock.server.http.runs import RunFiles
+from learnblock.server.sessions.periods import Periods
 
 if TYPE_CHECKING:
     from learnblock.server.pages.lobby import Lobby
 
 #: A close code that tells the page not to reconnect, because the token is wrong.
 FORBIDDEN = 4403
-#: Seconds for which a project without a page stays open.
-GRACE = 60.0
+_PERIODS = Periods()
 _GZIP = Middleware(GZipMiddleware, minimum_size=1000, compresslevel=5)
 
 Endpoint = Callable[[Request], Awaitable[Response]]
@@ -51,7 +51,7 @@ def create_app(
     proxy_sends_token: bool = False,
     base_url: str = "/",
     static: Path = static_files.BUILT,
-    grace: float = GRACE,
+    periods: Periods = _PERIODS,
     read_only: Phrase | None = None,
     for_others: bool = False,
     for_one: bool = False,
@@ -67,13 +67,13 @@ def create_app(
         proxy_sends_token: whether a proxy sends the token for users that it has logged in.
         base_url: the path of the page.
         static: the folder of the built page.
-        grace: seconds for which a project stays open without a page.
+        periods: how long an open project waits to be saved, and to be closed.
         read_only: why nothing may be written; None if it may.
         for_others: whether other computers can connect.
         for_one: whether all pages are one person's, on whatever device.
     """
     protection = Protection.of(token, hosts, origins, proxy_sends_token=proxy_sends_token)
-    lobby = _LateLobby(folder, grace, read_only, for_others=for_others, for_one=for_one)
+    lobby = _LateLobby(folder, periods, read_only, for_others=for_others, for_one=for_one)
     routes = _routes(protection, static, folder, lobby, read_only=read_only is not None)
     base = "/" + base_url.strip("/")
     if base != "/":
@@ -154,7 +154,7 @@ class _LateLobby:
     def __init__(
         self,
         folder: Path,
-        grace: float,
+        periods: Periods,
         read_only: Phrase | None,
         *,
         for_others: bool,
@@ -163,7 +163,7 @@ class _LateLobby:
         self._for_others = for_others
         self._for_one = for_one
         self._folder = folder
-        self._grace = grace
+        self._periods = periods
         self._read_only = read_only
         self._making: asyncio.Task[Lobby] | None = None
         self._loop: asyncio.AbstractEventLoop | None = None
@@ -193,7 +193,7 @@ class _LateLobby:
         address = own_address() if self._for_others else None
         return Lobby(
             self._folder,
-            self._grace,
+            self._periods,
             self._read_only,
             for_others=self._for_others,
             for_one=self._for_one,

@@ -2,7 +2,7 @@
 
 import pytest
 
-from pages import serving
+from pages import SOON, serving
 
 
 @pytest.fixture
@@ -11,8 +11,14 @@ def projects(tmp_path):
 
 
 @pytest.fixture
-def server(projects):
-    with serving(projects, static=projects.parent / "static") as running:
+def periods():
+    """How long an open project waits; a test that needs others parametrizes it."""
+    return SOON
+
+
+@pytest.fixture
+def server(projects, periods):
+    with serving(projects, static=projects.parent / "static", periods=periods) as running:
         yield running
 
 

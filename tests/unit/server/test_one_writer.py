@@ -10,8 +10,10 @@ import sys
 from contextlib import contextmanager
 
 import pytest
+from click.testing import CliRunner
 from websockets.sync.client import connect
 
+from learnblock.cli import claiming, main
 from pages import TIMEOUT, TOKEN, Visitor
 from waiting import wait_for
 
@@ -57,16 +59,9 @@ def visit(process):
 
 
 def refused(folder, *options):
-    """What a server without a terminal prints when it does not start."""
-    ended = subprocess.run(
-        command(folder, *options),
-        stdin=subprocess.DEVNULL,
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=TIMEOUT,
-    )
-    assert ended.returncode == 2
+    """What the command prints, without a terminal, when it starts no server."""
+    ended = CliRunner().invoke(main, command(folder, *options)[3:])
+    assert ended.exit_code == 2
     return ended.stderr
 
 
@@ -100,22 +95,12 @@ def test_taking_over_loses_no_letter(folder):
 
 
 def test_one_that_does_not_end_is_named_with_what_to_do(folder, monkeypatch):
-    script = (
-        "import sys\nfrom learnblock.cli import claiming, main\nclaiming.PATIENCE = 1.0\nmain()\n"
-    )
+    monkeypatch.setattr(claiming, "PATIENCE", 0.2)
     with learnblock(folder) as first:
         first.stdout.readline()
         first.send_signal(signal.SIGSTOP)
-        ended = subprocess.run(
-            [sys.executable, "-c", script, *command(folder, "--take-over")[3:]],
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            text=True,
-            check=False,
-            timeout=TIMEOUT,
-        )
-    assert ended.returncode == 2
-    assert re.search(rf"has not ended: process {first.pid}.* End that process", ended.stderr)
+        said = refused(folder, "--take-over")
+    assert re.search(rf"has not ended: process {first.pid}.* End that process", said)
 
 
 def test_both_ways_out_at_once_are_refused(folder):
@@ -153,17 +138,12 @@ def test_a_reader_follows_what_the_writer_saves(folder):
 
 def test_a_reader_copies_no_file_into_the_folder(folder, tmp_path):
     (tmp_path / "mine.bt").write_text("main:\n    pass\nend\n", "utf-8")
-    ended = subprocess.run(
-        [
-            sys.executable, "-m", "learnblock", "--language", "en", "open",
-            str(tmp_path / "mine.bt"), "--no-browser", "--projects", str(folder), "--read-only",
-        ],
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=TIMEOUT,
-    )  # fmt: skip
-    assert ended.returncode == 2
+    command = [
+        "--language", "en", "open", str(tmp_path / "mine.bt"),
+        "--no-browser", "--projects", str(folder), "--read-only",
+    ]  # fmt: skip
+    ended = CliRunner().invoke(main, command)
+    assert ended.exit_code == 2
     assert "Leave out --read-only" in ended.stderr
     assert not folder.exists()
 

@@ -10,10 +10,14 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect, unix_connect
 
+from learnblock.cli import main
 from learnblock.errors import LearnBlockError
+from learnblock.project.files.folder import ProjectFolder
+from learnblock.project.files.project import Project
 from learnblock.server.http.protection import Protection
 from learnblock.server.serve import Service, _bound, _listening, _person, _warn, serve
 from pages import TIMEOUT, TOKEN, Visitor
@@ -64,10 +68,17 @@ def children(process):
     return found.stdout.split()
 
 
-def test_the_address_contains_the_token():
-    with learnblock("--port", "0") as (_, address):
-        assert address.startswith("http://127.0.0.1:")
-        assert address.endswith(f"/?token={TOKEN}")
+@pytest.fixture(scope="module")
+def address(tmp_path_factory):
+    """The address that a server prints, for tests that change nothing."""
+    projects = tmp_path_factory.mktemp("projects")
+    with learnblock("--port", "0", "--projects", str(projects)) as (_, printed):
+        yield printed
+
+
+def test_the_address_contains_the_token(address):
+    assert address.startswith("http://127.0.0.1:")
+    assert address.endswith(f"/?token={TOKEN}")
 
 
 @pytest.mark.parametrize(
@@ -171,11 +182,7 @@ def test_a_file_is_opened_as_a_project(tmp_path):
 
 
 def test_a_project_of_the_folder_is_opened_in_place(tmp_path):
-    with (
-        learnblock("--port", "0", "--projects", str(tmp_path)) as (_, address),
-        visit(address) as page,
-    ):
-        page.open("mine", RUNNING)
+    ProjectFolder(tmp_path).add(Project("mine", RUNNING))
     file = tmp_path / "mine.learnblock"
     options = ("open", str(file), "--port", "0", "--projects", str(tmp_path))
     with learnblock(*options) as (_, address):
@@ -273,20 +280,18 @@ def test_a_token_that_no_browser_can_send_is_refused(tmp_path, monkeypatch):
         serve(Service(tmp_path, port=0))
 
 
-def test_without_pywebview_a_window_reports_what_it_needs():
-    command = [sys.executable, "-c", "import sys; sys.modules['webview'] = None;"]
-    command[-1] += "from learnblock.cli import main; main(['--window'])"
-    ran = subprocess.run(command, capture_output=True, text=True, check=False)
-    assert ran.returncode == 2
+def test_without_pywebview_a_window_reports_what_it_needs(monkeypatch):
+    monkeypatch.setitem(sys.modules, "webview", None)
+    ran = CliRunner().invoke(main, ["--language", "en", "--window"])
+    assert ran.exit_code == 2
     assert "A window needs an add-on that is not installed." in ran.stderr
 
 
-def test_a_page_is_answered_by_plain_http():
-    with learnblock("--port", "0") as (_, address):
-        connection = http.client.HTTPConnection(address.split("/")[2], timeout=TIMEOUT)
-        connection.request("GET", f"/?token={TOKEN}")
-        assert connection.getresponse().headers["Content-Type"].startswith("text/html")
-        connection.close()
+def test_a_page_is_answered_by_plain_http(address):
+    connection = http.client.HTTPConnection(address.split("/")[2], timeout=TIMEOUT)
+    connection.request("GET", f"/?token={TOKEN}")
+    assert connection.getresponse().headers["Content-Type"].startswith("text/html")
+    connection.close()
 
 
 @pytest.mark.parametrize(

@@ -32,6 +32,7 @@ from learnblock.server.pages import (
     world_editing,
 )
 from learnblock.server.pages.page import Page
+from learnblock.server.sessions.periods import Periods
 from learnblock.server.sessions.sessions import Sessions
 
 HANDLERS = {
@@ -61,7 +62,7 @@ class Lobby:
 
     Args:
         folder: the projects folder.
-        grace: seconds for which a project stays open without a page.
+        periods: how long an open project waits to be saved, and to be closed.
         read_only: why nothing may be written; None if it may.
         for_others: whether other computers can connect.
         for_one: whether all pages are one person's, on whatever device.
@@ -71,7 +72,7 @@ class Lobby:
     def __init__(
         self,
         folder: Path,
-        grace: float,
+        periods: Periods,
         read_only: Phrase | None = None,
         *,
         for_others: bool = False,
@@ -84,7 +85,7 @@ class Lobby:
         self._for_one = for_one
         self._address = address
         projects = ProjectFolder(folder, read_only=read_only is not None)
-        self._sessions = Sessions(projects, grace, for_one=for_one)
+        self._sessions = Sessions(projects, periods, for_one=for_one)
 
     async def serve(self, socket: WebSocket, *, is_local: bool = False) -> None:
         """Serve a page until it has disconnected.

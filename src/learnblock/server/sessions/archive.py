@@ -15,18 +15,13 @@ from learnblock.project.files.folder import FileChangedError, FileState, Project
 from learnblock.project.files.history import PastRun, Reason
 from learnblock.project.files.project import Project
 from learnblock.runtime.log.blocks import Block
+from learnblock.server.sessions.periods import Periods
 
 if TYPE_CHECKING:
     from learnblock.server.sessions.session import Session
 
-#: Seconds from the first unsaved change to the save.
-DELAY = 0.5
-#: Seconds from a save that failed to the next attempt.
-RETRY = 2.0
 #: Seconds of changes after which a version is saved.
 VERSION_PERIOD = 300.0
-#: Seconds between two checks whether another program has changed the file.
-WATCH_PERIOD = 1.0
 
 Value = TypeVar("Value")
 
@@ -38,16 +33,12 @@ class Saver:
 
     Args:
         write: saves it; returns whether that succeeded, and reports errors itself.
-        delay: seconds from a change to the save.
-        retry: seconds from a failed save to the next.
+        periods: when it saves.
     """
 
-    def __init__(
-        self, write: Callable[[], Awaitable[bool]], delay: float = DELAY, retry: float = RETRY
-    ) -> None:
+    def __init__(self, write: Callable[[], Awaitable[bool]], periods: Periods) -> None:
         self._write = write
-        self._delay = delay
-        self._retry = retry
+        self._periods = periods
         self._unsaved = False
         self._waiting: asyncio.Task[None] | None = None
         self._writing = asyncio.Lock()
@@ -60,7 +51,7 @@ class Saver:
     def changed(self) -> None:
         """Record a change that is not on disk."""
         self._unsaved = True
-        self._save_in(self._delay)
+        self._save_in(self._periods.save)
 
     def still(self) -> AbstractAsyncContextManager[None]:
         """A context in which nothing is saved."""
@@ -85,7 +76,7 @@ class Saver:
             self._waiting = None
             await self._save()
         if self._unsaved:
-            self._save_in(self._retry)
+            self._save_in(self._periods.retry)
 
     async def _save(self) -> None:
         if not self._unsaved:
@@ -112,12 +103,14 @@ class Archive:
     Args:
         folder: the folder of the projects.
         project: the project.
+        periods: when it is saved, and its file looked at.
     """
 
-    def __init__(self, folder: ProjectFolder, project: "Session") -> None:
+    def __init__(self, folder: ProjectFolder, project: "Session", periods: Periods) -> None:
         self._folder = folder
         self._project = project
-        self._saver = Saver(self._write)
+        self._periods = periods
+        self._saver = Saver(self._write, periods)
         self._is_failing = False
         self._on_disk = folder.state(project.name)
         self._version_kept = monotonic()
@@ -223,7 +216,7 @@ class Archive:
     async def _watch(self) -> None:
         """Save soon after another program has changed the file; saving first merges that change."""
         while True:
-            await asyncio.sleep(WATCH_PERIOD)
+            await asyncio.sleep(self._periods.watch)
             if not await to_thread.run_sync(self._found_outside):
                 continue
             if self._folder.read_only:

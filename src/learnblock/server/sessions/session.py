@@ -31,6 +31,7 @@ from learnblock.server.sessions.archive import Archive
 from learnblock.server.sessions.coach import Coach
 from learnblock.server.sessions.offered_code import offer
 from learnblock.server.sessions.part import Part
+from learnblock.server.sessions.periods import Periods
 from learnblock.server.sessions.prepared import (
     DEFAULT_WORLD,
     Prepared,
@@ -63,9 +64,10 @@ class Session:
     Args:
         folder: the folder to save it in.
         prepared: the project.
+        periods: when it is saved, and its file looked at.
     """
 
-    def __init__(self, folder: ProjectFolder, prepared: Prepared) -> None:
+    def __init__(self, folder: ProjectFolder, prepared: Prepared, periods: Periods) -> None:
         self.name = prepared.name
         self.world = prepared.world
         #: The number of the world's variant; 0, the world as it is drawn, whenever it is opened.
@@ -88,7 +90,7 @@ class Session:
         self._saved = self.project
         self._closed: ClosedPart | None = None
         self._tabs = self._tabs_now()
-        self.archive = Archive(folder, self)
+        self.archive = Archive(folder, self, periods)
         self.runs = Runs(self, folder)
 
     @property

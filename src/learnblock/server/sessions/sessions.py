@@ -18,6 +18,7 @@ from learnblock.project.files.project import Project, checked_name, is_same_prog
 from learnblock.runtime.containment.survey import Finding, survey
 from learnblock.server.messages import PaletteChanged, ToPage
 from learnblock.server.sessions.connections import Connections
+from learnblock.server.sessions.periods import Periods
 from learnblock.server.sessions.prepared import prepare
 from learnblock.server.sessions.quota import new_projects
 from learnblock.server.sessions.session import Session
@@ -34,17 +35,16 @@ class Sessions:
 
     Args:
         folder: the folder of the projects.
-        grace: seconds for which a project stays open without a page, so that a page that is
-            reloaded finds its program still running.
+        periods: how long an open project waits to be saved, and to be closed.
         for_one: whether all pages are one person's, who may run some programs at once.
     """
 
-    def __init__(self, folder: ProjectFolder, grace: float, *, for_one: bool = False) -> None:
+    def __init__(self, folder: ProjectFolder, periods: Periods, *, for_one: bool = False) -> None:
         self.folder = folder
         self.new_projects = new_projects()
         self._for_one = for_one
         self._starting: list[Session] = []
-        self._grace = grace
+        self._periods = periods
         self._open: dict[str, Session] = {}
         self._ending: dict[str, asyncio.Task[None]] = {}
         self._renewing: set[asyncio.Task[None]] = set()
@@ -267,7 +267,7 @@ class Sessions:
                 prepared = await to_thread.run_sync(
                     lambda: prepare(read(), read_only=self.folder.read_only)
                 )
-                session = Session(self.folder, prepared)
+                session = Session(self.folder, prepared, self._periods)
                 await session.set_the_stage()
                 await session.resume_lesson()
                 self._open[name] = session
@@ -285,7 +285,7 @@ class Sessions:
         task.add_done_callback(self._renewing.discard)
 
     async def _end_later(self, session: Session) -> None:
-        await asyncio.sleep(self._grace)
+        await asyncio.sleep(self._periods.grace)
         async with self._opening:
             del self._ending[session.name]
             if not session.viewers:

@@ -3,6 +3,7 @@
 import asyncio
 
 from learnblock.server.sessions.archive import Saver
+from learnblock.server.sessions.periods import Periods
 
 
 def saves(story, delay=0.0):
@@ -14,7 +15,7 @@ def saves(story, delay=0.0):
         return True
 
     async def play():
-        saver = Saver(write, delay)
+        saver = Saver(write, Periods(save=delay))
         await story(saver, written)
 
     asyncio.run(play())
@@ -57,7 +58,7 @@ def test_a_change_during_a_save_is_saved_afterwards():
             written.append(True)
             return True
 
-        saver = Saver(write, 0)
+        saver = Saver(write, Periods(save=0))
         saver.changed()
         while len(written) < 2:
             await asyncio.sleep(0)
@@ -74,7 +75,7 @@ def test_a_save_that_fails_is_repeated_until_it_succeeds():
             attempts.append(True)
             return len(attempts) == 4
 
-        saver = Saver(write, 0, retry=0)
+        saver = Saver(write, Periods(save=0, retry=0))
         saver.changed()
         while len(attempts) < 4:
             await asyncio.sleep(0)
@@ -92,7 +93,7 @@ def test_what_could_not_be_saved_is_tried_once_more_at_the_end():
             attempts.append(True)
             return len(attempts) > 1
 
-        saver = Saver(write, 0, retry=3600)
+        saver = Saver(write, Periods(save=0, retry=3600))
         saver.changed()
         while not attempts:
             await asyncio.sleep(0)

@@ -2,8 +2,11 @@
 
 import json
 
+import pytest
+
 from learnblock.project.files import folder
-from pages import english, serving
+from learnblock.server.sessions.periods import Periods
+from pages import ON_SAVING, WATCHING, english, serving
 
 PROGRAM = "main:\n    function.move_straight(50)\nend\n"
 OTHER = "main:\n    function.move_straight(60)\nend\n"
@@ -222,6 +225,7 @@ def test_what_a_full_disk_refused_is_saved_once_there_is_room(projects):
     assert "\n".join(saved["blocktext"]) == OTHER
 
 
+@pytest.mark.parametrize("periods", [WATCHING])
 def test_what_another_program_writes_is_shown(page, projects):
     page.open(text=PROGRAM)
     page.hear("Saved")
@@ -233,6 +237,7 @@ def test_what_another_program_writes_is_shown(page, projects):
     assert page.hear("Document", blocktext=PROGRAM)
 
 
+@pytest.mark.parametrize("periods", [ON_SAVING])
 def test_what_another_program_wrote_is_merged_with_an_edit(page, projects):
     page.open(text=PROGRAM)
     page.hear("Saved")
@@ -245,6 +250,7 @@ def test_what_another_program_wrote_is_merged_with_an_edit(page, projects):
     assert text_of(file) == OTHER + "# mine\n"
 
 
+@pytest.mark.parametrize("periods", [ON_SAVING])
 def test_what_another_program_writes_just_before_a_save_stays(page, projects, monkeypatch):
     page.open(text=PROGRAM)
     page.hear("Saved")
@@ -263,6 +269,7 @@ def test_what_another_program_writes_just_before_a_save_stays(page, projects, mo
     assert text_of(file) == OTHER + "# mine\n"
 
 
+@pytest.mark.parametrize("periods", [ON_SAVING])
 def test_where_another_program_changed_the_same_line_its_version_is_in_the_history(page, projects):
     page.open(text=PROGRAM)
     page.hear("Saved")
@@ -488,7 +495,7 @@ def test_a_function_is_renamed_everywhere(page):
 
 
 def test_a_project_without_pages_is_closed_after_a_while(projects):
-    with serving(projects, grace=0) as server:
+    with serving(projects, periods=Periods(grace=0)) as server:
         with server.visit() as page:
             page.open(text=PROGRAM)
             page.say("Run")

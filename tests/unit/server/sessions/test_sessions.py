@@ -3,6 +3,7 @@
 import pytest
 
 from learnblock.errors import LearnBlockError
+from learnblock.server.sessions.periods import Periods
 from learnblock.server.sessions.sessions import MOST_RUNS, Sessions
 
 
@@ -18,7 +19,7 @@ def projects():
 
 
 def sessions_of(projects, *, for_one):
-    sessions = Sessions(None, 1.0, for_one=for_one)
+    sessions = Sessions(None, Periods(), for_one=for_one)
     sessions._open = {str(number): project for number, project in enumerate(projects)}
     return sessions
 

@@ -5,7 +5,7 @@ import json
 import pytest
 
 from learnblock.running import MOST_ROBOTS
-from pages import english, serving
+from pages import WATCHING, english, serving
 
 pytestmark = pytest.mark.realtime
 
@@ -217,6 +217,7 @@ def test_an_earlier_version_brings_the_number_of_robots_back(page):
         pass
 
 
+@pytest.mark.parametrize("periods", [WATCHING])
 def test_what_another_program_changes_of_the_number_is_taken_in(projects, page):
     swarm(page, count=2)
     page.type(PRINTING)

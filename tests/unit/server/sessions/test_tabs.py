@@ -5,7 +5,7 @@ import json
 import pytest
 
 from learnblock.running import MOST_ROBOTS
-from pages import english, serving
+from pages import WATCHING, english, serving
 
 pytestmark = pytest.mark.realtime
 
@@ -380,6 +380,7 @@ def test_two_pages_edit_different_robots_of_a_project(server, page):
         assert show(other, name)["blocktext"] == FAILING
 
 
+@pytest.mark.parametrize("periods", [WATCHING])
 def test_what_another_program_changes_is_taken_in_for_each_robot(projects, page):
     name = duo(page, DRIVING, WAITING)
     page.hear("Saved", edit=1)
