@@ -16,7 +16,7 @@ from tempfile import TemporaryDirectory
 
 from learnblock.errors import LearnBlockError
 from learnblock.why.answers import answer
-from learnblock.why.understanding import parse
+from learnblock.why.parser import parse
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "helpers"))
 

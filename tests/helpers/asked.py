@@ -5,7 +5,7 @@ from typing import Any
 
 from learnblock.why.answers import Answer, answer
 from learnblock.why.history import History
-from learnblock.why.understanding import parse
+from learnblock.why.parser import parse
 from logged_runs import logged_text
 
 

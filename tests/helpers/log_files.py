@@ -3,7 +3,7 @@
 from learnblock.runtime.log.blocks import MAGIC, Block, Stream
 from learnblock.server import messages
 from learnblock.server.runs.looking import Looking
-from learnblock.why.verifying import verified
+from learnblock.why.verification import verified
 from logged_runs import logged_blocks
 
 #: Between two blocks.

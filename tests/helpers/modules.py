@@ -1,4 +1,4 @@
-"""The modules of the package as syntax trees: their imports, loops and classes."""
+"""The modules of the package, and what they import."""
 
 import ast
 from functools import cache
@@ -11,9 +11,15 @@ PACKAGE = ROOT / "src" / "learnblock"
 
 @cache
 def modules():
-    """Return the tree of each module, by its dotted name; templates are no modules."""
+    """Return the source of each module, by its dotted name; templates are no modules."""
     files = (file for file in sorted(PACKAGE.rglob("*.py")) if "templates" not in file.parts)
-    return {name_of(file): ast.parse(file.read_text("utf-8"), str(file)) for file in files}
+    return {name_of(file): file.read_text("utf-8") for file in files}
+
+
+@cache
+def tree_of(source):
+    """Return the tree of a module's source."""
+    return ast.parse(source)
 
 
 def name_of(file):
@@ -27,10 +33,10 @@ def folder_of(module):
     return module.split(".")[1] if "." in module else module
 
 
-def imports_of(tree, names):
+def imports_of(source, names):
     """Return those of some modules that a module imports, also in functions and only for types."""
     found = set()
-    for node in ast.walk(tree):
+    for node in ast.walk(tree_of(source)):
         if isinstance(node, ast.Import):
             found |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom):

@@ -8,8 +8,8 @@ from pathlib import Path
 from learnblock.errors import LearnBlockError
 from learnblock.why.answers import answer
 from learnblock.why.history import History
+from learnblock.why.parser import parse
 from learnblock.why.sentences import FIRST
-from learnblock.why.understanding import parse
 from logged_runs import logged_text
 from places import ROOT
 

@@ -8,8 +8,8 @@ from click.testing import CliRunner
 
 from learnblock.cli import main
 from learnblock.why import History, read
+from learnblock.why.parser import parse
 from learnblock.why.questions import Ask
-from learnblock.why.understanding import parse
 from places import ROOT
 
 PAGE = (ROOT / "docs" / "why.md").read_text(encoding="utf-8")

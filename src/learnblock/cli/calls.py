@@ -8,7 +8,7 @@ import click
 from learnblock.cli.console import EXISTING_FILE, json_option, print_json, say, text, usage_error
 
 if TYPE_CHECKING:
-    from learnblock.why.calls import Called, Calls, Edge, Layer, Node
+    from learnblock.why.calls import Called, CallNode, Calls, Edge, Layer
     from learnblock.why.calls_beside import CallsBeside
 
 #: The width of the names in the table.
@@ -112,7 +112,7 @@ def _column(text: str) -> str:
     return f"{text[-_COLUMN:]:>{_COLUMN}}"
 
 
-def _count(node: "Node | None") -> str:
+def _count(node: "CallNode | None") -> str:
     return _column("–" if node is None else f"{node.count}x {node.seconds:8.2f} s")
 
 
@@ -167,6 +167,6 @@ def _shared() -> str:
     return text(Phrase("calls-shared"))
 
 
-def _row(depth: int, name: str, calls: "Node | Edge") -> str:
+def _row(depth: int, name: str, calls: "CallNode | Edge") -> str:
     label = "  " * depth + name
     return f"{label:{_WIDTH}} {calls.count:>8}x {calls.seconds:>9.2f} s {calls.share:>6.0%}"

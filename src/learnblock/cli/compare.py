@@ -55,7 +55,7 @@ def compare_command(
 
 def _compare(first: Path, second: Path, *, as_json: bool) -> None:
     from learnblock import why  # noqa: PLC0415 - `--help` needs none of it
-    from learnblock.why.comparing import compared  # noqa: PLC0415
+    from learnblock.why.comparison import compared  # noqa: PLC0415
 
     found = compared(why.History(why.read(first)), why.History(why.read(second)))
     if as_json:
@@ -73,7 +73,7 @@ def _compare(first: Path, second: Path, *, as_json: bool) -> None:
 
 def _compare_with_twin(log: Path, world: str, *, as_json: bool) -> None:
     from learnblock import why  # noqa: PLC0415 - as above
-    from learnblock.why.calibrating import drift  # noqa: PLC0415
+    from learnblock.why.drift import drift  # noqa: PLC0415
     from learnblock.why.ghost import findings, unrecorded  # noqa: PLC0415
     from learnblock.why.prediction import predict  # noqa: PLC0415
 

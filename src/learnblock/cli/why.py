@@ -36,20 +36,20 @@ def why_command(
     """  # noqa: D301 - click wants the character itself
     from learnblock import why  # noqa: PLC0415 - `--help` needs none of it
     from learnblock.why.answers import answer  # noqa: PLC0415
+    from learnblock.why.parser import parse  # noqa: PLC0415
     from learnblock.why.questions import questions  # noqa: PLC0415
-    from learnblock.why.seeing import seen_in_run  # noqa: PLC0415
-    from learnblock.why.understanding import parse  # noqa: PLC0415
+    from learnblock.why.things import seen_in_run  # noqa: PLC0415
 
     history = why.History(why.read(log))
     if question is None:
         _list(questions(history), as_json=as_json)
         return
-    asked = parse(question, history)
-    given = answer(history, asked, seen_in_run(history.recorded))
+    parsed = parse(question, history)
+    reply = answer(history, parsed, seen_in_run(history.recorded))
     if as_json:
-        print_json(_plain(asked, given))
+        print_json(_plain(parsed, reply))
     else:
-        _print(given, more=more)
+        _print(reply, more=more)
 
 
 def _list(questions: "tuple[Question, ...]", *, as_json: bool) -> None:
@@ -60,19 +60,19 @@ def _list(questions: "tuple[Question, ...]", *, as_json: bool) -> None:
         click.echo(text(question.phrase))
 
 
-def _print(given: "Answer", *, more: bool) -> None:
-    for sentence in (*given.sentences, *(given.more if more else ())):
+def _print(reply: "Answer", *, more: bool) -> None:
+    for sentence in (*reply.sentences, *(reply.more if more else ())):
         click.echo(text(sentence.phrase))
-    if given.more and not more:
-        say("why-there-is-more", count=len(given.more), err=True)
+    if reply.more and not more:
+        say("why-there-is-more", count=len(reply.more), err=True)
 
 
-def _plain(question: "Question", given: "Answer") -> dict[str, Any]:
+def _plain(question: "Question", reply: "Answer") -> dict[str, Any]:
     """An answer for tools, its texts in the reader's language."""
     return {
         "question": _question(question),
-        "sentences": [_sentence(sentence) for sentence in given.sentences],
-        "more": [_sentence(sentence) for sentence in given.more],
+        "sentences": [_sentence(sentence) for sentence in reply.sentences],
+        "more": [_sentence(sentence) for sentence in reply.more],
     }
 
 

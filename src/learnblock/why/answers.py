@@ -6,20 +6,22 @@ from typing import Any
 from learnblock.i18n.names import goal_phrase
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import Kind, Node
-from learnblock.why.because import Because
-from learnblock.why.doing import ABOUT, Doing
-from learnblock.why.ending import Ending
+from learnblock.why.actions import ABOUT, Actions
+from learnblock.why.causes import Causes
 from learnblock.why.history import History
-from learnblock.why.moving import LINES, Moving
-from learnblock.why.overall import Overall
+from learnblock.why.inquiry import Inquiry
+from learnblock.why.movements import LINES, Movements
+from learnblock.why.omissions import Omissions
 from learnblock.why.questions import Ask, Question
-from learnblock.why.reaching import Reaching
 from learnblock.why.readings import Readings
-from learnblock.why.seeing import Seen, with_things
-from learnblock.why.sentences import Answer, Telling
-from learnblock.why.slicing import Slices
-from learnblock.why.standing import Standing
+from learnblock.why.run_end import RunEnd
+from learnblock.why.sentences import Answer, Draft
+from learnblock.why.slices import Slices
+from learnblock.why.things import Seen, with_things
 from learnblock.why.unused import Unused
+from learnblock.why.variables import VariableFacts
+from learnblock.why.waits import Waits
+from learnblock.why.whole_run import WholeRun
 
 
 def answer(history: History, question: Question, seen: Seen | None = None) -> Answer:
@@ -50,63 +52,52 @@ class Answers:
 
     def answer(self, question: Question) -> Answer:
         """Answer a question."""
-        telling = Telling(self._history)
-        answering = _Answering(
-            self._slices,
-            self._readings,
-            self._unused,
-            telling,
-            time=question.time,
-            since=question.since,
+        draft = Draft(self._history)
+        inquiry = Inquiry(
+            self._slices, self._readings, self._unused, draft, question.time, question.since
         )
-        answering.answer(question)
-        return with_things(telling.answer(), self._seen)
+        _Answering(inquiry).answer(question)
+        return with_things(draft.answer(), self._seen)
 
 
 class _Answering:
     """One answer."""
 
-    def __init__(
-        self,
-        slices: Slices,
-        readings: Readings,
-        unused: Unused,
-        telling: Telling,
-        *,
-        time: float | None,
-        since: float | None,
-    ) -> None:
-        self._history: History = slices.history
-        self._slices = slices
-        self._telling = telling
-        self._standing = Standing(slices)
-        self._because = Because(slices, readings, unused, telling)
-        self._ending = Ending(slices, self._because, telling, time)
-        self._reaching = Reaching(slices, readings, self._because, telling, self._ending)
-        self._since = since
-        self._doing = Doing(slices, self._because, self._reaching, telling, since)
-        self._overall = Overall(
-            slices,
-            readings,
-            because=self._because,
-            doing=self._doing,
-            reaching=self._reaching,
-            ending=self._ending,
-            telling=telling,
+    def __init__(self, inquiry: Inquiry) -> None:
+        self._history: History = inquiry.history
+        self._slices = inquiry.slices
+        self._position = inquiry.position
+        self._commands = inquiry.commands
+        self._draft = inquiry.draft
+        self._since = inquiry.since
+        # Each knows only those above it.
+        self._variables = VariableFacts(inquiry)
+        self._causes = Causes(inquiry)
+        self._run_end = RunEnd(inquiry, causes=self._causes)
+        self._waits = Waits(inquiry, causes=self._causes)
+        self._omissions = Omissions(
+            inquiry, causes=self._causes, run_end=self._run_end, waits=self._waits
         )
-        self._moving = Moving(
-            slices,
-            doing=self._doing,
-            ending=self._ending,
-            overall=self._overall,
-            telling=telling,
+        self._actions = Actions(
+            inquiry, causes=self._causes, waits=self._waits, omissions=self._omissions
+        )
+        self._whole_run = WholeRun(
+            inquiry,
+            causes=self._causes,
+            run_end=self._run_end,
+            waits=self._waits,
+            omissions=self._omissions,
+            actions=self._actions,
+        )
+        self._movements = Movements(
+            inquiry, run_end=self._run_end, actions=self._actions, whole_run=self._whole_run
         )
 
     def answer(self, question: Question) -> None:
         history = self._history
         if not history.events:
-            if not self._ending.failed(-1):
-                self._telling.say_of_line("why-no-events", 0)
+            if not self._run_end.failed(-1):
+                self._draft.say_of_line("why-no-events", 0)
             return
         until = len(history.events) - 1
         if question.time is not None:
@@ -114,40 +105,42 @@ class _Answering:
             about = 0.0 if question.ask is Ask.NOW else ABOUT
             until = max(0, history.at(question.time + about))
         _ANSWERS[question.ask](self, question.subject, until, question.time)
-        if not len(self._telling):
-            self._telling.say_of_line("why-unknown", 0)
+        if not len(self._draft):
+            self._draft.say_of_line("why-unknown", 0)
 
     def _movement(self, name: str, until: int, time: float | None) -> None:
-        self._moving.why(name, until, time)
+        self._movements.why(name, until, time)
 
     def _not_movement(self, name: str, until: int, time: float | None) -> None:
-        self._moving.why_not(name, until, time)
+        self._movements.why_not(name, until, time)
 
     def _skill(self, name: str, until: int, time: float | None) -> None:
         if not self._ran(self._skills(name), until, time):
-            self._doing.not_happened(until, time)
-            self._doing.not_done(self._skills(name), name, until, time)
+            self._actions.not_happened(until, time)
+            self._actions.not_done(self._skills(name), name, until, time)
 
     def _ran(self, numbers: list[int], until: int, time: float | None) -> bool:
         """Tell why statements ran; each of them if no moment is meant. False if none ran."""
-        ran = [event for event in self._doing.results(numbers, until) if self._doing.in_span(event)]
+        ran = [
+            event for event in self._actions.results(numbers, until) if self._actions.in_span(event)
+        ]
         if not ran:
             return False
         last = {self._line_of(event): event for event in ran}
-        if self._doing.is_moment(time):
+        if self._actions.is_moment(time):
             last = {0: ran[-1]}
         for event in [*reversed(last.values())][:LINES]:
-            self._telling.begin_part()
-            self._doing.ran(event, until)
+            self._draft.begin_part()
+            self._actions.ran(event, until)
         return True
 
     def _line_of(self, event: int) -> int:
         use = self._history.skills.get(event)
-        number = self._standing.call_of(use) if use else self._history.events[event][1]
+        number = self._position.call_of(use) if use else self._history.number(event)
         return self._history.line(number) if number >= 0 else 0
 
     def _not_skill(self, name: str, until: int, time: float | None) -> None:
-        self._doing.not_done(self._skills(name), name, until, time)
+        self._actions.not_done(self._skills(name), name, until, time)
 
     def _skills(self, name: str) -> list[int]:
         return self._calls(lambda node: node.name == name and node.base == "robot")
@@ -161,20 +154,22 @@ class _Answering:
 
     def _print(self, subject: str, until: int, time: float | None) -> None:
         calls = self._prints(subject)
-        ran = [event for event in self._doing.results(calls, until) if self._doing.in_span(event)]
+        ran = [
+            event for event in self._actions.results(calls, until) if self._actions.in_span(event)
+        ]
         if ran:
             self._print_ran(ran[-1], until)
         else:
-            self._doing.not_happened(until, time)
-            self._doing.not_done(calls, "print", until, time)
+            self._actions.not_happened(until, time)
+            self._actions.not_done(calls, "print", until, time)
 
     def _print_ran(self, event: int, until: int) -> None:
-        self._doing.ran(event, until)
-        if self._history.events[event][0] == Op.RESULT:
-            self._because.not_yet(self._history.events[event][1], event)
+        self._actions.ran(event, until)
+        if self._history.op(event) == Op.RESULT:
+            self._variables.not_yet(self._history.number(event), event)
 
     def _not_print(self, subject: str, until: int, time: float | None) -> None:
-        self._doing.not_done(self._prints(subject), "print", until, time)
+        self._actions.not_done(self._prints(subject), "print", until, time)
 
     def _printed(self, text: str, until: int, time: float | None) -> None:
         event = self._printing(text, time)
@@ -188,7 +183,7 @@ class _Answering:
         history = self._history
         calls = self._calls(lambda node: node.name == "print" and not node.base)
         events = sorted(event for call in calls for event in history.of_node.get(call, ()))
-        done = [event for event in events if history.events[event][0] == Op.RESULT]
+        done = [event for event in events if history.op(event) == Op.RESULT]
         limit = history.end if time is None else time + ABOUT
         texts = [line for line in history.recorded.lines if "print" in line]
         if len(done) == len(texts):
@@ -217,19 +212,19 @@ class _Answering:
             event
             for number in numbers
             for event in self._history.of_node.get(number, ())
-            if self._doing.first <= event <= until
+            if self._actions.first <= event <= until
         )
         if not ran:
             self._not_line(subject, until, time)
             return
-        self._doing.ran(ran[-1], until)
+        self._actions.ran(ran[-1], until)
 
     def _not_line(self, subject: str, until: int, time: float | None) -> None:
         numbers = self._nodes_of(subject)
         if not numbers:
-            self._telling.say_of_line("why-no-such-line", int(subject) if subject.isdigit() else 0)
+            self._draft.say_of_line("why-no-such-line", int(subject) if subject.isdigit() else 0)
             return
-        self._doing.not_done(numbers[:1], "", until, time)
+        self._actions.not_done(numbers[:1], "", until, time)
 
     def _nodes_of(self, line: str) -> list[int]:
         return [
@@ -243,23 +238,21 @@ class _Answering:
             event
             for number in self._functions(name)
             for event in self._history.of_node.get(number, ())
-            if self._doing.first <= event <= until and self._history.events[event][0] == Op.ENTER
+            if self._actions.first <= event <= until and self._history.op(event) == Op.ENTER
         ]
         if not entered:
             self._not_when(name, until, time)
             return
-        self._telling.say(
-            "why-when-ran", self._history.events[entered[-1]][1], entered[-1], name=name
-        )
-        self._because.tell(entered[-1], names=())
+        self._draft.say("why-when-ran", self._history.number(entered[-1]), entered[-1], name=name)
+        self._causes.tell(entered[-1], names=())
 
     def _not_when(self, name: str, until: int, time: float | None) -> None:
         for number in self._functions(name):
-            self._reaching.inactive(number, until, self._doing.since(time))
+            self._omissions.inactive(number, until, self._actions.since(time))
             entered = self._history.last_of(self._history.of_node.get(number, []), until)
             if entered >= 0:
-                self._telling.say("why-when-ran", number, entered, name=name)
-                self._because.tell(entered, names=())
+                self._draft.say("why-when-ran", number, entered, name=name)
+                self._causes.tell(entered, names=())
 
     def _functions(self, name: str) -> list[int]:
         return [
@@ -277,17 +270,17 @@ class _Answering:
                 self._not_written(name, until)
                 return
             until = mine
-        self._because.others(name, until)
-        self._because.value(name, until)
-        self._because.stopped_writing(name, until, 0.9)
-        self._because.finish()
-        self._doing.not_written_again(name, until)
+        self._variables.others(name, until)
+        self._causes.value(name, until)
+        self._causes.stopped_writing(name, until, 0.9)
+        self._causes.finish()
+        self._actions.not_written_again(name, until)
 
     def _not_written(self, name: str, until: int) -> None:
         writers = [number for number, node in enumerate(self._history.nodes) if name in node.writes]
-        self._telling.say_of_line("why-not-set", 0, until, name=name)
+        self._draft.say_of_line("why-not-set", 0, until, name=name)
         for number in writers:
-            self._reaching.tell(number, until)
+            self._omissions.tell(number, until)
 
     def _goal(self, name: str, until: int, time: float | None) -> None:
         goals = self._goals(name)
@@ -302,7 +295,7 @@ class _Answering:
                 at = self._history.end if time is None else min(time, self._history.end)
             else:
                 event, at = max(0, self._history.at(reached)), reached
-            self._telling.say_of_line(
+            self._draft.say_of_line(
                 "why-goal", 0, event, name=goal_phrase(name), state=state, time=round(at, 2)
             )
             until = event
@@ -310,7 +303,7 @@ class _Answering:
                 self._now("", until, None)
                 return
         if not named:
-            self._telling.say_of_line("why-no-goal", 0, until)
+            self._draft.say_of_line("why-no-goal", 0, until)
         self._first_bump(until)
         self._now("", until, None)
 
@@ -333,23 +326,23 @@ class _Answering:
         ]
         last_by_line: dict[int, int] = {}
         for index in reversed(shown):
-            use = self._doing.outermost(index)
-            if use is not None and index >= self._doing.first:
+            use = self._history.own_use(index)
+            if use is not None and index >= self._actions.first:
                 event = use.result if 0 <= use.result <= until else use.begun
                 last_by_line.setdefault(self._line_of(event), event)
-        several = 1 if self._doing.is_moment(time) else LINES
+        several = 1 if self._actions.is_moment(time) else LINES
         for event in [*last_by_line.values()][:several]:
-            self._telling.begin_part()
-            self._doing.ran(event, until)
+            self._draft.begin_part()
+            self._actions.ran(event, until)
         if last_by_line:
             return
-        self._doing.not_happened(until, time)
+        self._actions.not_happened(until, time)
         self._now("", until, time)
 
     def _first_bump(self, until: int) -> None:
         bumps = [line for line in self._history.recorded.lines if "bump" in line]
         if bumps:
-            self._doing.bumped(bumps[0], until)
+            self._actions.bumped(bumps[0], until)
 
     def _bump(self, name: str, until: int, time: float | None) -> None:
         bumps = [
@@ -362,54 +355,54 @@ class _Answering:
         ]
         if not bumps:
             if any("bump" in line for line in self._history.recorded.lines):
-                self._doing.not_happened(until, time)
+                self._actions.not_happened(until, time)
             else:
-                self._telling.say_of_line("why-no-bump", 0, until)
+                self._draft.say_of_line("why-no-bump", 0, until)
             return
-        self._doing.bumped(bumps[-1] if self._doing.is_moment(time) else bumps[0], until)
+        self._actions.bumped(bumps[-1] if self._actions.is_moment(time) else bumps[0], until)
 
     def _end(self, subject: str, until: int, time: float | None) -> None:
         del subject, until, time
         last = len(self._history.events) - 1
-        if self._ending.failed(last):
+        if self._run_end.failed(last):
             return
-        self._ending.stop_reason(last)
-        self._overall.came_to_end(last)
+        self._run_end.stop_reason(last)
+        self._whole_run.came_to_end(last)
         self._now("", last, None)
 
     def _now(self, subject: str, until: int, time: float | None) -> None:
         """What the robot was doing, and what the program was busy with."""
         del subject, time
-        self._ending.stop_reason(until)
+        self._run_end.stop_reason(until)
         if self._since is not None:
-            self._overall.say_commands(self._doing.first, until)
-        last = self._history.last_of(self._slices.of_base, until)
+            self._whole_run.say_commands(self._actions.first, until)
+        last = self._commands.last(until)
         if last >= 0:
-            self._doing.moved(last, until)
-        self._reaching.busy(until)
+            self._actions.moved(last, until)
+        self._waits.busy(until)
 
     def _not_end(self, subject: str, until: int, time: float | None) -> None:
-        if not self._overall.not_end(until):
+        if not self._whole_run.not_end(until):
             self._end(subject, until, time)
 
     def _nothing(self, subject: str, until: int, time: float | None) -> None:
-        if not self._overall.nothing(self._doing.since(time), until):
+        if not self._whole_run.nothing(self._actions.since(time), until):
             self._now(subject, until, time)
 
     def _speed(self, which: str, until: int, time: float | None) -> None:
-        self._overall.speed(which, self._doing.since(time), until)
+        self._whole_run.speed(which, self._actions.since(time), until)
 
     def _long(self, name: str, until: int, time: float | None) -> None:
-        if not self._overall.long(name, self._doing.since(time), until):
+        if not self._whole_run.long(name, self._actions.since(time), until):
             self._movement(name, until, time)
 
     def _lost(self, subject: str, until: int, time: float | None) -> None:
         del subject, time
-        self._overall.lost(self._doing.first, until)
+        self._whole_run.lost(self._actions.first, until)
 
     def _fall(self, subject: str, until: int, time: float | None) -> None:
         del subject, time
-        self._overall.fall(until)
+        self._whole_run.fall(until)
 
 
 _ANSWERS: dict[Ask, Callable[[_Answering, str, int, float | None], None]] = {

@@ -44,7 +44,7 @@ class Called:
 
 
 @dataclass(frozen=True, slots=True)
-class Node:
+class CallNode:
     """A function in the graph.
 
     Args:
@@ -102,7 +102,7 @@ class Calls:
     edges: tuple[Edge, ...]
 
     @cached_property
-    def nodes(self) -> tuple[Node, ...]:
+    def nodes(self) -> tuple[CallNode, ...]:
         """The functions, by layer and in order of the first call."""
         counts: dict[Called, int] = defaultdict(int)
         seconds: dict[Called, float] = defaultdict(float)
@@ -111,9 +111,9 @@ class Calls:
             # A function that calls itself spends its time once.
             seconds[edge.callee] += edge.seconds if edge.caller != edge.callee else 0.0
         span = self.last - self.first
-        whole = Node(self.program, 1, round(span, 3), 1.0)
+        whole = CallNode(self.program, 1, round(span, 3), 1.0)
         others = (
-            Node(called, count, round(seconds[called], 3), _share(seconds[called], span))
+            CallNode(called, count, round(seconds[called], 3), _share(seconds[called], span))
             for called, count in counts.items()
         )
         return (whole, *sorted(others, key=lambda node: node.called.layer))

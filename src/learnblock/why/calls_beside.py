@@ -7,11 +7,11 @@ are the robot's own, differ.
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from learnblock.why.calls import Called, Calls, Edge, Layer, Node
+from learnblock.why.calls import Called, CallNode, Calls, Edge, Layer
 
 
 @dataclass(frozen=True, slots=True)
-class Pair:
+class CallPair:
     """A function in both graphs.
 
     Args:
@@ -21,8 +21,8 @@ class Pair:
     """
 
     called: Called
-    first: Node | None
-    second: Node | None
+    first: CallNode | None
+    second: CallNode | None
 
     @property
     def differs(self) -> bool:
@@ -43,11 +43,12 @@ class CallsBeside:
     second: Calls
 
     @cached_property
-    def pairs(self) -> tuple[Pair, ...]:
+    def pairs(self) -> tuple[CallPair, ...]:
         """All functions, by row; those of both runs come first."""
         first, second = ({node.called: node for node in calls.nodes} for calls in self._graphs)
         pairs = [
-            Pair(called, first.get(called), second.get(called)) for called in {**first, **second}
+            CallPair(called, first.get(called), second.get(called))
+            for called in {**first, **second}
         ]
         return tuple(sorted(pairs, key=lambda pair: (pair.called.layer, pair.differs)))
 

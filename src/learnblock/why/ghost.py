@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from learnblock.i18n import Phrase
-from learnblock.why.calibrating import Drift, Ratio
+from learnblock.why.drift import Drift, Ratio
 from learnblock.why.prediction import EMPTY, Prediction
 
 #: A sensor that differs by so many mm, and by such a part of what it should measure, is wrong.

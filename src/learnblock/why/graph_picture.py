@@ -4,7 +4,7 @@ from collections import defaultdict
 from functools import partial
 from html import escape
 
-from learnblock.why.calls import Called, Calls, Edge, Layer, Node
+from learnblock.why.calls import Called, CallNode, Calls, Edge, Layer
 from learnblock.why.calls_beside import CallsBeside
 
 #: Sizes in pixels: of a box, of the space around it and of the text in it.
@@ -161,7 +161,7 @@ def _count(edge: Edge, places: dict[Called, tuple[float, float]]) -> str:
     )
 
 
-def _box(node: Node, place: tuple[float, float], *, is_apart: bool = False) -> str:
+def _box(node: CallNode, place: tuple[float, float], *, is_apart: bool = False) -> str:
     x, y = place
     calls = f"{node.count}×, {node.seconds:g} s" if node.seconds else f"{node.count}×"
     edge = f'stroke="{APART}" stroke-width="4"' if is_apart else 'stroke="#4a5473"'

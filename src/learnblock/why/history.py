@@ -1,6 +1,5 @@
 """What a program did, in order, and what made it do so."""
 
-import ast
 from bisect import bisect_right
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
@@ -13,40 +12,11 @@ from learnblock.runtime.log.events import Event, Op
 from learnblock.runtime.log.nodes import Kind, Node
 from learnblock.runtime.log.noting import TICK
 from learnblock.why.recorded import Recorded
+from learnblock.why.scopes import locals_in
+from learnblock.why.shapes import OF_NODES, identities, require_event
 
 #: Methods of a `when`.
 _SWITCHES = frozenset({"activate", "deactivate"})
-#: Operations whose second value is a node of the program.
-OF_NODES = frozenset(
-    {
-        Op.CONDITION,
-        Op.OPERAND,
-        Op.RESULT,
-        Op.WRITE,
-        Op.TURN,
-        Op.CALLS,
-        Op.ENTER,
-        Op.LEAVE,
-        Op.RETURN,
-        Op.JUMP,
-        Op.GONE,
-    }
-)
-
-
-#: What follows the operation in other events.
-_SHAPES: dict[int, tuple[type, ...]] = {
-    Op.SKILL: (str, list),
-    Op.SKILL_END: (str,),
-    Op.COMMAND: (str, str, list),
-    Op.READING: (str, object),
-    Op.MISSING: (str, str),
-    Op.REPEATED: (int, int, int),
-    Op.GAP: (),
-    Op.SENT: (str, object),
-    Op.CONTENTS: (int, object),
-    Op.VARIABLES: (int, int, list, list, bool),
-}
 
 
 @dataclass(eq=False)
@@ -95,6 +65,14 @@ class SkillUse:
     #: The devices that it found missing, such as ``JointMotor:CAMERA``.
     missing: list[str] = field(default_factory=list)
 
+    @property
+    def outermost(self) -> "SkillUse":
+        """The skill that the program used itself, in which this one ran."""
+        use = self
+        while use.within is not None:
+            use = use.within
+        return use
+
 
 class History:
     """The events of a log, each with its time, its frame and its cause.
@@ -126,7 +104,7 @@ class History:
         self.switches: dict[str, list[int]] = defaultdict(list)
         self.gaps: list[int] = []
         #: By name, the events that say what a variable holds or that it is gone, but not why.
-        self.told: dict[str, list[int]] = defaultdict(list)
+        self.tellings: dict[str, list[int]] = defaultdict(list)
         #: By the identity of a list, the events that say what it contains.
         self.contents: dict[int, list[int]] = defaultdict(list)
         self._locals: dict[int, frozenset[str]] = {}
@@ -147,6 +125,11 @@ class History:
     def _own_begun(self) -> list[int]:
         return [use.begun for use in self.own_uses]
 
+    def own_use(self, event: int) -> SkillUse | None:
+        """The skill that the program used itself, by an event in it; None if there is none."""
+        use = self.skills.get(event)
+        return use.outermost if use else None
+
     def uses_back_from(self, event: int) -> Iterator[SkillUse]:
         """The skills that the program used itself up to an event, the last one first."""
         return reversed(self.own_uses[: bisect_right(self._own_begun, event)])
@@ -162,9 +145,33 @@ class History:
         """The time of an event in s."""
         return round(self.ticks[event] * TICK, 3)
 
+    def op(self, event: int) -> int:
+        """What an event says, an `Op`."""
+        return self.events[event][0]  # type: ignore[no-any-return] # checked when it was read
+
+    def number(self, event: int) -> int:
+        """The number of the node of an event that has one."""
+        return self.events[event][1]  # type: ignore[no-any-return] # as above
+
+    def value(self, event: int) -> Any:
+        """The value that an event tells, such as whether a condition was true, or a reading."""
+        return self.events[event][2]
+
+    def device(self, event: int) -> str:
+        """The device of a command or reading, such as ``Base:ROBOT``."""
+        return self.events[event][1]  # type: ignore[no-any-return] # as above
+
+    def function(self, command: int) -> str:
+        """The function of the device that a command calls."""
+        return self.events[command][2]  # type: ignore[no-any-return] # as above
+
+    def arguments(self, command: int) -> Sequence[Any]:
+        """The arguments of a command."""
+        return self.events[command][3]  # type: ignore[no-any-return] # as above
+
     def node(self, event: int) -> Node:
         """The node of an event that has one."""
-        return self.nodes[self.events[event][1]]
+        return self.nodes[self.number(event)]
 
     def line(self, node: int) -> int:
         """The author's line of a node."""
@@ -177,12 +184,16 @@ class History:
     def locals_of(self, function: int) -> frozenset[str]:
         """The variables that a function has for itself: it writes them, and they are not global."""
         if function not in self._locals:
-            self._locals[function] = _locals(self.program.python, self.nodes[function])
+            self._locals[function] = locals_in(self.program.python, self.nodes[function].line)
         return self._locals[function]
+
+    def events_of(self, node: int, since: int, until: int) -> list[int]:
+        """The events of a node between two events."""
+        return [event for event in self.of_node.get(node, ()) if since <= event <= until]
 
     def turn_before(self, repeated: int) -> range:
         """The events of the turn of a loop that `Op.REPEATED` says has been repeated."""
-        turns = self.of_node[self.events[repeated][1]]
+        turns = self.of_node[self.number(repeated)]
         before = bisect_right(turns, repeated)
         first = turns[before - 2] + 1 if before > 1 else repeated
         return range(first, repeated)
@@ -191,42 +202,6 @@ class History:
         """The last of some events up to the event `before`; -1 if there is none."""
         index = bisect_right(events, before)
         return events[index - 1] if index else -1
-
-
-def identities(event: Event) -> Sequence[int]:
-    """The identity of each value that an event tells, if it is a list, else 0; in their order."""
-    match event:
-        case (Op.WRITE, _, _, 0, several):
-            return several  # type: ignore[no-any-return] # from the log
-        case (Op.WRITE, _, _, identity):
-            return (identity,)
-        case (Op.TURN | Op.ENTER, _, _, several) | (Op.VARIABLES, _, _, _, several, _):
-            return several  # type: ignore[no-any-return] # from the log
-    return ()
-
-
-def _locals(source: str, function: Node) -> frozenset[str]:
-    for node in ast.walk(ast.parse(source)):
-        if isinstance(node, ast.FunctionDef) and node.lineno == function.line:
-            written = {*_stored(node)}
-            shared = (
-                inner for inner in ast.walk(node) if isinstance(inner, ast.Global | ast.Nonlocal)
-            )
-            return frozenset(
-                written - {name for declaration in shared for name in declaration.names}
-            )
-    return frozenset()
-
-
-def _stored(function: ast.FunctionDef) -> Iterator[str]:
-    """The variables that a function writes."""
-    for node in ast.walk(function):
-        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
-            yield node.id
-        elif isinstance(node, ast.ExceptHandler | ast.MatchAs | ast.MatchStar) and node.name:
-            yield node.name
-        elif isinstance(node, ast.MatchMapping) and node.rest:
-            yield node.rest
 
 
 class _Reading:
@@ -256,7 +231,7 @@ class _Reading:
 
     def _take(self, event: Event) -> None:
         history, op = self._history, event[0]
-        self._check(event)
+        require_event(event, len(history.nodes))
         if op == Op.REPEATED:
             self._ticks += event[3]
         if op in OF_NODES and op not in (Op.ENTER, Op.LEAVE):
@@ -272,21 +247,6 @@ class _Reading:
         taker = _TAKERS.get(op)
         if taker:
             taker(self, index, event)
-
-    def _check(self, event: Event) -> None:
-        """Check what others rely on: the file may be damaged or forged.
-
-        Raises:
-            ValueError: it is no event of this program.
-        """
-        if event[0] in OF_NODES:
-            number = event[1]
-            is_right = type(number) is int and 0 <= number < len(self._history.nodes)
-        else:
-            shape = _SHAPES[event[0]]
-            is_right = len(event) == len(shape) + 1 and all(map(isinstance, event[1:], shape))
-        if not is_right:
-            raise ValueError("no event of this program")
 
     def _find_frame(self, function: int) -> None:
         """Go to the call of a function, if the log does not say how the program came there."""
@@ -321,7 +281,7 @@ class _Reading:
 
     def _gone(self, index: int, event: Event) -> None:
         for name in self._history.nodes[event[1]].writes:
-            self._history.told[name].append(index)
+            self._history.tellings[name].append(index)
 
     def _contents(self, index: int, event: Event) -> None:
         self._history.contents[event[1]].append(index)
@@ -334,7 +294,7 @@ class _Reading:
             del self._stack[depth + 1 :]
         self._history.frames[index] = frame
         for name, _ in pairs:
-            self._history.told[name].append(index)
+            self._history.tellings[name].append(index)
         self._list(index, event)
 
     def _frame_at(self, depth: int, line: int, index: int) -> Frame:

@@ -71,7 +71,7 @@ def main_part(text: str) -> str:
     return text if _WHY.sub("", part).strip() in ("", "did it", "does it") else part
 
 
-class Reader:
+class SentenceReader:
     """Finds out what the words of one question mean.
 
     Args:

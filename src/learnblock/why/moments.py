@@ -10,8 +10,9 @@ from learnblock.runtime.log.events import Event, Op
 from learnblock.runtime.log.nodes import Kind
 from learnblock.runtime.log.noting import TICK
 from learnblock.runtime.remote import RemoteRobot
-from learnblock.why.history import Frame, History, identities
+from learnblock.why.history import Frame, History
 from learnblock.why.recorded import Recorded
+from learnblock.why.shapes import identities
 
 #: Kinds of marks, by the name of their line in the log.
 _MARKS = {"goal": "goal", "bump": "bump", "print": "print", "send": "message", "placed": "placed"}
@@ -82,7 +83,7 @@ class Moments:
             if all(written(history, write, name) == _ROBOT for write in writes)
         )
         self._shared: dict[str, list[int]] = {}
-        self._told_of: dict[str, _Told] = {}
+        self._by_name: dict[str, _Tellings] = {}
         self.marks = tuple(sorted(_marks(history), key=lambda mark: mark.time))
 
     def at(self, time: float, event: int | None = None) -> Moment:
@@ -187,35 +188,35 @@ class Moments:
         if event < 0:
             return None
         frame = self._history.frames[event]
-        if self._history.events[event][0] == Op.LEAVE:
+        if self._history.op(event) == Op.LEAVE:
             return _function(frame.caller)
         return _function(frame)
 
     def _variables(self, place: "_Place", frame: Frame | None) -> Iterator[tuple[str, str]]:
         """The variables of the program, or of the call of a function."""
         history = self._history
-        for name in {**history.writes, **history.told}:
+        for name in {**history.writes, **history.tellings}:
             last = next(self._tellings(place, frame, name), -1)
-            if name in self.robots or last < 0 or history.events[last][0] == Op.GONE:
+            if name in self.robots or last < 0 or history.op(last) == Op.GONE:
                 continue
             if (value := self._held(place, last, name)) != _ROBOT:
                 yield name, shown(value)
 
     def _tellings(self, place: "_Place", frame: Frame | None, name: str) -> Iterator[int]:
         """The events that tell a variable of a call, the last one first."""
-        tellings = self._told(name)
+        tellings = self._tellings_of(name)
         if frame is None:
             return place.latest(tellings.shared)
         return (event for event in place.latest(tellings.all) if self._owner(event, name) is frame)
 
-    def _told(self, name: str) -> "_Told":
+    def _tellings_of(self, name: str) -> "_Tellings":
         """The events that tell a variable, in order."""
-        if name not in self._told_of:
+        if name not in self._by_name:
             history = self._history
-            tellings = sorted((*history.writes.get(name, ()), *history.told.get(name, ())))
+            tellings = sorted((*history.writes.get(name, ()), *history.tellings.get(name, ())))
             shared = [event for event in tellings if self._owner(event, name) is None]
-            self._told_of[name] = _Told(tellings, shared)
-        return self._told_of[name]
+            self._by_name[name] = _Tellings(tellings, shared)
+        return self._by_name[name]
 
     def scope(self, write: int, name: str) -> int:
         """The call whose variable is written: the event that began it; -1 for the program's."""
@@ -226,7 +227,7 @@ class Moments:
         """The call whose variable an event tells; None for the program's."""
         history = self._history
         frame = _function(history.frames[event])
-        if frame is None or history.events[event][0] == Op.VARIABLES:
+        if frame is None or history.op(event) == Op.VARIABLES:
             return frame
         is_own = name in history.nodes[frame.node].parameters
         return frame if is_own or name in history.locals_of(frame.node) else None
@@ -258,7 +259,7 @@ class Moments:
 
 
 @dataclass(frozen=True, slots=True)
-class _Told:
+class _Tellings:
     """The events that tell what a variable holds, in order.
 
     Args:
@@ -300,7 +301,7 @@ def switches(history: History, when: str) -> Sequence[tuple[int, bool]]:
     """The events that made a `when` active or inactive, in order."""
     by_call = [(event, history.node(event).name == "activate") for event in history.switches[when]]
     by_condition = [
-        (event, bool(history.events[event][2]))
+        (event, bool(history.value(event)))
         for number, node in enumerate(history.nodes)
         if node.kind is Kind.WHEN and node.name == when
         for event in history.of_node[number]
@@ -310,8 +311,9 @@ def switches(history: History, when: str) -> Sequence[tuple[int, bool]]:
 
 def written(history: History, event: int, name: str) -> Any:
     """The value that an event gave to a variable."""
-    if history.events[event][0] == Op.VARIABLES:
-        return dict(history.events[event][3]).get(name)
+    if history.op(event) == Op.VARIABLES:
+        _, _, _, pairs, *_ = history.events[event]
+        return dict(pairs).get(name)
     op, number, value, *_ = history.events[event]
     node = history.nodes[number]
     names = node.parameters if op == Op.ENTER else node.writes

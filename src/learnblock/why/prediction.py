@@ -35,7 +35,7 @@ _MOVING = frozenset({"Base", "JointMotor"})
 
 
 @dataclass(frozen=True, slots=True)
-class Parting:
+class Departure:
     """Where a real robot left the way of its twin.
 
     Args:
@@ -77,7 +77,7 @@ class Prediction:
     twin: Way
     distances: tuple[tuple[float, float, float], ...]
     delay: float
-    parting: Parting | None
+    parting: Departure | None
 
 
 def predict(recorded: Recorded, world: str = EMPTY) -> Prediction:
@@ -192,13 +192,13 @@ def _pair(way: Way, first: float, last: float) -> tuple[tuple[float, float], tup
     return (x, y), (to_x, to_y)
 
 
-def _parting(real: Way, twin: Way, delay: float) -> Parting | None:
+def _parting(real: Way, twin: Way, delay: float) -> Departure | None:
     for time, pose in zip(real.times, real.poses, strict=True):
         near = _near(twin, time - delay)
         distance = min(math.dist(pose[:2], twin_pose[:2]) for twin_pose in near)
         angle = min((pose[2] - twin_pose[2] for twin_pose in near), key=abs)
         if distance > FAR or abs(angle) > ASKEW:
-            return Parting(time, pose, twin.at(time - delay), round(distance, 1), round(angle, 1))
+            return Departure(time, pose, twin.at(time - delay), round(distance, 1), round(angle, 1))
     return None
 
 

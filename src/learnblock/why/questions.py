@@ -8,7 +8,7 @@ from learnblock.i18n import Phrase, Value
 from learnblock.i18n.names import goal_phrase
 from learnblock.runtime.log.nodes import Kind, Node
 from learnblock.why.history import History, SkillUse
-from learnblock.why.slicing import movements
+from learnblock.why.slices import movements
 from learnblock.why.steering import movement_of, written_values
 from learnblock.why.wording import (
     MOVEMENTS,
@@ -129,7 +129,7 @@ class Question:
     time: float | None = None
     since: float | None = None
     #: The skill with the values of its call; "" for a skill without them, and for others.
-    said: Value = field(default="", compare=False)
+    skill: Value = field(default="", compare=False)
 
     @property
     def phrase(self) -> Phrase:
@@ -154,7 +154,7 @@ class Question:
         if self.ask in (Ask.MOVEMENT, Ask.NOT_MOVEMENT, Ask.LONG) and self.subject in MOVEMENTS:
             return movement_phrase(self.subject)
         if self.ask in (Ask.SKILL, Ask.NOT_SKILL):
-            return self.said or skill_phrase(self.subject)
+            return self.skill or skill_phrase(self.subject)
         if self.ask is Ask.BUMP:
             return thing_phrase(self.subject)
         if self.ask in (Ask.GOAL, Ask.REACHED):
@@ -185,7 +185,7 @@ def questions_about_moment(history: History, time: float) -> tuple[Question, ...
     """What can be asked about the robot at a time in s: what it was doing, and what it was not."""
     time = round(min(time, history.end), 2)
     commands = [index for index in movements(history) if history.time(index) <= time]
-    moving = movement(*history.events[commands[-1]][3][:2]) if commands else _at_first(history)
+    moving = movement(*history.arguments(commands[-1])[:2]) if commands else _at_first(history)
     listed = [Question(Ask.NOW, "", time)]
     if moving:
         listed.append(Question(Ask.MOVEMENT, moving, time))
@@ -206,7 +206,7 @@ def with_values(history: History, question: Question) -> Question:
     """A question whose skill is said with the values of its call."""
     for candidate in _skills(history):
         if (candidate.ask, candidate.subject) == (question.ask, question.subject):
-            return replace(question, said=candidate.said)
+            return replace(question, skill=candidate.skill)
     return question
 
 
@@ -269,7 +269,7 @@ def _movements(history: History) -> Iterator[Question]:
     """Each change of the robot's movement."""
     before = ""
     for index in movements(history):
-        advance, rotation = history.events[index][3][:2]
+        advance, rotation = history.arguments(index)[:2]
         name = movement(advance, rotation)
         if name != before:
             yield Question(Ask.MOVEMENT, name, history.time(index))
@@ -287,8 +287,8 @@ def _skills(history: History) -> Iterator[Question]:
         written = skill_phrase(name, written_values(call.text))
         if name in ran:
             phrase, time = skill_phrase(name, ran[name].args), history.time(ran[name].begun)
-            yield Question(Ask.SKILL, name, time, said=phrase)
-        yield Question(Ask.NOT_SKILL, name, round(history.end, 2), said=written)
+            yield Question(Ask.SKILL, name, time, skill=phrase)
+        yield Question(Ask.NOT_SKILL, name, round(history.end, 2), skill=written)
 
 
 def _calls(history: History) -> dict[str, Node]:

@@ -10,8 +10,8 @@ from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import Kind
 from learnblock.why.decimals import FEW, decimals, is_compared_exactly
 from learnblock.why.history import History, SkillUse
-from learnblock.why.seeing import thing_at
-from learnblock.why.slicing import Slices
+from learnblock.why.slices import Slices
+from learnblock.why.things import thing_at
 from learnblock.why.wording import answer_phrase, blocks, skill_phrase, unpacked, value_phrase
 
 #: Millimetres from which on a sensor sees nothing.
@@ -60,16 +60,16 @@ class Readings:
 
     def _decimals(self, event: int) -> int:
         """How many decimals the operands of a condition need, so that it reads as it came out."""
-        history, outcome = self._history, self._history.events[event][2]
-        if history.events[event][0] != Op.CONDITION or not isinstance(outcome, bool):
+        history, outcome = self._history, self._history.value(event)
+        if history.op(event) != Op.CONDITION or not isinstance(outcome, bool):
             return FEW
         values = {
-            history.node(part).text: history.events[part][2] for part in self._slices.parts(event)
+            history.node(part).text: history.value(part) for part in self._slices.parts(event)
         }
         return decimals(history.node(event).text, values, was_true=outcome)
 
     def _fact(self, part: int, count: int) -> Phrase | None:
-        node, value = self._history.node(part), self._history.events[part][2]
+        node, value = self._history.node(part), self._history.value(part)
         if node.kind is Kind.NAME:
             return Phrase("why-name-was", name=node.name, value=value_phrase(value, count))
         if node.kind is Kind.STATE:
@@ -86,7 +86,7 @@ class Readings:
 
     def answered(self, use: SkillUse, result: int, count: int = FEW) -> Phrase:
         """What a skill answered, in words, with so many decimals."""
-        value = self._history.events[result][2]
+        value = self._history.value(result)
         if use.missing:
             device = need_phrase(use.missing[0])
             return Phrase(
@@ -120,7 +120,7 @@ class Readings:
 
     def values(self, reading: int) -> tuple[float, ...]:
         """The numbers of a reading that has one for each side."""
-        values = unpacked(self._history.events[reading][2])
+        values = unpacked(self._history.value(reading))
         numbers = values.values() if isinstance(values, dict) else ()
         return tuple(float(number) for number in numbers if _is_number(number))
 
@@ -142,7 +142,7 @@ class Readings:
         reading = self._reading("DistanceSensors", use, result)
         if reading is None or not sides:
             return None
-        values = unpacked(self._history.events[reading][2])
+        values = unpacked(self._history.value(reading))
         if not isinstance(values, dict):
             return None
         distances = [
@@ -168,7 +168,7 @@ class Readings:
         reading = self._reading("GroundSensors", self._history.skills[result], result)
         if reading is None:
             return None
-        values = unpacked(self._history.events[reading][2])
+        values = unpacked(self._history.value(reading))
         if not isinstance(values, dict):
             return None
         seen = tuple(
@@ -182,7 +182,7 @@ class Readings:
 
     def _line(self, colour: str, result: int) -> Phrase | None:
         reading = self._reading("Camera", self._history.skills[result], result)
-        values = unpacked(self._history.events[reading][2]) if reading is not None else None
+        values = unpacked(self._history.value(reading)) if reading is not None else None
         points = values.get(colour) if isinstance(values, dict) else None
         if not isinstance(points, dict):
             return None
@@ -193,7 +193,7 @@ class Readings:
 
     def _tags(self, result: int) -> Phrase | None:
         reading = self._reading("Camera", self._history.skills[result], result)
-        values = unpacked(self._history.events[reading][2]) if reading is not None else None
+        values = unpacked(self._history.value(reading)) if reading is not None else None
         if not isinstance(values, list):
             return None
         numbers = [str(tag["id"]) for tag in values if isinstance(tag, dict) and "id" in tag]
@@ -205,7 +205,7 @@ class Readings:
         if use.name != "elapsedTime" or not use.args or not _is_number(use.args[0]):
             return None
         time, limit = self._history.time(result), use.args[0]
-        is_over = self._history.events[result][2]
+        is_over = self._history.value(result)
         return Phrase(
             "why-time-was-over" if is_over else "why-time-was",
             time=_apart(time, limit, 1, is_more=bool(is_over)),
@@ -217,7 +217,7 @@ class Readings:
         own = [
             index
             for index in (use.readings if use else ())
-            if self._history.events[index][1].startswith(device)
+            if self._history.device(index).startswith(device)
         ]
         if own:
             return own[-1]

@@ -51,7 +51,7 @@ class Answer:
         return tuple(translate(sentence.phrase, language) for sentence in self.sentences)
 
 
-class Telling:
+class Draft:
     """The sentences of an answer as they are found; a fact is told once.
 
     Args:
@@ -60,21 +60,21 @@ class Telling:
 
     def __init__(self, history: History) -> None:
         self._history = history
-        self._told: dict[tuple[str, int, str], Sentence] = {}
+        self._facts: dict[tuple[str, int, str], Sentence] = {}
         #: How many sentences were told before each part but the first.
         self._parts: list[int] = []
 
     def __len__(self) -> int:
-        return len(self._told)
+        return len(self._facts)
 
     def has(self, code: str, line: int) -> bool:
         """Whether a sentence has told something about a line."""
-        return any((known_code, of) == (code, line) for known_code, of, _ in self._told)
+        return any((known_code, of) == (code, line) for known_code, of, _ in self._facts)
 
     def begin_part(self) -> None:
         """Begin another answer to the same question: the heads of all parts come first."""
-        if self._told:
-            self._parts.append(len(self._told))
+        if self._facts:
+            self._parts.append(len(self._facts))
 
     def say(self, code: str, node: int = -1, event: int = -1, **values: Value) -> None:
         """Add a sentence about a place in the program.
@@ -107,11 +107,11 @@ class Telling:
             details["name"] = name.removesuffix("_")
         phrase = Phrase(code, **details)
         fact = (code, line, str(values.get("name", "")) + str(values.get("inner", "")))
-        self._told.setdefault(fact, Sentence(phrase, line, event, time))
+        self._facts.setdefault(fact, Sentence(phrase, line, event, time))
 
     def answer(self) -> Answer:
         """The sentences so far."""
-        sentences = self._in_order(tuple(self._told.values()))
+        sentences = self._in_order(tuple(self._facts.values()))
         return Answer(sentences[:FIRST], sentences[FIRST:])
 
     def _in_order(self, sentences: tuple[Sentence, ...]) -> tuple[Sentence, ...]:

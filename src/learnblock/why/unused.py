@@ -11,8 +11,8 @@ from learnblock.i18n import Value
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import LOOPS, Kind
 from learnblock.why.history import History
-from learnblock.why.sentences import Telling
-from learnblock.why.slicing import Slices
+from learnblock.why.sentences import Draft
+from learnblock.why.slices import Slices
 from learnblock.why.wording import value_phrase
 
 #: How similar names have to be for one to be a slip of the other.
@@ -43,13 +43,13 @@ class Unused:
             write: of the other variable.
             name: the other variable.
         """
-        value = self._history.events[write][2]
+        value = self._history.value(write)
         for candidate in self._never_read:
             if self._may_be_meant(candidate, name, value):
                 yield candidate
 
     def _may_be_meant(self, write: int, name: str, value: Any) -> bool:
-        node, other = self._history.node(write), self._history.events[write][2]
+        node, other = self._history.node(write), self._history.value(write)
         names = [written.casefold() for written in node.writes]
         is_alike = bool(get_close_matches(name.casefold(), names, 1, _ALIKE))
         is_same_kind = type(value) is type(other) and isinstance(value, bool | list)
@@ -157,13 +157,13 @@ class NotUsed:
     Args:
         unused: finds it.
         slices: of the run.
-        telling: the answer.
+        draft: the answer.
     """
 
-    def __init__(self, unused: Unused, slices: Slices, telling: Telling) -> None:
+    def __init__(self, unused: Unused, slices: Slices, draft: Draft) -> None:
         self._unused = unused
         self._history: History = slices.history
-        self._telling = telling
+        self._draft = draft
 
     def instead_of(self, write: int, name: str) -> Iterator[int]:
         """The last writes of variables that no line reads, which may have been meant for another.
@@ -190,8 +190,8 @@ class NotUsed:
             function = history.nodes[history.node(write).function].name
             self._say("why-own-name", write, name=name, function=function)
         for result in self._unused.results(name, since):
-            value = value_phrase(history.events[result][2])
+            value = value_phrase(history.value(result))
             self._say("why-result-lost", result, name=history.node(result).name, value=value)
 
     def _say(self, code: str, event: int, **values: Value) -> None:
-        self._telling.say(code, self._history.events[event][1], event, **values)
+        self._draft.say(code, self._history.number(event), event, **values)

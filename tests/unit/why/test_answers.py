@@ -7,8 +7,8 @@ from hypothesis import strategies as st
 from learnblock.i18n import languages, translate
 from learnblock.why import History, Recorded
 from learnblock.why.answers import Answers, answer
+from learnblock.why.parser import parse
 from learnblock.why.questions import Ask, Question, questions
-from learnblock.why.understanding import parse
 from logged_runs import logged_text
 
 

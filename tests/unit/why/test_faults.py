@@ -11,8 +11,8 @@ import pytest
 
 from learnblock.i18n import languages
 from learnblock.why.answers import answer
+from learnblock.why.parser import parse
 from learnblock.why.sentences import FIRST
-from learnblock.why.understanding import parse
 from logged_runs import logged_text
 from places import ROOT
 

@@ -4,8 +4,8 @@ import pytest
 
 from asked import run_of
 from learnblock.errors import LearnBlockError
+from learnblock.why.parser import parse
 from learnblock.why.questions import Ask
-from learnblock.why.understanding import parse
 
 AHEAD = "function.move_straight(100)\nfunction.sleep(20)\n"
 SHORT = "function.move_straight(100)\nfunction.sleep(1)\n"

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from learnblock.errors import LearnBlockError
-from learnblock.why.calibrating import drift
+from learnblock.why.drift import drift
 from learnblock.why.ghost import findings, unrecorded
 from learnblock.why.prediction import predict
 from logged_runs import logged_text

@@ -5,7 +5,7 @@ import pytest
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import CONDITIONS
 from learnblock.why.readings import Readings
-from learnblock.why.slicing import Slices
+from learnblock.why.slices import Slices
 from logged_runs import logged_text
 
 

@@ -1,6 +1,6 @@
 """Sentences of an answer."""
 
-from learnblock.why.sentences import FIRST, Telling, quoted
+from learnblock.why.sentences import FIRST, Draft, quoted
 from logged_runs import logged_text
 
 PROGRAM = "# A comment.\nif function.is_bumped():  # near\n    function.stop_bot()\nend\n"
@@ -15,7 +15,7 @@ def test_a_line_is_quoted_without_what_every_line_has(tmp_path):
 
 def test_a_fact_is_told_once_and_the_least_important_ones_are_behind(tmp_path):
     history = logged_text(tmp_path, PROGRAM, seconds=1, seed=0).history
-    telling = Telling(history)
+    telling = Draft(history)
     for line in (3, 3, 2, 1, 4, 5, 6):
         telling.say_of_line("why-ran", line)
     answer = telling.answer()

@@ -6,7 +6,7 @@ from emulated import settle
 from learnblock.emulators import emulate
 from learnblock.emulators.cozmo.machine import Machine
 from learnblock.emulators.ev3.vehicle import Vehicle
-from learnblock.why.calibrating import NOTICEABLE, drift
+from learnblock.why.drift import NOTICEABLE, drift
 from learnblock.why.ghost import findings, unrecorded
 from learnblock.why.prediction import predict
 from logged_runs import logged_text

@@ -6,7 +6,7 @@ import pytest
 
 from emulated import reachable
 from learnblock.why.moments import Moments
-from learnblock.why.stepping import Steps, To
+from learnblock.why.steps import Steps, To
 from logged_runs import logged_text
 
 LOOP = "forever:"

@@ -6,7 +6,7 @@ Left alone is what only Python itself can say: classes, generators, coroutines, 
 """
 
 import ast
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,6 +14,16 @@ from msgspec.structs import replace
 
 from learnblock.runtime.log.nodes import Kind, Node
 from learnblock.runtime.log.snapshots import LONGEST
+from learnblock.runtime.log.syntax import (
+    changed_list,
+    declarations,
+    has_yield,
+    names_captured,
+    names_read,
+    names_written,
+    values_of,
+    written_value,
+)
 
 #: The names of the noting functions, which the program finds among its builtins.
 CONDITION, LOOP, TURN = "__log_condition__", "__log_loop__", "__log_turn__"
@@ -27,10 +37,6 @@ NOTING = (
     *(CHANGER, GONE),
 )
 
-#: Methods of lists, dicts and sets that change them.
-_CHANGING = frozenset(
-    {"append", "extend", "insert", "remove", "pop", "clear", "sort", "reverse", "update", "add"}
-)
 #: Functions that change none of their arguments.
 _HARMLESS = frozenset(
     {"abs", "bool", "chr", "enumerate", "float", "int", "len", "max", "min", "ord", "print"}
@@ -121,7 +127,7 @@ class _Instrumenting(ast.NodeTransformer):
             base = function.value.id if isinstance(function.value, ast.Name) else ""
         elif isinstance(function, ast.Name):
             name = function.id
-        number = self._begin(node, Kind.CALL, name=name, base=base, reads=_reads(node))
+        number = self._begin(node, Kind.CALL, name=name, base=base, reads=names_read(node))
         if name == "wait_until" and len(node.args) == 1:
             self._instrument_condition(node.args[0], Kind.UNTIL)
         node.args = [self._expression(arg) for arg in node.args]
@@ -142,7 +148,7 @@ class _Instrumenting(ast.NodeTransformer):
 
     def visit_NamedExpr(self, node: ast.NamedExpr) -> ast.AST:
         names = (node.target.id,)
-        number = self._begin(node, Kind.ASSIGN, reads=_reads(node.value), writes=names)
+        number = self._begin(node, Kind.ASSIGN, reads=names_read(node.value), writes=names)
         node.value = self._expression(node.value)
         self._end(number)
         node.value = self._noted(WRITE, number, node.value)
@@ -182,7 +188,7 @@ class _Instrumenting(ast.NodeTransformer):
     def _condition(
         self, test: ast.expr, kind: Kind, at: _Placed, noting: str
     ) -> tuple[int, ast.expr]:
-        number = self._begin(test, kind, reads=_reads(test), at=at)
+        number = self._begin(test, kind, reads=names_read(test), at=at)
         new = self._operand(test)
         self._end(number)
         return number, self._noted(noting, number, new)
@@ -211,11 +217,11 @@ class _Instrumenting(ast.NodeTransformer):
         return node
 
     def visit_For(self, node: ast.For) -> ast.AST:
-        targets = _names(node.target)
-        number = self._begin(node, Kind.FOR, reads=_reads(node.iter), writes=targets)
+        targets = names_written(node.target)
+        number = self._begin(node, Kind.FOR, reads=names_read(node.iter), writes=targets)
         node.iter = self._expression(node.iter)
         body = self._controlled(number, node.body)
-        value = _value(node.target)
+        value = written_value(node.target)
         node.body = [self._statement(TURN, number, value, node), *body]
         node.orelse = self.block(node.orelse)
         self._end(number, node.end_lineno)
@@ -225,7 +231,9 @@ class _Instrumenting(ast.NodeTransformer):
         targets = [item.optional_vars for item in node.items if item.optional_vars]
         for item in node.items:
             item.context_expr = self._expression(item.context_expr)
-        bound = self._bound(node, tuple(name for target in targets for name in _names(target)))
+        bound = self._bound(
+            node, tuple(name for target in targets for name in names_written(target))
+        )
         node.body = [*bound, *self.block(node.body)]
         return node
 
@@ -246,7 +254,7 @@ class _Instrumenting(ast.NodeTransformer):
     def visit_Match(self, node: ast.Match) -> ast.AST:
         node.subject = self._expression(node.subject)
         for case in node.cases:
-            names = tuple(dict.fromkeys(_captured(case.pattern)))
+            names = tuple(dict.fromkeys(names_captured(case.pattern)))
             if case.guard:
                 case.guard = self._expression(case.guard)
             case.body = [*self._bound(case.body[0], names), *self.block(case.body)]
@@ -258,7 +266,7 @@ class _Instrumenting(ast.NodeTransformer):
             name
             for target in node.targets
             if not isinstance(target, ast.Name)
-            for name in _names(target)
+            for name in names_written(target)
         )
         more = self._bound(node, tuple(name for name in changed if name not in gone))
         return [node, *self._deleted(node, gone), *more]
@@ -268,7 +276,7 @@ class _Instrumenting(ast.NodeTransformer):
         if not names:
             return []
         number = self._begin(at, Kind.ASSIGN, writes=names)
-        return [self._statement(WRITE, number, _read(names), at)]
+        return [self._statement(WRITE, number, values_of(names), at)]
 
     def _deleted(self, at: ast.stmt, names: tuple[str, ...]) -> list[ast.stmt]:
         if not names:
@@ -297,14 +305,14 @@ class _Instrumenting(ast.NodeTransformer):
             first=node.decorator_list[0].lineno if is_when else node.lineno,
         )
         self._function = number
-        if not _yields(node):
+        if not has_yield(node):
             node.body = self._function_body(node, number)
         self._end(number, node.end_lineno)
         self._control, self._branch, self._function = context
         return node
 
     def _function_body(self, node: ast.FunctionDef, number: int) -> list[ast.stmt]:
-        ahead = [*_declarations(node.body)]
+        ahead = [*declarations(node.body)]
         body = self.block(node.body[len(ahead) :]) or [ast.Pass(lineno=node.lineno, col_offset=0)]
         # The line where Python says that the function begins, so that it isn't a line of its body.
         at = node.decorator_list[0] if node.decorator_list else node
@@ -315,7 +323,7 @@ class _Instrumenting(ast.NodeTransformer):
         return [*ahead, self._statement(ENTER, number, values, at), enclosed]
 
     def visit_Return(self, node: ast.Return) -> ast.AST:
-        number = self._begin(node, Kind.RETURN, reads=_reads(node))
+        number = self._begin(node, Kind.RETURN, reads=names_read(node))
         value = (
             self._expression(node.value)
             if node.value
@@ -334,8 +342,8 @@ class _Instrumenting(ast.NodeTransformer):
     visit_Pass = _visit_jump  # noqa: N815
 
     def visit_Assign(self, node: ast.Assign) -> ast.AST | list[ast.stmt]:
-        names = tuple(name for target in node.targets for name in _names(target))
-        number = self._begin(node, Kind.ASSIGN, reads=_reads(node), writes=names)
+        names = tuple(name for target in node.targets for name in names_written(target))
+        number = self._begin(node, Kind.ASSIGN, reads=names_read(node), writes=names)
         node.value = self._expression(node.value)
         self._end(number)
         if all(isinstance(target, ast.Name) for target in node.targets):
@@ -344,7 +352,9 @@ class _Instrumenting(ast.NodeTransformer):
         return [node, *self._writes_after(node, number)]
 
     def visit_AugAssign(self, node: ast.AugAssign) -> list[ast.stmt]:
-        number = self._begin(node, Kind.ASSIGN, reads=_reads(node), writes=_names(node.target))
+        number = self._begin(
+            node, Kind.ASSIGN, reads=names_read(node), writes=names_written(node.target)
+        )
         node.value = self._expression(node.value)
         self._end(number)
         return [node, *self._writes_after(node, number)]
@@ -353,18 +363,18 @@ class _Instrumenting(ast.NodeTransformer):
         if node.value is None:
             return node
         number = self._begin(
-            node, Kind.ASSIGN, reads=_reads(node.value), writes=_names(node.target)
+            node, Kind.ASSIGN, reads=names_read(node.value), writes=names_written(node.target)
         )
         node.value = self._noted(WRITE, number, self._expression(node.value))
         self._end(number)
         return node
 
     def visit_Expr(self, node: ast.Expr) -> ast.AST | list[ast.stmt]:
-        changed = _changed_list(node.value)
+        changed = changed_list(node.value)
         if not changed:
             node.value = self._expression(node.value)
             return node
-        number = self._begin(node, Kind.ASSIGN, reads=_reads(node.value), writes=(changed,))
+        number = self._begin(node, Kind.ASSIGN, reads=names_read(node.value), writes=(changed,))
         node.value = self._expression(node.value)
         self._end(number)
         return [node, *self._writes_after(node, number)]
@@ -372,7 +382,7 @@ class _Instrumenting(ast.NodeTransformer):
     def _writes_after(self, node: ast.stmt, number: int) -> list[ast.stmt]:
         """Note the variables that a statement has changed, behind it."""
         names = self.nodes[number].writes
-        return [self._statement(WRITE, number, _read(names), node)] if names else []
+        return [self._statement(WRITE, number, values_of(names), node)] if names else []
 
     def visit_Import(self, node: ast.Import) -> ast.AST:
         return node
@@ -439,67 +449,3 @@ class _Instrumenting(ast.NodeTransformer):
                 new.end_lineno = new.lineno
                 new.end_col_offset = new.col_offset
         return statement
-
-
-def _reads(node: ast.AST) -> tuple[str, ...]:
-    names = (
-        inner.id
-        for inner in ast.walk(node)
-        if isinstance(inner, ast.Name) and isinstance(inner.ctx, ast.Load)
-    )
-    return tuple(dict.fromkeys(names))
-
-
-def _names(target: ast.expr) -> tuple[str, ...]:
-    """The variables that an assignment to `target` writes, or whose list it changes."""
-    if isinstance(target, ast.Tuple | ast.List):
-        return tuple(name for element in target.elts for name in _names(element))
-    while isinstance(target, ast.Subscript | ast.Attribute | ast.Starred):
-        target = target.value
-    return (target.id,) if isinstance(target, ast.Name) else ()
-
-
-def _value(target: ast.expr) -> ast.expr:
-    """The expression that reads what has been assigned to `target`."""
-    return _read(_names(target))
-
-
-def _read(names: Sequence[str]) -> ast.expr:
-    """The expression that reads some variables."""
-    read = [ast.Name(name, ast.Load()) for name in names]
-    return read[0] if len(read) == 1 else ast.Tuple([*read], ast.Load())
-
-
-def _captured(pattern: ast.pattern) -> Iterator[str]:
-    """The variables that a pattern of `match` writes."""
-    for part in ast.walk(pattern):
-        if isinstance(part, ast.MatchAs | ast.MatchStar) and part.name:
-            yield part.name
-        elif isinstance(part, ast.MatchMapping) and part.rest:
-            yield part.rest
-
-
-def _changed_list(value: ast.expr) -> str:
-    """The variable whose list, dict or set a statement changes; "" if it changes none."""
-    if (
-        isinstance(value, ast.Call)
-        and isinstance(value.func, ast.Attribute)
-        and value.func.attr in _CHANGING
-    ):
-        # Also of a list in a list: `rows[0].append(1)`.
-        names = _names(value.func.value)
-        return names[0] if names else ""
-    return ""
-
-
-def _declarations(body: Sequence[ast.stmt]) -> Iterable[ast.stmt]:
-    """What must come first in a function: its docstring and its `global` statements."""
-    for statement in body:
-        is_text = isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Constant)
-        if not (is_text or isinstance(statement, ast.Global | ast.Nonlocal)):
-            return
-        yield statement
-
-
-def _yields(node: ast.FunctionDef) -> bool:
-    return any(isinstance(inner, ast.Yield | ast.YieldFrom) for inner in ast.walk(node))

@@ -87,7 +87,7 @@ class RunFiles:
 
     def _take_in(self, name: str, filename: str, data: bytes) -> Response:
         from learnblock.project.files.folder import ProjectFolder  # noqa: PLC0415
-        from learnblock.why.verifying import verified  # noqa: PLC0415
+        from learnblock.why.verification import verified  # noqa: PLC0415
 
         projects = ProjectFolder(self._folder, read_only=self._read_only)
         if not projects.file(name).is_file():

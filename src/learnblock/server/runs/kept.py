@@ -48,7 +48,7 @@ def opened(run: KeptRun, data: bytes, now: Document) -> OpenedRun:
     Raises:
         LearnBlockError: the file can't be read.
     """
-    from learnblock.why.verifying import verified  # noqa: PLC0415 - the page opens before
+    from learnblock.why.verification import verified  # noqa: PLC0415 - the page opens before
 
     log = verified(data)
     then, today = log.recorded.program, now.program(run.program)
@@ -105,8 +105,8 @@ def compared(first: tuple[str, bytes], second: tuple[str, bytes]) -> messages.Ru
     Raises:
         LearnBlockError: a file can't be read.
     """
-    from learnblock.why.comparing import compared as compare  # noqa: PLC0415 - the page opens before
-    from learnblock.why.verifying import history_of  # noqa: PLC0415
+    from learnblock.why.comparison import compared as compare  # noqa: PLC0415 - the page opens before
+    from learnblock.why.verification import history_of  # noqa: PLC0415
 
     one, other = (history_of(data) for _, data in (first, second))
     found = compare(one, other)
@@ -132,7 +132,7 @@ def calls_beside(first: bytes, second: bytes) -> messages.CallsBeside:
     """
     from learnblock.why.calls import calls  # noqa: PLC0415 - the page opens before
     from learnblock.why.calls_beside import beside  # noqa: PLC0415
-    from learnblock.why.verifying import history_of  # noqa: PLC0415
+    from learnblock.why.verification import history_of  # noqa: PLC0415
 
     both = beside(*(calls(history_of(data)) for data in (first, second)))
     return messages.CallsBeside(call_graph(both.first), call_graph(both.second))

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from learnblock.why.moments import Moments
     from learnblock.why.questions import Question
     from learnblock.why.sentences import Sentence
-    from learnblock.why.stepping import Place, Steps
+    from learnblock.why.steps import Place, Steps
     from learnblock.why.world_again import WorldAgain
 
 #: Reading the log of a run that goes on is long from so many seconds on; then it is not read again
@@ -171,7 +171,7 @@ class Looking:
         """The answer to a question."""
         from learnblock.why.answers import Answers  # noqa: PLC0415 - as above
         from learnblock.why.questions import Ask, Question, with_values  # noqa: PLC0415
-        from learnblock.why.seeing import seen_in  # noqa: PLC0415
+        from learnblock.why.things import seen_in  # noqa: PLC0415
 
         asked = Question(Ask(question.ask), question.subject, question.time)
         with self._turn():
@@ -226,7 +226,7 @@ class Looking:
         from learnblock.why import History  # noqa: PLC0415 - as above
         from learnblock.why.moments import Moments  # noqa: PLC0415
         from learnblock.why.recorded import Recorded  # noqa: PLC0415
-        from learnblock.why.stepping import Steps  # noqa: PLC0415
+        from learnblock.why.steps import Steps  # noqa: PLC0415
 
         if self._history is None or self._moments is None or not self._is_known(time):
             began = monotonic()
@@ -293,7 +293,7 @@ class Looking:
         return tick, last if asked.event is None else min(asked.event, last)
 
     def _go(self, asked: messages.LookBack, place: "Place") -> "Place | None":
-        from learnblock.why.stepping import START, To  # noqa: PLC0415 - as above
+        from learnblock.why.steps import START, To  # noqa: PLC0415 - as above
 
         to = To(asked.to)
         subject: str | frozenset[int] = asked.subject

@@ -46,7 +46,7 @@ class Reported:
 
 def predicted(recorded: "Recorded") -> messages.Predicted:
     """Where the twin of a real robot would have been, and what the difference means."""
-    from learnblock.why.calibrating import drift  # noqa: PLC0415 - as above
+    from learnblock.why.drift import drift  # noqa: PLC0415 - as above
     from learnblock.why.ghost import findings, unrecorded  # noqa: PLC0415
     from learnblock.why.prediction import predict  # noqa: PLC0415
     from learnblock.why.ways import odometry  # noqa: PLC0415

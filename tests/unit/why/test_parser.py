@@ -10,6 +10,7 @@ from hypothesis.strategies import data, integers, sampled_from, text
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import languages, translate
 from learnblock.why.near import nearest
+from learnblock.why.parser import parse
 from learnblock.why.questions import (
     Ask,
     Question,
@@ -17,7 +18,6 @@ from learnblock.why.questions import (
     questions_about_lines,
     questions_about_moment,
 )
-from learnblock.why.understanding import parse
 from logged_runs import logged_text
 
 PROGRAM = """\

@@ -5,8 +5,9 @@ from bisect import bisect_right
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import LOOPS, Kind, Node
 from learnblock.runtime.log.noting import TICK
-from learnblock.why.history import OF_NODES, Frame, History, SkillUse
-from learnblock.why.slicing import Slices
+from learnblock.why.history import Frame, History, SkillUse
+from learnblock.why.shapes import OF_NODES
+from learnblock.why.slices import Slices
 
 #: A skill that takes longer, in s, holds a program up.
 LONG = 0.3
@@ -15,7 +16,7 @@ _RECENT = 50
 _OF_STATEMENTS = frozenset({Op.CONDITION, Op.TURN, Op.RESULT, Op.WRITE, Op.CALLS, Op.REPEATED})
 
 
-class Standing:
+class Position:
     """Finds where the program of one run was.
 
     Args:
@@ -40,7 +41,7 @@ class Standing:
         """
         history = self._history
         for index in range(since + 1, min(until + 1, len(history.events))):
-            if history.events[index][0] not in (Op.JUMP, Op.RETURN):
+            if history.op(index) not in (Op.JUMP, Op.RETURN):
                 continue
             if frame is not None and history.frames[index] is not frame:
                 continue
@@ -89,12 +90,12 @@ class Standing:
             until: the event by which it has to be over.
         """
         history, last = self._history, turn
-        loop, frame = history.events[turn][1], history.frames[turn]
+        loop, frame = history.number(turn), history.frames[turn]
         for index in range(turn + 1, min(until + 1, len(history.events))):
             if history.frames[index] is not frame:
                 continue
             number = self._number_at(index)
-            if history.events[index][0] == Op.LEAVE or not self._is_of(number, loop):
+            if history.op(index) == Op.LEAVE or not self._is_of(number, loop):
                 return last
             last = index
         is_end = until >= len(history.events) - 1
@@ -137,7 +138,7 @@ class Standing:
         decision = self._history.last_of(self._history.of_node.get(loop, []), until)
         if decision < 0 or self._history.frames[decision] is not frame:
             return False
-        return self._history.events[decision][2] is not False
+        return self._history.value(decision) is not False
 
     def running(self, until: int) -> SkillUse | None:
         """The skill that a program was in for long at an event; None if it was in none."""
@@ -214,7 +215,7 @@ class Standing:
     def waiting(self, until: int) -> int:
         """The last question of a `wait until` that lasts at an event; -1 if none does."""
         for index in range(until, max(-1, until - _RECENT), -1):
-            if self._history.events[index][0] == Op.CONDITION:
+            if self._history.op(index) == Op.CONDITION:
                 is_until = self._history.node(index).kind is Kind.UNTIL
-                return index if is_until and not self._history.events[index][2] else -1
+                return index if is_until and not self._history.value(index) else -1
         return -1

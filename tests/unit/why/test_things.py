@@ -5,8 +5,8 @@ import pytest
 from learnblock.i18n import Phrase, translate
 from learnblock.why.answers import Answers
 from learnblock.why.questions import Ask, Question
-from learnblock.why.seeing import seen_in_run, thing_at, with_things
 from learnblock.why.sentences import Answer, Sentence
+from learnblock.why.things import seen_in_run, thing_at, with_things
 from logged_runs import logged_text
 
 DRIVING = (

@@ -1,26 +1,24 @@
 """Where the camera looked, and who turned it there."""
 
 from learnblock.why.history import History
-from learnblock.why.sentences import Telling
-from learnblock.why.slicing import Slices
+from learnblock.why.inquiry import Inquiry
 from learnblock.why.wording import blocks, value_phrase
 
 #: What skills need whose answer depends on where the camera looks.
 _NEEDS = frozenset({"Camera", "black-line", "red-line", "blue-line", "Camera:emotions"})
 
 
-class Camera:
+class CameraAim:
     """Tells who set the angle of the camera in one run.
 
     Args:
-        slices: of the run.
-        telling: the answer.
+        inquiry: the question, and its answer so far.
     """
 
-    def __init__(self, slices: Slices, telling: Telling) -> None:
-        self._history: History = slices.history
-        self._slices = slices
-        self._telling = telling
+    def __init__(self, inquiry: Inquiry) -> None:
+        self._history: History = inquiry.history
+        self._slices = inquiry.slices
+        self._draft = inquiry.draft
 
     def turned(self, event: int) -> int:
         """The command that set the angle, if a condition asked the camera; -1 if none did."""
@@ -33,9 +31,7 @@ class Camera:
 
     def tell(self, command: int) -> None:
         """Tell which line set the angle."""
-        use = self._history.skills.get(command)
-        while use and use.within:
-            use = use.within
+        use = self._history.own_use(command)
         if use and use.node >= 0:
-            angle = self._history.events[command][3][0]
-            self._telling.say("why-camera", use.node, command, angle=value_phrase(angle))
+            angle = self._history.arguments(command)[0]
+            self._draft.say("why-camera", use.node, command, angle=value_phrase(angle))

@@ -3,7 +3,7 @@
 import pytest
 
 from learnblock.why.moments import Moments
-from learnblock.why.stepping import START, Steps, To
+from learnblock.why.steps import START, Steps, To
 from logged_runs import logged_text
 
 COUNTING = """\

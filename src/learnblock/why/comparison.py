@@ -12,8 +12,8 @@ from learnblock.runtime.log.noting import TICK
 from learnblock.why.edits import Edit, edits, line_pairs
 from learnblock.why.history import History
 from learnblock.why.readings import Readings
-from learnblock.why.sentences import Sentence, Telling
-from learnblock.why.slicing import Slices
+from learnblock.why.sentences import Draft, Sentence
+from learnblock.why.slices import Slices
 
 #: Noise changes readings in every run; what counts is the first decision that it changes.
 _DECISIONS = frozenset({Op.CONDITION, Op.TURN})
@@ -112,7 +112,9 @@ def _parting(first: History, second: History, *, acts: bool) -> Parting | None:
             continue
         together = mine.ticks * TICK if mine else first.end
         because = _because(first, mine, second, theirs)
-        return Parting(_told(first, mine), _told(second, theirs), round(together, 3), because)
+        return Parting(
+            _sentence(first, mine), _sentence(second, theirs), round(together, 3), because
+        )
     return None
 
 
@@ -127,9 +129,7 @@ def _steps(history: History, kinds: frozenset[Op]) -> Iterator[_Step]:
         if what[0] in kinds:
             yield _Step(event, history.ticks[event])
         elif what[0] == Op.REPEATED:
-            turn = [
-                index for index in history.turn_before(event) if history.events[index][0] in kinds
-            ]
+            turn = [index for index in history.turn_before(event) if history.op(index) in kinds]
             began = history.ticks[event] - what[3]
             for number in range(what[2] if turn else 0):
                 now = began + round(what[3] * (number + 1) / what[2])
@@ -160,28 +160,26 @@ def _done(history: History, step: _Step, places: dict[int, int] | None) -> tuple
     return op, node, values[1]
 
 
-def _told(history: History, step: _Step | None) -> Sentence:
-    telling = Telling(history)
+def _sentence(history: History, step: _Step | None) -> Sentence:
+    draft = Draft(history)
     if step is None:
-        telling.say("why-parted-ended", time=round(history.end, 2))
-        return telling.answer().sentences[0]
+        draft.say("why-parted-ended", time=round(history.end, 2))
+        return draft.answer().sentences[0]
     event, time = step.event, round(step.ticks * TICK, 2)
     what = history.events[event]
     if what[0] == Op.TURN:
-        telling.say("why-parted-turn", what[1], event, time=time)
+        draft.say("why-parted-turn", what[1], event, time=time)
     elif what[0] == Op.COMMAND:
-        telling.say("why-parted-acted", _caller(history, event), event, time=time)
+        draft.say("why-parted-acted", _caller(history, event), event, time=time)
     else:
         answer, facts = "true" if what[2] else "false", _readings(history).summary(event)
-        telling.say("why-parted", what[1], event, answer=answer, facts=facts, time=time)
-    return replace(telling.answer().sentences[0], time=step.ticks * TICK)
+        draft.say("why-parted", what[1], event, answer=answer, facts=facts, time=time)
+    return replace(draft.answer().sentences[0], time=step.ticks * TICK)
 
 
 def _caller(history: History, command: int) -> int:
     """The place in the program that let a command be given; -1 if the log does not know it."""
-    use = history.skills.get(command)
-    while use and use.within:
-        use = use.within
+    use = history.own_use(command)
     return use.node if use else -1
 
 
@@ -195,7 +193,7 @@ def _because(
     if not ahead[0] == there[0] == Op.CONDITION or ahead[2] == there[2]:
         return None
     facts = [_facts(first, mine.event), _facts(second, theirs.event)]
-    sentence = _told(first, mine)
+    sentence = _sentence(first, mine)
     if not all(facts) or first.line(ahead[1]) != sentence.line:
         return None
     values = dict(sentence.phrase.values)

@@ -4,7 +4,7 @@ import pytest
 
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import Kind
-from learnblock.why.slicing import Slices
+from learnblock.why.slices import Slices
 from logged_runs import logged_text
 
 

@@ -10,8 +10,8 @@ from learnblock.errors import LearnBlockError
 from learnblock.runtime.log.blocks import MAGIC, Block, Stream
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.program import Program
-from learnblock.why import verifying
-from learnblock.why.verifying import verified
+from learnblock.why import verification
+from learnblock.why.verification import verified
 from logged_runs import logged_blocks
 
 ROBOT = {"drivers": {}, "world": {"name": "empty", "floor": {"size": [1000, 1000]}}}
@@ -80,7 +80,7 @@ def test_what_is_no_sound_log_is_refused(data):
 
 
 def test_a_file_that_unpacks_to_too_much_is_refused(monkeypatch):
-    monkeypatch.setattr(verifying, "MOST_DATA", 1_000_000)
+    monkeypatch.setattr(verification, "MOST_DATA", 1_000_000)
     bomb = [Block.of(Stream.WORLD, 0, 0, b" " * 400_000)] * 3
     assert len(file(*bomb)) < 10_000
     with pytest.raises(LearnBlockError, match="too large"):
@@ -88,14 +88,14 @@ def test_a_file_that_unpacks_to_too_much_is_refused(monkeypatch):
 
 
 def test_a_file_that_is_too_large_is_refused(monkeypatch):
-    monkeypatch.setattr(verifying, "LARGEST", 100)
+    monkeypatch.setattr(verification, "LARGEST", 100)
     with pytest.raises(LearnBlockError, match="too large"):
         verified(MAGIC + b"\0" * 100)
 
 
 def test_a_world_that_takes_too_long_is_refused():
     data = file(*logged_blocks("avoid.bt", "sim-ebo", seconds=3))
-    clock = itertools.count(step=2 * verifying.PATIENCE)
+    clock = itertools.count(step=2 * verification.PATIENCE)
     with pytest.raises(LearnBlockError, match="longer than 20 s"):
         verified(data, now=lambda: next(clock))
 

@@ -43,13 +43,13 @@ def with_things(answer: Answer, seen: Seen | None) -> Answer:
     in_order = sorted(wanted, key=lambda sight: sight[1])
     things = {sight: seen(*sight) if seen else None for sight in in_order}
 
-    def known(sentence: Sentence) -> Sentence:
-        phrase = _known(sentence.phrase, things)
+    def named(sentence: Sentence) -> Sentence:
+        phrase = _named(sentence.phrase, things)
         return replace(sentence, phrase=phrase) if isinstance(phrase, Phrase) else sentence
 
     if not wanted:
         return answer
-    return Answer(tuple(map(known, answer.sentences)), tuple(map(known, answer.more)))
+    return Answer(tuple(map(named, answer.sentences)), tuple(map(named, answer.more)))
 
 
 def _in(value: Value) -> Iterator[tuple[str, float]]:
@@ -65,9 +65,9 @@ def _in(value: Value) -> Iterator[tuple[str, float]]:
             yield from _in(inner)
 
 
-def _known(value: Value, things: dict[tuple[str, float], str | None]) -> Value:
+def _named(value: Value, things: dict[tuple[str, float], str | None]) -> Value:
     if isinstance(value, tuple):
-        parts = (_known(part, things) for part in value)
+        parts = (_named(part, things) for part in value)
         return tuple(part for part in parts if isinstance(part, str | Phrase))
     if not isinstance(value, Phrase):
         return value
@@ -75,4 +75,4 @@ def _known(value: Value, things: dict[tuple[str, float], str | None]) -> Value:
         [place] = _in(value)
         thing = things[place]
         return Phrase("why-thing", thing=thing_phrase(thing)) if thing else ""
-    return Phrase(value.code, **{name: _known(part, things) for name, part in value.values.items()})
+    return Phrase(value.code, **{name: _named(part, things) for name, part in value.values.items()})

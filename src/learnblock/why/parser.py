@@ -12,7 +12,7 @@ from learnblock.i18n.names import goal_phrase
 from learnblock.runtime.log.nodes import Kind, Node
 from learnblock.why import mentions, wording
 from learnblock.why.history import History
-from learnblock.why.meaning import Meaning, Reader, main_part
+from learnblock.why.meaning import Meaning, SentenceReader, main_part
 from learnblock.why.near import nearest
 from learnblock.why.places import place_time
 from learnblock.why.questions import Ask, Question, askable, questions
@@ -97,17 +97,17 @@ class _Parsing:
             if parsed is not None:
                 return parsed
         if not self._rest and self._span.time is not None:
-            return self._made(Ask.NOW)
+            return self._about(Ask.NOW)
         first, second, third = (question.phrase for question in nearest(self._text, self._history))
         raise LearnBlockError(
             "why-not-understood", question=self._text, first=first, second=second, third=third
         )
 
-    def _made(self, ask: Ask, subject: str = "") -> Question:
+    def _about(self, ask: Ask, subject: str = "") -> Question:
         return Question(ask, subject, self._span.time, self._span.since)
 
     def _signed(self, ask: Ask, subject: str) -> Question:
-        return self._made(_NEGATED.get(ask, ask) if self._is_negative else ask, subject)
+        return self._about(_NEGATED.get(ask, ask) if self._is_negative else ask, subject)
 
     # In set words.
 
@@ -123,7 +123,7 @@ class _Parsing:
     def _now(self) -> Question | None:
         if not _NOW.search(self._without_time):
             return None
-        return self._asked(Meaning(Ask.NOW))
+        return self._question_of(Meaning(Ask.NOW))
 
     def _line(self) -> Question | None:
         line = _LINE.search(self._rest)
@@ -147,7 +147,7 @@ class _Parsing:
             if when in whens and not stated:
                 return self._signed(Ask.WHEN, whens[when])
             if name in names:
-                return self._made(Ask.VALUE, names[name])
+                return self._about(Ask.VALUE, names[name])
         return None
 
     def _is_about(self, name: str) -> bool:
@@ -183,7 +183,7 @@ class _Parsing:
         if not verb or self._is_said(quoted[1] if quoted else self._rest[verb.end() :]):
             return None
         if quoted and quoted[1] in self._printed and not self._is_negative:
-            return self._made(Ask.PRINTED, quoted[1])
+            return self._about(Ask.PRINTED, quoted[1])
         subject = quoted[1] if quoted else self._rest[verb.end() :]
         is_known = quoted or not subject or any(plain(subject) in text for text in self._texts())
         return self._signed(Ask.PRINT, subject) if is_known else None
@@ -221,7 +221,7 @@ class _Parsing:
                 names |= {translate(phrase, language) for language in languages()}
             if rest and rest in map(plain, names):
                 is_reached = goal.get("state") == "reached" and not self._is_negative
-                return self._made(Ask.REACHED if is_reached else Ask.GOAL, name)
+                return self._about(Ask.REACHED if is_reached else Ask.GOAL, name)
         return None
 
     def _label(self) -> Question | None:
@@ -248,9 +248,9 @@ class _Parsing:
     # In plain sentences.
 
     @cached_property
-    def _reader(self) -> Reader:
+    def _reader(self) -> SentenceReader:
         text = main_part(self._without_time)
-        return Reader(text, self._history, self._corrected)
+        return SentenceReader(text, self._history, self._corrected)
 
     def _corrected(self, word: str) -> str:
         if concept(word) is not None or mentions.root(word) in self._program_words:
@@ -272,10 +272,10 @@ class _Parsing:
         meaning = self._reader.meaning()
         if self._is_about_print(meaning):
             return self._about_print()
-        return self._asked(meaning) if meaning else None
+        return self._question_of(meaning) if meaning else None
 
-    def _asked(self, meaning: Meaning) -> Question:
-        question = self._made(meaning.ask, meaning.subject)
+    def _question_of(self, meaning: Meaning) -> Question:
+        question = self._about(meaning.ask, meaning.subject)
         if question.time is not None or question.since is not None:
             return question
         if meaning.is_first:
@@ -309,34 +309,34 @@ class _Parsing:
     def _about_print(self) -> Question | None:
         wanted = mentions.content(self._reader.tokens)
         if self._reader.is_negative:
-            return self._made(Ask.NOT_PRINT, mentions.print_with(self._history, wanted) or "")
+            return self._about(Ask.NOT_PRINT, mentions.print_with(self._history, wanted) or "")
         printed = mentions.printed_text(self._history, wanted)
         if printed is not None:
-            return self._made(Ask.PRINTED, printed)
-        return self._made(Ask.PRINT, mentions.print_with(self._history, wanted) or "")
+            return self._about(Ask.PRINTED, printed)
+        return self._about(Ask.PRINT, mentions.print_with(self._history, wanted) or "")
 
     def _mentioned(self) -> Question | None:
         """What of the program the words mention."""
         reader = self._reader
         name = mentions.variable_with(self._history, reader.tokens)
         if name is not None:
-            return self._made(Ask.VALUE, name)
+            return self._about(Ask.VALUE, name)
         if (when := mentions.when_with(self._history, reader.tokens)) is not None:
-            return self._made(Ask.NOT_WHEN if reader.is_negative else Ask.WHEN, when)
+            return self._about(Ask.NOT_WHEN if reader.is_negative else Ask.WHEN, when)
         printed = mentions.printed_text(self._history, mentions.names_in(reader.tokens))
         if printed is not None and not reader.is_negative:
-            return self._made(Ask.PRINTED, printed)
+            return self._about(Ask.PRINTED, printed)
         number = mentions.line_with(self._history, mentions.names_in(reader.tokens))
         if number is not None:
             ask = Ask.NOT_LINE if reader.is_negative else Ask.LINE
-            return self._made(ask, str(self._history.line(number)))
+            return self._about(ask, str(self._history.line(number)))
         is_endless = Concept.KEEP in reader.concepts and not reader.unknown
-        return self._made(Ask.NOT_END) if is_endless else None
+        return self._about(Ask.NOT_END) if is_endless else None
 
     def _at_place(self) -> Question | None:
         """A place alone: what the robot did when it was there."""
         time = place_time(self._history, self._without_time)
-        return None if time is None else replace(self._made(Ask.NOW), time=time)
+        return None if time is None else replace(self._about(Ask.NOW), time=time)
 
 
 def _words_of(name: str) -> Iterator[str]:

@@ -12,8 +12,9 @@ from functools import cached_property
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import LOOPS, Kind, Node
 from learnblock.runtime.log.noting import TICK
-from learnblock.why.history import OF_NODES, History
+from learnblock.why.history import History
 from learnblock.why.moments import Moments
+from learnblock.why.shapes import OF_NODES
 
 #: A time in ticks, and the last event that has happened by then; -1 before the first one.
 Place = tuple[int, int]

@@ -1,19 +1,18 @@
 """What the robot did or did not do: the statements that made it do so, or would have."""
 
-from bisect import bisect_left
 from collections.abc import Iterable
 from typing import Any
 
 from learnblock.language.check.robots import need_phrase
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import Kind
-from learnblock.why.because import Because
+from learnblock.why.causes import Causes
 from learnblock.why.history import History, SkillUse
-from learnblock.why.reaching import Reaching
-from learnblock.why.sentences import Telling
-from learnblock.why.slicing import Slices
-from learnblock.why.standing import LONG, Standing
+from learnblock.why.inquiry import Inquiry
+from learnblock.why.omissions import Omissions
+from learnblock.why.position import LONG
 from learnblock.why.steering import may_do, movement_of
+from learnblock.why.waits import Waits
 from learnblock.why.wording import (
     FORWARD,
     STAND,
@@ -35,34 +34,30 @@ _LONG_PAUSE = 5.0
 _FEW = 2
 
 
-class Doing:
+class Actions:
     """Tells why statements ran, why not, and why they had no effect.
 
     Args:
-        slices: of the run.
-        because: tells why something happened.
-        reaching: tells why a statement was not reached.
-        telling: the answer.
-        since: the start of the time that is asked about, in s; None for a moment or the whole run.
+        inquiry: the question, and its answer so far.
+        causes: tells why something happened.
+        waits: tells what the program was busy with.
+        omissions: tells why a statement was not reached.
     """
 
     def __init__(
-        self,
-        slices: Slices,
-        because: Because,
-        reaching: Reaching,
-        telling: Telling,
-        since: float | None = None,
+        self, inquiry: Inquiry, *, causes: Causes, waits: Waits, omissions: Omissions
     ) -> None:
-        self._history: History = slices.history
-        self._slices = slices
-        self._standing = Standing(slices)
-        self._because = because
-        self._reaching = reaching
-        self._telling = telling
-        self._start = since
+        self._history: History = inquiry.history
+        self._slices = inquiry.slices
+        self._position = inquiry.position
+        self._commands = inquiry.commands
+        self._draft = inquiry.draft
+        self._start = inquiry.since
+        self._causes = causes
+        self._waits = waits
+        self._omissions = omissions
         #: The first event of the time that is asked about.
-        self.first = 0 if since is None else max(0, self._history.at(since - ABOUT) + 1)
+        self.first = 0 if self._start is None else max(0, self._history.at(self._start - ABOUT) + 1)
 
     def is_moment(self, time: float | None) -> bool:
         """Whether a question is about one moment, rather than a time or the whole run."""
@@ -77,10 +72,10 @@ class Doing:
         """Tell that what is asked about had not happened."""
         at = round(self._history.end if time is None else min(time, self._history.end), 2)
         if self._start is None:
-            self._telling.say_of_line("why-not-happened", 0, until, time=at)
+            self._draft.say_of_line("why-not-happened", 0, until, time=at)
         else:
             since = round(self._start, 2)
-            self._telling.say_of_line("why-not-between", 0, until, since=since, time=at)
+            self._draft.say_of_line("why-not-between", 0, until, since=since, time=at)
 
     def since(self, time: float | None) -> int:
         """The first event that counts for a question about a moment or a time."""
@@ -98,7 +93,7 @@ class Doing:
             event
             for number in numbers
             for event in history.of_node.get(number, ())
-            if event <= until and history.events[event][0] != Op.CALLS
+            if event <= until and history.op(event) != Op.CALLS
         }
         ran |= {
             use.begun
@@ -106,7 +101,7 @@ class Doing:
             if use.within is None
             and use.begun <= until
             and not 0 <= use.result <= until
-            and self._standing.call_of(use) in numbers
+            and self._position.call_of(use) in numbers
         }
         return sorted(ran)
 
@@ -117,42 +112,33 @@ class Doing:
         use = self.say_moved(command)
         if use is None:
             return
-        call = self._standing.call_of(use)
+        call = self._position.call_of(use)
         if use.name == "slow_down":
             self._slowed(use)
-        if self._standing.waiting(until) > command:
+        if self._position.waiting(until) > command:
             # Nothing else was told since, because the program still waits for something.
-            self._reaching.busy(until)
+            self._waits.busy(until)
         self._long_pause(command, until)
-        self._causes(use, call)
+        self._tell_causes_of(use, call)
         self._after(use, call)
         self._not_stopped(use, until)
-        if self._standing.running(until) not in (None, use):
+        if self._position.running(until) not in (None, use):
             # Nothing else was told since, because the program did something else.
-            self._reaching.busy(until)
+            self._waits.busy(until)
 
     def say_moved(self, command: int) -> SkillUse | None:
         """Tell which line told the wheels to move so; the skill that it used, None if none did."""
-        use, command = self.outermost(command), self._first_alike(command)
-        motion = movement_phrase(self._movement(command))
+        use, command = self._history.own_use(command), self._commands.first_alike(command)
+        motion = movement_phrase(self._commands.movement(command))
         if use is None:
-            self._telling.say_of_line("why-moved-alone", 0, command, motion=motion)
+            self._draft.say_of_line("why-moved-alone", 0, command, motion=motion)
         else:
-            self._telling.say("why-moved", self._standing.call_of(use), command, motion=motion)
+            self._draft.say("why-moved", self._position.call_of(use), command, motion=motion)
         return use
-
-    def is_main(self, command: int) -> bool:
-        """Whether a command is what its skill is for: a turn begins and ends with a stop."""
-        use, commands = self.outermost(command), self._slices.of_base
-        if use is None or self._movement(command) != STAND:
-            return True
-        end = use.ended if use.ended >= 0 else len(self._history.events)
-        own = commands[bisect_left(commands, use.begun) : bisect_left(commands, end)]
-        return all(self._movement(other) == STAND for other in own)
 
     def is_movement(self, command: int, name: str) -> bool:
         """Whether a command makes a movement; a question need not tell a turn from a curve."""
-        name_made = self._movement(command)
+        name_made = self._commands.movement(command)
         return name in (name_made, name_made.replace("curve", "spin")) or (
             not name and "-" in name_made
         )
@@ -163,39 +149,19 @@ class Doing:
         uses = [
             use
             for use in history.uses_back_from(until)
-            if command < use.begun and self._standing.end(use) - history.time(use.begun) > LONG
+            if command < use.begun and self._position.end(use) - history.time(use.begun) > LONG
         ]
         if uses:
-            longest = max(uses, key=lambda use: self._standing.end(use) - history.time(use.begun))
-            self._reaching.say_busy(longest)
-        elif not self._reaching.busy(until):
-            self._reaching.in_loop(until)
+            longest = max(uses, key=lambda use: self._position.end(use) - history.time(use.begun))
+            self._waits.say_busy(longest)
+        elif not self._waits.busy(until):
+            self._omissions.in_loop(until)
 
-    def _first_alike(self, command: int) -> int:
-        """The first of the commands of one skill that made the same movement without a break."""
-        commands, use = self._slices.of_base, self.outermost(command)
-        name = self._movement(command)
-        for index in reversed(commands[: bisect_left(commands, command)]):
-            if use is None or self.outermost(index) is not use or self._movement(index) != name:
-                return command
-            command = index
-        return command
-
-    def _movement(self, command: int) -> str:
-        return movement(*self._history.events[command][3][:2])
-
-    def outermost(self, event: int) -> SkillUse | None:
-        """The skill that the program used itself, by an event in it; None if there is none."""
-        use = self._history.skills.get(event)
-        while use is not None and use.within is not None:
-            use = use.within
-        return use
-
-    def _causes(self, use: SkillUse, call: int) -> None:
+    def _tell_causes_of(self, use: SkillUse, call: int) -> None:
         if use.result >= 0:
-            self._because.tell(use.result)
+            self._causes.tell(use.result)
         elif call >= 0:
-            self._because.tell_unfinished(call, use.begun)
+            self._causes.tell_unfinished(call, use.begun)
 
     def _not_stopped(self, use: SkillUse, until: int) -> None:
         """Tell why no line has stopped the `when` that makes the robot do this."""
@@ -206,18 +172,18 @@ class Doing:
             return
         for number, call in enumerate(history.nodes):
             if call.kind is Kind.CALL and (call.base, call.name) == (when, "deactivate"):
-                self._reaching.tell(number, until, started)
+                self._omissions.tell(number, until, started)
 
     def _long_pause(self, command: int, until: int) -> None:
         """Tell that one pause made a movement last long; a robot may well stand still for long."""
-        if self._movement(command) == STAND:
+        if self._commands.movement(command) == STAND:
             return
         for pause in self._history.uses_back_from(until):
             if pause.begun < command:
                 return
-            lasted = self._standing.end(pause) - self._history.time(pause.begun)
+            lasted = self._position.end(pause) - self._history.time(pause.begun)
             if pause.name == "sleep" and lasted > _LONG_PAUSE:
-                self._reaching.say_busy(pause)
+                self._waits.say_busy(pause)
                 return
 
     def never_stopped(self, function: int) -> None:
@@ -230,40 +196,42 @@ class Doing:
             node.name for node in history.nodes if node.base == name and node.kind is Kind.CALL
         }
         if "activate" in calls and "deactivate" not in calls:
-            self._telling.say("why-never-stopped", function, name=name)
+            self._draft.say("why-never-stopped", function, name=name)
 
     def _after(self, use: SkillUse, call: int) -> None:
         """Tell for how long the statement before lasted: it decides about the time."""
-        before = self._standing.lasted_before(use, call)
-        if before is not None and len(self._telling) <= _FEW:
+        before = self._position.lasted_before(use, call)
+        if before is not None and len(self._draft) <= _FEW:
             self._after_pause(before)
 
     def _after_pause(self, before: SkillUse) -> None:
         since = round(self._history.time(before.begun), 2)
-        number = self._standing.call_of(before)
-        self._telling.say("why-after", number, before.ended, since=since)
+        number = self._position.call_of(before)
+        self._draft.say("why-after", number, before.ended, since=since)
 
     def _slowed(self, use: SkillUse) -> None:
         """`slow_down` only slows what another statement began."""
         before = [
             index
-            for index in self._slices.of_base
-            if index < use.begun and (skill := self.outermost(index)) and skill.name != "slow_down"
+            for index in self._commands.all
+            if index < use.begun
+            and (skill := self._history.own_use(index))
+            and skill.name != "slow_down"
         ]
         if before:
             self.moved(before[-1], before[-1])
 
     def ran(self, event: int, until: int) -> None:
         """Tell why a statement ran."""
-        use = self.outermost(event) if self._history.events[event][0] == Op.SKILL else None
+        use = self._history.own_use(event) if self._history.op(event) == Op.SKILL else None
         if use is not None:
-            call = self._standing.call_of(use)
-            self._telling.say("why-ran", call, event)
-            self._causes(use, call)
+            call = self._position.call_of(use)
+            self._draft.say("why-ran", call, event)
+            self._tell_causes_of(use, call)
             return
         begun = self._history.skills[event].begun if event in self._history.skills else event
-        self._telling.say("why-ran", self._history.events[event][1], begun)
-        self._because.tell(event)
+        self._draft.say("why-ran", self._history.number(event), begun)
+        self._causes.tell(event)
         self.never_stopped(self._history.frames[event].node)
         if until:
             self.without_effect(event)
@@ -288,11 +256,11 @@ class Doing:
         ]
         at = self._history.end if time is None else min(time, self._history.end)
         possible = str(bool(moving)).lower()
-        self._telling.say_of_line("why-never-told", 0, until, time=round(at, 2), possible=possible)
+        self._draft.say_of_line("why-never-told", 0, until, time=round(at, 2), possible=possible)
         if moving:
             self.not_done(moving, "", until, time)
         else:
-            self._reaching.busy(until)
+            self._waits.busy(until)
 
     def not_done(
         self,
@@ -305,7 +273,7 @@ class Doing:
         """Tell why none of some statements ran, or why it had no effect."""
         if not numbers:
             self._not_in_program(skill, movement_name, until)
-            if movement_name and self._history.last_of(self._slices.of_base, until) < 0:
+            if movement_name and self._commands.last(until) < 0:
                 self.not_moving(until, time)
             return
         since = self.since(time)
@@ -319,7 +287,7 @@ class Doing:
             if ran[number]:
                 self._did_before(number, ran[number][-1], until)
             else:
-                self._reaching.tell(number, until)
+                self._omissions.tell(number, until)
 
     def _did_before(self, number: int, last: int, until: int) -> None:
         """Tell of a run long ago, and why there was no other since."""
@@ -327,27 +295,25 @@ class Doing:
             return
         if self._start is not None:
             # That it ran before is not what was asked.
-            self._reaching.tell(number, until, self.first)
+            self._omissions.tell(number, until, self.first)
             return
         self._say_it_did(number, last, until)
         overriding = self._overridden(last, until)
         if overriding:
             self._tell_overriding(last, overriding, with_causes=False)
-        self._reaching.tell(number, until, last + 1)
+        self._omissions.tell(number, until, last + 1)
         if overriding:
             self._tell_overriding(last, overriding)
 
     def _not_in_program(self, skill: str, name: str, until: int) -> None:
         if name:
-            self._telling.say_of_line(
-                "why-no-such-movement", 0, until, motion=movement_phrase(name)
-            )
+            self._draft.say_of_line("why-no-such-movement", 0, until, motion=movement_phrase(name))
         elif skill:
-            self._telling.say_of_line("why-no-such-skill", 0, until, skill=skill_phrase(skill, []))
-        last = self._history.last_of(self._slices.of_base, until)
+            self._draft.say_of_line("why-no-such-skill", 0, until, skill=skill_phrase(skill, []))
+        last = self._commands.last(until)
         if last >= 0:
             self.moved(last, until)
-        self._reaching.busy(until)
+        self._waits.busy(until)
         if name == STAND:
             # Anything else that it could have done instead would do.
             self.not_prevented(until)
@@ -355,12 +321,12 @@ class Doing:
     def nearest_first(self, numbers: list[int], until: int) -> list[int]:
         """Statements whose own condition was asked last come first."""
 
-        def asked(number: int) -> int:
+        def last_decision(number: int) -> int:
             control = self._history.nodes[number].control
             events = self._history.of_node.get(control, []) if control >= 0 else []
             return -self._history.last_of(events, until)
 
-        return sorted(numbers, key=asked)
+        return sorted(numbers, key=last_decision)
 
     def _did(self, number: int, event: int, until: int) -> None:
         if self.without_effect(event):
@@ -369,18 +335,18 @@ class Doing:
         overriding = self._overridden(event, until)
         if overriding:
             self._tell_overriding(event, overriding)
-        if self._history.events[event][0] != Op.SKILL:
-            self._because.tell(event)
+        if self._history.op(event) != Op.SKILL:
+            self._causes.tell(event)
 
     def _say_it_did(self, number: int, event: int, until: int) -> None:
         """Tell when a statement ran: from its begin, if it took time."""
         history, use = self._history, self._history.skills.get(event)
-        if use is None or self._standing.end(use) - history.time(use.begun) < _SOON:
-            self._telling.say("why-it-did", number, event, lasted="no")
+        if use is None or self._position.end(use) - history.time(use.begun) < _SOON:
+            self._draft.say("why-it-did", number, event, lasted="no")
             return
-        lasted = "over" if self._standing.end(use) <= history.time(until) + _SOON else "still"
-        end = round(self._standing.end(use), 2)
-        self._telling.say("why-it-did", number, use.begun, lasted=lasted, until=end)
+        lasted = "over" if self._position.end(use) <= history.time(until) + _SOON else "still"
+        end = round(self._position.end(use), 2)
+        self._draft.say("why-it-did", number, use.begun, lasted=lasted, until=end)
 
     def without_effect(self, event: int) -> bool:
         """Tell if a skill found its device missing."""
@@ -388,9 +354,9 @@ class Doing:
         if use is None or not use.missing:
             return False
         device = need_phrase(use.missing[0])
-        self._telling.say(
+        self._draft.say(
             "why-no-effect",
-            self._standing.call_of(use),
+            self._position.call_of(use),
             event,
             device=device,
             skill=skill_phrase(use.name, use.args),
@@ -401,9 +367,7 @@ class Doing:
         """The command that replaced those of a skill; 0 if none did."""
         history = self._history
         use = history.skills.get(event)
-        mine = (
-            [index for index in use.commands if history.events[index][2] != "pose"] if use else []
-        )
+        mine = [index for index in use.commands if history.function(index) != "pose"] if use else []
         if not use or not mine:
             return 0
         first = history.events[mine[-1]]
@@ -413,13 +377,13 @@ class Doing:
             other = history.events[index]
             if other[0] != Op.COMMAND or other[1] != first[1] or other[2] != first[2]:
                 continue
-            if other[3] != first[3] and self.outermost(index) is not use:
+            if other[3] != first[3] and self._history.own_use(index) is not use:
                 return index
         return 0
 
     def _tell_overriding(self, event: int, command: int, *, with_causes: bool = True) -> None:
         history = self._history
-        use = self.outermost(command)
+        use = self._history.own_use(command)
         if use is None:
             return
         delay = history.time(command) - history.time(event)
@@ -430,16 +394,16 @@ class Doing:
         else:
             values["motion"] = skill_phrase(use.name, use.args)
         code = "why-overridden-soon" if delay <= _SOON else "why-overridden-later"
-        self._telling.say(code, self._standing.call_of(use), command, **values)
+        self._draft.say(code, self._position.call_of(use), command, **values)
         pause = next(self._history.uses_back_from(use.begun - 1), None)
         if pause is not None and self._is_pause(pause, use) and pause.begun > event:
             self._after_pause(pause)
         if with_causes:
-            self._causes(use, self._standing.call_of(use))
+            self._tell_causes_of(use, self._position.call_of(use))
 
     def _is_pause(self, before: SkillUse, use: SkillUse) -> bool:
         """Whether a wait decided when another skill began: in a loop ahead, its turns did, too."""
-        here, there = (self._standing.call_of(skill) for skill in (before, use))
+        here, there = (self._position.call_of(skill) for skill in (before, use))
         if before.name != "sleep" or min(here, there) < 0:
             return False
         return self._history.nodes[here].control == self._history.nodes[there].control
@@ -450,12 +414,12 @@ class Doing:
         """Tell what the robot was told to do when it bumped into something."""
         event = max(0, self._history.at(line.get("t", 0.0)))
         thing = str(line["bump"])
-        last = self._history.last_of(self._slices.of_base, event)
+        last = self._commands.last(event)
         at = round(line.get("t", 0.0), 2)
-        self._telling.say_of_line("why-bumped", 0, event, name=thing_phrase(thing), time=at)
+        self._draft.say_of_line("why-bumped", 0, event, name=thing_phrase(thing), time=at)
         if last >= 0:
             self.moved(last, until)
-        self._reaching.busy(event)
+        self._waits.busy(event)
         self.not_prevented(event)
 
     def not_prevented(self, event: int) -> None:
@@ -472,7 +436,7 @@ class Doing:
         for number in self.nearest_first(others, event):
             ran = self.results([number], event)
             if not ran or ran[-1] < recent:
-                self._reaching.tell(number, event, recent)
+                self._omissions.tell(number, event, recent)
 
     def not_written_again(self, name: str, until: int) -> None:
         """Tell what kept a variable from changing further: a loop that was left, a condition."""
@@ -482,4 +446,4 @@ class Doing:
                 continue
             decision = self._history.last_of(self._history.of_node.get(node.control, []), until)
             if node.control >= 0 and decision > write:
-                self._reaching.tell(number, until, write + 1)
+                self._omissions.tell(number, until, write + 1)

@@ -5,10 +5,9 @@ from typing import Any
 from learnblock.i18n import Phrase, Value
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import Kind
-from learnblock.why.because import Because
+from learnblock.why.causes import Causes
 from learnblock.why.history import History
-from learnblock.why.sentences import Telling
-from learnblock.why.slicing import Slices
+from learnblock.why.inquiry import Inquiry
 
 #: The time of what is asked about may be so many seconds off: people round it.
 _ABOUT = 0.06
@@ -19,23 +18,19 @@ _ENDS = {
 }
 
 
-class Ending:
+class RunEnd:
     """Tells how a run ended.
 
     Args:
-        slices: of the run.
-        because: tells why something happened.
-        telling: the answer.
-        time: the moment that is asked about, in s; None for the whole run.
+        inquiry: the question, and its answer so far.
+        causes: tells why something happened.
     """
 
-    def __init__(
-        self, slices: Slices, because: Because, telling: Telling, time: float | None
-    ) -> None:
-        self._history: History = slices.history
-        self._because = because
-        self._telling = telling
-        self._time = time
+    def __init__(self, inquiry: Inquiry, *, causes: Causes) -> None:
+        self._history: History = inquiry.history
+        self._causes = causes
+        self._draft = inquiry.draft
+        self._time = inquiry.time
 
     def is_over(self, until: int) -> bool:
         """Whether the run was over at an event, and at the moment that is asked about.
@@ -68,7 +63,7 @@ class Ending:
         if isinstance(message, Phrase):
             # What it means, without Python's own words.
             message = message.values.get("meaning", message)
-        self._telling.say_of_line("why-failed", line, last, message=message)
+        self._draft.say_of_line("why-failed", line, last, message=message)
         if last >= 0:
             self._causes_of_failure(line, last)
         return True
@@ -79,24 +74,24 @@ class Ending:
         nodes = [history.nodes[number] for number in numbers]
         names = {name for node in nodes for name in node.reads if node.kind is not Kind.FUNCTION}
         for name in sorted(names - {"robot"}):
-            self._because.value(name, last, 1.0)
+            self._causes.value(name, last, 1.0)
         for number in numbers:
             result = history.last_of(history.of_node.get(number, []), last)
-            if result >= 0 and history.events[result][0] == Op.RESULT:
-                self._because.returned(result)
+            if result >= 0 and history.op(result) == Op.RESULT:
+                self._causes.returned(result)
         control = next((node.control for node in nodes if node.control >= 0), -1)
         decision = history.last_of(history.of_node.get(control, []), last)
         if decision >= 0:
             # A condition that asks for the same values is likely to be wrong.
             is_near = names.intersection(history.nodes[control].reads)
-            self._because.also(decision, 0.9 if is_near else 2.0)
-        self._because.finish()
+            self._causes.also(decision, 0.9 if is_near else 2.0)
+        self._causes.finish()
 
     def stop_reason(self, until: int) -> None:
         """Tell why the run was over, if it was at an event."""
         code = _ENDS.get(self._history.recorded.ending.get("ended", ""))
         if self.is_over(until) and code:
-            self._telling.say_of_line(code, 0)
+            self._draft.say_of_line(code, 0)
 
 
 def _phrase(plain: Any) -> Phrase | str:

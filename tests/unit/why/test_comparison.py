@@ -5,8 +5,8 @@ from click.testing import CliRunner
 from learnblock.cli import main
 from learnblock.i18n import translate
 from learnblock.runtime.log.events import Op
-from learnblock.why import comparing
-from learnblock.why.comparing import compared, parting
+from learnblock.why import comparison
+from learnblock.why.comparison import compared, parting
 from logged_runs import logged_example, logged_text
 from runs import EXAMPLES
 
@@ -161,7 +161,7 @@ def test_one_sentence_says_what_was_measured_in_both_runs():
 
 
 def test_a_loop_that_a_damaged_log_repeats_for_ever_is_followed_for_a_while(monkeypatch, tmp_path):
-    monkeypatch.setattr(comparing, "MOST_STEPS", 1000)
+    monkeypatch.setattr(comparison, "MOST_STEPS", 1000)
     text = "main:\n    forever:\n        if 1 > 2:\n            print(1)\n        end\n"
     text += "        function.sleep(0.1)\n    end\nend\n"
     runs = [logged_text(tmp_path, text, seconds=3).history for _ in range(2)]

@@ -5,14 +5,11 @@ from heapq import heappop, heappush
 
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import CONDITIONS, Kind, Node
-from learnblock.why.camera import Camera
+from learnblock.why.camera_aim import CameraAim
 from learnblock.why.decimals import ALL, FEW
 from learnblock.why.history import Frame, History
-from learnblock.why.readings import Readings
-from learnblock.why.sentences import Telling
-from learnblock.why.slicing import Slices
-from learnblock.why.standing import Standing
-from learnblock.why.unused import NotUsed, Unused
+from learnblock.why.inquiry import Inquiry
+from learnblock.why.unused import NotUsed
 from learnblock.why.wording import value_phrase
 
 #: How far an event's causes are from it: those of less cost are told first.
@@ -33,27 +30,22 @@ _OVER = "over"
 _MOST = 40
 
 
-class Because:
+class Causes:
     """Tells the causes of events.
 
     Args:
-        slices: of the run.
-        readings: of the run.
-        unused: of the run.
-        telling: the answer; nothing is told twice.
+        inquiry: the question, and its answer so far.
     """
 
-    def __init__(
-        self, slices: Slices, readings: Readings, unused: Unused, telling: Telling
-    ) -> None:
-        self._history: History = slices.history
-        self._slices = slices
-        self._readings = readings
-        self._telling = telling
-        self._standing = Standing(slices)
-        self._not_used = NotUsed(unused, slices, telling)
-        self._camera = Camera(slices, telling)
-        self._whens = frozenset(node.name for node in slices.history.nodes if node.is_when)
+    def __init__(self, inquiry: Inquiry) -> None:
+        self._history: History = inquiry.history
+        self._slices = inquiry.slices
+        self._readings = inquiry.readings
+        self._draft = inquiry.draft
+        self._position = inquiry.position
+        self._not_used = NotUsed(inquiry.unused, inquiry.slices, inquiry.draft)
+        self._camera_aim = CameraAim(inquiry)
+        self._whens = frozenset(node.name for node in inquiry.history.nodes if node.is_when)
         self._seen: set[tuple[str, int]] = set()
         self._order = 0
         self._waiting: list[tuple[float, int, int, str]] = []
@@ -103,7 +95,7 @@ class Because:
         write = self._slices.last_write(name, event)
         if write < 0:
             return
-        if self._history.events[write][0] == Op.TURN:
+        if self._history.op(write) == Op.TURN:
             cost += _OBVIOUS - _DATA
         elif any(part in self._history.skills for part in self._slices.parts(write)):
             cost += _MEASURED
@@ -127,7 +119,7 @@ class Because:
         write = self._slices.last_write(name, event)
         if write < 0:
             return
-        history, number = self._history, self._history.events[write][1]
+        history, number = self._history, self._history.number(write)
         for jump in self._slices.jumps_past(number, write, event):
             self._wait(jump, "", cost)
         for over in self._slices.loops_over(number, write, event):
@@ -138,35 +130,8 @@ class Because:
         if switched > write and history.node(switched).name == "deactivate":
             self._wait(switched, "", cost)
 
-    def others(self, name: str, event: int) -> None:
-        """Tell of variables of functions that only share their name with this one."""
-        history = self._history
-        frame = history.frames[event] if event >= 0 else None
-        for number, node in enumerate(history.nodes):
-            if node.kind is not Kind.ASSIGN or name not in node.writes:
-                continue
-            write = history.of_node.get(number, [-1])[-1]
-            is_own = write >= 0 and self._slices.is_local(name, node.function)
-            if is_own and history.frames[write] is not frame:
-                function = history.nodes[node.function].name
-                self._say("why-own-name", write, name=name, function=function)
-                self._telling.say("why-own-place", node.function, name=name, function=function)
-                return
-
-    def not_yet(self, number: int, event: int) -> None:
-        """Tell which lines change what a statement uses, but had not run by an event."""
-        history = self._history
-        for name in history.nodes[number].reads:
-            write = self._slices.last_write(name, event)
-            for other, node in enumerate(history.nodes):
-                is_writer = node.kind is Kind.ASSIGN and name in node.writes
-                ran = history.last_of(history.of_node.get(other, []), event)
-                is_same = node.function == history.nodes[number].function
-                if write >= 0 and is_writer and is_same and ran < 0:
-                    self._telling.say("why-not-yet", other, event, name=name)
-
     def _number(self, event: int) -> int:
-        return int(self._history.events[event][1])
+        return self._history.number(event)
 
     def state(self, when: str, event: int, cost: float = 0.0) -> None:
         """Tell what made a `when` active or not, when `finish` is called."""
@@ -182,7 +147,7 @@ class Because:
     def around(self, event: int) -> None:
         """Tell what let a condition be asked: the one around it."""
         cause = self._slices.control(event)
-        if cause >= 0 and self._history.events[cause][0] == Op.CONDITION:
+        if cause >= 0 and self._history.op(cause) == Op.CONDITION:
             self._wait(cause, "", 0.0)
             self.finish()
 
@@ -197,7 +162,7 @@ class Because:
 
     def also(self, event: int, cost: float) -> None:
         """Add another condition or turn of a loop, to be told when `finish` is called."""
-        if self._history.events[event][0] == Op.TURN:
+        if self._history.op(event) == Op.TURN:
             self._wait_for_turn(event, cost - _OBVIOUS)
         else:
             self._wait(event, "", cost)
@@ -220,9 +185,9 @@ class Because:
         if (name, event) in self._seen:
             return
         self._seen.add((name, event))
-        op = self._history.events[event][0]
+        op = self._history.op(event)
         if op == Op.COMMAND:
-            self._camera.tell(event)
+            self._camera_aim.tell(event)
         elif name == _UNUSED:
             self._not_used.tell_never_read(event)
         elif name == _OVER:
@@ -257,7 +222,7 @@ class Because:
         if _is_obvious(node):
             self._add_control(event, cost)
             return
-        true = str(self._history.events[event][2]).lower()
+        true = str(self._history.value(event)).lower()
         facts = self._readings.summary(event)
         if node.kind is Kind.WHEN:
             self._say("why-when-was", event, name=node.name, active=true, facts=facts)
@@ -266,12 +231,12 @@ class Because:
         else:
             self._say("why-condition-was", event, true=true, facts=facts, inner=name)
         if self._readings.is_inexact(event):
-            self._telling.say_of_line("why-decimals", 0, event)
+            self._draft.say_of_line("why-decimals", 0, event)
         self._add_causes(event, cost, None)
 
     def _tell_entered(self, event: int, node: Node, name: str, cost: float) -> None:
         if name in node.parameters:
-            value = self._history.events[event][2][node.parameters.index(name)]
+            value = self._history.value(event)[node.parameters.index(name)]
             self._tell_given(event, node, name, value, cost)
             return
         cause = self._slices.control(event)
@@ -281,14 +246,14 @@ class Because:
             self._wait(cause, node.name, cost)
             self._not_deactivated(cause, event, node)
         else:
-            if not self._telling.has("why-given", self._history.line(self._number(cause))):
+            if not self._draft.has("why-given", self._history.line(self._number(cause))):
                 # Who gave it something also called it.
                 self._say("why-called", cause, name=node.name)
             self._add_causes(cause, cost + 0.1, ())
 
     def _not_deactivated(self, cause: int, event: int, node: Node) -> None:
         """What could have switched a `when` off is a cause as well."""
-        if self._history.events[cause][0] == Op.CONDITION:
+        if self._history.op(cause) == Op.CONDITION:
             return
         for number, other in enumerate(self._history.nodes):
             if other.kind is not Kind.CALL or (other.base, other.name) != (node.name, "deactivate"):
@@ -317,8 +282,8 @@ class Because:
 
     def _tell_written(self, event: int, node: Node, name: str, cost: float) -> None:
         # Where exactness matters, it matters here, too.
-        count = ALL if self._telling.has("why-decimals", 0) else FEW
-        value = value_phrase(self._history.events[event][2], count)
+        count = ALL if self._draft.has("why-decimals", 0) else FEW
+        value = value_phrase(self._history.value(event), count)
         if name in node.writes:
             self._not_used.tell_not_changed(name, event)
             self._say("why-set", event, name=name, value=value)
@@ -327,7 +292,7 @@ class Because:
             self._say("why-same-list", event, name=node.writes[0])
         elif name == _LOOP:
             self._say("why-turn", event, count=self._turn(event))
-        elif self._history.events[event][0] == Op.WRITE and name:
+        elif self._history.op(event) == Op.WRITE and name:
             self._say("why-set-through", event, name=name, other=node.writes[0], value=value)
         self._add_causes(event, cost, None)
 
@@ -339,12 +304,12 @@ class Because:
 
     def _tell_returned(self, event: int, node: Node, cost: float) -> None:
         function = self._history.nodes[node.function].name if node.function >= 0 else ""
-        value = value_phrase(self._history.events[event][2])
+        value = value_phrase(self._history.value(event))
         self._say("why-returned", event, name=function, value=value)
         self._add_causes(event, cost, None)
 
     def _say(self, code: str, event: int, **values: object) -> None:
-        self._telling.say(code, self._history.events[event][1], event, **values)  # type: ignore[arg-type] # values of a phrase
+        self._draft.say(code, self._history.number(event), event, **values)  # type: ignore[arg-type] # values of a phrase
 
     # The causes of one event.
 
@@ -357,8 +322,8 @@ class Because:
     def _add_data(self, event: int, cost: float, names: Iterable[str] | None) -> None:
         node = self._history.node(event)
         # What an assignment read is older than what it wrote.
-        is_write = self._history.events[event][0] in (Op.WRITE, Op.TURN)
-        reads = self._slices.reads(self._history.events[event][1])
+        is_write = self._history.op(event) in (Op.WRITE, Op.TURN)
+        reads = self._slices.reads(self._history.number(event))
         for name in reads if names is None else names:
             if name in self._whens or name == "robot":
                 continue
@@ -367,7 +332,7 @@ class Because:
                 self._wait(before, name, cost + _BEFORE) if before >= 0 else None
             else:
                 self.value(name, event - is_write, cost + _DATA)
-        self._wait(self._camera.turned(event), "camera", cost + _DATA)
+        self._wait(self._camera_aim.turned(event), "camera", cost + _DATA)
         for part in self._slices.parts(event):
             inner = self._history.node(part)
             if inner.kind is Kind.STATE and inner.name == "active":
@@ -386,10 +351,10 @@ class Because:
         returned = self._slices.returned(result)
         if returned >= 0:
             self._wait(returned, "", cost + _RETURNED)
-        elif self._history.events[result][2] is None and self._not_used.is_used(
-            self._history.events[result][1]
+        elif self._history.value(result) is None and self._not_used.is_used(
+            self._history.number(result)
         ):
-            self._telling.say(
+            self._draft.say(
                 "why-no-return", frame.node, result, name=self._history.nodes[frame.node].name
             )
             self._last_of(frame, result)
@@ -400,20 +365,20 @@ class Because:
         for index in range(result - 1, frame.entered, -1):
             if history.frames[index] is not frame:
                 continue
-            if history.events[index][0] == Op.CONDITION:
+            if history.op(index) == Op.CONDITION:
                 # It decided that nothing more was done.
                 self._wait(index, "", _RETURNED)
                 return
-            if history.events[index][0] in (Op.RESULT, Op.WRITE):
+            if history.op(index) in (Op.RESULT, Op.WRITE):
                 name = history.nodes[frame.node].name
-                self._telling.say("why-last-line", history.events[index][1], index, name=name)
+                self._draft.say("why-last-line", history.number(index), index, name=name)
                 return
 
     def _add_control(self, event: int, cost: float) -> None:
         cause = self._slices.control(event)
         if cause < 0 or cause == event:
             return
-        kind = self._history.events[cause][0]
+        kind = self._history.op(cause)
         if kind == Op.CONDITION:
             self._wait(cause, "", cost + _CONTROL)
         elif kind == Op.TURN:
@@ -428,15 +393,15 @@ class Because:
 
     def _turn(self, event: int) -> int:
         """The number of a turn of ``repeat``, from 1."""
-        value = self._history.events[event][2]
+        value = self._history.value(event)
         return value + 1 if isinstance(value, int) else 1
 
     def _add_loop(self, loop: int, event: int, cost: float) -> None:
-        number = self._history.events[loop][1]
+        number = self._history.number(loop)
         jump = self._slices.jump_from(number, loop, event)
         if jump >= 0:
             self._wait(jump, "", cost)
-        elif self._history.events[loop][0] == Op.CONDITION:
+        elif self._history.op(loop) == Op.CONDITION:
             self._wait(loop, "", cost)
         elif self._took_time(loop):
             self.loop_over(loop, cost)
@@ -448,12 +413,12 @@ class Because:
 
     def _over(self, turn: int) -> int:
         """The last event in a `for` loop that is over, by the event of its last turn."""
-        over = self._standing.over(turn, len(self._history.events) - 1)
+        over = self._position.over(turn, len(self._history.events) - 1)
         return over if over >= 0 else turn
 
     def _tell_over(self, turn: int, cost: float) -> None:
-        number, count = self._history.events[turn][1], self._slices.turns(turn)
-        self._telling.say("why-turns-over", number, self._over(turn), count=count)
+        number, count = self._history.number(turn), self._slices.turns(turn)
+        self._draft.say("why-turns-over", number, self._over(turn), count=count)
         for name in self._history.nodes[number].reads:
             self.value(name, turn - 1, cost + _DATA)
 

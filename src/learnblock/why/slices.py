@@ -1,6 +1,5 @@
 """The causes of an event: the data that it used, and the conditions that let it happen."""
 
-import ast
 import re
 from bisect import bisect_right
 from collections import defaultdict
@@ -9,6 +8,7 @@ from collections.abc import Iterator
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import LOOPS, Kind
 from learnblock.why.history import Frame, History
+from learnblock.why.scopes import globals_by_line
 
 #: What is before the statement or condition that is looked at, and no part of it.
 _STATEMENTS = frozenset({Op.CONDITION, Op.WRITE, Op.TURN, Op.ENTER, Op.JUMP, Op.RESULT})
@@ -27,7 +27,7 @@ class Slices:
 
     def __init__(self, history: History) -> None:
         self.history = history
-        self._globals = _globals(history.program.python)
+        self._globals = globals_by_line(history.program.python)
         self._local_names = self._find_local_names()
         self._parts: dict[int, list[int]] = {}
         #: By the identity of a list: the writes of any name for it.
@@ -52,7 +52,7 @@ class Slices:
 
     def _find_parts(self, event: int) -> list[int]:
         history = self.history
-        number = history.events[event][1]
+        number = history.number(event)
         last, frame = history.nodes[number].last, history.frames[event]
         parts: dict[int, int] = {}
         for index in range(event - 1, max(-1, event - _FAR), -1):
@@ -79,8 +79,8 @@ class Slices:
 
     def write_before(self, write: int, name: str) -> int:
         """The last write of a variable before a write, by another statement; -1 if none."""
-        number, before = self.history.events[write][1], write
-        while before >= 0 and self.history.events[before][1] == number:
+        number, before = self.history.number(write), write
+        while before >= 0 and self.history.number(before) == number:
             before = self.last_write(name, before - 1) if before else -1
         return before
 
@@ -107,13 +107,13 @@ class Slices:
         after = [
             index
             for index in self._of_list[written[3]]
-            if write < index <= event and self.history.events[index][2] != written[2]
+            if write < index <= event and self.history.value(index) != written[2]
         ]
         return after[-1] if after else -1
 
     def aliased(self, write: int, name: str) -> int:
         """The write by which another name came to mean the same list as `name`; -1 if none."""
-        identity = self.history.events[write][3]
+        _, _, _, identity, *_ = self.history.events[write]
         for index in reversed(self._of_list[identity]):
             node = self.history.node(index)
             is_other = len(node.reads) == 1 and name not in node.reads
@@ -127,14 +127,14 @@ class Slices:
         if frame is None:
             return -1
         for index in range(result, frame.entered, -1):
-            if self.history.events[index][0] == Op.RETURN and self.history.frames[index] is frame:
+            if self.history.op(index) == Op.RETURN and self.history.frames[index] is frame:
                 return index
         return -1
 
     def called(self, result: int) -> Frame | None:
         """The call of an own function that ended with this result; None if it was none."""
         history = self.history
-        if not result or history.events[result - 1][0] != Op.LEAVE:
+        if not result or history.op(result - 1) != Op.LEAVE:
             return None
         frame = history.frames[result - 1]
         return frame if history.nodes[frame.node].name == history.node(result).name else None
@@ -162,14 +162,13 @@ class Slices:
         """The condition, loop, call or activation that let an event happen; -1 for none."""
         use = self.history.skills.get(event)
         if use is not None and self.history.causes[event] < 0:
-            while use.within is not None:
-                use = use.within
+            use = use.outermost
             event = use.result if use.result >= 0 else use.begun
         return self.history.causes[event]
 
     def loops_ended(self, event: int) -> Iterator[int]:
         """The last turns of the loops ahead of an event's statement, nearest first."""
-        return self.loops_before(self.history.events[event][1], event)
+        return self.loops_before(self.history.number(event), event)
 
     def loops_before(self, number: int, event: int) -> Iterator[int]:
         """The last turns, up to an event, of the loops ahead of a statement in its block."""
@@ -217,7 +216,7 @@ class Slices:
     def _turns_until(self, turn: int) -> list[int]:
         """The turns of a `for` loop since its program came to it, up to this one."""
         history, frame = self.history, self.history.frames[turn]
-        number = history.events[turn][1]
+        number = history.number(turn)
         turns = history.of_node[number]
         since = bisect_right(turns, self._loop_began(number, turn))
         mine = turns[since : bisect_right(turns, turn)]
@@ -237,10 +236,10 @@ class Slices:
         """The `break` or `return` that left a loop between two events; -1 if it was none."""
         history = self.history
         for index in range(before - 1, after, -1):
-            if history.events[index][0] in (Op.JUMP, Op.RETURN):
+            if history.op(index) in (Op.JUMP, Op.RETURN):
                 node = history.node(index)
                 if node.kind in (Kind.BREAK, Kind.RETURN) and self.is_inside(
-                    history.events[index][1], loop
+                    history.number(index), loop
                 ):
                     return index
         return -1
@@ -260,7 +259,7 @@ class Slices:
         control = self.loop_around(number) if number >= 0 else -1
         while control >= 0:
             decision = self.history.last_of(self.history.of_node.get(control, []), before)
-            if decision > after and self.history.events[decision][2] is False:
+            if decision > after and self.history.value(decision) is False:
                 yield decision
             control = self.loop_around(control)
 
@@ -287,21 +286,3 @@ def movements(history: History) -> Iterator[int]:
             args = event[3]
             if len(args) > 1 and all(isinstance(arg, int | float) for arg in args[:2]):
                 yield index
-
-
-def _globals(source: str) -> dict[int, frozenset[str]]:
-    """By the line of a function: the names that it declares as global."""
-    try:
-        tree = ast.parse(source)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return {}
-    return {
-        node.lineno: frozenset(
-            name
-            for inner in ast.walk(node)
-            if isinstance(inner, ast.Global)
-            for name in inner.names
-        )
-        for node in ast.walk(tree)
-        if isinstance(node, ast.FunctionDef)
-    }

@@ -1,0 +1,75 @@
+"""What the statements of a program read, write and declare."""
+
+import ast
+from collections.abc import Iterable, Iterator, Sequence
+
+#: Methods of lists, dicts and sets that change them.
+_CHANGING = frozenset(
+    {"append", "extend", "insert", "remove", "pop", "clear", "sort", "reverse", "update", "add"}
+)
+
+
+def names_read(node: ast.AST) -> tuple[str, ...]:
+    """The variables that an expression or statement reads, in the order of its tree."""
+    names = (
+        inner.id
+        for inner in ast.walk(node)
+        if isinstance(inner, ast.Name) and isinstance(inner.ctx, ast.Load)
+    )
+    return tuple(dict.fromkeys(names))
+
+
+def names_written(target: ast.expr) -> tuple[str, ...]:
+    """The variables that an assignment to `target` writes, or whose list it changes."""
+    if isinstance(target, ast.Tuple | ast.List):
+        return tuple(name for element in target.elts for name in names_written(element))
+    while isinstance(target, ast.Subscript | ast.Attribute | ast.Starred):
+        target = target.value
+    return (target.id,) if isinstance(target, ast.Name) else ()
+
+
+def written_value(target: ast.expr) -> ast.expr:
+    """The expression that reads what has been assigned to `target`."""
+    return values_of(names_written(target))
+
+
+def values_of(names: Sequence[str]) -> ast.expr:
+    """The expression that reads some variables."""
+    read = [ast.Name(name, ast.Load()) for name in names]
+    return read[0] if len(read) == 1 else ast.Tuple([*read], ast.Load())
+
+
+def names_captured(pattern: ast.pattern) -> Iterator[str]:
+    """The variables that a pattern of `match` writes."""
+    for part in ast.walk(pattern):
+        if isinstance(part, ast.MatchAs | ast.MatchStar) and part.name:
+            yield part.name
+        elif isinstance(part, ast.MatchMapping) and part.rest:
+            yield part.rest
+
+
+def changed_list(value: ast.expr) -> str:
+    """The variable whose list, dict or set a statement changes; "" if it changes none."""
+    if (
+        isinstance(value, ast.Call)
+        and isinstance(value.func, ast.Attribute)
+        and value.func.attr in _CHANGING
+    ):
+        # Also of a list in a list: `rows[0].append(1)`.
+        names = names_written(value.func.value)
+        return names[0] if names else ""
+    return ""
+
+
+def declarations(body: Sequence[ast.stmt]) -> Iterable[ast.stmt]:
+    """What must stay ahead in a function: its docstring, and what is global."""
+    for statement in body:
+        is_text = isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Constant)
+        if not (is_text or isinstance(statement, ast.Global | ast.Nonlocal)):
+            return
+        yield statement
+
+
+def has_yield(node: ast.FunctionDef) -> bool:
+    """Whether a function is a generator."""
+    return any(isinstance(inner, ast.Yield | ast.YieldFrom) for inner in ast.walk(node))
