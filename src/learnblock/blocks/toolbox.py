@@ -391,7 +391,7 @@ def skill_block(
     inputs = {
         name: {"shadow": shadow.block()} for name, shadow in shadows.items() if shadow is not None
     }
-    given = len(list(takewhile(_is_shown, configuration.parameters)))
+    count = len(list(takewhile(_is_shown, configuration.parameters)))
     return {
         "kind": "block",
         "type": SKILL + configuration.name,
@@ -400,7 +400,7 @@ def skill_block(
         **({"inputs": inputs} if inputs else {}),
         **({"needs": list(configuration.needed())} if configuration.needs else {}),
         # A new block shows its defaults in the code: `sleep(5)`, and not `sleep()`.
-        **({"data": json.dumps({"given": given})} if given else {}),
+        **({"data": json.dumps({"given": count})} if count else {}),
     }
 
 

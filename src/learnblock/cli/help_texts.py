@@ -89,8 +89,8 @@ def _parameter(parameter: click.Parameter, path: tuple[str, ...]) -> click.Param
 
 
 def _help_option() -> click.Option:
-    def show(ctx: click.Context, _: click.Parameter, asked: bool) -> None:  # noqa: FBT001
-        if asked and not ctx.resilient_parsing:
+    def show(ctx: click.Context, _: click.Parameter, is_wanted: bool) -> None:  # noqa: FBT001
+        if is_wanted and not ctx.resilient_parsing:
             click.echo(ctx.get_help(), color=ctx.color)
             ctx.exit()
 

@@ -169,15 +169,15 @@ def _project(source: Path) -> "_Converted":
     from learnblock.project.files.project import Project  # noqa: PLC0415
     from learnblock.project.files.project_file import encode  # noqa: PLC0415
 
-    made = _read(source)
-    project = Project(source.stem, made.blocktext, workspace=made.workspace)
-    return ENDING, encode(project), made.report
+    imported = _read(source)
+    project = Project(source.stem, imported.blocktext, workspace=imported.workspace)
+    return ENDING, encode(project), imported.report
 
 
 def _program(source: Path) -> "_Converted":
     """A program in Block-Text."""
-    made = _read(source)
-    return ".bt", made.blocktext.encode(), made.report
+    imported = _read(source)
+    return ".bt", imported.blocktext.encode(), imported.report
 
 
 def _read(source: Path) -> "Imported":
@@ -197,10 +197,10 @@ def _library(source: Path) -> "_Converted":
     from learnblock.blocks.known import all_configurations  # noqa: PLC0415
     from learnblock.extensions import libraries  # noqa: PLC0415
 
-    made = importing.import_library(importing.LibraryFiles.at(source), all_configurations())
-    if made.library is None:
-        return ".bt", made.blocktext.encode(), made.report
-    return libraries.ENDING, libraries.pack(made.library), made.report
+    library = importing.import_library(importing.LibraryFiles.at(source), all_configurations())
+    if library.library is None:
+        return ".bt", library.blocktext.encode(), library.report
+    return libraries.ENDING, libraries.pack(library.library), library.report
 
 
 def _written(target: Path, content: bytes, *, replace: bool) -> Path:

@@ -40,15 +40,15 @@ def served_until_ctrl_c() -> Iterator[None]:
         KeyboardInterrupt: always, at the end of the block.
     """
     # Its `put` may be called by a signal's handler at any moment; that of an Event may not.
-    asked: SimpleQueue[None] = SimpleQueue()
-    with stopped_by_signals(partial(asked.put, None)):
+    requests: SimpleQueue[None] = SimpleQueue()
+    with stopped_by_signals(partial(requests.put, None)):
         yield
         say("cli-stop-with-ctrl-c")
-        _await(asked)
+        _await(requests)
     raise KeyboardInterrupt
 
 
-def _await(asked: SimpleQueue[None]) -> None:
+def _await(requests: SimpleQueue[None]) -> None:
     while True:
         with suppress(Empty):
-            return asked.get(timeout=_LOOK_AGAIN)
+            return requests.get(timeout=_LOOK_AGAIN)

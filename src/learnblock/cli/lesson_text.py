@@ -104,8 +104,8 @@ def _wrong_object(wrong: WrongProgram) -> dict[str, Any]:
     }
 
 
-def _words(said: Phrase | Title) -> str:
-    return text(said) if isinstance(said, Phrase) else in_language(said, language())
+def _words(title: Phrase | Title) -> str:
+    return text(title) if isinstance(title, Phrase) else in_language(title, language())
 
 
 def _headed(head: str, body: str) -> Iterator[str]:

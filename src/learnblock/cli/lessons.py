@@ -238,8 +238,8 @@ def _print_tried(tried: "Tried") -> None:
         click.echo(f"    {text(error['message'])}")  # type: ignore[arg-type] # see `Report`
 
 
-def _print_hints(given: "Sequence[Hint]") -> None:
-    for hint in given:
+def _print_hints(hints: "Sequence[Hint]") -> None:
+    for hint in hints:
         say("lesson-cli-hint", rule=hint.rule)
         for level in hint.levels:
             click.echo(f"    {_words(level)}")
@@ -252,7 +252,7 @@ def _words(level: "Phrase | Title") -> str:
     return text(level) if isinstance(level, Phrase) else in_language(level, language())
 
 
-def _as_object(tried: "Tried", given: "Sequence[Hint]") -> dict[str, Any]:
+def _as_object(tried: "Tried", hints: "Sequence[Hint]") -> dict[str, Any]:
     from learnblock.lessons.describing import title_of  # noqa: PLC0415 - `--help`
 
     verdicts = [
@@ -268,6 +268,6 @@ def _as_object(tried: "Tried", given: "Sequence[Hint]") -> dict[str, Any]:
         "robot": tried.attempt.robot,
         "variant": tried.attempt.variant,
         "verdicts": verdicts,
-        "hints": [{"rule": hint.rule, "levels": [*map(_words, hint.levels)]} for hint in given],
+        "hints": [{"rule": hint.rule, "levels": [*map(_words, hint.levels)]} for hint in hints],
         "report": tried.report,
     }

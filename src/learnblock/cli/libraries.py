@@ -105,20 +105,20 @@ def export(
 
     program = running.read(file).tree if file else language.Program()
     title = {"en": manifest["title"]} if manifest["title"] else {}
-    made = libraries.make(
+    library = libraries.make(
         libraries.manifest(manifest["name"], manifest["version"], title),
         program,
         _names(functions),
         _names(blocks),
         str(file or ""),
     )
-    target = Path(made.name if form == "folder" else made.name + libraries.ENDING)
+    target = Path(library.name if form == "folder" else library.name + libraries.ENDING)
     _clear(target, replace=replace)
     if form == "folder":
-        libraries.write(made, target)
+        libraries.write(library, target)
     else:
-        target.write_bytes(libraries.pack(made))
-    click.echo(f"{target}: {', '.join(made.skills)}")
+        target.write_bytes(libraries.pack(library))
+    click.echo(f"{target}: {', '.join(library.skills)}")
 
 
 @library_group.command("import")
@@ -186,10 +186,10 @@ def _names(text: str) -> list[str]:
     return [name.strip() for name in text.split(",") if name.strip()]
 
 
-def _renaming(given: str) -> tuple[str, str]:
-    name, equals, new = given.partition("=")
+def _renaming(renaming: str) -> tuple[str, str]:
+    name, equals, new = renaming.partition("=")
     if not (name and equals and new):
-        raise usage_error("cli-library-rename-format", given=given)
+        raise usage_error("cli-library-rename-format", given=renaming)
     return name.strip(), new.strip()
 
 

@@ -128,8 +128,8 @@ def world(
     from learnblock.new.world import world_files  # noqa: PLC0415
     from learnblock.storage.home import home  # noqa: PLC0415
 
-    made = made_world(template, size, seed) if template else None
-    files = world_files(name, folder or home(), made)
+    world = made_world(template, size, seed) if template else None
+    files = world_files(name, folder or home(), world)
     _write(files, force=force)
     given = name if folder is None else str(next(iter(files)))
     say("cli-new-next")

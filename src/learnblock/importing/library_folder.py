@@ -95,8 +95,8 @@ def import_library(
         raise ProjectError(files.filename, [Diagnostic("no-functions", message)])
     described = _described(files, program, reporting)
     _report_python(files, program, reporting)
-    made = _made(files.filename, program, described, reporting)
-    return ImportedLibrary(format_program(program), made, reporting.report())
+    written = _made(files.filename, program, described, reporting)
+    return ImportedLibrary(format_program(program), written, reporting.report())
 
 
 def import_text(data: bytes, filename: str, skills: Mapping[str, BlockConfiguration]) -> Imported:
@@ -186,12 +186,12 @@ def _made(
     stem = PurePath(filename).stem
     manifest = libraries.manifest(_library_name(stem), "1.0.0", {"en": stem[:60]})
     try:
-        made = libraries.make(manifest, program, list(program.functions), (), filename)
+        library = libraries.make(manifest, program, list(program.functions), (), filename)
     except LearnBlockError as error:
         reporting.miss(Phrase("import-not-a-library", reason=error.phrase))
         return None
-    blocks = [_labelled(skill, described.get(skill.name)) for skill in made.skills.values()]
-    return replace(made, configurations=written(blocks))
+    blocks = [_labelled(skill, described.get(skill.name)) for skill in library.skills.values()]
+    return replace(library, configurations=written(blocks))
 
 
 def _labelled(block: BlockConfiguration, old: _OldBlock | None) -> BlockConfiguration:

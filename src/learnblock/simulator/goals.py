@@ -326,11 +326,11 @@ def goals(world: WorldDescription, pushed: Sequence[Pushed] = ()) -> tuple[Goal,
         world: the file's content.
         pushed: the objects that can be pushed.
     """
-    made = tuple(_made(world, {goal.thing.name: goal for goal in pushed}))
-    named = {goal.state.name: goal for goal in made}
-    for goal, (_, _, described) in zip(made, world.goal.all(), strict=True):
+    goals = tuple(_made(world, {goal.thing.name: goal for goal in pushed}))
+    named = {goal.state.name: goal for goal in goals}
+    for goal, (_, _, described) in zip(goals, world.goal.all(), strict=True):
         goal.first = named[described.after] if described.after else None
-    return made
+    return goals
 
 
 def _made(world: WorldDescription, pushed: Mapping[str, Pushed]) -> Iterator[Goal]:

@@ -85,9 +85,9 @@ def _check_names(world: WorldFile) -> Iterator[Finding]:
         [start.name for start in world.start],
         [goal.name for _, _, goal in world.goal.all()],
     )
-    for paths, given in zip(groups, names, strict=True):
+    for paths, path_names in zip(groups, names, strict=True):
         seen: Counter[str] = Counter()
-        for path, name in zip(paths, given, strict=True):
+        for path, name in zip(paths, path_names, strict=True):
             seen[name] += 1
             if seen[name] == 2:
                 message = Phrase("world-name-taken", group=str(path[0]), name=name)

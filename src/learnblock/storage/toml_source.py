@@ -163,12 +163,12 @@ def _document_of(value: Any) -> Any:
         return value
     fields = msgspec.structs.fields(value)
     values = ((field, getattr(value, field.name)) for field in fields)
-    return {field.name: _document_of(given) for field, given in values if given != _default(field)}
+    return {field.name: _document_of(value) for field, value in values if value != _default(field)}
 
 
 def _default(field: msgspec.structs.FieldInfo) -> Any:
-    made = field.default_factory
-    return field.default if made is msgspec.NODEFAULT else made()
+    factory = field.default_factory
+    return field.default if factory is msgspec.NODEFAULT else factory()
 
 
 def locate(kind: str, name_or_path: str | Path, folders: Sequence[Path]) -> Path:

@@ -99,7 +99,7 @@ def signatures(source: str, filename: str) -> tuple[Signature, ...]:
 def signature(function: ast.FunctionDef) -> Signature:
     """The signature of a function that takes the robot first."""
     positional = [*function.args.posonlyargs, *function.args.args]
-    said = function.returns is not None
+    has_hint = function.returns is not None
     summary = (ast.get_docstring(function) or "").partition("\n\n")[0]
     start = function.col_offset + len("def ")
     return Signature(
@@ -108,7 +108,7 @@ def signature(function: ast.FunctionDef) -> Signature:
         arguments=tuple(_arguments(function.args)),
         answers=_answers(function),
         returns=_returns(function.returns),
-        is_said=said,
+        is_said=has_hint,
         summary=" ".join(summary.split()),
         unfit=tuple(_unfit(function.args)),
         place=Place(function.lineno, start + 1, start + 1 + len(function.name)),

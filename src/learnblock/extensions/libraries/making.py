@@ -135,9 +135,9 @@ def _skill_calls(function: Def) -> Iterator[SkillCall]:
 def _described(library: Library, program: Program) -> Iterator[BlockConfiguration]:
     """The blocks of the library with everything known about them."""
     known = all_configurations()
-    made = language.parse(library.functions).functions
+    functions = language.parse(library.functions).functions
     for name, block in library.skills.items():
-        if name in made:
+        if name in functions:
             yield _of_function(block, program)
         else:
             chosen = known.get(name, block)

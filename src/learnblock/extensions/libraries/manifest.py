@@ -88,12 +88,12 @@ def read_manifest(text: str) -> Manifest:
     )
 
 
-def write_manifest(given: Manifest) -> str:
+def write_manifest(manifest: Manifest) -> str:
     """The text of ``library.toml``."""
-    return toml_source.write(given, MANIFEST, LibraryError)
+    return toml_source.write(manifest, MANIFEST, LibraryError)
 
 
-def _findings(given: Manifest) -> Iterator[Finding]:
-    if keyword.iskeyword(given.name) or is_device_name(given.name):
-        message = Phrase("library-bad-name", name=given.name)
+def _findings(manifest: Manifest) -> Iterator[Finding]:
+    if keyword.iskeyword(manifest.name) or is_device_name(manifest.name):
+        message = Phrase("library-bad-name", name=manifest.name)
         yield Finding(("name",), "name-taken", message)

@@ -85,7 +85,7 @@ class LineRewriter(ExpressionParser):
         self.tokens[start:end] = tokens
         self.kinds[start:end] = [token.kind for token in tokens]
         shift = len(tokens) - (end - start)
-        moved = {(at + shift if at >= end else at): kept for at, kept in self.hoisted.items()}
+        moved = {(at + shift if at >= end else at): line for at, line in self.hoisted.items()}
         self.hoisted.clear()
         self.hoisted.update(moved)
 

@@ -44,16 +44,16 @@ def definitions_first(items: Sequence[Item | Main]) -> list[Item | Main]:
         return list(items)
     top = _top(items, place)
     moved: list[Item | Main] = []
-    kept: list[Item | Main] = []
+    remaining: list[Item | Main] = []
     for item in items[top:]:
         if isinstance(item, Def | When):
-            lead = _comments_at_end(kept)
-            moved += kept[len(kept) - lead :]
-            del kept[len(kept) - lead :]
+            lead = _comments_at_end(remaining)
+            moved += remaining[len(remaining) - lead :]
+            del remaining[len(remaining) - lead :]
             moved.append(item)
         else:
-            kept.append(item)
-    return [*items[:top], *moved, *kept]
+            remaining.append(item)
+    return [*items[:top], *moved, *remaining]
 
 
 def _first_early_use(items: Sequence[Item | Main]) -> int | None:

@@ -226,8 +226,8 @@ def _notes_at_end(items: list[Item | Main]) -> list[Item | Main]:
 def _without_plain_setup(items: list[Item | Main]) -> list[Item | Main]:
     plain = [item for index, item in enumerate(items) if not _says_nothing(items, index)]
     # A single block of raw Python is a whole file; only `robot()` makes it part of a program.
-    said = [item for item in plain if not isinstance(item, Blank)]
-    return items if len(said) == 1 and isinstance(said[0], Raw) else plain
+    statements_read = [item for item in plain if not isinstance(item, Blank)]
+    return items if len(statements_read) == 1 and isinstance(statements_read[0], Raw) else plain
 
 
 def _says_nothing(items: list[Item | Main], index: int) -> bool:

@@ -174,8 +174,8 @@ def calls_that_demand(
 def _sense(call: SkillCall) -> BlockConfiguration | None:
     """A method of `robot.senses` as a skill; None if only the run will tell which sense."""
     owner, _, method = call.name.partition(".")
-    asked = _text(call.arguments[0]) if call.arguments else None
-    sense = sense_of(method, asked) if owner == "senses" else None
+    first_argument = _text(call.arguments[0]) if call.arguments else None
+    sense = sense_of(method, first_argument) if owner == "senses" else None
     if sense is None:
         return None
     return BlockConfiguration("perceptual", "", call.name, shapes=VALUE, needs=(sense,))

@@ -145,7 +145,7 @@ def _kept(old: Sequence[str], new: Sequence[str]) -> list[tuple[int, int]]:
             row[new_at] = max(below[new_at], row[new_at + 1])
             if line == new[new_at]:
                 row[new_at] = max(row[new_at], below[new_at + 1] + 1 + len(line))
-    kept: list[tuple[int, int]] = []
+    pairs: list[tuple[int, int]] = []
     at = new_at = 0
     while at < len(old) and new_at < len(new):
         if most[at][new_at] == most[at + 1][new_at]:
@@ -153,9 +153,9 @@ def _kept(old: Sequence[str], new: Sequence[str]) -> list[tuple[int, int]]:
         elif most[at][new_at] == most[at][new_at + 1]:
             new_at += 1
         else:
-            kept.append((at, new_at))
+            pairs.append((at, new_at))
             at, new_at = at + 1, new_at + 1
-    return kept
+    return pairs
 
 
 def _common(first: Sequence[str], other: Sequence[str], most: int) -> int:

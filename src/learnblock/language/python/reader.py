@@ -403,10 +403,10 @@ class _Reader(StatementReader):
 
     def reads_value_of_event(self, node: ast.FunctionDef) -> bool:
         """Whether a function uses a parameter that Block-Text would take for an event's value."""
-        given = {argument.arg for argument in node.args.args}
+        parameters = {argument.arg for argument in node.args.args}
         return any(
             isinstance(inner, ast.Name)
-            and inner.id in given
+            and inner.id in parameters
             and state_of(names.from_python(inner.id) or "", self.when_names)
             for inner in ast.walk(node)
         )

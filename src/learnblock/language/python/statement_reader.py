@@ -390,13 +390,13 @@ def _statement(item: Item) -> Statement:
 
 def stripped(body: Body) -> Body:
     """A body without leading, trailing or consecutive blank lines."""
-    kept: list[Statement] = []
+    statements: list[Statement] = []
     for item in body:
-        if not isinstance(item, Blank) or (kept and not isinstance(kept[-1], Blank)):
-            kept.append(item)
-    if kept and isinstance(kept[-1], Blank):
-        kept.pop()
-    return tuple(kept)
+        if not isinstance(item, Blank) or (statements and not isinstance(statements[-1], Blank)):
+            statements.append(item)
+    if statements and isinstance(statements[-1], Blank):
+        statements.pop()
+    return tuple(statements)
 
 
 def acts(item: Statement) -> bool:

@@ -336,8 +336,8 @@ def _field(known: Mapping[str, tuple[str, Library]]) -> str:
 
 def _chain(reader: ValueReader, block: Block) -> Expression:
     known = {*COMPARISONS, *MEMBERSHIPS}
-    asked = extra_list(block, "operators")
-    operators = tuple([name for name in asked if isinstance(name, str) and name in known])
+    written = extra_list(block, "operators")
+    operators = tuple([name for name in written if isinstance(name, str) and name in known])
     if not operators:
         reader.report(block, "unknown-choice", Phrase("workspace-empty-comparison"))
         return Constant(value=False)

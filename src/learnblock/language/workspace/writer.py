@@ -149,16 +149,16 @@ class WorkspaceWriter(ValueWriter):
 
     def rest(self) -> list[list[Block]]:
         """The stacks outside the program, and hat blocks without content."""
-        kept: list[list[Block]] = []
+        stacks: list[list[Block]] = []
         for stack in self.previous.stacks:
             if not stack or stack[0].id in self.hats:
                 continue
             if not is_part(stack) or self.is_empty_hat(stack[0]):
-                kept.append(stack)
+                stacks.append(stack)
             elif stack[0].type == START and (silent := self.silent(statements_of(stack[0]))):
                 hat = msgspec.structs.replace(stack[0], inputs={"DO": Input(stack=silent)})
-                kept.append([hat, *stack[1:]])
-        return kept
+                stacks.append([hat, *stack[1:]])
+        return stacks
 
     def is_empty_hat(self, hat: Block) -> bool:
         """Whether a hat has no content; without a `main`, an empty one would become the `main`."""
