@@ -195,7 +195,11 @@ def test_of_a_file_no_more_is_read_than_is_asked_for():
 # Damage.
 
 
-@pytest.mark.parametrize("content", [b"", b"PK", b"no zip", bytes(1000), made(("a", "x"))[:-30]])
+@pytest.mark.parametrize(
+    "content",
+    [b"", b"PK", b"no zip", bytes(1000), zipped({"a": b"x"})[:-30]],
+    ids=["empty", "start", "text", "zeros", "cut off"],
+)
 def test_what_is_no_zip_is_refused_in_the_words_of_the_caller(content):
     assert refused(content) == ("no-zip", "This file is damaged or not a library.")
 
