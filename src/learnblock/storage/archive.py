@@ -25,9 +25,7 @@ _SMALL = 64 * 1024
 DEEPEST = 32
 #: What file managers add, hidden files, and the folder where Python keeps compiled modules: pip
 #: makes one for the checks of a lesson that it installs.
-IGNORED = re.compile(
-    r"(?:^|/)(?:(?:__MACOSX|__pycache__)(?:/|$)|\.(?!\.?(?:[/\\]|$))|Thumbs\.db$|desktop\.ini$)"
-)
+IGNORED = re.compile(r"(?:^|/)(?:(?:__MACOSX|__pycache__)(?:/|$)|\.|Thumbs\.db$|desktop\.ini$)")
 
 _MEGABYTE = 1024**2
 _METHODS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}
@@ -131,7 +129,7 @@ class ZipReader:
             raise RefusedError("no-zip") from error
         with archive:
             found = [Entry(archive, info, _name(info)) for info in archive.infolist()]
-            wanted = [entry for entry in found if not IGNORED.search(entry.name)]
+            wanted = [entry for entry in found if not _is_ignored(entry.name)]
             self._entries -= len(wanted)
             if self._entries < 0:
                 raise RefusedError("too-many-files")
@@ -256,11 +254,21 @@ def _path(name: str) -> str:
     Raises:
         RefusedError: it leads out of the folder, or too deep into it.
     """
-    path = PurePosixPath(name.replace("\\", "/"))
+    path = _with_slashes(name)
     leads_out = path.is_absolute() or ".." in path.parts or PureWindowsPath(name).drive
     if leads_out or not path.parts or len(path.parts) > DEEPEST:
         raise RefusedError("unknown-file", name)
     return path.as_posix()
+
+
+def _is_ignored(name: str) -> bool:
+    """Whether its author has not put an entry there; one that leads out is for the rules."""
+    path = _with_slashes(name)
+    return ".." not in path.parts and IGNORED.search(path.as_posix()) is not None
+
+
+def _with_slashes(name: str) -> PurePosixPath:
+    return PurePosixPath(name.replace("\\", "/"))
 
 
 def _name(info: zipfile.ZipInfo) -> str:

@@ -197,8 +197,8 @@ def test_of_a_file_no_more_is_read_than_is_asked_for():
 
 @pytest.mark.parametrize(
     "content",
-    [b"", b"PK", b"no zip", bytes(1000), made(("a", "x"))[:-30]],
-    ids=["empty", "two letters", "text", "zeros", "cut off"],
+    [b"", b"PK", b"no zip", bytes(1000), zipped({"a": b"x"})[:-30]],
+    ids=["empty", "start", "text", "zeros", "cut off"],
 )
 def test_what_is_no_zip_is_refused_in_the_words_of_the_caller(content):
     assert refused(content) == ("no-zip", "This file is damaged or not a library.")
