@@ -11,8 +11,9 @@ import unicodedata
 import zipfile
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from enum import StrEnum
 from pathlib import PurePosixPath, PureWindowsPath
-from typing import BinaryIO, Literal
+from typing import BinaryIO
 
 from learnblock.errors import Diagnostic, FileError
 from learnblock.i18n import Phrase
@@ -36,17 +37,18 @@ _ENCRYPTED = 0x1
 #: The time of every file, so that the same files always give the same bytes.
 _TIME = (1980, 1, 1, 0, 0, 0)
 
-#: What is wrong with a zip, or with a file in it.
-Rule = Literal[
-    "no-zip",
-    "too-many-files",
-    "too-large",
-    "unknown-file",
-    "link",
-    "encrypted",
-    "two-files",
-    "bomb",
-]
+
+class Rule(StrEnum):
+    """What can be wrong with a zip, or with a file in it."""
+
+    NO_ZIP = "no-zip"
+    TOO_MANY_FILES = "too-many-files"
+    TOO_LARGE = "too-large"
+    UNKNOWN_FILE = "unknown-file"
+    LINK = "link"
+    ENCRYPTED = "encrypted"
+    TWO_FILES = "two-files"
+    BOMB = "bomb"
 
 
 class RefusedError(Exception):
@@ -89,15 +91,15 @@ class Entry:
             RefusedError: it is a link, encrypted, damaged, or packed as no file of a person is.
         """
         if stat.S_ISLNK(self.info.external_attr >> 16):
-            raise RefusedError("link", self.name)
+            raise RefusedError(Rule.LINK, self.name)
         if self.info.flag_bits & _ENCRYPTED or self.info.compress_type not in _METHODS:
-            raise RefusedError("encrypted", self.name)
+            raise RefusedError(Rule.ENCRYPTED, self.name)
         try:
             with self.archive.open(self.info) as file:
                 return file.read(most)
         except Exception as error:
             # zipfile raises errors of many kinds for damaged files.
-            raise RefusedError("no-zip", self.name) from error
+            raise RefusedError(Rule.NO_ZIP, self.name) from error
 
     def is_bomb(self, content: bytes) -> bool:
         """Whether it was packed smaller than any file of a person."""
@@ -126,13 +128,13 @@ class ZipReader:
             archive = zipfile.ZipFile(opened)
         except Exception as error:
             # As above.
-            raise RefusedError("no-zip") from error
+            raise RefusedError(Rule.NO_ZIP) from error
         with archive:
             found = [Entry(archive, info, _name(info)) for info in archive.infolist()]
             wanted = [entry for entry in found if not _is_ignored(entry.name)]
             self._entries -= len(wanted)
             if self._entries < 0:
-                raise RefusedError("too-many-files")
+                raise RefusedError(Rule.TOO_MANY_FILES)
             yield from wanted
 
     def inner(self, entry: Entry, most: int) -> Iterator[Entry]:
@@ -152,9 +154,9 @@ class ZipReader:
         content = entry.unpacked(min(most, self._left + 1))
         self._left -= len(content)
         if self._left < 0:
-            raise RefusedError("too-large")
+            raise RefusedError(Rule.TOO_LARGE)
         if entry.is_bomb(content):
-            raise RefusedError("bomb", entry.name)
+            raise RefusedError(Rule.BOMB, entry.name)
         return content
 
 
@@ -183,24 +185,24 @@ class Rules:
     def phrase(self, refused: RefusedError) -> Phrase:
         """What is wrong with a zip."""
         match refused.rule:
-            case "no-zip":
+            case Rule.NO_ZIP:
                 return self.damaged
-            case "too-many-files":
+            case Rule.TOO_MANY_FILES:
                 return self.too_many
-            case "too-large" if not refused.file:
+            case Rule.TOO_LARGE if not refused.file:
                 return self.too_large
-            case "too-large":
+            case Rule.TOO_LARGE:
                 limit = self.file // _MEGABYTE
                 return Phrase("file-too-large", name=refused.file, limit=limit)
         return Phrase(_WORDS[refused.rule], file=refused.file)
 
 
 _WORDS: Mapping[Rule, str] = {
-    "unknown-file": "file-zip-outside",
-    "link": "file-link",
-    "encrypted": "file-zip-encrypted",
-    "two-files": "file-zip-two",
-    "bomb": "file-zip-bomb",
+    Rule.UNKNOWN_FILE: "file-zip-outside",
+    Rule.LINK: "file-link",
+    Rule.ENCRYPTED: "file-zip-encrypted",
+    Rule.TWO_FILES: "file-zip-two",
+    Rule.BOMB: "file-zip-bomb",
 }
 
 
@@ -241,10 +243,10 @@ def _files(content: bytes, rules: Rules) -> dict[str, bytes]:
             continue
         path = _path(entry.name)
         if path in found:
-            raise RefusedError("two-files", path)
+            raise RefusedError(Rule.TWO_FILES, path)
         found[path] = reader.read(entry, rules.file + 1)
         if len(found[path]) > rules.file:
-            raise RefusedError("too-large", path)
+            raise RefusedError(Rule.TOO_LARGE, path)
     return found
 
 
@@ -257,7 +259,7 @@ def _path(name: str) -> str:
     path = _with_slashes(name)
     leads_out = path.is_absolute() or ".." in path.parts or PureWindowsPath(name).drive
     if leads_out or not path.parts or len(path.parts) > DEEPEST:
-        raise RefusedError("unknown-file", name)
+        raise RefusedError(Rule.UNKNOWN_FILE, name)
     return path.as_posix()
 
 
