@@ -38,7 +38,7 @@ _ENCRYPTED = 0x1
 _TIME = (1980, 1, 1, 0, 0, 0)
 
 
-class Rule(StrEnum):
+class ZipRule(StrEnum):
     """What can be wrong with a zip, or with a file in it."""
 
     NO_ZIP = "no-zip"
@@ -59,7 +59,7 @@ class RefusedError(Exception):
         file: the name of the file; empty for the zip as a whole.
     """
 
-    def __init__(self, rule: Rule, file: str = "") -> None:
+    def __init__(self, rule: ZipRule, file: str = "") -> None:
         super().__init__(rule, file)
         self.rule = rule
         self.file = file
@@ -91,15 +91,15 @@ class Entry:
             RefusedError: it is a link, encrypted, damaged, or packed as no file of a person is.
         """
         if stat.S_ISLNK(self.info.external_attr >> 16):
-            raise RefusedError(Rule.LINK, self.name)
+            raise RefusedError(ZipRule.LINK, self.name)
         if self.info.flag_bits & _ENCRYPTED or self.info.compress_type not in _METHODS:
-            raise RefusedError(Rule.ENCRYPTED, self.name)
+            raise RefusedError(ZipRule.ENCRYPTED, self.name)
         try:
             with self.archive.open(self.info) as file:
                 return file.read(most)
         except Exception as error:
             # zipfile raises errors of many kinds for damaged files.
-            raise RefusedError(Rule.NO_ZIP, self.name) from error
+            raise RefusedError(ZipRule.NO_ZIP, self.name) from error
 
     def is_bomb(self, content: bytes) -> bool:
         """Whether it was packed smaller than any file of a person."""
@@ -128,13 +128,13 @@ class ZipReader:
             archive = zipfile.ZipFile(opened)
         except Exception as error:
             # As above.
-            raise RefusedError(Rule.NO_ZIP) from error
+            raise RefusedError(ZipRule.NO_ZIP) from error
         with archive:
             found = [Entry(archive, info, _name(info)) for info in archive.infolist()]
             wanted = [entry for entry in found if not _is_ignored(entry.name)]
             self._entries -= len(wanted)
             if self._entries < 0:
-                raise RefusedError(Rule.TOO_MANY_FILES)
+                raise RefusedError(ZipRule.TOO_MANY_FILES)
             yield from wanted
 
     def inner(self, entry: Entry, most: int) -> Iterator[Entry]:
@@ -154,9 +154,9 @@ class ZipReader:
         content = entry.unpacked(min(most, self._left + 1))
         self._left -= len(content)
         if self._left < 0:
-            raise RefusedError(Rule.TOO_LARGE)
+            raise RefusedError(ZipRule.TOO_LARGE)
         if entry.is_bomb(content):
-            raise RefusedError(Rule.BOMB, entry.name)
+            raise RefusedError(ZipRule.BOMB, entry.name)
         return content
 
 
@@ -185,24 +185,24 @@ class Rules:
     def phrase(self, refused: RefusedError) -> Phrase:
         """What is wrong with a zip."""
         match refused.rule:
-            case Rule.NO_ZIP:
+            case ZipRule.NO_ZIP:
                 return self.damaged
-            case Rule.TOO_MANY_FILES:
+            case ZipRule.TOO_MANY_FILES:
                 return self.too_many
-            case Rule.TOO_LARGE if not refused.file:
+            case ZipRule.TOO_LARGE if not refused.file:
                 return self.too_large
-            case Rule.TOO_LARGE:
+            case ZipRule.TOO_LARGE:
                 limit = self.file // _MEGABYTE
                 return Phrase("file-too-large", name=refused.file, limit=limit)
         return Phrase(_WORDS[refused.rule], file=refused.file)
 
 
-_WORDS: Mapping[Rule, str] = {
-    Rule.UNKNOWN_FILE: "file-zip-outside",
-    Rule.LINK: "file-link",
-    Rule.ENCRYPTED: "file-zip-encrypted",
-    Rule.TWO_FILES: "file-zip-two",
-    Rule.BOMB: "file-zip-bomb",
+_WORDS: Mapping[ZipRule, str] = {
+    ZipRule.UNKNOWN_FILE: "file-zip-outside",
+    ZipRule.LINK: "file-link",
+    ZipRule.ENCRYPTED: "file-zip-encrypted",
+    ZipRule.TWO_FILES: "file-zip-two",
+    ZipRule.BOMB: "file-zip-bomb",
 }
 
 
@@ -243,10 +243,10 @@ def _files(content: bytes, rules: Rules) -> dict[str, bytes]:
             continue
         path = _path(entry.name)
         if path in found:
-            raise RefusedError(Rule.TWO_FILES, path)
+            raise RefusedError(ZipRule.TWO_FILES, path)
         found[path] = reader.read(entry, rules.file + 1)
         if len(found[path]) > rules.file:
-            raise RefusedError(Rule.TOO_LARGE, path)
+            raise RefusedError(ZipRule.TOO_LARGE, path)
     return found
 
 
@@ -259,7 +259,7 @@ def _path(name: str) -> str:
     path = _with_slashes(name)
     leads_out = path.is_absolute() or ".." in path.parts or PureWindowsPath(name).drive
     if leads_out or not path.parts or len(path.parts) > DEEPEST:
-        raise RefusedError(Rule.UNKNOWN_FILE, name)
+        raise RefusedError(ZipRule.UNKNOWN_FILE, name)
     return path.as_posix()
 
 

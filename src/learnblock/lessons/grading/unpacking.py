@@ -11,7 +11,7 @@ from pathlib import Path, PurePosixPath
 from learnblock.errors import LearnBlockError
 from learnblock.running.source import LARGEST_PROGRAM
 from learnblock.runtime.limits import MEGABYTE
-from learnblock.storage.archive import DEEPEST, Entry, RefusedError, Rule, ZipReader
+from learnblock.storage.archive import DEEPEST, Entry, RefusedError, ZipReader, ZipRule
 
 #: The files that can be graded.
 ENDINGS = (".bt", ".py", ".learnblock")
@@ -203,7 +203,7 @@ def _inner(reader: ZipReader, entry: Entry, parts: Sequence[str]) -> Iterator[_F
 
 def _is_of_all(refused: RefusedError) -> bool:
     """Whether there is too much in the zip, and not just an entry that is wrong."""
-    return refused.rule in {Rule.TOO_MANY_FILES, Rule.TOO_LARGE}
+    return refused.rule in {ZipRule.TOO_MANY_FILES, ZipRule.TOO_LARGE}
 
 
 def _parts(filename: str) -> list[str]:
