@@ -22,11 +22,13 @@ export interface AnswerKnocking {
 export interface AskForHelp {
   kind: "AskForHelp";
   on: boolean;
+  request?: number;
 }
 
 export interface AskToWrite {
   kind: "AskToWrite";
   on: boolean;
+  request?: number;
 }
 
 export interface EyesUp {
@@ -69,6 +71,7 @@ export interface LetJoin {
 export interface LetTeacherWrite {
   kind: "LetTeacherWrite";
   on: boolean;
+  request?: number;
 }
 
 export interface NewPin {

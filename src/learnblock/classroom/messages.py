@@ -12,7 +12,7 @@ from learnblock.classroom.roster import MOST_PUPILS, PupilId
 from learnblock.i18n import Phrase
 from learnblock.lessons.lesson import LessonText
 from learnblock.project.files.lesson_folder import LessonName
-from learnblock.server.messages.base import Message, Name, StateName
+from learnblock.server.messages.base import Message, Name, Own, StateName, Teach
 
 Hint = Annotated[str, Meta(min_length=1, max_length=300)]
 Writing = Literal["no", "asked", "yes"]
@@ -73,19 +73,19 @@ class AboutClass(Struct, frozen=True):
 # From a pupil's page, in addition to the messages of its own server.
 
 
-class AskForHelp(Message, frozen=True):
+class AskForHelp(Own, frozen=True):
     """Raise or lower the pupil's hand."""
 
     on: bool
 
 
-class LetTeacherWrite(Message, frozen=True):
+class LetTeacherWrite(Own, frozen=True):
     """Let the teacher change the program, or no more."""
 
     on: bool
 
 
-class AskToWrite(Message, frozen=True):
+class AskToWrite(Teach, frozen=True):
     """The teacher asks to change the program, or no longer wants to."""
 
     on: bool

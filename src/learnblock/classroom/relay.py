@@ -2,7 +2,7 @@
 
 import asyncio
 from contextlib import suppress
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, get_args
 
 import msgspec
 from starlette.websockets import WebSocket, WebSocketDisconnect
@@ -12,10 +12,11 @@ from websockets.exceptions import ConnectionClosed
 from learnblock.classroom import messages as ours
 from learnblock.classroom.limits import WEIGHT
 from learnblock.classroom.quota import Paces
-from learnblock.classroom.rights import Role, may
+from learnblock.classroom.rights import may
 from learnblock.i18n import Phrase
 from learnblock.server import messages
 from learnblock.server.http.protection import SUBPROTOCOL
+from learnblock.server.messages.base import Role
 
 if TYPE_CHECKING:
     from learnblock.classroom.desk import Desk
@@ -30,9 +31,7 @@ _PATIENCE = 10.0
 
 
 _from_pupil = msgspec.json.Decoder(ours.FromPupil)
-_OURS = frozenset(
-    kind.__name__ for kind in (ours.AskForHelp, ours.LetTeacherWrite, ours.AskToWrite)
-)
+_OURS = frozenset(kind.__name__ for kind in get_args(ours.FromPupil))
 
 
 class Relay:
