@@ -123,13 +123,8 @@ export interface RenewWord {
 }
 
 export interface Seat {
-  id: string;
-  name?: string;
-  here?: boolean;
-  hand?: boolean;
   project?: string;
   robot?: string;
-  scene?: number;
   pose?: [number, number, number] | null;
   way?: number[];
   state?: "done" | "ended" | "held" | "idle" | "input" | "paused" | "running" | "starting";
@@ -139,6 +134,11 @@ export interface Seat {
   steps?: number;
   stars?: number;
   error?: Record<string, unknown> | null;
+  id: string;
+  name?: string;
+  here?: boolean;
+  hand?: boolean;
+  scene?: number;
   quiet?: number;
   stuck?: number;
   writing?: "asked" | "no" | "yes";

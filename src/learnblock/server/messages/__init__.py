@@ -26,6 +26,7 @@ from learnblock.server.messages.program import *
 from learnblock.server.messages.projects import *
 from learnblock.server.messages.robots import *
 from learnblock.server.messages.running import *
+from learnblock.server.messages.seats import *
 from learnblock.server.messages.settings import *
 from learnblock.server.messages.tabs import *
 from learnblock.server.messages.tags import *
