@@ -9,7 +9,8 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 
 from browser.conftest import Server
-from browser.hostile import PROGRAM, disordered, malformed, stream
+from browser.hostile import disordered, malformed, stream
+from example_messages import PROGRAM
 from pages import TIMEOUT, Visitor, english
 
 pytestmark = pytest.mark.certain

@@ -22,11 +22,13 @@ export interface AnswerKnocking {
 export interface AskForHelp {
   kind: "AskForHelp";
   on: boolean;
+  request?: number;
 }
 
 export interface AskToWrite {
   kind: "AskToWrite";
   on: boolean;
+  request?: number;
 }
 
 export interface EyesUp {
@@ -69,6 +71,7 @@ export interface LetJoin {
 export interface LetTeacherWrite {
   kind: "LetTeacherWrite";
   on: boolean;
+  request?: number;
 }
 
 export interface NewPin {
@@ -120,13 +123,8 @@ export interface RenewWord {
 }
 
 export interface Seat {
-  id: string;
-  name?: string;
-  here?: boolean;
-  hand?: boolean;
   project?: string;
   robot?: string;
-  scene?: number;
   pose?: [number, number, number] | null;
   way?: number[];
   state?: "done" | "ended" | "held" | "idle" | "input" | "paused" | "running" | "starting";
@@ -136,6 +134,11 @@ export interface Seat {
   steps?: number;
   stars?: number;
   error?: Record<string, unknown> | null;
+  id: string;
+  name?: string;
+  here?: boolean;
+  hand?: boolean;
+  scene?: number;
   quiet?: number;
   stuck?: number;
   writing?: "asked" | "no" | "yes";

@@ -2,14 +2,17 @@
 
 import { Channel } from "./channel";
 import type { FromPupil, ToPupil } from "./classroom";
-import type { Failed, FromPage, ToPage } from "./messages";
+import type { Answers, Done, Failed, FromPage, ToPage } from "./messages";
 
 export type { ConnectionState } from "./channel";
 
 type FrameListener = (jpeg: Blob) => void;
 
-/** What answers a request: `Done`, `Failed`, or a message of its own. */
-export type Answer = Extract<ToPage, { request?: number }>;
+/** What answers a request: `Done`, `Failed`, or the answer that the server says of its kind. */
+export type Answer<Request extends FromPage = FromPage> =
+  | Done
+  | Failed
+  | (Request extends { kind: keyof Answers } ? Answers[Request["kind"]] : never);
 
 /** The answer to what cannot be sent, or is not answered any more. */
 const UNSENT: Failed = { kind: "Failed", message: { code: "page-shell-unsent" } };
@@ -26,10 +29,12 @@ export class Connection extends Channel<FromPage | FromPupil, ToPage | ToPupil> 
   }
 
   /** Send a message and wait for its answer. Who asks shows a refusal: no toast does. */
-  ask(message: FromPage): Promise<Answer> {
+  ask<Request extends FromPage>(message: Request): Promise<Answer<Request>> {
     const request = ++this.lastRequest;
     return new Promise((resolve) => {
-      if (this.send({ ...message, request })) this.waiting.set(request, resolve);
+      // The server answers a request only as its kind says.
+      const answered = resolve as (answer: Answer) => void;
+      if (this.send({ ...message, request })) this.waiting.set(request, answered);
       else resolve(UNSENT);
     });
   }

@@ -51,6 +51,13 @@ export interface Asked {
   block: string | null;
 }
 
+export interface AtSeat {
+  kind: "AtSeat";
+  work: Work;
+  successes?: number;
+  scene?: Scene | null;
+}
+
 export interface BeginRobot {
   kind: "BeginRobot";
   request?: number;
@@ -2014,6 +2021,20 @@ export interface WhySentence {
   inner: string | null;
 }
 
+export interface Work {
+  project?: string;
+  robot?: string;
+  pose?: [number, number, number] | null;
+  way?: number[];
+  state?: "done" | "ended" | "held" | "idle" | "input" | "paused" | "running" | "starting";
+  goals?: ("failed" | "open" | "reached")[];
+  lesson?: string | Record<string, string>;
+  step?: number;
+  steps?: number;
+  stars?: number;
+  error?: Record<string, unknown> | null;
+}
+
 export interface Workspace {
   stacks: Block[][];
   variables: Variable[];
@@ -2077,31 +2098,14 @@ export interface WrongProgram {
 
 export type FromPage =
   | ListBlockSets
-  | ChooseBlockSet
   | ReadBlockSet
   | ExportBlockSet
-  | FindRobots
-  | ConnectRobot
-  | DisconnectRobot
-  | TryRobot
   | ReadContainment
   | ReadNetwork
   | ListCustomBlocks
   | CheckCustomBlock
-  | TryCustomBlock
   | ExportCustomBlock
-  | ChooseRobot
-  | ChooseWorld
-  | Run
   | Stop
-  | Pause
-  | Resume
-  | Step
-  | SetSpeed
-  | Answer
-  | ResetWorld
-  | PlaceRobot
-  | Drive
   | WatchCamera
   | ReadTimeline
   | ReadPrediction
@@ -2118,29 +2122,13 @@ export type FromPage =
   | ReadCallsBeside
   | Introduce
   | ListLessons
-  | CheckStep
-  | StopChecking
-  | ShowVariant
-  | TakeHint
-  | AnswerQuiz
-  | AnswerPuzzle
-  | MakeLesson
-  | ChangeLesson
-  | ReadLessonNotes
-  | ExamineLesson
-  | TryLesson
-  | StopTrying
-  | ExportLesson
   | ListLibraries
   | ListExportable
   | ReadLibraries
   | DownloadLibrary
-  | MakeLibrary
-  | ConvertLibrary
   | Complete
   | Describe
   | ReadRunsOn
-  | SetBreakpoints
   | ReadWorld
   | CheckWorld
   | MakeWorld
@@ -2150,38 +2138,27 @@ export type FromPage =
   | Export
   | ListProjects
   | ListHistory
-  | BeginRobot
-  | ReadSettings
   | OpenTab
   | ReadTags
   | ExportTags
-  | SaveBlockSet
-  | DeleteBlockSet
-  | InstallOffered
-  | CorrectRobot
-  | NameRobot
-  | UseRobot
-  | AllowNetwork
-  | SaveCustomBlock
-  | DuplicateCustomBlock
-  | DeleteCustomBlock
-  | RestoreCustomBlock
-  | ImportCustomBlock
+  | ChooseBlockSet
+  | ChooseRobot
+  | ChooseWorld
+  | Run
+  | Pause
+  | Resume
+  | Step
+  | SetSpeed
+  | Answer
   | HoldKeys
+  | ResetWorld
+  | PlaceRobot
   | HandleRobot
-  | NameRun
-  | DeleteRun
-  | StartLesson
+  | Drive
   | ShowStep
-  | RestartStep
-  | ImportLesson
-  | ImportLessonFolder
-  | DeleteLesson
-  | CopyLesson
-  | SaveLesson
-  | ImportLibraries
-  | RemoveLibrary
-  | UseLibrary
+  | CheckStep
+  | StopChecking
+  | ShowVariant
   | EditBlocks
   | EditText
   | RecoverBlocks
@@ -2190,6 +2167,33 @@ export type FromPage =
   | Redo
   | Format
   | Rename
+  | SetBreakpoints
+  | AddTab
+  | SetRobotCount
+  | CloseTab
+  | ReopenTab
+  | RenameTab
+  | SaveBlockSet
+  | DeleteBlockSet
+  | InstallOffered
+  | SaveCustomBlock
+  | TryCustomBlock
+  | DuplicateCustomBlock
+  | DeleteCustomBlock
+  | RestoreCustomBlock
+  | ImportCustomBlock
+  | NameRun
+  | DeleteRun
+  | StartLesson
+  | RestartStep
+  | TakeHint
+  | AnswerQuiz
+  | AnswerPuzzle
+  | ImportLibraries
+  | RemoveLibrary
+  | MakeLibrary
+  | ConvertLibrary
+  | UseLibrary
   | SaveWorld
   | ImportWorld
   | RenameWorld
@@ -2205,14 +2209,31 @@ export type FromPage =
   | KeepPicture
   | Delete
   | Restore
+  | SaveTags
+  | FindRobots
+  | ConnectRobot
+  | DisconnectRobot
+  | TryRobot
+  | CorrectRobot
+  | NameRobot
+  | UseRobot
+  | AllowNetwork
+  | ImportLesson
+  | ImportLessonFolder
+  | DeleteLesson
+  | MakeLesson
+  | ChangeLesson
+  | ReadLessonNotes
+  | CopyLesson
+  | ExamineLesson
+  | SaveLesson
+  | TryLesson
+  | StopTrying
+  | ExportLesson
+  | BeginRobot
   | MakeRobot
-  | ChangeSettings
-  | AddTab
-  | SetRobotCount
-  | CloseTab
-  | ReopenTab
-  | RenameTab
-  | SaveTags;
+  | ReadSettings
+  | ChangeSettings;
 
 export type ToPage =
   | BlockSets
@@ -2301,11 +2322,20 @@ export type ToPage =
   | RobotBegun
   | RobotMade
   | Robots
+  | AtSeat
   | SettingsTable
   | Tabs
   | TabOpened
   | Tags
   | TagsRead;
+
+export interface Answers {
+  CheckCustomBlock: CustomBlockChecked;
+  Complete: Completions;
+  Describe: Description;
+  SaveCustomBlock: CustomBlockChecked;
+  SaveWorld: WorldChecked;
+}
 
 export const QUANTITIES: Record<string, Quantity> = {
   "DistanceSensors": {

@@ -2,21 +2,43 @@
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import assert_never
+from typing import Protocol, assert_never
+
+import msgspec
 
 from learnblock.classroom import messages as ours
 from learnblock.classroom.limits import OPEN_PAGES
 from learnblock.classroom.messages import InClass, Seat, Writing
 from learnblock.classroom.progress import Progress
 from learnblock.classroom.quota import Paces
-from learnblock.classroom.relay import Relay
 from learnblock.classroom.roster import Pupil
 from learnblock.errors import LearnBlockError
 from learnblock.server import messages
+from learnblock.server.messages.base import Role
 
 
 class TooManyPagesError(LearnBlockError):
     """A pupil has too many pages open."""
+
+
+class DeskPage(Protocol):
+    """A page that shows the program of a pupil."""
+
+    #: Whether it is the teacher's.
+    is_teacher: bool
+
+    @property
+    def role(self) -> Role:
+        """What the page is to the program now."""
+
+    def tell(self, message: msgspec.Struct) -> None:
+        """Send the page a message of the classroom."""
+
+    async def order(self, message: messages.Message) -> None:
+        """Send the pupil's server a message on behalf of this page."""
+
+    async def send_away(self) -> None:
+        """Close the page's connection."""
 
 
 class Desk:
@@ -34,14 +56,14 @@ class Desk:
         self.hand = False
         self.eyes_up = False
         self.hint = ""
-        self.pages: list[Relay] = []
+        self.pages: list[DeskPage] = []
         self.paces = Paces()
         self._opening = 0
         self._uploading = False
         self._changed = changed
 
     @property
-    def own_pages(self) -> list[Relay]:
+    def own_pages(self) -> list[DeskPage]:
         """The pages of the pupil."""
         return [page for page in self.pages if not page.is_teacher]
 
@@ -84,27 +106,30 @@ class Desk:
         finally:
             self._uploading = False
 
-    def joined(self, page: Relay) -> None:
+    def joined(self, page: DeskPage) -> None:
         """A page is connected to the pupil's server."""
         self.pages.append(page)
+        self._look()
         page.tell(self._news(page))
         self._changed()
 
-    def left(self, page: Relay) -> None:
+    def left(self, page: DeskPage) -> None:
         """A page has gone."""
         self.pages.remove(page)
+        self._look()
+        self.progress.forget(page)
         if page.is_teacher and not any(one.is_teacher for one in self.pages):
             self.writing = "no"
         self.tell()
 
-    def is_first(self, page: Relay) -> bool:
-        """Whether the wall shows what this page shows: a page of the pupil, if there is one."""
-        return page is next(iter(self.own_pages or self.pages), None)
-
-    def see(self, text: str) -> None:
-        """Read a message of the pupil's server."""
-        self.progress.see(text)
+    def see(self, page: DeskPage, now: messages.AtSeat) -> None:
+        """Note what a page works on; the wall shows a page of the pupil, if there is one."""
+        self.progress.see(page, now)
+        self._look()
         self._changed()
+
+    def _look(self) -> None:
+        self.progress.look_at(next(iter(self.own_pages or self.pages), None))
 
     def heard(self, message: ours.FromPupil) -> None:
         """Do what a page asks the classroom for; its rights have been checked."""
@@ -145,7 +170,7 @@ class Desk:
             page.tell(self._news(page))
         self._changed()
 
-    def _news(self, page: Relay) -> InClass:
+    def _news(self, page: DeskPage) -> InClass:
         return InClass(
             name=self.pupil.name,
             role=page.role.value,

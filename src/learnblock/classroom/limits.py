@@ -4,24 +4,18 @@ A pupil is counted by desk, whatever the devices; a visitor without a badge by n
 """
 
 from collections.abc import Mapping
-from typing import Literal, NamedTuple
+from typing import Literal, NamedTuple, get_args
 
 from learnblock import names
 from learnblock.classroom.roster import EXPECTED, MOST_ALIKE, MOST_PUPILS
 from learnblock.server import messages
 from learnblock.server.http.connections import MOST_KNOWN, MOST_UNKNOWN
 from learnblock.server.http.requests import LEAST_RATE, PATIENCE
+from learnblock.server.messages.base import Pace
 from learnblock.server.sessions.quota import MOST_PROJECTS
 from learnblock.server.sessions.sessions import MOST_RUNS
 
 MEGABYTE = 1024 * 1024
-
-
-class Pace(NamedTuple):
-    """How often something may be done: on average in a minute, and at once."""
-
-    minute: float
-    burst: int
 
 
 # Why: docs/decisions.md, "Limits belong to a person"
@@ -47,9 +41,7 @@ OPEN_PAGES = 8
 PACE, WEIGHT = Pace(minute=2400, burst=200), 64 * 1024
 #: The pace of what costs the computer more.
 PACES: Mapping[str, Pace] = {
-    messages.Run.__name__: Pace(minute=30, burst=10),
-    messages.CheckStep.__name__: Pace(minute=6, burst=3),
-    messages.TryCustomBlock.__name__: Pace(minute=20, burst=5),
+    kind.__name__: kind.pace for kind in get_args(messages.FROM_PAGE) if kind.pace
 }
 #: The limit of a request's body in bytes, that is, of a kept run that is brought along, and the
 #: seconds within which it must arrive.

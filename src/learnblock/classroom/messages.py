@@ -12,7 +12,8 @@ from learnblock.classroom.roster import MOST_PUPILS, PupilId
 from learnblock.i18n import Phrase
 from learnblock.lessons.lesson import LessonText
 from learnblock.project.files.lesson_folder import LessonName
-from learnblock.server.messages.base import Message, Name, StateName
+from learnblock.server.messages import Work
+from learnblock.server.messages.base import Message, Name, Own, Teach
 
 Hint = Annotated[str, Meta(min_length=1, max_length=300)]
 Writing = Literal["no", "asked", "yes"]
@@ -73,19 +74,19 @@ class AboutClass(Struct, frozen=True):
 # From a pupil's page, in addition to the messages of its own server.
 
 
-class AskForHelp(Message, frozen=True):
+class AskForHelp(Own, frozen=True):
     """Raise or lower the pupil's hand."""
 
     on: bool
 
 
-class LetTeacherWrite(Message, frozen=True):
+class LetTeacherWrite(Own, frozen=True):
     """Let the teacher change the program, or no more."""
 
     on: bool
 
 
-class AskToWrite(Message, frozen=True):
+class AskToWrite(Teach, frozen=True):
     """The teacher asks to change the program, or no longer wants to."""
 
     on: bool
@@ -183,31 +184,15 @@ class ShowOnProjector(Message, frozen=True):
 # To the wall and the projector.
 
 
-GoalState = Literal["open", "reached", "failed"]
-#: A `Phrase` as a pupil's server has sent it: with texts by language, which only the page chooses.
-Words = dict[str, Any]
-
-
-class Seat(Struct, frozen=True, omit_defaults=True):
-    """What the wall shows of a pupil.
+class Seat(Work, frozen=True, omit_defaults=True, kw_only=True):
+    """What the wall shows of a pupil, besides the pupil's work.
 
     Args:
         id: the pupil's.
         name: the first name; empty on the projector.
         here: whether a page of the pupil is open.
         hand: whether the pupil asks for help.
-        project: the open project.
-        robot: its kind of robot.
         scene: changes with the world, which `Plan` has.
-        pose: x and y in mm, heading in degrees clockwise; None if unknown.
-        way: where it has been in this run: x and y in mm, one after the other.
-        state: of the program.
-        goals: the states of the goals of the world.
-        lesson: the title of the open lesson.
-        step: the current step, from 1; 0 without a lesson.
-        steps: the number of its steps.
-        stars: earned in the lesson.
-        error: why the last run ended, if not well, or what is wrong with the program.
         quiet: seconds since the pupil last did something.
         stuck: seconds for which the pupil has worked without a new star or a run that ended well.
         writing: whether the teacher may write.
@@ -217,18 +202,7 @@ class Seat(Struct, frozen=True, omit_defaults=True):
     name: str = ""
     here: bool = False
     hand: bool = False
-    project: str = ""
-    robot: str = ""
     scene: int = 0
-    pose: tuple[float, float, float] | None = None
-    way: tuple[float, ...] = ()
-    state: StateName = "idle"
-    goals: tuple[GoalState, ...] = ()
-    lesson: LessonText = ""
-    step: int = 0
-    steps: int = 0
-    stars: int = 0
-    error: Words | None = None
     quiet: int = 0
     stuck: int = 0
     writing: Writing = "no"

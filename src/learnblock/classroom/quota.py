@@ -4,7 +4,8 @@ import time
 from collections import OrderedDict
 from collections.abc import Callable
 
-from learnblock.classroom.limits import PACE, PACES, Pace
+from learnblock.classroom.limits import PACE, PACES
+from learnblock.server.messages.base import Pace
 
 #: The most keys whose buckets are remembered; the oldest are forgotten.
 _MOST_KEYS = 1000

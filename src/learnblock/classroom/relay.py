@@ -2,7 +2,7 @@
 
 import asyncio
 from contextlib import suppress
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, get_args
 
 import msgspec
 from starlette.websockets import WebSocket, WebSocketDisconnect
@@ -10,15 +10,16 @@ from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed
 
 from learnblock.classroom import messages as ours
+from learnblock.classroom.desk import Desk
 from learnblock.classroom.limits import WEIGHT
 from learnblock.classroom.quota import Paces
-from learnblock.classroom.rights import Role, may
+from learnblock.classroom.rights import may
 from learnblock.i18n import Phrase
 from learnblock.server import messages
-from learnblock.server.http.protection import SUBPROTOCOL
+from learnblock.server.http.protection import SEAT, SUBPROTOCOL
+from learnblock.server.messages.base import Role
 
 if TYPE_CHECKING:
-    from learnblock.classroom.desk import Desk
     from learnblock.classroom.servers import Place
 
 #: Bytes; what a pupil's server accepts, and a little more, so that the page gets its answer.
@@ -30,9 +31,10 @@ _PATIENCE = 10.0
 
 
 _from_pupil = msgspec.json.Decoder(ours.FromPupil)
-_OURS = frozenset(
-    kind.__name__ for kind in (ours.AskForHelp, ours.LetTeacherWrite, ours.AskToWrite)
-)
+_at_seat = msgspec.json.Decoder(messages.AtSeat)
+#: Our servers put the kind first.
+_AT_SEAT = f'{{"kind":"{messages.AtSeat.__name__}"'
+_OURS = frozenset(kind.__name__ for kind in get_args(ours.FromPupil))
 
 
 class Relay:
@@ -44,7 +46,7 @@ class Relay:
         is_teacher: whether it is the teacher's page.
     """
 
-    def __init__(self, page: WebSocket, desk: "Desk", *, is_teacher: bool) -> None:
+    def __init__(self, page: WebSocket, desk: Desk, *, is_teacher: bool) -> None:
         self.is_teacher = is_teacher
         self._page = page
         self._desk = desk
@@ -79,7 +81,7 @@ class Relay:
     async def serve(self, place: "Place") -> None:
         """Pass messages on until the page or the pupil's server is gone."""
         async with connect(
-            f"ws://{place.host}{place.base_url}ws",
+            f"ws://{place.host}{place.base_url}ws?{SEAT}",
             subprotocols=[SUBPROTOCOL, place.token],  # type: ignore[list-item] # plain strings
             # As a proxy does, so that the server takes no pupil for a user of its own computer.
             additional_headers={"x-forwarded-for": "class"},
@@ -144,9 +146,10 @@ class Relay:
                 if isinstance(received, bytes):
                     await self._page.send_bytes(received)
                     continue
-                if self._desk.is_first(self):
-                    self._desk.see(received)
-                await self._page.send_text(received)
+                if received.startswith(_AT_SEAT):
+                    self._desk.see(self, _at_seat.decode(received))
+                else:
+                    await self._page.send_text(received)
             await self._page.close(_BACK_SOON)
 
     async def _to_page_ours(self) -> None:

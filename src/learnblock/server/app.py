@@ -23,6 +23,7 @@ from learnblock.server.http.palette import palette
 from learnblock.server.http.pictures import face, floor, lesson, project, tag
 from learnblock.server.http.protection import (
     COOKIE,
+    SEAT,
     SUBPROTOCOL,
     Guard,
     Protection,
@@ -143,7 +144,8 @@ async def _websocket(protection: Protection, lobby: "_LateLobby", socket: WebSoc
     if trusted:
         # When the server stops, it doesn't wait for a page's remaining messages.
         with suppress(asyncio.CancelledError):
-            await (await lobby.get()).serve(socket, is_local=protection.is_local(socket))
+            is_local, has_seat = protection.is_local(socket), SEAT in socket.query_params
+            await (await lobby.get()).serve(socket, is_local=is_local, has_seat=has_seat)
     else:
         await socket.close(FORBIDDEN, "the token is wrong")
 

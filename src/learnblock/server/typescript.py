@@ -6,7 +6,7 @@ python -m learnblock.server.typescript world > frontend/src/protocol/world.ts
 
 import sys
 from collections.abc import Iterable, Iterator, Mapping
-from typing import Any
+from typing import Any, get_args
 
 import msgspec
 from msgspec import inspect, json
@@ -42,7 +42,12 @@ def typescript() -> str:
     unions = {"FromPage": messages.FROM_PAGE, "ToPage": messages.TO_PAGE}
     aliases = {"Notation": views.Notation, "View": views.View}
     quantities = _constant("QUANTITIES", dict[str, Quantity], dict(QUANTITIES))
-    return module(_HEADER, unions, aliases, [Quantity]) + quantities + limits(messages.FROM_PAGE)
+    return (
+        module(_HEADER, unions, aliases, [Quantity])
+        + answers(messages.FROM_PAGE)
+        + quantities
+        + limits(messages.FROM_PAGE)
+    )
 
 
 def world_typescript() -> str:
@@ -75,6 +80,16 @@ def module(
         for name, kind in kinds.items()
     ]
     return "\n".join(parts)
+
+
+def answers(union: Any) -> str:
+    """What may answer a request besides `Done` and `Failed`, by the kind of request.
+
+    Args:
+        union: the messages from the page.
+    """
+    rows = [f"  {kind.__name__}: {kind.answer};\n" for kind in get_args(union) if kind.answer]
+    return f"\nexport interface Answers {{\n{''.join(rows)}}}\n"
 
 
 def limits(union: Any) -> str:

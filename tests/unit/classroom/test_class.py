@@ -108,7 +108,7 @@ def test_the_wall_shows_what_a_pupil_does(room, ana):
 def test_the_wall_shows_mistakes_and_raised_hands(room, ana):
     with room.wall() as wall, ana.page() as page:
         page.open("mine", "main:\n    function.drive_distnce(100)\nend\n")
-        # The project may be seen before its text.
+        # The project may be seen before its mistakes.
         while not (shown := seat(wall, ana, project="mine")).get("error"):
             pass
         assert shown["error"]["code"].startswith("check-")
@@ -123,10 +123,9 @@ def test_a_pupil_who_has_gone_is_shown_as_gone(room, ana):
     with room.wall() as wall:
         with ana.page() as page:
             page.open("mine", DRIVE)
-            seat(wall, ana, here=True)
+            seat(wall, ana, here=True, project="mine")
         # Defaults are left out.
-        while "here" in seat(wall, ana, project="mine"):
-            pass
+        assert seat(wall, ana, here=None)["project"] == "mine"
 
 
 def test_eyes_up_reaches_every_page(room, ana, leo):

@@ -2,8 +2,8 @@
 
 import pytest
 
-from learnblock.classroom.limits import Pace
 from learnblock.classroom.quota import Bucket, Buckets
+from learnblock.server.messages.base import Pace
 
 
 class Clock:

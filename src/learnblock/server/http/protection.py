@@ -26,6 +26,8 @@ from learnblock.i18n import Phrase
 
 #: Names by which the computer refers to itself.
 LOCAL_HOSTS = ("127.0.0.1", "localhost", "::1")
+#: In the address of a websocket: a class asks what its wall shows of the page.
+SEAT = "seat"
 SUBPROTOCOL = "learnblock"
 COOKIE = "learnblock_token"
 #: Nothing is fetched from other servers. Blockly and CodeMirror insert their styles as elements.

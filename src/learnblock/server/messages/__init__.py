@@ -4,10 +4,9 @@ A page first sends `Open` or `New`; all other messages are about the project tha
 Each message is a JSON object with a `kind`; only camera frames are binary (see `CameraFrame`).
 ``python -m learnblock.server.typescript`` writes the page's types from this module.
 
-A message is named once, in the module of its subject, and its base says who sends it.
+A message is named once, in the module of its subject, and its base says who may send it.
 """
 
-from collections.abc import Iterator
 from functools import reduce
 from operator import or_
 from typing import Any
@@ -27,20 +26,14 @@ from learnblock.server.messages.program import *
 from learnblock.server.messages.projects import *
 from learnblock.server.messages.robots import *
 from learnblock.server.messages.running import *
+from learnblock.server.messages.seats import *
 from learnblock.server.messages.settings import *
 from learnblock.server.messages.tabs import *
 from learnblock.server.messages.tags import *
 from learnblock.server.messages.worlds import *
 
-
-def _kinds(base: type[Message]) -> Iterator[type[Message]]:
-    for kind in base.__subclasses__():
-        if kind is FromReader:
-            yield from _kinds(kind)
-        else:
-            yield kind
-
-
 #: Every message of a direction, as one type.
-FROM_PAGE: Any = reduce(or_, _kinds(FromPage))
-TO_PAGE: Any = reduce(or_, _kinds(ToPage))
+FROM_PAGE: Any = reduce(
+    or_, [kind for role in FromPage.__subclasses__() for kind in role.__subclasses__()]
+)
+TO_PAGE: Any = reduce(or_, ToPage.__subclasses__())

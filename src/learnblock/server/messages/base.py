@@ -1,6 +1,7 @@
-"""Types that all messages share, and errors as phrases for the page."""
+"""Types that all messages share, and who may send a message in a class."""
 
-from typing import Annotated, Literal
+from enum import StrEnum
+from typing import Annotated, ClassVar, Literal, NamedTuple
 
 from msgspec import Meta, MsgspecError, Struct, json
 
@@ -24,15 +25,98 @@ class Message(Struct, tag_field="kind", omit_defaults=True, frozen=True):
     """A message of the conversation."""
 
 
+class ToPage(Message, frozen=True):
+    """A message to a page."""
+
+
+class Role(StrEnum):
+    """What a page in a class is to the program that it shows."""
+
+    #: The pupil whose program it is.
+    PUPIL = "pupil"
+    #: The teacher, who looks.
+    WATCHER = "watcher"
+    #: The teacher, whom the pupil lets write.
+    HELPER = "helper"
+
+
+class Pace(NamedTuple):
+    """How often something may be done: on average in a minute, and at once."""
+
+    minute: float
+    burst: int
+
+
+# Why: docs/decisions.md, "A message says who may send it"
 class FromPage(Message, frozen=True, kw_only=True):
-    """A message from a page.
+    """A message from a page; its base is a class below, by who may send it in a class.
 
     Args:
         request: the page's number for it if it waits for the answer, which repeats the number:
-            `Done`, `Failed`, or a message of its own.
+            `Done`, `Failed`, or its `answer`.
     """
 
+    #: Who may send it in a class.
+    roles: ClassVar[frozenset[Role]]
+    #: How often a person may send it in a class; None if it costs no more than others.
+    pace: ClassVar[Pace | None] = None
+    #: The kind of message that may answer a request besides `Done` and `Failed`, if there is one.
+    answer: ClassVar[str] = ""
+
     request: Annotated[int, Meta(ge=0)] = 0
+
+    def __init_subclass__(cls) -> None:
+        """Refuse a message of which nobody has decided who may send it.
+
+        Raises:
+            TypeError: its base is not one of the roles below.
+        """
+        super().__init_subclass__()
+        if not hasattr(cls, "roles"):
+            raise TypeError(f"{cls.__name__} needs a base that says who may send it, such as Look")
+
+
+class FromReader:
+    """One that a page may also send while another server has the right to write.
+
+    It writes neither to the projects nor to the user's folder. Robot, world, breakpoints and block
+    set hold for a session, and are not saved.
+    """
+
+    __slots__ = ()
+
+
+class Look(FromPage, FromReader, frozen=True):
+    """Everybody who sees the program may send it."""
+
+    roles: ClassVar = frozenset(Role)
+
+
+class Write(FromPage, frozen=True):
+    """Who changes the program and runs it: the pupil, and a teacher whom the pupil lets write."""
+
+    roles: ClassVar = frozenset({Role.PUPIL, Role.HELPER})
+
+
+class Own(FromPage, frozen=True):
+    """The pupil, who alone has the projects, the blocks and the stars."""
+
+    roles: ClassVar = frozenset({Role.PUPIL})
+
+
+class Teach(FromPage, frozen=True):
+    """The teacher."""
+
+    roles: ClassVar = frozenset({Role.WATCHER, Role.HELPER})
+
+
+class Computer(FromPage, frozen=True):
+    """Nobody in a class: its computer, its robots and its lessons are the teacher's.
+
+    The teacher uses them in a separate LearnBlock.
+    """
+
+    roles: ClassVar = frozenset[Role]()
 
 
 class Head(Struct, frozen=True):
@@ -51,15 +135,3 @@ def head_of(text: str | bytes) -> Head:
         return _heads.decode(text)
     except (MsgspecError, UnicodeError, RecursionError):
         return Head()
-
-
-class FromReader(FromPage, frozen=True):
-    """One that a page may also send while another server has the right to write.
-
-    It writes neither to the projects nor to the user's folder. Robot, world, breakpoints and block
-    set hold for a session, and are not saved.
-    """
-
-
-class ToPage(Message, frozen=True):
-    """A message to a page."""

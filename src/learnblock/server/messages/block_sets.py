@@ -2,29 +2,29 @@
 
 from learnblock.blocks.block_sets import BlockSet
 from learnblock.i18n import Phrase
-from learnblock.server.messages.base import FromPage, FromReader, Name, Text, ToPage
+from learnblock.server.messages.base import FromReader, Look, Name, Own, Text, ToPage, Write
 
 # From the page.
 
 
-class ListBlockSets(FromReader, frozen=True):
+class ListBlockSets(Look, frozen=True):
     """Ask for `BlockSets`."""
 
 
-class ChooseBlockSet(FromReader, frozen=True):
+class ChooseBlockSet(Write, FromReader, frozen=True):
     """Show the blocks of a set, and save the set in the project; the reply is `BlocksShown`."""
 
     set: BlockSet
 
 
-class ReadBlockSet(FromReader, frozen=True):
+class ReadBlockSet(Look, frozen=True):
     """Ask for the set in a file's text; the reply is `BlockSetRead`."""
 
     filename: Name
     text: Text
 
 
-class SaveBlockSet(FromPage, frozen=True):
+class SaveBlockSet(Own, frozen=True):
     """Save a set in the user's folder.
 
     Args:
@@ -36,13 +36,13 @@ class SaveBlockSet(FromPage, frozen=True):
     replace: bool = False
 
 
-class DeleteBlockSet(FromPage, frozen=True):
+class DeleteBlockSet(Own, frozen=True):
     """Delete a set from the user's folder; projects that contain it keep it."""
 
     name: Name
 
 
-class ExportBlockSet(FromReader, frozen=True):
+class ExportBlockSet(Look, frozen=True):
     """Ask for a set as a file; the reply is `File`."""
 
     set: BlockSet

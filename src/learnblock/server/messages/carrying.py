@@ -3,12 +3,12 @@
 from msgspec import Struct
 
 from learnblock.i18n import Phrase
-from learnblock.server.messages.base import FromPage, ToPage
+from learnblock.server.messages.base import Own, ToPage
 
 # From the page.
 
 
-class InstallOffered(FromPage, frozen=True):
+class InstallOffered(Own, frozen=True):
     """Install the code of the last `CodeOffered`, as the user has asked: `CodeOffered` follows."""
 
 

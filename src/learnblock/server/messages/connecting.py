@@ -7,18 +7,18 @@ from msgspec import Meta, Struct, field
 from learnblock.i18n import Phrase
 from learnblock.monitor.sensors import Sensor
 from learnblock.robots.settings import LONGEST_NAME
-from learnblock.server.messages.base import FromPage, FromReader, Name, ToPage
+from learnblock.server.messages.base import Computer, FromReader, Name, ToPage
 
 # From the page.
 
 
-class FindRobots(FromReader, frozen=True):
+class FindRobots(Computer, FromReader, frozen=True):
     """Start or stop looking for real robots; while it looks, `RobotsNearby` follows each change."""
 
     on: bool
 
 
-class ConnectRobot(FromReader, frozen=True):
+class ConnectRobot(Computer, FromReader, frozen=True):
     """Connect to a robot without a program; the replies are `RobotConnected`.
 
     Args:
@@ -29,11 +29,11 @@ class ConnectRobot(FromReader, frozen=True):
     id: Annotated[str, Meta(min_length=1, max_length=400)]
 
 
-class DisconnectRobot(FromReader, frozen=True):
+class DisconnectRobot(Computer, FromReader, frozen=True):
     """Stop the connected robot, and disconnect."""
 
 
-class TryRobot(FromReader, frozen=True):
+class TryRobot(Computer, FromReader, frozen=True):
     """Have the connected robot do something; it halts what it is doing.
 
     Args:
@@ -43,7 +43,7 @@ class TryRobot(FromReader, frozen=True):
     action: Literal["wheels", "face", "lamps", "beep", "distance", "angle", "stop"]
 
 
-class CorrectRobot(FromPage, frozen=True):
+class CorrectRobot(Computer, frozen=True):
     """Correct the settings of the connected robot; the reply is `RobotCorrected`.
 
     Args:
@@ -57,14 +57,14 @@ class CorrectRobot(FromPage, frozen=True):
     save: bool = False
 
 
-class NameRobot(FromPage, frozen=True):
+class NameRobot(Computer, frozen=True):
     """Give a kind of robot the name that the user calls it; an empty name takes it away."""
 
     robot: Name
     name: Annotated[str, Meta(max_length=LONGEST_NAME)]
 
 
-class UseRobot(FromPage, frozen=True):
+class UseRobot(Computer, frozen=True):
     """Disconnect, save what connects it, and choose the connected robot for the project, if any."""
 
 

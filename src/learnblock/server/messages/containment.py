@@ -2,20 +2,20 @@
 
 from learnblock.i18n import Phrase
 from learnblock.runtime.containment.survey import Finding
-from learnblock.server.messages.base import FromPage, FromReader, ShortText, ToPage
+from learnblock.server.messages.base import Computer, Look, ShortText, ToPage
 
 # From the page.
 
 
-class ReadContainment(FromReader, frozen=True):
+class ReadContainment(Look, frozen=True):
     """Ask what contains programs; the reply is `Containment`."""
 
 
-class ReadNetwork(FromReader, frozen=True):
+class ReadNetwork(Look, frozen=True):
     """Ask whether the project's programs may use the network; the reply is `Network`."""
 
 
-class AllowNetwork(FromPage, frozen=True):
+class AllowNetwork(Computer, frozen=True):
     """Allow the project's programs the network from the next run on, or forbid it.
 
     The reply is `Network`.

@@ -1,15 +1,17 @@
 """Messages about custom blocks."""
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 from msgspec import Meta, Struct, field
 
 from learnblock.i18n import Phrase
 from learnblock.server.messages.base import (
     FileText,
-    FromPage,
     FromReader,
+    Look,
     Name,
+    Own,
+    Pace,
     ShortText,
     Text,
     ToPage,
@@ -21,11 +23,11 @@ MOST_ARGUMENTS = 100
 # From the page.
 
 
-class ListCustomBlocks(FromReader, frozen=True):
+class ListCustomBlocks(Look, frozen=True):
     """Ask for `CustomBlocks`."""
 
 
-class CheckCustomBlock(FromReader, frozen=True):
+class CheckCustomBlock(Look, frozen=True):
     """Check a block and preview it; the reply is `CustomBlockChecked`.
 
     Args:
@@ -36,6 +38,8 @@ class CheckCustomBlock(FromReader, frozen=True):
         language: the language of the previews.
     """
 
+    answer: ClassVar = "CustomBlockChecked"
+
     name: ShortText
     source: Text
     configuration: Text = ""
@@ -43,8 +47,8 @@ class CheckCustomBlock(FromReader, frozen=True):
     language: Name = "en"
 
 
-class SaveCustomBlock(FromPage, frozen=True):
-    """Save a block; the reply is `CustomBlockSaved`, or `CustomBlockChecked` with request 0.
+class SaveCustomBlock(Own, frozen=True):
+    """Save a block; the reply is `CustomBlockSaved`, or `CustomBlockChecked` if it has errors.
 
     Args:
         name: the new name of its file.
@@ -53,13 +57,15 @@ class SaveCustomBlock(FromPage, frozen=True):
         replaces: its previous name; empty for a new block.
     """
 
+    answer: ClassVar = "CustomBlockChecked"
+
     name: Name
     source: Text
     configuration: Text = ""
     replaces: ShortText = ""
 
 
-class TryCustomBlock(FromReader, frozen=True):
+class TryCustomBlock(Own, FromReader, frozen=True):
     """Run one function on the current robot, as a program of one line, without saving it.
 
     The result is printed; `Ended` follows, with `tried`.
@@ -71,38 +77,40 @@ class TryCustomBlock(FromReader, frozen=True):
         arguments: the values in the order of the parameters; the rest have their defaults.
     """
 
+    pace: ClassVar = Pace(minute=20, burst=5)
+
     name: ShortText
     source: Text
     function: ShortText = ""
     arguments: Annotated[list[Any], Meta(max_length=MOST_ARGUMENTS)] = field(default_factory=list)
 
 
-class DuplicateCustomBlock(FromPage, frozen=True):
+class DuplicateCustomBlock(Own, frozen=True):
     """Copy a block; its functions get free names; the reply is `CustomBlockSaved`."""
 
     name: Name
     new: Name
 
 
-class DeleteCustomBlock(FromPage, frozen=True):
+class DeleteCustomBlock(Own, frozen=True):
     """Delete a block; it can be restored until another block with the same name is deleted."""
 
     name: Name
 
 
-class RestoreCustomBlock(FromPage, frozen=True):
+class RestoreCustomBlock(Own, frozen=True):
     """Restore a deleted block; the reply is `CustomBlockSaved`."""
 
     name: Name
 
 
-class ExportCustomBlock(FromReader, frozen=True):
+class ExportCustomBlock(Look, frozen=True):
     """Ask for a block as one file; the reply is `File`."""
 
     name: Name
 
 
-class ImportCustomBlock(FromPage, frozen=True):
+class ImportCustomBlock(Own, frozen=True):
     """Add the block in an exported file; the reply is `CustomBlockSaved`, or `Failed`.
 
     Args:

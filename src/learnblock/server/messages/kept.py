@@ -6,7 +6,7 @@ from msgspec import Meta, Struct
 
 from learnblock.i18n import Phrase
 from learnblock.project.files.kept_runs import LONGEST_RUN_NAME, KeptRun
-from learnblock.server.messages.base import FromPage, FromReader, ToPage
+from learnblock.server.messages.base import Look, Own, ToPage
 from learnblock.server.messages.looking import CallGraph
 
 #: A kept run: the time at which it began in milliseconds since 1970, and a number.
@@ -16,21 +16,21 @@ RunName = Annotated[str, Meta(max_length=LONGEST_RUN_NAME)]
 # From the page.
 
 
-class ListRuns(FromReader, frozen=True):
+class ListRuns(Look, frozen=True):
     """Ask for the project's kept runs; the reply is `KeptRuns`."""
 
 
-class OpenRun(FromReader, frozen=True):
+class OpenRun(Look, frozen=True):
     """Look back at a kept run instead of the newest; every page of the robot gets `RunShown`."""
 
     run: RunId
 
 
-class CloseRun(FromReader, frozen=True):
+class CloseRun(Look, frozen=True):
     """Look back at the newest run again; every page of the robot gets `RunShown`."""
 
 
-class NameRun(FromPage, frozen=True):
+class NameRun(Own, frozen=True):
     """Name a run, which is then kept until it is deleted; without a name it is one of many again.
 
     The reply is `KeptRuns`.
@@ -40,20 +40,20 @@ class NameRun(FromPage, frozen=True):
     name: RunName
 
 
-class DeleteRun(FromPage, frozen=True):
+class DeleteRun(Own, frozen=True):
     """Delete a run; the reply is `KeptRuns`."""
 
     run: RunId
 
 
-class CompareRuns(FromReader, frozen=True):
+class CompareRuns(Look, frozen=True):
     """Compare two kept runs; the reply is `RunsCompared`."""
 
     first: RunId
     second: RunId
 
 
-class ReadCallsBeside(FromReader, frozen=True):
+class ReadCallsBeside(Look, frozen=True):
     """Ask for the call graphs of two kept runs; the reply is `CallsBeside`."""
 
     first: RunId

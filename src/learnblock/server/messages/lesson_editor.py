@@ -13,47 +13,47 @@ from learnblock.language.workspace.blocks import Workspace
 from learnblock.lessons.editing import EditedLesson
 from learnblock.lessons.lesson import LessonText
 from learnblock.project.files.lesson_folder import LessonName
-from learnblock.server.messages.base import FromPage, FromReader, ToPage
+from learnblock.server.messages.base import Computer, FromReader, ToPage
 from learnblock.server.messages.lessons import LessonWords
 
 # From the page.
 
 
-class MakeLesson(FromReader, frozen=True):
+class MakeLesson(Computer, FromReader, frozen=True):
     """Ask for a lesson made of the open project: `LessonToEdit`."""
 
 
-class ChangeLesson(FromReader, frozen=True):
+class ChangeLesson(Computer, FromReader, frozen=True):
     """Ask for a lesson of the user's, to change it: `LessonToEdit`."""
 
     lesson: LessonName
 
 
-class ReadLessonNotes(FromReader, frozen=True):
+class ReadLessonNotes(Computer, FromReader, frozen=True):
     """Ask for what a lesson has for the teacher: `LessonNotes`."""
 
     lesson: LessonName
 
 
-class CopyLesson(FromPage, frozen=True):
+class CopyLesson(Computer, frozen=True):
     """Add a copy of a lesson to the user's, to change it: `LessonToEdit`."""
 
     lesson: LessonName
 
 
-class ExamineLesson(FromReader, frozen=True):
+class ExamineLesson(Computer, FromReader, frozen=True):
     """Ask for the mistakes in a lesson and its checks in words: `LessonExamined`."""
 
     edited: EditedLesson
 
 
-class SaveLesson(FromPage, frozen=True):
+class SaveLesson(Computer, frozen=True):
     """Save a lesson in the user's folder: `LessonSaved`, or `LessonExamined` if it has mistakes."""
 
     edited: EditedLesson
 
 
-class TryLesson(FromReader, frozen=True):
+class TryLesson(Computer, FromReader, frozen=True):
     """Try the solutions of a lesson that need not be saved.
 
     `LessonTried` follows, again and again; or `LessonExamined` if the lesson has mistakes.
@@ -62,11 +62,11 @@ class TryLesson(FromReader, frozen=True):
     edited: EditedLesson
 
 
-class StopTrying(FromReader, frozen=True):
+class StopTrying(Computer, FromReader, frozen=True):
     """Stop what `TryLesson` began."""
 
 
-class ExportLesson(FromReader, frozen=True):
+class ExportLesson(Computer, FromReader, frozen=True):
     """Ask for a lesson of the user's as a file: `LessonExported`.
 
     Args:

@@ -3,7 +3,7 @@
 None of them has what only the teacher has, nor the right answers; see `lesson_editor`.
 """
 
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from msgspec import Meta, Struct, field
 
@@ -12,7 +12,17 @@ from learnblock.language.workspace.blocks import Workspace
 from learnblock.lessons.archive import MOST_FILES
 from learnblock.lessons.lesson import LessonText, Phase
 from learnblock.project.files.lesson_folder import BrowserId, LessonName, StepNumber
-from learnblock.server.messages.base import FromPage, FromReader, Name, ShortText, ToPage
+from learnblock.server.messages.base import (
+    Computer,
+    FromReader,
+    Look,
+    Name,
+    Own,
+    Pace,
+    ShortText,
+    ToPage,
+    Write,
+)
 from learnblock.server.messages.running import VariantNumber
 
 #: The limit of a lesson's file in bytes; in base 64 it fits into a message.
@@ -21,7 +31,7 @@ LARGEST_LESSON = 2_500_000
 # From the page.
 
 
-class Introduce(FromReader, frozen=True):
+class Introduce(Look, frozen=True):
     """Say in which browser the page is: it goes on with the lessons begun there.
 
     Args:
@@ -31,11 +41,11 @@ class Introduce(FromReader, frozen=True):
     browser: BrowserId
 
 
-class ListLessons(FromReader, frozen=True):
+class ListLessons(Look, frozen=True):
     """Ask for `Lessons`."""
 
 
-class StartLesson(FromPage, frozen=True):
+class StartLesson(Own, frozen=True):
     """Open the browser's own project of a lesson; create one if there is none.
 
     Args:
@@ -51,39 +61,41 @@ class StartLesson(FromPage, frozen=True):
     again: bool = False
 
 
-class ShowStep(FromPage, frozen=True):
+class ShowStep(Write, frozen=True):
     """Go to a step of the lesson, with its program, its world, its robots and its blocks."""
 
     step: StepNumber
 
 
-class RestartStep(FromPage, frozen=True):
+class RestartStep(Own, frozen=True):
     """Begin with the step's first program again; the current one is saved as a version."""
 
 
-class CheckStep(FromReader, frozen=True):
+class CheckStep(Write, FromReader, frozen=True):
     """Check the program on all variants of the step's world and on all its robots.
 
     `LessonChecked` follows, again and again.
     """
 
+    pace: ClassVar = Pace(minute=6, burst=3)
 
-class StopChecking(FromReader, frozen=True):
+
+class StopChecking(Write, FromReader, frozen=True):
     """Stop what `CheckStep` began."""
 
 
-class ShowVariant(FromReader, frozen=True):
+class ShowVariant(Write, FromReader, frozen=True):
     """Run the program on a robot in a variant of the step's world, to see what happens there."""
 
     robot: Name
     variant: VariantNumber
 
 
-class TakeHint(FromReader, frozen=True):
+class TakeHint(Own, FromReader, frozen=True):
     """Ask for a hint, or for the next level of the last one; `LessonHints` follows."""
 
 
-class AnswerQuiz(FromReader, frozen=True):
+class AnswerQuiz(Own, FromReader, frozen=True):
     """Answer the question of the step; `QuizJudged` follows.
 
     Args:
@@ -93,7 +105,7 @@ class AnswerQuiz(FromReader, frozen=True):
     choices: Annotated[tuple[Annotated[int, Meta(ge=0, le=7)], ...], Meta(max_length=8)]
 
 
-class AnswerPuzzle(FromReader, frozen=True):
+class AnswerPuzzle(Own, FromReader, frozen=True):
     """Solve the puzzle of the step; `PuzzleJudged` follows.
 
     Args:
@@ -103,7 +115,7 @@ class AnswerPuzzle(FromReader, frozen=True):
     order: Annotated[tuple[Annotated[int, Meta(ge=0, le=199)], ...], Meta(max_length=200)]
 
 
-class ImportLesson(FromPage, frozen=True):
+class ImportLesson(Computer, frozen=True):
     """Add a lesson's file to the user's lessons; `LessonImported` follows.
 
     Args:
@@ -115,7 +127,7 @@ class ImportLesson(FromPage, frozen=True):
     content: Annotated[bytes, Meta(max_length=LARGEST_LESSON)]
 
 
-class ImportLessonFolder(FromPage, frozen=True):
+class ImportLessonFolder(Computer, frozen=True):
     """Add the folder of a lesson to the user's lessons; `LessonImported` follows.
 
     Args:
@@ -132,7 +144,7 @@ class ImportLessonFolder(FromPage, frozen=True):
     ]
 
 
-class DeleteLesson(FromPage, frozen=True):
+class DeleteLesson(Computer, frozen=True):
     """Delete a lesson of the user's; projects that were begun with it become usual ones."""
 
     lesson: LessonName

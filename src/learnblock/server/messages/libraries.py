@@ -8,9 +8,10 @@ from learnblock.i18n import Phrase
 from learnblock.project.document.views import LONGEST_TEXT
 from learnblock.server.messages.base import (
     LONGEST_FILE,
-    FromPage,
     FromReader,
+    Look,
     Name,
+    Own,
     ShortText,
     ToPage,
 )
@@ -37,40 +38,40 @@ class LibraryFile(Struct, frozen=True, omit_defaults=True):
     renames: Annotated[dict[ShortText, ShortText], Meta(max_length=MOST_SKILLS)] = {}
 
 
-class ListLibraries(FromReader, frozen=True):
+class ListLibraries(Look, frozen=True):
     """Ask which libraries are installed; the reply is `Libraries`."""
 
 
-class ListExportable(FromReader, frozen=True):
+class ListExportable(Look, frozen=True):
     """Ask for the functions and blocks that a library can contain; the reply is `Exportable`."""
 
 
-class ReadLibraries(FromReader, frozen=True):
+class ReadLibraries(Look, frozen=True):
     """Ask for the libraries in files, and for their problems; the reply is `LibrariesRead`."""
 
     files: Annotated[tuple[LibraryFile, ...], Meta(max_length=MOST_LIBRARIES)]
 
 
-class ImportLibraries(FromPage, frozen=True):
+class ImportLibraries(Own, frozen=True):
     """Install all of these libraries or none; `replace` also replaces equally new versions."""
 
     files: Annotated[tuple[LibraryFile, ...], Meta(max_length=MOST_LIBRARIES)]
     replace: bool = False
 
 
-class RemoveLibrary(FromPage, frozen=True):
+class RemoveLibrary(Own, frozen=True):
     """Remove an installed library; every page receives `Libraries`."""
 
     name: Name
 
 
-class DownloadLibrary(FromReader, frozen=True):
+class DownloadLibrary(Look, frozen=True):
     """Ask for an installed library in one file; the reply is `LibraryMade`."""
 
     name: Name
 
 
-class MakeLibrary(FromReader, frozen=True):
+class MakeLibrary(Own, FromReader, frozen=True):
     """Ask for a library made from program functions and custom blocks; the reply is `LibraryMade`.
 
     Args:
@@ -88,7 +89,7 @@ class MakeLibrary(FromReader, frozen=True):
     own: Annotated[tuple[Name, ...], Meta(max_length=MOST_SKILLS)] = ()
 
 
-class ConvertLibrary(FromReader, frozen=True):
+class ConvertLibrary(Own, FromReader, frozen=True):
     """Ask for a library file made from the files of one of the original LearnBlock.
 
     The reply is `LibraryConverted`; nothing is installed.
@@ -106,7 +107,7 @@ class ConvertLibrary(FromReader, frozen=True):
     configuration: Annotated[bytes, Meta(max_length=LONGEST_TEXT)] | None = None
 
 
-class UseLibrary(FromPage, frozen=True):
+class UseLibrary(Own, frozen=True):
     """Import an installed library into the program."""
 
     name: Name

@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 from msgspec import Meta, Struct
 
 from learnblock.i18n import Phrase
-from learnblock.server.messages.base import FromReader, ShortText, ToPage
+from learnblock.server.messages.base import Look, ShortText, ToPage
 from learnblock.server.messages.running import Drawing, RunningLine, Telemetry, Variables
 
 #: A time of a run in s: longer than any run that can be shown.
@@ -20,15 +20,15 @@ MOST_POINTS = 5000
 # From the page.
 
 
-class ReadTimeline(FromReader, frozen=True):
+class ReadTimeline(Look, frozen=True):
     """Ask for the timeline of the run; the reply is `Timeline`."""
 
 
-class ReadPrediction(FromReader, frozen=True):
+class ReadPrediction(Look, frozen=True):
     """Ask where the twin of a real robot would have been; the reply is `Predicted`."""
 
 
-class LookBack(FromReader, frozen=True):
+class LookBack(Look, frozen=True):
     """Ask what the run was like at a place; the reply is `Past`.
 
     A place is a time, and the last event of the log that has happened there.
@@ -49,7 +49,7 @@ class LookBack(FromReader, frozen=True):
     subject: ShortText = ""
 
 
-class ReadPastPicture(FromReader, frozen=True):
+class ReadPastPicture(Look, frozen=True):
     """Ask for the camera's picture at a time; the reply is a `CameraFrame` of the past.
 
     Args:
@@ -59,11 +59,11 @@ class ReadPastPicture(FromReader, frozen=True):
     time: Time
 
 
-class ReadValues(FromReader, frozen=True):
+class ReadValues(Look, frozen=True):
     """Ask for the values beside the lines of a paused program; the reply is `ValuesThere`."""
 
 
-class ReadCalls(FromReader, frozen=True):
+class ReadCalls(Look, frozen=True):
     """Ask for the call graph of a part of the run; the reply is `CallGraph`.
 
     Args:
@@ -114,7 +114,7 @@ class WhyQuestion(Struct, frozen=True):
     time: Time | None = None
 
 
-class ReadQuestions(FromReader, frozen=True):
+class ReadQuestions(Look, frozen=True):
     """Ask what can be asked about the run; the reply is `Questions`.
 
     Args:
@@ -127,7 +127,7 @@ class ReadQuestions(FromReader, frozen=True):
     time: Time | None = None
 
 
-class AskWhy(FromReader, frozen=True):
+class AskWhy(Look, frozen=True):
     """Ask a question about the run; the reply is `WhyAnswer`."""
 
     question: WhyQuestion

@@ -1,6 +1,6 @@
 """Messages about the program: edits, its three views, completion and help."""
 
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from msgspec import Meta, Struct
 
@@ -10,18 +10,12 @@ from learnblock.project.document.views import Notation, Place, Problem, View
 from learnblock.project.files.project import MOST_BREAKPOINTS, BlockId
 from learnblock.project.help import describing
 from learnblock.project.help.completion import Completion
-from learnblock.server.messages.base import (
-    FromPage,
-    FromReader,
-    Name,
-    Text,
-    ToPage,
-)
+from learnblock.server.messages.base import FromReader, Look, Name, Text, ToPage, Write
 
 # From the page.
 
 
-class EditBlocks(FromPage, frozen=True):
+class EditBlocks(Write, frozen=True):
     """Replace the workspace; what others have changed since stays.
 
     Args:
@@ -37,7 +31,7 @@ class EditBlocks(FromPage, frozen=True):
     shown: int = 0
 
 
-class EditText(FromPage, frozen=True):
+class EditText(Write, frozen=True):
     """Replace a text; what others have changed since stays. See `EditBlocks`."""
 
     edit: int
@@ -47,7 +41,7 @@ class EditText(FromPage, frozen=True):
     shown: int = 0
 
 
-class RecoverBlocks(FromPage, frozen=True):
+class RecoverBlocks(Write, frozen=True):
     """Repeat an edit of the blocks that may not have been saved, after a crash for example.
 
     Args:
@@ -63,7 +57,7 @@ class RecoverBlocks(FromPage, frozen=True):
     shown: int = 0
 
 
-class RecoverText(FromPage, frozen=True):
+class RecoverText(Write, frozen=True):
     """Repeat an edit of a text that may not have been saved. See `RecoverBlocks`."""
 
     edit: int
@@ -73,19 +67,19 @@ class RecoverText(FromPage, frozen=True):
     shown: int = 0
 
 
-class Undo(FromPage, frozen=True):
+class Undo(Write, frozen=True):
     """Undo the last edit in any view."""
 
 
-class Redo(FromPage, frozen=True):
+class Redo(Write, frozen=True):
     """Redo the last undone edit."""
 
 
-class Format(FromPage, frozen=True):
+class Format(Write, frozen=True):
     """Give Block-Text its canonical form."""
 
 
-class Rename(FromPage, frozen=True):
+class Rename(Write, frozen=True):
     """Rename a variable, a function or a `when` everywhere; the reply is `Document`."""
 
     sort: Literal["variable", "function", "when"]
@@ -93,29 +87,33 @@ class Rename(FromPage, frozen=True):
     new: Name
 
 
-class Complete(FromReader, frozen=True):
+class Complete(Look, frozen=True):
     """Ask for `Completions` at a position of a text; line and column are counted from 1."""
 
+    answer: ClassVar = "Completions"
+
     notation: Notation
     line: int
     column: int
     language: Name = "en"
 
 
-class Describe(FromReader, frozen=True):
+class Describe(Look, frozen=True):
     """Ask for help on a position of a text, and for its definition; the reply is `Description`."""
 
+    answer: ClassVar = "Description"
+
     notation: Notation
     line: int
     column: int
     language: Name = "en"
 
 
-class ReadRunsOn(FromReader, frozen=True):
+class ReadRunsOn(Look, frozen=True):
     """Ask which robots can run the program; the reply is `RunsOn`."""
 
 
-class SetBreakpoints(FromReader, frozen=True):
+class SetBreakpoints(Write, FromReader, frozen=True):
     """Set breakpoints at these blocks."""
 
     blocks: Annotated[list[BlockId], Meta(max_length=MOST_BREAKPOINTS)]

@@ -13,9 +13,9 @@ from learnblock.project.files.project import ProjectEntry
 from learnblock.server.messages.base import (
     LONGEST_CONTENT,
     LONGEST_FILE,
-    FromPage,
-    FromReader,
+    Look,
     Name,
+    Own,
     ShortText,
     ToPage,
 )
@@ -29,7 +29,7 @@ Stage = Literal["starter", "explorer", "coder"]
 # From the page.
 
 
-class Open(FromReader, frozen=True):
+class Open(Look, frozen=True):
     """Open a project; the reply is `Opened`.
 
     Args:
@@ -41,7 +41,7 @@ class Open(FromReader, frozen=True):
     tab: ShortText = ""
 
 
-class New(FromPage, frozen=True):
+class New(Own, frozen=True):
     """Create a project and open it.
 
     Args:
@@ -56,7 +56,7 @@ class New(FromPage, frozen=True):
     robot: ShortText = ""
 
 
-class OpenExample(FromPage, frozen=True):
+class OpenExample(Own, frozen=True):
     """Open a project of an example that has not been changed; create one if there is none.
 
     Args:
@@ -70,14 +70,14 @@ class OpenExample(FromPage, frozen=True):
     robot: ShortText = ""
 
 
-class CloseProject(FromReader, frozen=True):
+class CloseProject(Look, frozen=True):
     """Leave the open project, which a page of the server need not have.
 
     As when a page is closed, its program goes on for a while.
     """
 
 
-class Import(FromPage, frozen=True):
+class Import(Own, frozen=True):
     """Import a file as a project and open it.
 
     Args:
@@ -89,7 +89,7 @@ class Import(FromPage, frozen=True):
     text: Annotated[str, Meta(max_length=LONGEST_CONTENT)]
 
 
-class ImportOriginal(FromPage, frozen=True):
+class ImportOriginal(Own, frozen=True):
     """Import a file from the original LearnBlock and open it; `OriginalImported` follows.
 
     Args:
@@ -105,13 +105,13 @@ class ImportOriginal(FromPage, frozen=True):
     ] = field(default_factory=dict)
 
 
-class SaveAs(FromPage, frozen=True):
+class SaveAs(Own, frozen=True):
     """Continue with a copy of the project under another name."""
 
     name: Name
 
 
-class RenameProject(FromPage, frozen=True):
+class RenameProject(Own, frozen=True):
     """Rename a project and its history.
 
     Args:
@@ -124,7 +124,7 @@ class RenameProject(FromPage, frozen=True):
     project: ShortText = ""
 
 
-class CopyProject(FromPage, frozen=True):
+class CopyProject(Own, frozen=True):
     """Copy a project that need not be open; `Projects` follows.
 
     Args:
@@ -136,7 +136,7 @@ class CopyProject(FromPage, frozen=True):
     name: Name
 
 
-class KeepPicture(FromPage, frozen=True):
+class KeepPicture(Own, frozen=True):
     """Keep a picture of the open project's world for the list of projects, which follows.
 
     Args:
@@ -148,13 +148,13 @@ class KeepPicture(FromPage, frozen=True):
     content: Annotated[bytes, Meta(max_length=LARGEST_PICTURE)]
 
 
-class Delete(FromPage, frozen=True):
+class Delete(Own, frozen=True):
     """Move a project that is not open to the trash folder."""
 
     name: Name
 
 
-class Export(FromReader, frozen=True):
+class Export(Look, frozen=True):
     """Ask for a file of a project; the reply is `File`.
 
     Args:
@@ -166,15 +166,15 @@ class Export(FromReader, frozen=True):
     project: ShortText = ""
 
 
-class ListProjects(FromReader, frozen=True):
+class ListProjects(Look, frozen=True):
     """Ask for `Projects`."""
 
 
-class ListHistory(FromReader, frozen=True):
+class ListHistory(Look, frozen=True):
     """Ask for `History`."""
 
 
-class Restore(FromPage, frozen=True):
+class Restore(Own, frozen=True):
     """Restore a version; the current program is saved as a version too."""
 
     version: Name

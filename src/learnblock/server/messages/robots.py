@@ -5,7 +5,7 @@ from typing import Annotated
 from msgspec import Meta, Struct
 
 from learnblock.i18n import Phrase
-from learnblock.server.messages.base import FromPage, FromReader, ShortText, ToPage
+from learnblock.server.messages.base import Computer, FromReader, ShortText, ToPage
 from learnblock.server.messages.projects import RobotChoice
 
 #: The limit in characters; a description with every kind of device takes a tenth of it.
@@ -14,11 +14,11 @@ LONGEST_DESCRIPTION = 65_536
 # From the page.
 
 
-class BeginRobot(FromReader, frozen=True):
+class BeginRobot(Computer, FromReader, frozen=True):
     """Ask for a description template; the reply is `RobotBegun`."""
 
 
-class MakeRobot(FromPage, frozen=True):
+class MakeRobot(Computer, frozen=True):
     """Generate a robot, its twin and its test from a description; the reply is `RobotMade`.
 
     Args:

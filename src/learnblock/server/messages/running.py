@@ -1,6 +1,6 @@
 """Messages about running programs, and about the robot and its camera."""
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 from msgspec import Meta, Struct
 
@@ -9,11 +9,13 @@ from learnblock.i18n import Phrase
 from learnblock.monitor.monitor import GoalNow, Link, Seen, State
 from learnblock.server.messages.base import (
     Coordinate,
-    FromPage,
     FromReader,
+    Look,
     Name,
+    Pace,
     StateName,
     ToPage,
+    Write,
 )
 
 VariantNumber = Annotated[int, Meta(ge=0, le=9999)]
@@ -21,11 +23,11 @@ VariantNumber = Annotated[int, Meta(ge=0, le=9999)]
 # From the page.
 
 
-class ChooseRobot(FromReader, frozen=True):
+class ChooseRobot(Write, FromReader, frozen=True):
     name: Name
 
 
-class ChooseWorld(FromReader, frozen=True):
+class ChooseWorld(Write, FromReader, frozen=True):
     """Choose a world, or another variant of it.
 
     Args:
@@ -37,57 +39,59 @@ class ChooseWorld(FromReader, frozen=True):
     variant: VariantNumber = 0
 
 
-class Run(FromReader, frozen=True):
+class Run(Write, FromReader, frozen=True):
     """Run the program from the beginning.
 
     Args:
         paused: whether to pause before its first line.
     """
 
+    pace: ClassVar = Pace(minute=30, burst=10)
+
     paused: bool = False
 
 
-class Stop(FromReader, frozen=True):
-    """Stop the program and the robot."""
+class Stop(Look, frozen=True):
+    """Stop the program and the robot, which a teacher who only looks may have to do at once."""
 
 
-class Pause(FromReader, frozen=True):
+class Pause(Write, FromReader, frozen=True):
     """Pause program and world."""
 
 
-class Resume(FromReader, frozen=True):
+class Resume(Write, FromReader, frozen=True):
     """Resume after a pause or a breakpoint."""
 
 
-class Step(FromReader, frozen=True):
+class Step(Write, FromReader, frozen=True):
     """Run to the next line; `over` does not follow calls into functions."""
 
     over: bool = False
 
 
-class SetSpeed(FromReader, frozen=True):
+class SetSpeed(Write, FromReader, frozen=True):
     """Set the speed of simulated time, as a multiple of real time; None is the fastest."""
 
     factor: Annotated[float, Meta(ge=0.01, le=100)] | None
 
 
-class Answer(FromReader, frozen=True):
+class Answer(Write, FromReader, frozen=True):
     """Answer `InputWanted` with a line."""
 
     text: Annotated[str, Meta(max_length=10_000)]
 
 
-class HoldKeys(FromPage, frozen=True):
+class HoldKeys(Write, frozen=True):
     """The keys that the user holds down now, for all programs that ask for them."""
 
     keys: Annotated[tuple[Key, ...], Meta(max_length=len(KEYS))]
 
 
-class ResetWorld(FromReader, frozen=True):
+class ResetWorld(Write, FromReader, frozen=True):
     """Reset the world to its initial state; only while no program runs."""
 
 
-class PlaceRobot(FromReader, frozen=True):
+class PlaceRobot(Write, FromReader, frozen=True):
     """Place the robot elsewhere; the next run starts there. Only while nothing moves.
 
     Args:
@@ -101,13 +105,13 @@ class PlaceRobot(FromReader, frozen=True):
     heading: Annotated[float, Meta(ge=-360, le=360)]
 
 
-class HandleRobot(FromPage, frozen=True):
+class HandleRobot(Write, frozen=True):
     """Shake a simulated robot, or tilt it to a side until another message; also during a run."""
 
     how: Literal["shake", "level", "front", "back", "left", "right"]
 
 
-class Drive(FromReader, frozen=True):
+class Drive(Write, FromReader, frozen=True):
     """Drive by hand while no program runs; the robot stops half a second after the last message.
 
     Args:
@@ -119,7 +123,7 @@ class Drive(FromReader, frozen=True):
     rotation: Annotated[float, Meta(ge=-1, le=1)]
 
 
-class WatchCamera(FromReader, frozen=True):
+class WatchCamera(Look, frozen=True):
     """Begin or stop sending camera frames."""
 
     on: bool

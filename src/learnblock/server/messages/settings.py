@@ -5,12 +5,12 @@ from typing import Annotated, Any, Literal
 from msgspec import Meta, Struct, field
 
 from learnblock.i18n import Phrase
-from learnblock.server.messages.base import FromPage, FromReader, ShortText, ToPage
+from learnblock.server.messages.base import Computer, FromReader, ShortText, ToPage
 
 # From the page.
 
 
-class ReadSettings(FromReader, frozen=True):
+class ReadSettings(Computer, FromReader, frozen=True):
     """Ask for the settings of a real robot or of camera recognition; the reply is `SettingsTable`.
 
     Args:
@@ -20,7 +20,7 @@ class ReadSettings(FromReader, frozen=True):
     robot: ShortText = ""
 
 
-class ChangeSettings(FromPage, frozen=True):
+class ChangeSettings(Computer, frozen=True):
     """Change settings, all of them or none; the reply is `SettingsTable`.
 
     Args:

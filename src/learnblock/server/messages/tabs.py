@@ -5,14 +5,14 @@ from typing import Annotated
 from msgspec import Meta, Struct
 
 from learnblock.running import MOST_ROBOTS
-from learnblock.server.messages.base import FromPage, FromReader, Name, ShortText, StateName, ToPage
+from learnblock.server.messages.base import Look, Name, ShortText, StateName, ToPage, Write
 
 Count = Annotated[int, Meta(ge=1, le=MOST_ROBOTS)]
 
 # From the page.
 
 
-class AddTab(FromPage, frozen=True):
+class AddTab(Write, frozen=True):
     """Add an empty program for one or more robots; the reply is `TabOpened`.
 
     Args:
@@ -24,7 +24,7 @@ class AddTab(FromPage, frozen=True):
     count: Count = 1
 
 
-class SetRobotCount(FromPage, frozen=True):
+class SetRobotCount(Write, frozen=True):
     """Set how many robots run a program.
 
     Args:
@@ -36,7 +36,7 @@ class SetRobotCount(FromPage, frozen=True):
     count: Count
 
 
-class OpenTab(FromReader, frozen=True):
+class OpenTab(Look, frozen=True):
     """Show another robot and its program, or again the current one if there is none such.
 
     The reply is `TabOpened`.
@@ -50,17 +50,17 @@ class OpenTab(FromReader, frozen=True):
     robot: ShortText = ""
 
 
-class CloseTab(FromPage, frozen=True):
+class CloseTab(Write, frozen=True):
     """Close a program with its robots; the pages that show it receive `TabOpened` for another."""
 
     name: Name
 
 
-class ReopenTab(FromPage, frozen=True):
+class ReopenTab(Write, frozen=True):
     """Reopen the program that was closed last; the reply is `TabOpened`."""
 
 
-class RenameTab(FromPage, frozen=True):
+class RenameTab(Write, frozen=True):
     """Rename a robot, or all that share a program."""
 
     name: Name

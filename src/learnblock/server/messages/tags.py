@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 from msgspec import Meta
 
 from learnblock.i18n import Phrase
-from learnblock.server.messages.base import FromPage, FromReader, Name, ShortText, Text, ToPage
+from learnblock.server.messages.base import Look, Name, Own, ShortText, Text, ToPage
 
 #: The maximum number of tag names; there are 587 tags, and a tag may have several names.
 MOST_TAGS = 2000
@@ -13,20 +13,20 @@ MOST_TAGS = 2000
 # From the page.
 
 
-class SaveTags(FromPage, frozen=True):
+class SaveTags(Own, frozen=True):
     """Save the tag names; every page receives `Tags`."""
 
     names: Annotated[dict[ShortText, int], Meta(max_length=MOST_TAGS)]
 
 
-class ReadTags(FromReader, frozen=True):
+class ReadTags(Look, frozen=True):
     """Ask for the names in a file's text, TOML or CSV; the reply is `TagsRead`."""
 
     filename: Name
     text: Text
 
 
-class ExportTags(FromReader, frozen=True):
+class ExportTags(Look, frozen=True):
     """Ask for the tag names as a file, or for a sheet to print; the reply is `File`."""
 
     format: Literal["toml", "csv", "html"] = "toml"

@@ -1,13 +1,13 @@
 """Messages about worlds: their appearance, and editing them."""
 
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from msgspec import Meta, Struct
 
 from learnblock.i18n import Phrase
 from learnblock.monitor import monitor
 from learnblock.monitor.monitor import WorldValues
-from learnblock.server.messages.base import LONGEST_CONTENT, FromPage, FromReader, Name, ToPage
+from learnblock.server.messages.base import LONGEST_CONTENT, Look, Name, Own, ToPage
 
 #: The limit of a file in bytes; as a message it is a third longer.
 LARGEST_WORLD = LONGEST_CONTENT * 3 // 4
@@ -15,19 +15,19 @@ LARGEST_WORLD = LONGEST_CONTENT * 3 // 4
 # From the page.
 
 
-class ReadWorld(FromReader, frozen=True):
+class ReadWorld(Look, frozen=True):
     """Ask for a world to edit; the reply is `WorldToEdit`."""
 
     name: Name
 
 
-class CheckWorld(FromReader, frozen=True):
+class CheckWorld(Look, frozen=True):
     """Check a world and preview its lines; the reply is `WorldChecked`."""
 
     world: WorldValues
 
 
-class MakeWorld(FromReader, frozen=True):
+class MakeWorld(Look, frozen=True):
     """Ask for a world from a template; the reply is `WorldMade`.
 
     Args:
@@ -41,7 +41,7 @@ class MakeWorld(FromReader, frozen=True):
     seed: Annotated[int, Meta(ge=0, le=999_999)]
 
 
-class SaveWorld(FromPage, frozen=True):
+class SaveWorld(Own, frozen=True):
     """Save a world in the user's folder and choose it; `WorldChecked` if it has mistakes.
 
     Args:
@@ -50,12 +50,14 @@ class SaveWorld(FromPage, frozen=True):
         replace: whether to replace the user's world with that name; otherwise `Failed`.
     """
 
+    answer: ClassVar = "WorldChecked"
+
     name: Name
     world: WorldValues
     replace: bool = False
 
 
-class ImportWorld(FromPage, frozen=True):
+class ImportWorld(Own, frozen=True):
     """Save the world in a file under its name or a free one, and choose it.
 
     Args:
@@ -67,26 +69,26 @@ class ImportWorld(FromPage, frozen=True):
     content: Annotated[bytes, Meta(max_length=LARGEST_WORLD)]
 
 
-class ExportWorld(FromReader, frozen=True):
+class ExportWorld(Look, frozen=True):
     """Ask for a world as a file: `WorldExported`."""
 
     name: Name
 
 
-class RenameWorld(FromPage, frozen=True):
+class RenameWorld(Own, frozen=True):
     """Give one of the user's worlds another title: `Worlds`."""
 
     name: Name
     title: Name
 
 
-class DeleteWorld(FromPage, frozen=True):
+class DeleteWorld(Own, frozen=True):
     """Move one of the user's worlds into the trash: `Worlds` and `WorldDeleted`."""
 
     name: Name
 
 
-class RestoreWorld(FromPage, frozen=True):
+class RestoreWorld(Own, frozen=True):
     """Take a world out of the trash, and choose it: `Worlds`."""
 
     name: Name

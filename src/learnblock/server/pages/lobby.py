@@ -87,14 +87,24 @@ class Lobby:
         projects = ProjectFolder(folder, read_only=read_only is not None)
         self._sessions = Sessions(projects, periods, for_one=for_one)
 
-    async def serve(self, socket: WebSocket, *, is_local: bool = False) -> None:
+    async def serve(
+        self, socket: WebSocket, *, is_local: bool = False, has_seat: bool = False
+    ) -> None:
         """Serve a page until it has disconnected.
 
         Args:
             socket: the page's websocket.
             is_local: whether its user is at this computer.
+            has_seat: whether a class's wall shows what the page works on.
         """
-        page = Page(socket, self._sessions, HANDLERS, is_local=is_local, is_alone=self._for_one)
+        page = Page(
+            socket,
+            self._sessions,
+            HANDLERS,
+            is_local=is_local,
+            is_alone=self._for_one,
+            has_seat=has_seat,
+        )
         warns = self._should_warn and is_local
         self._should_warn = self._should_warn and not warns
         folder = str(self._folder)

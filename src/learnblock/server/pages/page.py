@@ -12,10 +12,11 @@ import msgspec
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from learnblock.errors import LearnBlockError, phrase_of, shortage
-from learnblock.i18n import Multilingual, Phrase
+from learnblock.i18n import Phrase
 from learnblock.project.document.views import LONGEST_TEXT
 from learnblock.server import messages
 from learnblock.server.pages.boxes import Inbox, Outbox, OutboxFullError
+from learnblock.server.pages.seat import PageSeat, with_languages
 from learnblock.server.runs.shown import Shown
 from learnblock.server.sessions.lesson_trials import LessonTrial
 from learnblock.server.sessions.quota import new_projects
@@ -56,14 +57,7 @@ class Handlers(dict[type[messages.FromPage], Handler]):
         return handler
 
 
-def _with_languages(text: object) -> object:
-    """A text that is known in several languages, for the page to choose from."""
-    if isinstance(text, Multilingual):
-        return {"texts": dict(text.texts)}
-    raise NotImplementedError(type(text).__name__)
-
-
-_encoder = msgspec.json.Encoder(enc_hook=_with_languages)
+_encoder = msgspec.json.Encoder(enc_hook=with_languages)
 
 
 class MessageError(LearnBlockError, ValueError):
@@ -79,6 +73,7 @@ class Page:
         handlers: a handler for each kind of message.
         is_local: whether its user is at the server's computer.
         is_alone: whether all pages of the server are this user's, on whatever device.
+        has_seat: whether it is sent `AtSeat`, for the wall of a class.
     """
 
     def __init__(
@@ -89,6 +84,7 @@ class Page:
         *,
         is_local: bool = False,
         is_alone: bool = False,
+        has_seat: bool = False,
     ) -> None:
         self.sessions = sessions
         self.is_local = is_local
@@ -106,6 +102,7 @@ class Page:
         self._session: Session | None = None
         self._inbox = Inbox()
         self._outbox = Outbox()
+        self._seat = PageSeat(self._outbox.put) if has_seat else None
         self.lesson_trial = LessonTrial(self.send)
 
     @property
@@ -155,10 +152,13 @@ class Page:
         """Serve the page; return once it has disconnected and all its messages are handled."""
         try:
             async with asyncio.TaskGroup() as tasks:
-                sending = tasks.create_task(self._send())
+                sending = [tasks.create_task(self._send())]
+                if self._seat:
+                    sending.append(tasks.create_task(self._seat.serve()))
                 tasks.create_task(self._receive())
                 await self._handle_all()
-                sending.cancel()
+                for task in sending:
+                    task.cancel()
         finally:
             self.lesson_trial.stop()
             self.leave()
@@ -167,6 +167,8 @@ class Page:
     def send(self, message: messages.ToPage, data: bytes | None = None) -> None:
         """Queue a message for the page, followed by `data`, if any."""
         self._outbox.put(message, data)
+        if self._seat:
+            self._seat.see(message)
 
     def join(self, session: "Session", tab: str = "") -> None:
         """Show a robot of a project, instead of the previous project."""

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from example_messages import examples
 from learnblock.server import messages
 from learnblock.server.pages.lobby import HANDLERS
 from learnblock.server.pages.page import LARGEST_MESSAGE, MessageError, decode
@@ -16,6 +17,8 @@ from pages import english
 pytestmark = pytest.mark.realtime
 
 PROGRAM = "main:\n    function.move_straight(50)\nend\n"
+
+EXAMPLES = examples()
 
 json_values = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False) | st.text(),
@@ -30,6 +33,23 @@ fields = st.sampled_from(
 
 def test_every_message_of_a_page_has_a_handler():
     assert set(messages.FROM_PAGE.__args__) == set(HANDLERS)
+
+
+@pytest.mark.parametrize("kind", EXAMPLES)
+def test_the_example_of_every_message_is_one(kind):
+    assert type(decode(json.dumps({"kind": kind, **EXAMPLES[kind]}))).__name__ == kind
+
+
+def test_a_message_of_which_nobody_said_who_may_send_it_is_no_message():
+    with pytest.raises(TypeError, match="Undecided needs a base that says who may send it"):
+        type(messages.FromPage)("Undecided", (messages.FromPage,), {"__module__": __name__})
+
+
+def test_what_answers_a_request_repeats_its_number():
+    answers = {kind.answer for kind in HANDLERS if kind.answer}
+    assert answers == {"Completions", "CustomBlockChecked", "Description", "WorldChecked"}
+    for answer in answers:
+        assert "request" in getattr(messages, answer).__struct_fields__
 
 
 def test_the_server_sends_the_first_message(page):

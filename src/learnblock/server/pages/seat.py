@@ -1,0 +1,155 @@
+"""What the class's wall shows of a page, taken from the messages that the page is sent."""
+
+import asyncio
+from collections.abc import Callable
+from typing import Any
+
+import msgspec
+from msgspec.structs import replace
+
+from learnblock.i18n import Multilingual, Phrase
+from learnblock.server import messages
+from learnblock.server.messages import Words, Work
+
+#: A new point of the way, if it is further than this from the last one, in mm; and the most points.
+_STEP, _MOST_POINTS = 15.0, 400
+#: Seconds between two messages.
+_PERIOD = 0.5
+#: Endings of a run that need no attention.
+_FINE = frozenset({"finished", "stopped", "replaced", ""})
+
+
+def with_languages(text: object) -> object:
+    """A text that is known in several languages, for the page to choose from."""
+    if isinstance(text, Multilingual):
+        return {"texts": dict(text.texts)}
+    raise NotImplementedError(type(text).__name__)
+
+
+class PageSeat:
+    """Follows a page.
+
+    Args:
+        send: sends it a message, which the class's server takes out.
+    """
+
+    def __init__(self, send: Callable[[messages.ToPage], object]) -> None:
+        self._send = send
+        self._work = Work()
+        self._successes = 0
+        self._scene: messages.Scene | None = None
+        self._ended_badly: Words | None = None
+        self._changed = asyncio.Event()
+
+    async def serve(self) -> None:
+        """Send what has changed, until cancelled."""
+        while True:
+            await self._changed.wait()
+            # A page that opens a project is sent many messages at once.
+            await asyncio.sleep(_PERIOD)
+            self._send(self.news())
+
+    def news(self) -> messages.AtSeat:
+        """The message about what the page works on."""
+        self._changed.clear()
+        scene, self._scene = self._scene, None
+        return messages.AtSeat(self._work, self._successes, scene)
+
+    def see(self, message: messages.ToPage) -> None:
+        """Follow a message that the page is sent."""
+        follow = _FOLLOWERS.get(type(message))
+        if follow is not None:
+            follow(self, message)
+            self._changed.set()
+
+    def _now(self, **values: Any) -> None:
+        self._work = replace(self._work, **values)
+
+    # What the messages say.
+
+    def opened(self, message: messages.Opened) -> None:
+        """Another project is shown."""
+        self._ended_badly = None
+        self._now(project=message.name, robot=message.robot, way=(), goals=())
+
+    def renamed(self, message: messages.ProjectRenamed) -> None:
+        """The project has another name."""
+        self._now(project=message.name)
+
+    def shown(self, message: messages.Scene) -> None:
+        """Another world is shown, or another robot is in it."""
+        self._scene = message
+        self._now(way=())
+
+    def moved(self, message: messages.Telemetry) -> None:
+        """The robot is somewhere."""
+        self._now(goals=tuple(goal.state for goal in message.goals))
+        if message.robots and message.robots[0].located:
+            robot = message.robots[0]
+            pose = (round(robot.x), round(robot.y), round(robot.heading))
+            self._now(pose=pose, way=_longer(self._work.way, robot.x, robot.y))
+
+    def ran(self, message: messages.RunState) -> None:
+        """The program is in another state."""
+        if message.state == "starting":
+            self._ended_badly = None
+            self._now(way=())
+        self._now(state=message.state)
+
+    def ended(self, message: messages.Ended) -> None:
+        """A run has ended."""
+        if message.others or message.tried:
+            return
+        self._ended_badly = None if message.ended in _FINE else _words(message.message)
+        self._now(error=self._ended_badly)
+        if message.ended == "finished" and all(goal.state != "failed" for goal in message.goals):
+            self._successes += 1
+
+    def edited(self, message: messages.Document) -> None:
+        """The program has changed: its first mistake is what its pupil sees."""
+        mistakes = (problem for problem in message.problems if problem.severity == "error")
+        first = next(mistakes, None)
+        self._now(error=_words(first.message) if first else self._ended_badly)
+
+    def taught(self, message: messages.LessonShown) -> None:
+        """A step of a lesson is shown, or no lesson."""
+        if (self._work.lesson, self._work.step) != (message.title, message.step):
+            self._successes += 1
+        has = bool(message.name)
+        self._now(
+            lesson=message.title if has else "",
+            step=message.step if has else 0,
+            steps=len(message.steps) if has else 0,
+            stars=sum(step.earned for step in message.steps),
+        )
+
+    def judged(self, message: messages.LessonGoals) -> None:
+        """The checks of a step have been looked at."""
+        if message.earned:
+            self._successes += 1
+        if message.steps:
+            self._now(stars=sum(step.earned for step in message.steps))
+
+
+def _words(phrase: Phrase | None) -> Words | None:
+    words: Words | None = msgspec.to_builtins(phrase, enc_hook=with_languages)
+    return words
+
+
+def _longer(way: tuple[float, ...], x: float, y: float) -> tuple[float, ...]:
+    if way and (x - way[-2]) ** 2 + (y - way[-1]) ** 2 < _STEP**2:
+        return way
+    return (*way, round(x), round(y))[-2 * _MOST_POINTS :]
+
+
+_FOLLOWERS: dict[type[messages.ToPage], Callable[[PageSeat, Any], None]] = {
+    messages.Opened: PageSeat.opened,
+    messages.ProjectRenamed: PageSeat.renamed,
+    messages.Scene: PageSeat.shown,
+    messages.Telemetry: PageSeat.moved,
+    messages.RunState: PageSeat.ran,
+    messages.Ended: PageSeat.ended,
+    messages.Document: PageSeat.edited,
+    messages.LessonShown: PageSeat.taught,
+    messages.LessonGoals: PageSeat.judged,
+}
