@@ -57,7 +57,7 @@ class RefusedError(Exception):
         file: the name of the file; empty for the zip as a whole.
     """
 
-    def __init__(self, rule: Rule, file: str = "") -> None:
+    def __init__(self, *, rule: Rule, file: str = "") -> None:
         super().__init__(rule, file)
         self.rule = rule
         self.file = file
@@ -89,15 +89,15 @@ class Entry:
             RefusedError: it is a link, encrypted, damaged, or packed as no file of a person is.
         """
         if stat.S_ISLNK(self.info.external_attr >> 16):
-            raise RefusedError("link", self.name)
+            raise RefusedError(rule="link", file=self.name)
         if self.info.flag_bits & _ENCRYPTED or self.info.compress_type not in _METHODS:
-            raise RefusedError("encrypted", self.name)
+            raise RefusedError(rule="encrypted", file=self.name)
         try:
             with self.archive.open(self.info) as file:
                 return file.read(most)
         except Exception as error:
             # zipfile raises errors of many kinds for damaged files.
-            raise RefusedError("no-zip", self.name) from error
+            raise RefusedError(rule="no-zip", file=self.name) from error
 
     def is_bomb(self, content: bytes) -> bool:
         """Whether it was packed smaller than any file of a person."""
@@ -126,13 +126,13 @@ class Reader:
             archive = zipfile.ZipFile(opened)
         except Exception as error:
             # As above.
-            raise RefusedError("no-zip") from error
+            raise RefusedError(rule="no-zip") from error
         with archive:
             found = [Entry(archive, info, _name(info)) for info in archive.infolist()]
             wanted = [entry for entry in found if not _is_ignored(entry.name)]
             self._entries -= len(wanted)
             if self._entries < 0:
-                raise RefusedError("too-many-files")
+                raise RefusedError(rule="too-many-files")
             yield from wanted
 
     def inner(self, entry: Entry, most: int) -> Iterator[Entry]:
@@ -152,9 +152,9 @@ class Reader:
         content = entry.unpacked(min(most, self._left + 1))
         self._left -= len(content)
         if self._left < 0:
-            raise RefusedError("too-large")
+            raise RefusedError(rule="too-large")
         if entry.is_bomb(content):
-            raise RefusedError("bomb", entry.name)
+            raise RefusedError(rule="bomb", file=entry.name)
         return content
 
 
@@ -241,10 +241,10 @@ def _files(content: bytes, rules: Rules) -> dict[str, bytes]:
             continue
         path = _path(entry.name)
         if path in found:
-            raise RefusedError("two-files", path)
+            raise RefusedError(rule="two-files", file=path)
         found[path] = reader.read(entry, rules.file + 1)
         if len(found[path]) > rules.file:
-            raise RefusedError("too-large", path)
+            raise RefusedError(rule="too-large", file=path)
     return found
 
 
@@ -257,7 +257,7 @@ def _path(name: str) -> str:
     path = _with_slashes(name)
     leads_out = path.is_absolute() or ".." in path.parts or PureWindowsPath(name).drive
     if leads_out or not path.parts or len(path.parts) > DEEPEST:
-        raise RefusedError("unknown-file", name)
+        raise RefusedError(rule="unknown-file", file=name)
     return path.as_posix()
 
 
