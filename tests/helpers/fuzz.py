@@ -29,6 +29,7 @@ import set_files
 import thymio_wires
 from learnblock import language
 from learnblock.blocks import builtin, load_configurations
+from learnblock.blocks.schema import writing
 from learnblock.errors import LearnBlockError, SettingsError
 from learnblock.new.client import client_source
 from learnblock.new.robot_plan import read_plan
@@ -89,7 +90,7 @@ def targets(folder: Path) -> tuple[Target, ...]:
         Target(
             "block configuration",
             load_configurations,
-            texts(PACKAGE / "blocks" / "configurations", "*.json")
+            tuple(writing.written([block]) for block in builtin().values())
             + texts(TESTS / "unit" / "blocks" / "schema" / "malformed", "*.json"),
         ),
         Target(

@@ -1,6 +1,6 @@
 /** The values that matter most to a program, which the world shows, and their readings to plot. */
 
-import type { Sensor, Telemetry } from "../protocol/messages";
+import { QUANTITIES, type Sensor, type Telemetry } from "../protocol/messages";
 import type { Odometer } from "./odometer";
 
 /** A device, and after a colon the place of its sensors if it has several: `DistanceSensors:front`. */
@@ -15,15 +15,7 @@ export const FOUND: Measure = "Camera";
 /** Shown for a program that asks for nothing. */
 const USUAL: Measure = "DistanceSensors:front";
 /** The devices that measure something to show; a robot's base and gyroscope answer with its heading. */
-const SENSORS: ReadonlySet<string> = new Set([
-  "DistanceSensors",
-  "GroundSensors",
-  "Bumper",
-  "Accelerometer",
-  "LightSensor",
-  "Controller",
-  "Infrared",
-]);
+const SENSORS: ReadonlySet<string> = new Set(Object.keys(QUANTITIES).filter((device) => device !== "Gyroscope"));
 
 /** What to show of a program: what its questions need, then how the robot moves. */
 export function measuresOf(asked: readonly string[]): Measure[] {

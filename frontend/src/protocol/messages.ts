@@ -1278,6 +1278,7 @@ export interface Quantity {
   unit: string;
   lowest: number;
   highest: number;
+  digits: number;
 }
 
 export interface Questions {
@@ -2341,42 +2342,50 @@ export const QUANTITIES: Record<string, Quantity> = {
   "DistanceSensors": {
     "unit": "mm",
     "lowest": 0,
-    "highest": 2000.0
+    "highest": 2000.0,
+    "digits": 0
   },
   "GroundSensors": {
     "unit": "%",
     "lowest": 0,
-    "highest": 100
+    "highest": 100,
+    "digits": 0
   },
   "Gyroscope": {
     "unit": "°",
     "lowest": -360,
-    "highest": 360
+    "highest": 360,
+    "digits": 1
   },
   "Accelerometer": {
     "unit": "m/s²",
     "lowest": -20,
-    "highest": 20
+    "highest": 20,
+    "digits": 2
   },
   "Bumper": {
     "unit": "",
     "lowest": 0,
-    "highest": 1
+    "highest": 1,
+    "digits": 1
   },
   "LightSensor": {
     "unit": "",
     "lowest": 0,
-    "highest": 1023
+    "highest": 1023,
+    "digits": 0
   },
   "Controller": {
     "unit": "",
     "lowest": 0,
-    "highest": 1
+    "highest": 1,
+    "digits": 1
   },
   "Infrared": {
     "unit": "",
     "lowest": 0,
-    "highest": 255
+    "highest": 255,
+    "digits": 0
   }
 };
 

@@ -7,7 +7,7 @@ import click
 
 from learnblock.cli.console import ExitCode, print_diagnostics, say, text
 from learnblock.cli.help_texts import Context, translated
-from learnblock.cli.language import LANGUAGES, language
+from learnblock.cli.language import is_english
 from learnblock.cli.usage_errors import reported_in_own_language
 
 
@@ -70,7 +70,7 @@ class Commands(click.Group):
 
     def get_command(self, ctx: click.Context, name: str) -> click.Command | None:  # noqa: ARG002
         command = load(name)
-        if command is None or language() == LANGUAGES[0]:
+        if command is None or is_english():
             return command
         return translated(command, (name,))
 
@@ -81,10 +81,10 @@ class Commands(click.Group):
         return click.Group.get_usage(self._shown(), ctx)
 
     def _shown(self) -> click.Command:
-        return self if language() == LANGUAGES[0] else translated(self, ())
+        return self if is_english() else translated(self, ())
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        if language() != LANGUAGES[0]:
+        if not is_english():
             super().format_commands(ctx, formatter)
             return
         with formatter.section("Commands"):

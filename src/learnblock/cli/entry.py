@@ -8,8 +8,9 @@ from typing import Any
 import click
 
 from learnblock.cli.commands import Commands
-from learnblock.cli.language import LANGUAGES, choose
+from learnblock.cli.language import choose
 from learnblock.cli.page_options import page_options
+from learnblock.i18n import languages
 
 
 @click.group(
@@ -20,7 +21,7 @@ from learnblock.cli.page_options import page_options
 )
 @click.option(
     "--language",
-    type=click.Choice(LANGUAGES),
+    type=click.Choice(languages()),
     is_eager=True,
     expose_value=False,
     callback=choose,

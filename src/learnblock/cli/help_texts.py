@@ -3,6 +3,7 @@
 English help is in the docstrings and options, so that English `--help` reads no Fluent file. In
 ``help.ftl`` a command has the code ``help-robots-set``, and its option ``--json`` the code
 ``help-robots-set-with-json``. The examples of a command are those of its docstring.
+What has no words there stays English.
 """
 
 import copy
@@ -11,7 +12,8 @@ from collections.abc import Iterator
 
 import click
 
-from learnblock.cli.language import LANGUAGES, language
+from learnblock.cli.language import is_english, language
+from learnblock.i18n import words as catalogue
 
 #: The codes of the words that appear in the help of every command.
 COMMON_CODES = {
@@ -20,34 +22,36 @@ COMMON_CODES = {
     "Commands": "help-word-commands",
     "[OPTIONS]": "help-word-options-metavar",
     "COMMAND [ARGS]...": "help-word-command-metavar",
-    "epilog": "help-word-epilog",
-    "help": "help-word-help",
+    "Show this message and exit.": "help-word-help",
 }
+_EPILOG = "help-word-epilog"
 #: click's mark before a paragraph that is not wrapped; ours hold examples.
 _EXAMPLES = "\b"
 
 
-def codes(command: click.Command, path: tuple[str, ...]) -> Iterator[str]:
-    """Every code of the help of a command and of the commands in it."""
-    yield _command_code(path)
+def english(command: click.Command, path: tuple[str, ...]) -> Iterator[tuple[str, str]]:
+    """Every code of the help of a command and of the commands in it, with its English words."""
+    yield _command_code(path), _parts(command.help)[0]
+    if command.epilog:
+        yield _EPILOG, command.epilog
     for option in _options(command):
-        yield _option_code(path, option)
+        yield _option_code(path, option), option.help or ""
     if isinstance(command, click.Group):
         for name, inner in command.commands.items():
-            yield from codes(inner, (*path, name))
+            yield from english(inner, (*path, name))
 
 
 def translated(command: click.Command, path: tuple[str, ...]) -> click.Command:
     """A copy of a command with help in the reader's language."""
     found = copy.copy(command)
     found.context_class = Context
-    found.help = _help(command.help or "", _command_code(path))
-    found.short_help = found.help.partition("\n")[0].rstrip(".")
+    found.help = _help(command.help, _command_code(path))
+    found.short_help = " ".join(found.help.partition("\n\n")[0].split()).rstrip(".")
     found.options_metavar = _common("[OPTIONS]")
     found.params = [_parameter(parameter, path) for parameter in command.params]
     found.params.append(_help_option())
     if command.epilog:
-        found.epilog = _common("epilog")
+        found.epilog = words(_EPILOG, command.epilog)
     if isinstance(found, click.Group):
         found.subcommand_metavar = _common("COMMAND [ARGS]...")
         found.commands = {
@@ -60,12 +64,12 @@ class _Formatter(click.HelpFormatter):
     """Help with headings in the reader's language."""
 
     def write_usage(self, prog: str, args: str = "", prefix: str | None = None) -> None:
-        if language() != LANGUAGES[0]:
+        if not is_english():
             prefix = f"{_common('Usage')}: "
         super().write_usage(prog, args, prefix)
 
     def write_heading(self, heading: str) -> None:
-        known = heading in COMMON_CODES and language() != LANGUAGES[0]
+        known = heading in COMMON_CODES and not is_english()
         super().write_heading(_common(heading) if known else heading)
 
 
@@ -75,16 +79,22 @@ class Context(click.Context):
     formatter_class = _Formatter
 
 
-def _help(english: str, code: str) -> str:
+def _help(text: str | None, code: str) -> str:
     """The help of a command: its words in the reader's language, and its examples."""
-    _, mark, examples = inspect.cleandoc(english).partition(_EXAMPLES)
-    return words(code) + (f"\n\n{mark}{examples}" if mark else "")
+    sentences, examples = _parts(text)
+    return words(code, sentences) + examples
+
+
+def _parts(text: str | None) -> tuple[str, str]:
+    """The sentences of a command's help, and its examples, if there are any."""
+    sentences, mark, examples = inspect.cleandoc(text or "").partition(_EXAMPLES)
+    return sentences.rstrip(), f"\n\n{mark}{examples}" if mark else ""
 
 
 def _parameter(parameter: click.Parameter, path: tuple[str, ...]) -> click.Parameter:
     found = copy.copy(parameter)
     if isinstance(found, click.Option):
-        found.help = words(_option_code(path, found))
+        found.help = words(_option_code(path, found), found.help or "")
     return found
 
 
@@ -99,7 +109,7 @@ def _help_option() -> click.Option:
         is_flag=True,
         expose_value=False,
         is_eager=True,
-        help=_common("help"),
+        help=_common("Show this message and exit."),
         callback=show,
     )
 
@@ -116,12 +126,11 @@ def _option_code(path: tuple[str, ...], option: click.Option) -> str:
     return f"{_command_code(path)}-with-{option.opts[0].removeprefix('--')}"
 
 
-def _common(english: str) -> str:
-    return words(COMMON_CODES[english])
+def _common(text: str) -> str:
+    return words(COMMON_CODES[text], text)
 
 
-def words(code: str, **values: str) -> str:
-    """The words of a code of ``help.ftl`` in the reader's language."""
-    from learnblock.i18n import Phrase, translate  # noqa: PLC0415 - English `--help` needs none
-
-    return translate(Phrase(code, **values), language())
+def words(code: str, otherwise: str, **values: str) -> str:
+    """The words of a code of ``help.ftl`` in the reader's language, or else English ones."""
+    found = catalogue.words(code, {**values}, language())
+    return otherwise if found is None else found

@@ -5,9 +5,8 @@ from functools import partial
 
 import click
 
-from learnblock.i18n.reader import LANGUAGES, system_language
-
-__all__ = ["LANGUAGES", "choose", "language"]
+from learnblock.i18n import ENGLISH
+from learnblock.i18n.reader import system_language
 
 #: What ``--language`` names; a run's own thread sees it too, unlike click's context.
 _chosen: ContextVar[str | None] = ContextVar("language", default=None)
@@ -22,3 +21,8 @@ def choose(ctx: click.Context, _: click.Parameter, chosen: str | None) -> None:
 def language() -> str:
     """The code of the reader's language."""
     return _chosen.get() or system_language()
+
+
+def is_english() -> bool:
+    """Whether the reader's language is that of docstrings, options and click's own messages."""
+    return language() == ENGLISH

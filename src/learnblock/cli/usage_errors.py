@@ -13,7 +13,7 @@ from typing import IO, Any
 import click
 
 from learnblock.cli.help_texts import words
-from learnblock.cli.language import LANGUAGES, language
+from learnblock.cli.language import is_english
 
 #: click's messages, the more special forms first, and the codes of our words. A ``{message}`` is
 #: one of them, too.
@@ -79,13 +79,13 @@ def reported_in_own_language() -> Iterator[None]:
     try:
         yield
     except click.ClickException as error:
-        if language() == LANGUAGES[0] or isinstance(error, TranslatedUsageError):
+        if is_english() or isinstance(error, TranslatedUsageError):
             raise
         raise TranslatedUsageError(error) from error
     except click.Abort as error:
-        if language() == LANGUAGES[0]:
+        if is_english():
             raise
-        click.echo(words("help-error-aborted"), err=True)
+        click.echo(_around("Aborted!"), err=True)
         raise click.exceptions.Exit(1) from error
 
 
@@ -96,7 +96,7 @@ def translated(english: str) -> str:
             values = found.groupdict()
             if "message" in values:
                 values["message"] = translated(values["message"])
-            return words(code, **values)
+            return words(code, english, **values)
     return english
 
 
@@ -104,9 +104,13 @@ def _lines(error: click.ClickException) -> Iterator[str]:
     context = getattr(error, "ctx", None)
     if context is not None:
         yield context.get_usage()
-        yield words("help-error-try", command=f"'{context.command_path} --help'")
+        yield _around("Try {command} for help.", command=f"'{context.command_path} --help'")
         yield ""
-    yield words("help-error", message=translated(error.format_message()))
+    yield _around("Error: {message}", message=translated(error.format_message()))
+
+
+def _around(template: str, **values: str) -> str:
+    return words(AROUND[template], template.format(**values), **values)
 
 
 def _pattern(template: str) -> re.Pattern[str]:

@@ -8,7 +8,15 @@ files.
     'square.bt is too large: the limit is 4 MB.'
 """
 
-from learnblock.i18n.phrase import Multilingual, Phrase, Value, can_be_said, parts, translate
+from learnblock.i18n.phrase import (
+    Multilingual,
+    Phrase,
+    Value,
+    can_be_said,
+    in_each_language,
+    parts,
+    translate,
+)
 from learnblock.i18n.words import ENGLISH, languages
 
 __all__ = [
@@ -17,6 +25,7 @@ __all__ = [
     "Phrase",
     "Value",
     "can_be_said",
+    "in_each_language",
     "languages",
     "parts",
     "translate",

@@ -82,6 +82,11 @@ def translate(phrase: Phrase, language: str) -> str:
     return phrase.code
 
 
+def in_each_language(phrase: Phrase) -> dict[str, str]:
+    """A phrase's text by language."""
+    return {language: translate(phrase, language) for language in languages()}
+
+
 def can_be_said(phrase: Phrase) -> bool:
     """Whether the words of a phrase are known and have all their values, in every language."""
     codes = (part.code for part in parts(phrase) if isinstance(part, Phrase))

@@ -4,17 +4,15 @@ import locale
 import os
 from collections.abc import Iterator
 
+from learnblock.i18n.words import ENGLISH, languages
+
 VARIABLE = "LEARNBLOCK_LANGUAGE"
-#: The languages with words of their own, English first.
-LANGUAGES = ("en", "es")
-#: Windows names the languages of its locales in English.
-_WINDOWS_NAMES = {"english": "en", "spanish": "es"}
 
 
 def system_language() -> str:
     """The code of the reader's language."""
     codes = (_code(name) for name in _names() if name)
-    return next((code for code in codes if code in LANGUAGES), LANGUAGES[0])
+    return next((code for code in codes if code in languages()), ENGLISH)
 
 
 def _names() -> Iterator[str]:
@@ -28,4 +26,5 @@ def _names() -> Iterator[str]:
 def _code(name: str) -> str:
     """``es`` from ``es_ES.UTF-8`` or ``Spanish_Spain``."""
     first = name.replace("-", "_").partition("_")[0].partition(".")[0].lower()
-    return _WINDOWS_NAMES.get(first, first)
+    # Windows names the languages of its locales in English, as X11 did.
+    return locale.normalize(first).partition("_")[0].lower()

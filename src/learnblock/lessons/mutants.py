@@ -14,6 +14,7 @@ from typing import Any
 from learnblock.blocks import BlockConfiguration, builtin
 from learnblock.language.blocktext.format import format as format_program
 from learnblock.language.blocktext.parser import parse, recover
+from learnblock.language.tree.flow import is_loop
 from learnblock.language.tree.nodes import (
     Activate,
     Assign,
@@ -27,8 +28,6 @@ from learnblock.language.tree.nodes import (
     Continue,
     Deactivate,
     Def,
-    ForEach,
-    ForRange,
     If,
     Import,
     Main,
@@ -54,7 +53,6 @@ _CHANGED_AGAIN = 12
 #: Up to this number, a mistake by one is a mistake.
 _COUNTABLE = 12
 
-_LOOPS = (While, Repeat, ForEach, ForRange)
 #: Statements whose place doesn't matter.
 SILENT = (Comment, Blank, Pass, Import, Setup, Def, When)
 #: Parts of the names of skills that are easily confused.
@@ -361,7 +359,7 @@ def _reordered(sequence: Sequence) -> Iterator[tuple[tuple[Any, ...], int, str]]
 def _moved(sequence: Sequence, index: int) -> Iterator[tuple[tuple[Any, ...], int, str]]:
     """A loop that has one statement more or less."""
     loop = sequence.statements[index]
-    if not isinstance(loop, _LOOPS):
+    if not is_loop(loop):
         return
     before, after = sequence.statements[:index], sequence.statements[index + 1 :]
     if len(loop.body) > 1:

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
+from learnblock.language.tree.flow import is_endless, is_loop
 from learnblock.language.tree.nodes import (
     Assign,
     Blank,
@@ -10,8 +11,6 @@ from learnblock.language.tree.nodes import (
     Comment,
     Def,
     Expression,
-    ForEach,
-    ForRange,
     If,
     Import,
     Item,
@@ -24,7 +23,6 @@ from learnblock.language.tree.nodes import (
     Return,
     SkillCall,
     When,
-    While,
 )
 from learnblock.language.tree.traversal import expressions, statements, within
 from learnblock.lessons.checks import Construct, Uses
@@ -33,7 +31,6 @@ Node = Item | Main | Expression
 
 #: Statements and items that have no block of their own.
 _NO_BLOCKS = (Blank, Comment, Def, Import, Main, Pass)
-_LOOPS = (While, Repeat, ForEach, ForRange)
 
 
 def count(program: Program, check: Uses) -> int:
@@ -85,9 +82,9 @@ def _calls_function(*names: str) -> Callable[[Any], bool]:
 
 #: Whether a node is one of the parts that a check can ask for.
 _CONSTRUCTS: Mapping[Construct, Callable[[Any], bool]] = {
-    "loop": lambda node: isinstance(node, _LOOPS),
+    "loop": is_loop,
     "repeat": lambda node: isinstance(node, Repeat),
-    "forever": lambda node: isinstance(node, While) and node.is_endless,
+    "forever": is_endless,
     "if": lambda node: isinstance(node, If),
     "else": _has_else,
     "when": lambda node: isinstance(node, When),

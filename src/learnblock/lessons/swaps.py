@@ -15,24 +15,21 @@ from learnblock.blocks import builtin
 from learnblock.blocks.groups import group_of
 from learnblock.language.blocktext.format import format as format_program
 from learnblock.language.blocktext.parser import parse, recover
+from learnblock.language.tree.flow import bounds, condition_of, conditions
 from learnblock.language.tree.nodes import (
     Binary,
     Branch,
     Call,
     Compare,
-    ForRange,
     FString,
     If,
     Number,
     Perform,
     Program,
-    Repeat,
     SkillCall,
     String,
     Unary,
-    WaitUntil,
     When,
-    While,
 )
 from learnblock.language.tree.traversal import within
 from learnblock.lessons.mutants import SILENT, TURNED, Mutant, other_numbers
@@ -187,7 +184,7 @@ def _halves(program: Program) -> Iterator[tuple[_Changes, str]]:
             halves = [*node.branches, *([node.otherwise] if node.otherwise else [])]
             yield from _bodies(halves)
             yield from _negations(node.branches)
-        elif isinstance(node, WaitUntil | While | When) and node.condition is not None:
+        elif not isinstance(node, Branch) and condition_of(node) is not None:
             yield from _negations([node])
     yield from _bodies([node for node in nodes if isinstance(node, When)])
 
@@ -214,24 +211,12 @@ def _negations(nodes: Sequence[Any]) -> Iterator[tuple[_Changes, str]]:
 
 def _limits(program: Program) -> Iterator[tuple[_Changes, str]]:
     for node in _nodes(program):
-        parts = (part for condition in _conditions(node) for part in within(condition))
+        # An `if` is among the nodes with each of its branches.
+        asked = () if isinstance(node, If) else conditions(node)
+        parts = (part for limit in (*asked, *bounds(node)) for part in within(limit))
         for part in parts:
             for new, how in _other_limits(part):
                 yield {id(part): new}, f"line {node.span.line}: {how}"
-
-
-def _conditions(node: Any) -> Sequence[Any]:
-    match node:
-        case Branch(condition=found) | While(condition=found) | WaitUntil(condition=found):
-            return [found]
-        case When(condition=found):
-            return [found] if found is not None else []
-        case Repeat(count=found):
-            return [found]
-        case ForRange(start=start, stop=stop):
-            return [start, stop]
-        case _:
-            return []
 
 
 def _other_limits(part: Any) -> Iterator[tuple[Any, str]]:

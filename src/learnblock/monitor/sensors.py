@@ -45,11 +45,13 @@ class Quantity(Struct, frozen=True):
         unit: the unit of its values, such as ``mm``; empty if they have none.
         lowest: the smallest usual value.
         highest: the largest usual value.
+        digits: the decimals that are shown.
     """
 
     unit: str
     lowest: float
     highest: float
+    digits: int
 
 
 def sensors_of(device: str, reading: Any, key: str = DEFAULT_KEY) -> Iterator[Sensor]:
@@ -90,14 +92,14 @@ def _axes(reading: Sequence[float]) -> Iterator[_Single]:
 
 
 _KINDS: Mapping[str, tuple[Quantity, Callable[[Any], Iterator[_Single]]]] = {
-    "DistanceSensors": (Quantity("mm", 0, NOTHING_SEEN), _lists),
-    "GroundSensors": (Quantity("%", 0, 100), _sides),
-    "Gyroscope": (Quantity("°", -360, 360), _one),
-    "Accelerometer": (Quantity("m/s²", -20, 20), _axes),
-    "Bumper": (Quantity("", 0, 1), _one),
-    "LightSensor": (Quantity("", 0, 1023), _one),
-    "Controller": (Quantity("", 0, 1), _sides),
-    "Infrared": (Quantity("", 0, 255), _one),
+    "DistanceSensors": (Quantity("mm", 0, NOTHING_SEEN, 0), _lists),
+    "GroundSensors": (Quantity("%", 0, 100, 0), _sides),
+    "Gyroscope": (Quantity("°", -360, 360, 1), _one),
+    "Accelerometer": (Quantity("m/s²", -20, 20, 2), _axes),
+    "Bumper": (Quantity("", 0, 1, 1), _one),
+    "LightSensor": (Quantity("", 0, 1023, 0), _one),
+    "Controller": (Quantity("", 0, 1, 1), _sides),
+    "Infrared": (Quantity("", 0, 255, 0), _one),
 }
 #: What the sensors that are shown as numbers measure, in the order in which they are shown.
 QUANTITIES = MappingProxyType({kind: quantity for kind, (quantity, _) in _KINDS.items()})

@@ -25,10 +25,11 @@ from learnblock.monitor.monitor import (
     located,
 )
 from learnblock.monitor.pictures import develop, found
-from learnblock.monitor.sensors import Sensor, sensors_of
+from learnblock.monitor.sensors import SENSOR_TYPES, Sensor, sensors_of
 from learnblock.monitor.worlds import world_lines, world_values
 from learnblock.robots.simulated import SimulatedRobot, Simulation, goal_of
 from learnblock.simulator import LogEntry, RobotBody, World
+from learnblock.simulator.robot_body import READINGS
 
 
 class WorldMonitor:
@@ -246,14 +247,7 @@ def _robot_now(body: RobotBody) -> Robot:
 
 def _sensors(body: RobotBody) -> Iterator[Sensor]:
     """The readings of every sensor."""
-    has = body.description
-    yield from sensors_of("DistanceSensors", body.distances())
-    yield from sensors_of("GroundSensors", body.ground())
-    if has.gyroscope:
-        yield from sensors_of("Gyroscope", body.gyroscope(), has.gyroscope.key)
-    if has.accelerometer:
-        yield from sensors_of("Accelerometer", body.acceleration())
-    if has.bumper:
-        yield from sensors_of("Bumper", body.bumper())
-    if has.light:
-        yield from sensors_of("LightSensor", body.light())
+    keys = dict(device.split(":") for device in body.description.devices())
+    for kind in SENSOR_TYPES:
+        if kind in keys and kind in READINGS:
+            yield from sensors_of(kind, READINGS[kind](body), keys[kind])

@@ -10,26 +10,22 @@ from learnblock.simulator.robot_description import Joint
 _WIDTH = 100
 """Columns of a line."""
 
-#: The functions from which the client builds a device of each type, as in the templates.
+#: The functions from which the client builds a device of each type, as in the templates; all others
+#: are sensors.
 FUNCTIONS: Mapping[str, tuple[str, ...]] = {
-    "Accelerometer": ("read",),
     "Animator": ("play",),
     "Base": ("move",),
-    "Bumper": ("read",),
-    "Camera": ("read",),
     "Display": ("show_emotion",),
-    "DistanceSensors": ("read",),
-    "GroundSensors": ("read",),
     "Gyroscope": ("read", "reset"),
     "Infrared": ("read", "send"),
     "JointMotor": ("move",),
     "Led": ("set",),
-    "LightSensor": ("read",),
     "MP3": ("select", "action", "volume", "equalizer", "loop"),
     "Matrix": ("icon", "number", "text"),
     "RGBLed": ("set_color",),
     "Speaker": ("say", "play", "tone"),
 }
+_OF_A_SENSOR = ("read",)
 #: The types of which a robot can have several devices; their keys are in a table.
 _TABLES = {
     "Camera": "CAMERAS",
@@ -69,7 +65,7 @@ def function_names(plan: RobotPlan) -> list[str]:
     return [
         f"{device}.{function}"
         for device in sorted(plan.devices())
-        for function in FUNCTIONS[device.partition(":")[0]]
+        for function in FUNCTIONS.get(device.partition(":")[0], _OF_A_SENSOR)
     ]
 
 

@@ -2,8 +2,8 @@
 
 import math
 from collections import deque
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, NamedTuple, Protocol, TypeVar
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeVar
 
 from learnblock.errors import UnknownNameError
 from learnblock.simulator import robot_description
@@ -448,6 +448,17 @@ class RobotBody:
 
         bits = self._noise.bits(f"camera {camera.key}", self._world.steps)
         return np.random.Generator(np.random.PCG64(bits)), camera.noise * self._noise.factor
+
+
+#: How each type of sensor is read, apart from cameras.
+READINGS: Mapping[str, Callable[[RobotBody], Any]] = {
+    "DistanceSensors": RobotBody.distances,
+    "GroundSensors": RobotBody.ground,
+    "Gyroscope": RobotBody.gyroscope,
+    "Accelerometer": RobotBody.acceleration,
+    "Bumper": RobotBody.bumper,
+    "LightSensor": RobotBody.light,
+}
 
 
 def _require_finite(what: str, *values: float) -> None:

@@ -1,4 +1,4 @@
-"""The form of the readings of each type of sensor, the same on every robot."""
+"""The form of the readings of each type of sensor, the same on every robot, and quiet ones."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -19,6 +19,8 @@ from learnblock.devices import (
     Sensor,
 )
 
+_BUTTONS = ("lUp", "lLeft", "lRight", "lDown", "rUp", "rLeft", "rRight", "rDown")
+
 
 def has_form(sensor: Sensor[Any], reading: Any) -> bool:
     """Whether a reading has the right form and range for its type of sensor."""
@@ -28,6 +30,21 @@ def has_form(sensor: Sensor[Any], reading: Any) -> bool:
     except (AttributeError, TypeError):
         # For example, a number has no length, and a text has no keys.
         return False
+
+
+def quiet_readings() -> dict[type[Sensor[Any]], Any]:
+    """Readings without obstacles, on a bright floor in a dark room, with no button pressed.
+
+    Their sensors do nothing but read.
+    """
+    return {
+        Accelerometer: (0.0, 0.0, 9.81),
+        Bumper: False,
+        Controller: dict.fromkeys(_BUTTONS, False),
+        DistanceSensors: {side: [NOTHING_SEEN] for side in ("front", "left", "right", "back")},
+        GroundSensors: {"left": 100.0, "central": 100.0, "right": 100.0},
+        LightSensor: 0.0,
+    }
 
 
 def is_pose(value: Any) -> bool:

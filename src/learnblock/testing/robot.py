@@ -8,22 +8,15 @@ from learnblock.devices import (
     DEFAULT_KEY,
     DEVICE_TYPES,
     MP3,
-    NOTHING_SEEN,
-    Accelerometer,
     Animator,
     Base,
-    Bumper,
     Camera,
-    Controller,
     Device,
     Display,
-    DistanceSensors,
-    GroundSensors,
     Gyroscope,
     Infrared,
     JointMotor,
     Led,
-    LightSensor,
     Matrix,
     Pen,
     RGBLed,
@@ -33,9 +26,8 @@ from learnblock.devices import (
 )
 from learnblock.perception import Lines, LineView
 from learnblock.testing.clock import VirtualClock
+from learnblock.testing.forms import quiet_readings
 from learnblock.testing.wheels import Wheels
-
-_BUTTONS = ("lUp", "lLeft", "lRight", "lDown", "rUp", "rLeft", "rRight", "rDown")
 
 
 class FakeRobot(Client):
@@ -81,7 +73,10 @@ class FakeRobot(Client):
         self.wheels = Wheels(clock)
         self._only = frozenset(only)
         self._zero = 0.0
-        self._values: dict[tuple[type[Device], str], Any] = _quiet_surroundings()
+        quiet = {**quiet_readings(), Camera: None, Infrared: None}
+        self._values: dict[tuple[type[Device], str], Any] = {
+            (kind, DEFAULT_KEY): value for kind, value in quiet.items()
+        }
         self._detections: dict[str, Any] = _nothing_seen()
         super().__init__(skills=skills, clock=clock, observer=observer)
 
@@ -108,7 +103,7 @@ class FakeRobot(Client):
             Screen(self._note("Screen.show_text")),
             MP3(**self._notes("MP3", "select", "action", "volume", "equalizer", "loop")),
         ]
-        devices += [kind(self._reader(kind)) for kind in _PLAIN_SENSORS]
+        devices += [kind(self._reader(kind)) for kind in quiet_readings()]
         for device in devices:
             self._give(device)
         self._give(Gyroscope(self._heading, self._reset_gyroscope), "Z_AXIS")
@@ -140,31 +135,6 @@ class FakeRobot(Client):
     def _reset_gyroscope(self) -> None:
         self.commands.append(("Gyroscope:Z_AXIS.reset",))
         self._zero = self.wheels.pose[2]
-
-
-_PLAIN_SENSORS: tuple[type[Sensor[Any]], ...] = (
-    Accelerometer,
-    Bumper,
-    Controller,
-    DistanceSensors,
-    GroundSensors,
-    LightSensor,
-)
-
-
-def _quiet_surroundings() -> dict[tuple[type[Device], str], Any]:
-    """Readings without obstacles, on a bright floor in a dark room, with no button pressed."""
-    readings: dict[type[Device], Any] = {
-        Accelerometer: (0.0, 0.0, 9.81),
-        Bumper: False,
-        Camera: None,
-        Controller: dict.fromkeys(_BUTTONS, False),
-        DistanceSensors: {side: [NOTHING_SEEN] for side in ("front", "left", "right", "back")},
-        GroundSensors: {"left": 100.0, "central": 100.0, "right": 100.0},
-        Infrared: None,
-        LightSensor: 0.0,
-    }
-    return {(kind, DEFAULT_KEY): value for kind, value in readings.items()}
 
 
 def _nothing_seen() -> dict[str, Any]:

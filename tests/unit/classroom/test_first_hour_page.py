@@ -32,7 +32,7 @@ def test_each_button_that_it_names_is_on_a_page():
         for path in shipped_folder().iterdir()
         if path.is_dir()
     ]
-    blocks = (ROOT / "src/learnblock/blocks/configurations/base.json").read_text("utf-8")
+    blocks = (ROOT / "src/learnblock/blocks/configurations/words/en.json").read_text("utf-8")
     named = {*re.findall(r"(?<!\*)\*([^*\n]+)\*(?!\*)", PROSE)} - OTHERS
     assert len(named) > 12
     assert [

@@ -159,12 +159,21 @@ def test_words_of_blocks_are_compared_too(write, tmp_path):
     )
 
 
-def test_texts_of_skills_are_required_in_every_language(write, tmp_path):
-    write(f"{MESSAGES}/fr/robot.ftl", "robot-lost = Pas de réponse de { $address }.")
-    where = "src/learnblock/blocks/configurations"
-    block = {"name": "stop_bot", "languages": {"EN": "stop"}, "tooltip": {"EN": "a", "FR": "b"}}
-    write(f"{where}/base.json", json.dumps([block]))
-    assert run(tmp_path) == (0, [f"{where}: fr lacks texts of stop_bot"])
+def test_words_of_skills_are_compared_too(write, tmp_path):
+    where = "src/learnblock/blocks/configurations/words"
+    write(f"{where}/en.json", json.dumps({"turn": {"label": "turn {angle.direction}"}}))
+    write(f"{where}/fr.json", json.dumps({"turn": {"label": "tourner"}, "stop": {"label": "stop"}}))
+    assert run(tmp_path) == (
+        0,
+        [f"{where}: fr alone has stop.label", f"{where}: fr shows other values in turn.label"],
+    )
+
+
+def test_a_file_that_is_still_english_is_listed(write, tmp_path):
+    where = "src/learnblock/project/help"
+    for language in ("en", "fr"):
+        write(f"{where}/{language}.json", '{"variable": "A variable."}')
+    assert run(tmp_path) == (0, [f"{where}: fr.json is not translated yet"])
 
 
 def test_a_new_language_begins_with_the_english_words(write, tmp_path):
@@ -179,6 +188,7 @@ def test_a_new_language_begins_with_the_english_words(write, tmp_path):
         *(f"made {path.as_posix()}" for path in (*files, help_file)),
         "fr/page/bar.ftl is not translated yet",
         "fr/robot.ftl is not translated yet",
+        "src/learnblock/project/help: fr.json is not translated yet",
     ]
     assert files[0].read_text("utf-8").splitlines()[1] == "page-bar-run = Run"
 

@@ -47,7 +47,8 @@ def test_a_missing_value_is_a_mistake_of_the_caller():
 
 
 def test_english_is_the_first_language():
-    assert ("en", "es") == languages()
+    assert languages()[0] == "en"
+    assert len(languages()) > 1
 
 
 @pytest.mark.parametrize("form", [msgspec.json, msgspec.msgpack])

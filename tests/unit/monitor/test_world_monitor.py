@@ -100,10 +100,10 @@ def test_each_sensor_has_its_identity(watch):
 def test_each_sensor_has_its_unit_and_range(watch):
     sensors = watch("sim-ev3").state().sensors
     assert {one.device: (one.key, QUANTITIES[one.device]) for one in sensors} == {
-        "DistanceSensors": ("ROBOT", Quantity("mm", 0, 2000)),
-        "GroundSensors": ("ROBOT", Quantity("%", 0, 100)),
-        "Gyroscope": ("Z_AXIS", Quantity("°", -360, 360)),
-        "Bumper": ("ROBOT", Quantity("", 0, 1)),
+        "DistanceSensors": ("ROBOT", Quantity("mm", 0, 2000, 0)),
+        "GroundSensors": ("ROBOT", Quantity("%", 0, 100, 0)),
+        "Gyroscope": ("Z_AXIS", Quantity("°", -360, 360, 1)),
+        "Bumper": ("ROBOT", Quantity("", 0, 1, 1)),
     }
 
 

@@ -54,10 +54,8 @@ export interface Palette {
   readonly calls: Readonly<Record<string, string>>;
 }
 
-// Blockly has texts in a hundred languages, 9 MB; add a new language of the page here.
-const locales: Record<string, () => Promise<object>> = {
-  es: () => import("blockly/msg/es"),
-};
+// Blockly has texts in a hundred languages, 9 MB; each file has those of a language of the page.
+const theirs = import.meta.glob<object>("./words/*.ts");
 // Texts that Blockly has only in English, mainly for screen readers, and words that differ from its own.
 const missing = import.meta.glob<Messages>("./words/*.json", { import: "default" });
 
@@ -75,8 +73,9 @@ async function fetchOwn(language: string): Promise<Palette> {
 }
 
 async function fetchWords(language: string): Promise<object> {
-  const [theirs, ours] = await Promise.all([locales[language]?.(), missing[`./words/${language}.json`]?.()]);
-  return { ...theirs, ...ours };
+  const path = `./words/${language}`;
+  const [usual, own] = await Promise.all([theirs[`${path}.ts`]?.(), missing[`${path}.json`]?.()]);
+  return { ...usual, ...own };
 }
 
 /** Give Blockly the palette's language and blocks. */

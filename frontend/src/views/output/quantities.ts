@@ -3,25 +3,16 @@
 import { t } from "../../i18n";
 import { QUANTITIES, type Quantity, type Sensor } from "../../protocol/messages";
 
-/** Decimals of a reading by the type of its device; the usual number is 1. */
-const DIGITS: Readonly<Record<string, number>> = {
-  DistanceSensors: 0,
-  GroundSensors: 0,
-  Accelerometer: 2,
-  LightSensor: 0,
-  Infrared: 0,
-};
-
 /** The farthest way that fills its bar, mm. */
 const FAR = 5000;
 /** Of what the page itself measures. */
 const OWN_QUANTITIES: Readonly<Record<string, Quantity>> = {
-  Heading: { unit: "°", lowest: -180, highest: 180 },
-  Driven: { unit: "mm", lowest: 0, highest: FAR },
+  Heading: { unit: "°", lowest: -180, highest: 180, digits: 1 },
+  Driven: { unit: "mm", lowest: 0, highest: FAR, digits: 1 },
 };
-const PLAIN: Quantity = { unit: "", lowest: 0, highest: 1 };
+const PLAIN: Quantity = { unit: "", lowest: 0, highest: 1, digits: 1 };
 
-/** The unit and range of a sensor. */
+/** The unit, range and decimals of a sensor. */
 export function quantityOf({ device }: Sensor): Quantity {
   return QUANTITIES[device] ?? OWN_QUANTITIES[device] ?? PLAIN;
 }
@@ -43,10 +34,10 @@ export function readingText(sensor: Sensor, value: Sensor["value"]): string {
 }
 
 /** A value without a unit. */
-export function valueText({ device }: Sensor, value: Sensor["value"]): string {
+export function valueText(sensor: Sensor, value: Sensor["value"]): string {
   if (value === null) return "–";
   if (typeof value === "boolean") return t(value ? "page-sensors-yes" : "page-sensors-no");
-  return fixed(value, DIGITS[device] ?? 1);
+  return fixed(value, quantityOf(sensor).digits);
 }
 
 /** A number with these decimals; not "-0.0". */

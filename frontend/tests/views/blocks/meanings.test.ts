@@ -6,7 +6,8 @@ import { MEANINGS, wordsFor } from "../../../src/views/blocks/meanings";
 
 const PACKAGE = resolve(import.meta.dirname, "../../../../src/learnblock");
 const configurations = `${PACKAGE}/blocks/configurations`;
-const defined = readdirSync(configurations).map((file) => readFileSync(`${configurations}/${file}`, "utf8"));
+const files = readdirSync(configurations).filter((file) => file.endsWith(".json"));
+const defined = files.map((file) => readFileSync(`${configurations}/${file}`, "utf8"));
 const palette = [readFileSync(`${PACKAGE}/blocks/toolbox.py`, "utf8"), ...defined].join("\n");
 
 function inLanguage(language: string): (code: string) => string {

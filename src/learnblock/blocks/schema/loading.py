@@ -1,7 +1,7 @@
 """Block configurations from JSON: the built-in ones, and files of users and libraries."""
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -13,7 +13,9 @@ from learnblock.errors import BlockConfigurationError, Diagnostic
 from learnblock.fields import Range
 from learnblock.i18n import Phrase
 
+_CONFIGURATIONS = Path(__file__).parents[1] / "configurations"
 #: The built-in configurations: one file per tab, in the order of the palette.
+#: Their words are in `words/`, one file per language.
 TABS = (
     "base",
     "motor",
@@ -34,6 +36,8 @@ TABS = (
     "messages",
     "others",
 )
+#: Words by upper-case language code.
+_Words = Mapping[str, Any]
 
 
 def load_configurations(source: Path | str) -> tuple[BlockConfiguration, ...]:
@@ -59,7 +63,12 @@ def load_configurations(source: Path | str) -> tuple[BlockConfiguration, ...]:
 def builtin() -> Mapping[str, BlockConfiguration]:
     """The built-in blocks by name, in the order of the palette."""
     # The tests check them, so they can be loaded here without checks.
-    blocks = [_trusted(raw) for tab in TABS for raw in _built_in(tab)]
+    words = {path.stem.upper(): _json(path) for path in _CONFIGURATIONS.glob("words/*.json")}
+    blocks = [
+        _trusted(raw, _of(words, raw["name"]))
+        for tab in TABS
+        for raw in _json(_CONFIGURATIONS / f"{tab}.json")
+    ]
     return MappingProxyType({block.name: block for block in blocks})
 
 
@@ -83,38 +92,52 @@ def _parse(text: str, filename: str) -> tuple[BlockConfiguration, ...]:
     return blocks
 
 
-def _built_in(tab: str) -> Iterator[dict[str, Any]]:
-    path = Path(__file__).parents[1] / "configurations" / f"{tab}.json"
-    yield from json.loads(path.read_bytes())
+def _json(path: Path) -> Any:
+    return json.loads(path.read_bytes())
 
 
-def _trusted(raw: dict[str, Any]) -> BlockConfiguration:
+def _trusted(raw: dict[str, Any], words: _Words) -> BlockConfiguration:
+    parameters = _of(words, "parameters")
     return BlockConfiguration(
         type=raw["type"],
         category=raw["category"],
         name=raw["name"],
-        parameters=tuple(map(_trusted_parameter, raw.get("variables", ()))),
+        parameters=tuple(
+            _trusted_parameter(variable, _of(parameters, variable["name"]))
+            for variable in raw.get("variables", ())
+        ),
         shapes=tuple(raw["shape"]),
-        languages=raw["languages"],
-        tooltip=raw["tooltip"],
+        languages=_of(words, "label"),
+        tooltip=_of(words, "tooltip"),
         needs=tuple(raw.get("needs", ())),
         returns=raw.get("returns", "any"),
     )
 
 
-def _trusted_parameter(raw: dict[str, Any]) -> Parameter:
+def _trusted_parameter(raw: dict[str, Any], words: _Words) -> Parameter:
     return Parameter(
         name=raw["name"],
         type=raw["type"],
         default=raw.get("default"),
         required="default" not in raw,
-        translations=raw["translate"],
+        translations=_of(words, "name"),
         range=Range(*raw["range"]) if "range" in raw else None,
         choices=tuple(raw.get("choices", ())),
-        choice_names=raw.get("choiceNames", {}),
-        directions=raw.get("directions", {}),
+        choice_names=_by_key(_of(words, "choices")),
+        directions=_by_key(_of(words, "directions")),
         needs=raw.get("needs", ""),
     )
+
+
+def _of(words: _Words, key: str) -> _Words:
+    """By language what is under a key, in the languages that have it."""
+    return {language: own[key] for language, own in words.items() if key in own}
+
+
+def _by_key(words: _Words) -> dict[str, _Words]:
+    """The same words by key, and then by language."""
+    keys = dict.fromkeys(key for own in words.values() for key in own)
+    return {key: _of(words, key) for key in keys}
 
 
 def completed(block: BlockConfiguration, known: BlockConfiguration) -> BlockConfiguration:

@@ -115,6 +115,9 @@ lesson-event-stands = { $form ->
    *[clause] the robot stands still for { $seconds } s
 }
 
+# The title of the block set of a step.
+lesson-blocks = Blocks of the lesson
+
 # What a check asks for; $event is an event above, $check another of these sentences, $within nothing or lesson-within.
 lesson-check-robot = { $robot }: { $check }
 lesson-within = { " " }within { $seconds } s

@@ -115,6 +115,9 @@ lesson-event-stands = { $form ->
    *[clause] el robot se queda quieto durante { $seconds } s
 }
 
+# El título del conjunto de bloques de un paso.
+lesson-blocks = Bloques de la lección
+
 # Lo que pide una comprobación; $event es un suceso de arriba, $check otra de estas frases, $within nada o lesson-within.
 lesson-check-robot = { $robot }: { $check }
 lesson-within = { " " }en menos de { $seconds } s

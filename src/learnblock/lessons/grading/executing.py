@@ -15,7 +15,7 @@ import msgspec
 
 from learnblock import robots, running
 from learnblock.errors import FileError, LearnBlockError
-from learnblock.i18n import Phrase, languages, translate
+from learnblock.i18n import Phrase, in_each_language, languages
 from learnblock.installation import version
 from learnblock.lessons.evidence import Evidence, evidence_of
 from learnblock.lessons.expert import Experts
@@ -136,18 +136,13 @@ def run_piece(order: Order) -> bytes:
         source = _source(order.text, order.is_python)
         return packed(_made(order, source))
     except FileError as error:
-        return packed(Result(ended="refused", reason=in_all(error.phrase)))
-
-
-def in_all(phrase: Phrase) -> Texts:
-    """A phrase in every language."""
-    return {language: translate(phrase, language) for language in languages()}
+        return packed(Result(ended="refused", reason=in_each_language(error.phrase)))
 
 
 def _made(order: Order, source: Source) -> Result:
     mistake = _mistake(order.text, order.is_python, order.robot)
     if mistake is not None:
-        return Result(ended="refused", reason=in_all(mistake))
+        return Result(ended="refused", reason=in_each_language(mistake))
     return _Piece(order, _lesson(order.lesson), source).result()
 
 
@@ -200,7 +195,9 @@ class _Piece:
 
     def _of(self, made: JobResult, checked: Checked) -> Result:
         if len(made.trace) > LONGEST_TRACE:
-            reason = in_all(Phrase("grade-trace-too-long", limit=LONGEST_TRACE // MEGABYTE))
+            reason = in_each_language(
+                Phrase("grade-trace-too-long", limit=LONGEST_TRACE // MEGABYTE)
+            )
             return Result(ended=How.KILLED, checked=checked, reason=reason)
         return self._judged(evidence_of(made.trace, made.report), checked)
 
@@ -288,7 +285,7 @@ def _world(packed_one: bytes, step: int) -> WorldDescription | None:
 
 
 def _check_result(verdict: Verdict) -> CheckResult:
-    reason = {} if verdict.reason is None else in_all(verdict.reason)
+    reason = {} if verdict.reason is None else in_each_language(verdict.reason)
     at = None if verdict.at is None else round(verdict.at, 3)
     return CheckResult(verdict.state, at, reason)
 
@@ -299,10 +296,10 @@ def _reason(report: Report) -> Texts:
     message = report.error["message"]
     assert isinstance(message, Phrase)  # noqa: S101 - see `Report`
     line = f"{line}: " if (line := report.error["line"]) else ""
-    return {language: line + text for language, text in in_all(message).items()}
+    return {language: line + text for language, text in in_each_language(message).items()}
 
 
 def _in_all(text: Phrase | Title) -> Texts:
     if isinstance(text, Phrase):
-        return in_all(text)
+        return in_each_language(text)
     return {language: in_language(text, language) for language in languages()}

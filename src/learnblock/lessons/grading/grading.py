@@ -8,13 +8,12 @@ from itertools import islice
 import msgspec
 
 from learnblock.errors import LearnBlockError
-from learnblock.i18n import Phrase
+from learnblock.i18n import Phrase, in_each_language
 from learnblock.lessons.grading.executing import (
     ABOUT_OTHERS,
     MOST_HINTS,
     NotRunError,
     Order,
-    in_all,
     run_piece,
 )
 from learnblock.lessons.grading.executors import TRIES, OpenWorkers, Workers
@@ -116,7 +115,7 @@ class Grading:
     def _rows_of(self, one: HandedIn) -> Iterator[Row]:
         """The rows of one pupil, with all hints that may fit."""
         if one.reason is not None:
-            untried = Result(ended=one.absence or "unreadable", reason=in_all(one.reason))
+            untried = Result(ended=one.absence or "unreadable", reason=in_each_language(one.reason))
             yield from (Row(one, attempt, untried) for attempt in self.plan.tries)
             return
         shared = self._found(self.plan.orders(one))

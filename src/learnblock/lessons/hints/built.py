@@ -6,6 +6,7 @@ from typing import Any
 
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.format import format as format_program
+from learnblock.language.tree.flow import condition_of, conditions, is_counted, is_endless, is_loop
 from learnblock.language.tree.nodes import (
     Activate,
     Assign,
@@ -26,16 +27,13 @@ from learnblock.language.tree.nodes import (
     SkillCall,
     String,
     Unary,
-    WaitUntil,
     When,
-    While,
 )
-from learnblock.language.tree.traversal import statements, within
+from learnblock.language.tree.traversal import bodies, statements, within
 from learnblock.lessons.checks import Size, StaysOnLine, Uses
 from learnblock.lessons.describing import uses_words
 from learnblock.lessons.hints.guess import Guess
 from learnblock.lessons.hints.situation import (
-    LOOPS,
     NOTHING,
     Situation,
     asked_in,
@@ -80,16 +78,16 @@ def empty_body(situation: Situation, _: Verdict) -> Iterator[Guess]:
                 yield Guess("empty-body", (part.span.line,), frozenset({"if"}), sign="empty")
         elif isinstance(node, Def | When) and is_empty(node.body):
             yield Guess("empty-body", (node.span.line,), frozenset({node.name}), sign="empty")
-        elif isinstance(node, LOOPS) and is_empty(node.body) and not isinstance(node, While):
+        elif is_counted(node) and is_empty(node.body):
             yield Guess("empty-body", (node.span.line,), frozenset({"loop"}), sign="empty")
 
 
 def unreachable(situation: Situation, _: Verdict) -> Iterator[Guess]:
     """Statements come after a loop that never ends."""
     for body in _bodies(situation.program):
-        endless: While | None = None
+        endless: Item | None = None
         for node in body:
-            if isinstance(node, While) and node.is_endless and not _can_leave(node.body):
+            if is_endless(node) and not _can_leave(node.body):
                 endless = node
             elif endless and not isinstance(node, (*NOTHING, Def, When)):
                 lines = (endless.span.line, node.span.line)
@@ -101,10 +99,7 @@ def _bodies(program: Program) -> Iterator[tuple[Item, ...]]:
     main = program.main.body if program.main else ()
     yield (*program.items, *main)
     for node in statements((*program.items, *main)):
-        if isinstance(node, If):
-            yield from (part.body for part in parts(node))
-        elif isinstance(node, (*LOOPS, Def, When)):
-            yield node.body
+        yield from bodies(node)
 
 
 def _can_leave(body: Body) -> bool:
@@ -148,9 +143,10 @@ def checked_once(situation: Situation, _: Verdict) -> Iterator[Guess]:
 def unchanged_variable(situation: Situation, _: Verdict) -> Iterator[Guess]:
     """The condition of a loop asks for variables that nothing in the loop changes."""
     for loop in situation.loops:
-        if not isinstance(loop, While) or loop.is_endless or _can_leave(loop.body):
+        condition = condition_of(loop)
+        if condition is None or is_endless(loop) or _can_leave(loop.body):
             continue
-        inner = list(within(loop.condition))
+        inner = list(within(condition))
         names = {one.name for one in inner if isinstance(one, Name)}
         asks = any(isinstance(one, SkillCall | Call) for one in inner)
         if names and not asks and not _is_state(names) and not _sets(situation, loop.body, names):
@@ -207,8 +203,10 @@ def wrong_side(situation: Situation, _: Verdict) -> Iterator[Guess]:
 def _reactions(node: Any) -> Iterator[tuple[Expression, Body]]:
     if isinstance(node, If):
         yield from ((one.condition, one.body) for one in node.branches)
-    elif isinstance(node, While | When) and node.condition is not None:
-        yield node.condition, node.body
+        return
+    condition = condition_of(node)
+    if condition is not None:
+        yield from ((condition, body) for body in bodies(node))
 
 
 def _is_negated(condition: Expression) -> bool:
@@ -262,12 +260,12 @@ def opposite_condition(situation: Situation, _: Verdict) -> Iterator[Guess]:
             if _drives_on(seeing.body) and _gives_way(free.body):
                 lines = (node.branches[0].span.line,)
                 yield Guess("opposite-condition", lines, frozenset({"if"}), surely=10)
-        elif isinstance(node, While) and _sees_obstacle(node.condition) and _drives_on(node.body):
+        elif is_loop(node) and _sees_obstacle(condition_of(node)) and _drives_on(node.body):
             about = frozenset({"loop"})
             yield Guess("opposite-condition", (node.span.line,), about, surely=10)
 
 
-def _sees_obstacle(condition: Expression) -> bool | None:
+def _sees_obstacle(condition: Expression | None) -> bool | None:
     """Whether a condition holds in front of an obstacle; None if it asks something else."""
     match condition:
         case Unary(operator="not", operand=inner):
@@ -308,20 +306,13 @@ def _gives_way(body: Body) -> bool:
 def impossible_condition(situation: Situation, _: Verdict) -> Iterator[Guess]:
     """Two comparisons of one value can never both hold, or one of them always does."""
     for node in situation.statements:
-        for condition in _conditions(node):
+        for condition in conditions(node):
             for one in within(condition):
                 if isinstance(one, Binary) and one.operator in {"and", "or"} and _clash(one):
                     line = getattr(one.span, "line", 0) or node.span.line
                     values = {"joined": one.operator}
                     about = frozenset({"if", one.operator})
                     yield Guess("impossible-condition", (line,), about, values, "never_runs")
-
-
-def _conditions(node: Any) -> Iterator[Expression]:
-    if isinstance(node, If):
-        yield from (one.condition for one in node.branches)
-    elif isinstance(node, While | When | WaitUntil) and node.condition is not None:
-        yield node.condition
 
 
 def _clash(node: Binary) -> bool:
@@ -469,10 +460,8 @@ def waitless_loop(situation: Situation, _: Verdict) -> Iterator[Guess]:
     """A loop drives, and no time passes in it."""
     for loop in situation.loops:
         drives = [call for call in skills_in(loop.body) if call.name in LASTING | STOPPING]
-        asks = any(call.name in sensors() for call in skills_in(loop.body)) or (
-            isinstance(loop, While)
-            and any(call.name in sensors() for call in asked_in(loop.condition))
-        )
+        asked = (call for condition in conditions(loop) for call in asked_in(condition))
+        asks = any(call.name in sensors() for call in (*skills_in(loop.body), *asked))
         if drives and not asks and not situation.waits(loop.body):
             about = frozenset({"loop", type(loop).__name__.lower()})
             yield Guess("loop-without-wait", (loop.span.line,), about, sign="loop_without_wait")

@@ -5,17 +5,13 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import accumulate, pairwise
 from typing import Any
 
+from learnblock.language.tree.flow import condition_of, is_counted, is_loop, is_waiting
 from learnblock.language.tree.nodes import (
     Branch,
     Expression,
-    ForEach,
-    ForRange,
     If,
-    Repeat,
     SkillCall,
-    WaitUntil,
     When,
-    While,
 )
 from learnblock.lessons.checks import (
     At,
@@ -179,7 +175,7 @@ def _guess(situation: Situation, found: Misdrive) -> Iterator[Guess]:
 
 def _missing(situation: Situation) -> Guess:
     """The program ended before the next leg: after a loop, that has too few rounds."""
-    counted = [one for one in situation.loops if isinstance(one, Repeat | ForRange | ForEach)]
+    counted = [one for one in situation.loops if is_counted(one)]
     if counted:
         about = frozenset({"repeat", "loop"})
         return Guess("too-few-times", (counted[-1].span.line,), about, {}, "too_early", 5)
@@ -227,8 +223,9 @@ def _ending_conditions(situation: Situation) -> Iterator[tuple[int, Expression]]
     """
     statements = situation.statements
     for node in statements:
-        if isinstance(node, While | WaitUntil):
-            yield node.span.line, node.condition
+        condition = condition_of(node)
+        if condition is not None and (is_loop(node) or is_waiting(node)):
+            yield node.span.line, condition
     for node in statements:
         parts: Sequence[Branch | When] = ()
         if isinstance(node, If):

@@ -5,14 +5,11 @@ from difflib import SequenceMatcher
 from typing import Any
 
 from learnblock.i18n import Phrase
+from learnblock.language.tree.flow import is_counted, is_endless
 from learnblock.language.tree.nodes import (
     Call,
-    ForEach,
-    ForRange,
-    Repeat,
     SkillCall,
     String,
-    While,
 )
 from learnblock.language.tree.traversal import all_expressions
 from learnblock.lessons.checks import (
@@ -78,7 +75,7 @@ def never_ends(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
     """The program goes on until its time is over, and should have ended."""
     if not isinstance(verdict.check, Ends) or situation.ended != How.TIME_LIMIT:
         return
-    endless = [one for one in situation.loops if isinstance(one, While) and situation.ran(one)]
+    endless = [one for one in situation.loops if not is_counted(one) and situation.ran(one)]
     lines = (endless[-1].span.line,) if endless else ()
     yield Guess("never-ends", lines, frozenset({"forever", "loop"}), {}, "too_late")
 
@@ -136,7 +133,7 @@ def how_often(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
 def _counted(situation: Situation) -> tuple[int, ...]:
     """The line of a loop that counts its rounds."""
     for loop in situation.loops:
-        if isinstance(loop, Repeat | ForRange | ForEach) or not loop.is_endless:
+        if not is_endless(loop):
             return (loop.span.line,)
     return ()
 

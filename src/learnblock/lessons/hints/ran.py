@@ -5,13 +5,13 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from learnblock.i18n import Phrase, Value
+from learnblock.language.tree.flow import condition_of, is_endless, is_loop, is_waiting
 from learnblock.language.tree.nodes import (
+    Body,
     Break,
     If,
     Return,
-    WaitUntil,
     When,
-    While,
 )
 from learnblock.lessons.checks import (
     Collided,
@@ -25,7 +25,6 @@ from learnblock.lessons.checks import (
 )
 from learnblock.lessons.hints.guess import Guess
 from learnblock.lessons.hints.situation import (
-    LOOPS,
     CallRun,
     Situation,
     asked_in,
@@ -112,9 +111,9 @@ def never_runs(situation: Situation, _: Verdict) -> Iterator[Guess]:
     for node in situation.statements:
         if isinstance(node, If) and situation.ran(node):
             yield from _branches(situation, node)
-        elif isinstance(node, LOOPS) and situation.ran(node) and not is_empty(node.body):
+        elif is_loop(node) and situation.ran(node) and not is_empty(node.body):
             if not situation.body_ran(node.body):
-                yield _never(situation, node, node.body, getattr(node, "condition", None), "loop")
+                yield _never(situation, node, node.body, condition_of(node), "loop")
         elif isinstance(node, When) and _waits_in_vain(situation, node):
             yield _never(situation, node, node.body, node.condition, "when", node.name)
 
@@ -129,7 +128,7 @@ def _branches(situation: Situation, node: If) -> Iterator[Guess]:
     for part in parts(node):
         if situation.body_ran(part.body) or is_empty(part.body):
             continue
-        condition = getattr(part, "condition", None)
+        condition = condition_of(part)
         yield _never(situation, part, part.body, condition, "if" if condition else "else")
 
 
@@ -140,7 +139,7 @@ def _never(situation: Situation, node: Any, body: Any, condition: Any, *about: s
     # What was asked for more than once had its chance.
     surely = 0 if asked & sensors() and times > _OFTEN else -5
     lines = (node.span.line,)
-    if condition is None and isinstance(node, LOOPS):
+    if condition is None and is_loop(node):
         surely = -10
     return Guess("never-runs", lines, names, {}, "never_runs", surely)
 
@@ -150,17 +149,18 @@ def passing_wait(situation: Situation, _: Verdict) -> Iterator[Guess]:
     if situation.evidence is None:
         return
     for node in situation.statements:
-        if isinstance(node, While) and not node.is_endless and situation.ran(node):
-            asked = {call.name for call in asked_in(node.condition)}
+        condition = condition_of(node)
+        if condition is None or is_endless(node) or not situation.ran(node):
+            continue
+        asked = {call.name for call in asked_in(condition)}
+        if is_loop(node):
             if asked & questions() and not situation.body_ran(node.body):
                 about = frozenset({"loop", *asked})
                 yield Guess("opposite-condition", (node.span.line,), about, surely=2)
-        elif isinstance(node, WaitUntil) and situation.ran(node):
-            asked = {call.name for call in asked_in(node.condition)}
-            if asked & sensors() and _asked_once(situation, asked):
-                about = frozenset({"wait", *asked})
-                # It is also why the command before it has no time.
-                yield Guess("opposite-condition", (node.span.line,), about, surely=15)
+        elif is_waiting(node) and asked & sensors() and _asked_once(situation, asked):
+            about = frozenset({"wait", *asked})
+            # It is also why the command before it has no time.
+            yield Guess("opposite-condition", (node.span.line,), about, surely=15)
 
 
 def _asked_once(situation: Situation, asked: set[str]) -> bool:
@@ -246,7 +246,7 @@ def motors_on(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
 
 def _in_endless(loop: Any, line: int) -> bool:
     inside = loop.span.line <= line <= loop.span.end_line
-    return isinstance(loop, While) and loop.is_endless and inside
+    return is_endless(loop) and inside
 
 
 def stop_missing(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
@@ -254,15 +254,15 @@ def stop_missing(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
     if not situation.skills & LASTING or situation.skills & STOPPING or not _wants_stop(verdict):
         return
     for node in situation.statements:
-        if isinstance(node, While) and node.is_endless and not _leaves(node):
+        if is_endless(node) and not _leaves(node.body):
             calls = [call for call in skills_in(node.body) if call.name in DRIVING]
             if calls and all(call.name == "move_straight" for call in calls):
                 line = first_line(node.body)
                 yield Guess("motors-on", (line,), frozenset({"move_straight"}), {}, "too_late", -10)
 
 
-def _leaves(node: While) -> bool:
-    return any(isinstance(one, Break | Return) for one in node.body)
+def _leaves(body: Body) -> bool:
+    return any(isinstance(one, Break | Return) for one in body)
 
 
 def _wants_stop(verdict: Verdict) -> bool:

@@ -8,6 +8,7 @@ from typing import Any
 
 from learnblock.language.python.generation import PythonText, to_python
 from learnblock.language.tree.extents import NOWHERE
+from learnblock.language.tree.flow import is_loop, is_waiting
 from learnblock.language.tree.nodes import (
     Blank,
     Body,
@@ -16,17 +17,12 @@ from learnblock.language.tree.nodes import (
     Comment,
     Else,
     Expression,
-    ForEach,
-    ForRange,
     If,
     Item,
     Main,
     Pass,
     Program,
-    Repeat,
     SkillCall,
-    WaitUntil,
-    While,
 )
 from learnblock.language.tree.traversal import all_expressions, statements, within
 from learnblock.lessons.evidence import Evidence
@@ -36,7 +32,6 @@ from learnblock.lessons.lesson import Step
 from learnblock.lessons.structure import every_statement
 from learnblock.simulator import WorldDescription
 
-LOOPS = (While, Repeat, ForEach, ForRange)
 NOTHING = (Blank, Comment, Pass)
 
 
@@ -126,7 +121,7 @@ class Situation:
     @cached_property
     def loops(self) -> tuple[Any, ...]:
         """Every loop, in the order of the source."""
-        return tuple(one for one in self.statements if isinstance(one, LOOPS))
+        return tuple(one for one in self.statements if is_loop(one))
 
     @cached_property
     def skills(self) -> frozenset[str]:
@@ -139,7 +134,7 @@ class Situation:
 
     def _waits(self, body: Body, inside: frozenset[str]) -> bool:
         for statement in statements(body):
-            if isinstance(statement, WaitUntil):
+            if is_waiting(statement):
                 return True
             if any(call.name in WAITING for call in calls_in(statement, SkillCall)):
                 return True

@@ -4,7 +4,8 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 
 from learnblock.i18n import Phrase
-from learnblock.language.tree.nodes import Def, SkillCall, When, While
+from learnblock.language.tree.flow import is_endless
+from learnblock.language.tree.nodes import Def, SkillCall, When
 from learnblock.lessons.checks import Check
 from learnblock.lessons.hints.guess import Guess, Hint
 from learnblock.lessons.hints.situation import Situation, calls_in
@@ -65,7 +66,7 @@ def _names(situation: Situation) -> set[str]:
             found.add(one.name)
     if situation.loops:
         found.add("loop")
-    if any(isinstance(one, While) and one.is_endless for one in situation.loops):
+    if any(is_endless(one) for one in situation.loops):
         found.add("forever")
     return found
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 from learnblock import robots
 from learnblock.blocks import block_sets
 from learnblock.blocks.block_sets import BlockNames, BlockSet
+from learnblock.i18n import Phrase, in_each_language
 from learnblock.lessons.reading import OpenLesson
 from learnblock.project.files.project import Project, ProjectPart
 from learnblock.server import catalog
@@ -47,7 +48,7 @@ def blocks_of(opened: OpenLesson, number: int) -> BlockSet | None:
     if isinstance(chosen, str):
         known = block_sets.built_in()
         return known.get(chosen, known[block_sets.EVERYTHING])
-    title = {"en": "Blocks of the lesson", "es": "Bloques de la lección"}
+    title = in_each_language(Phrase("lesson-blocks"))
     return BlockSet(_SET, title=title, show=BlockNames(blocks=tuple(chosen)))
 
 
