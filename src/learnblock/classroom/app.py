@@ -264,8 +264,8 @@ class _Door:
         if not self._visitors.is_teacher(request):
             return _forbidden()
         roster = self._room.roster
-        one = request.query_params.get("pupil")
-        pupils = [pupil for pupil in roster.pupils if one in (None, pupil.id)]
+        pupil_id = request.query_params.get("pupil")
+        pupils = [pupil for pupil in roster.pupils if pupil_id in (None, pupil.id)]
         content = await asyncio.to_thread(export, roster, pupils)
         disposition = 'attachment; filename="class.zip"'
         return Response(

@@ -87,5 +87,5 @@ def _names() -> "list[x509.GeneralName]":
     return [
         x509.DNSName(socket.gethostname()),
         x509.DNSName("localhost"),
-        *(x509.IPAddress(ipaddress.ip_address(one)) for one in addresses),
+        *(x509.IPAddress(ipaddress.ip_address(address)) for address in addresses),
     ]

@@ -118,7 +118,7 @@ class Desk:
         self.pages.remove(page)
         self._look()
         self.progress.forget(page)
-        if page.is_teacher and not any(one.is_teacher for one in self.pages):
+        if page.is_teacher and not any(other.is_teacher for other in self.pages):
             self.writing = "no"
         self.tell()
 

@@ -210,7 +210,7 @@ class Roster:
             folder = self.folder_of(pupil)
             if folder.exists():
                 shutil.rmtree(folder)
-            self._change(pupils=tuple(one for one in self.pupils if one.id != pupil.id))
+            self._change(pupils=tuple(other for other in self.pupils if other.id != pupil.id))
 
     def let_join(self, *, open: bool) -> None:  # noqa: A002 - as in the file
         """Let new pupils join, or no more."""
@@ -230,7 +230,9 @@ class Roster:
                 return pictures
 
     def _replace(self, pupil: Pupil, other: Pupil) -> None:
-        self._change(pupils=tuple(other if one.id == pupil.id else one for one in self.pupils))
+        self._change(
+            pupils=tuple(other if member.id == pupil.id else member for member in self.pupils)
+        )
 
     def _change(self, **values: object) -> None:
         changed = msgspec.structs.replace(self._file, **values)

@@ -32,8 +32,8 @@ async def _stop_all(room: Room, _: ours.StopAll) -> None:
 
 
 async def _send_hint(room: Room, message: ours.SendHint) -> None:
-    one = None if message.pupil is None else room.known(message.pupil)
-    for desk in room.desks.values() if one is None else [room.desk(one)]:
+    pupil = None if message.pupil is None else room.known(message.pupil)
+    for desk in room.desks.values() if pupil is None else [room.desk(pupil)]:
         desk.help(message.text)
 
 
@@ -47,7 +47,7 @@ async def _renew_pin(room: Room, message: ours.RenewPin) -> ours.NewPin:
 
 
 async def _remove(room: Room, message: ours.RemovePupils) -> None:
-    for pupil in [room.known(one) for one in message.pupils]:
+    for pupil in [room.known(pupil_id) for pupil_id in message.pupils]:
         await room.remove(pupil)
 
 

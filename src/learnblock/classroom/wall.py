@@ -107,7 +107,7 @@ class WallView:
             if plan and self._scenes.get(pupil) != plan.scene:
                 self._scenes[pupil] = plan.scene
                 yield plan
-        if changed := tuple(one for one in seats.values() if self._seats.get(one.id) != one):
+        if changed := tuple(seat for seat in seats.values() if self._seats.get(seat.id) != seat):
             yield ours.Seats(changed)
         self._seats = seats
 
