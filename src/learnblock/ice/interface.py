@@ -68,7 +68,7 @@ class Interface:
 
     @cached_property
     def _by_name(self) -> Mapping[str, Operation]:
-        return {one.name: one for one in (*OBJECT, *self.operations)}
+        return {operation.name: operation for operation in (*OBJECT, *self.operations)}
 
 
 #: The operations of every object.

@@ -176,8 +176,8 @@ class Sequence(Type):
         if _is_packed(self.element):
             writer.data += _in_order(array(self.element.code, value)).tobytes()
             return
-        for one in value:
-            self.element.write(writer, one)
+        for item in value:
+            self.element.write(writer, item)
 
     def read(self, reader: Reader) -> Any:
         count = reader.count(self.element.least)
@@ -204,9 +204,9 @@ class Dictionary(Type):
 
     def write(self, writer: Writer, value: Any) -> None:
         writer.size(len(value))
-        for key, one in value.items():
+        for key, item in value.items():
             self.key.write(writer, key)
-            self.value.write(writer, one)
+            self.value.write(writer, item)
 
     def read(self, reader: Reader) -> dict[Any, Any]:
         count = reader.count(self.key.least + self.value.least)
