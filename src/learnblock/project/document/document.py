@@ -123,9 +123,9 @@ class Document:
             read = from_workspace(workspace, self.target.configurations)
         except LearnBlockError as error:
             return self._unreadable(workspace, _mistakes_of_blocks(error))
-        said = _said_of_blocks(read)
-        if any(one.severity == "error" for one in said):
-            return self._unreadable(workspace, said)
+        remarks = _said_of_blocks(read)
+        if any(remark.severity == "error" for remark in remarks):
+            return self._unreadable(workspace, remarks)
         blocks = Blocks(workspace, read.block_ids)
         good = derive(read.program, self.target, self.good, blocks=blocks)
         if read.program != self.good.tree:
@@ -133,7 +133,7 @@ class Document:
         elif self.unread and self.unread.view != "blocks":
             # Moving a block must not discard a text that has mistakes.
             return replace(self, good=good)
-        return replace(self, origin="blocks", good=good, unread=None, remarks=said)
+        return replace(self, origin="blocks", good=good, unread=None, remarks=remarks)
 
     def with_robot(
         self,
@@ -244,15 +244,19 @@ class Document:
     def problems(self) -> tuple[Problem, ...]:
         """All errors and warnings."""
         if self.unread:
-            found = self.unread.mistakes
+            others = self.unread.mistakes
         else:
-            found = (*self.remarks, *problems(self.good, self.target))
+            others = (*self.remarks, *problems(self.good, self.target))
         # A block that is still being built has one message at a time.
-        marked = {one.block for one in found}
+        marked = {other.block for other in others}
         idle = idle_blocks(self.workspace, self.target.configurations)
         return (
-            *found,
-            *(problem(one, "blocks", block) for block, one in idle if block not in marked),
+            *others,
+            *(
+                problem(diagnostic, "blocks", block)
+                for block, diagnostic in idle
+                if block not in marked
+            ),
         )
 
     @cached_property
@@ -264,7 +268,7 @@ class Document:
     @property
     def first_error(self) -> Problem | None:
         """The first error, which keeps the program from running; None if there is none."""
-        return next((one for one in self.problems if one.severity == "error"), None)
+        return next((remark for remark in self.problems if remark.severity == "error"), None)
 
     def lacking(self, equipment: frozenset[str]) -> Phrase | None:
         """What a robot lacks for the program, once it is connected and its equipment is known."""
@@ -396,7 +400,9 @@ class Document:
             index = owner[line] if line < len(owner) else None
             return None if index is None else blocks[index]
 
-        return tuple(problem(one, notation, block(one.line)) for one in diagnostics)
+        return tuple(
+            problem(diagnostic, notation, block(diagnostic.line)) for diagnostic in diagnostics
+        )
 
     def _refuse_unread(self, task: str) -> None:
         if self.unread:
@@ -405,7 +411,7 @@ class Document:
 
 def _said_of_blocks(read: WorkspaceProgram) -> tuple[Problem, ...]:
     """The errors and warnings about blocks."""
-    return tuple(problem(one, "blocks", block) for block, one in read.problems)
+    return tuple(problem(diagnostic, "blocks", block) for block, diagnostic in read.problems)
 
 
 def _laid_out(target: Target, tree: Tree, blocktext: str, workspace: Workspace | None) -> Document:
@@ -418,11 +424,11 @@ def _laid_out(target: Target, tree: Tree, blocktext: str, workspace: Workspace |
             # These blocks are not a program, so lay out new ones.
             workspace = None
         else:
-            said = _said_of_blocks(read)
-            if read.program == tree and not any(one.severity == "error" for one in said):
+            remarks = _said_of_blocks(read)
+            if read.program == tree and not any(remark.severity == "error" for remark in remarks):
                 blocks = Blocks(workspace, read.block_ids)
                 good = derive(read.program, target, blocks=blocks, blocktext=written)
-                return Document(target, "blocktext", good, remarks=said)
+                return Document(target, "blocktext", good, remarks=remarks)
     good = derive(tree, target, blocktext=written, layout=workspace)
     return Document(target, "blocktext", good)
 
@@ -443,9 +449,9 @@ def _with_unread_blocks(document: Document, workspace: Workspace | None) -> Docu
     return other if other.unread or _same(document, other) else document
 
 
-def _same(one: Document, other: Document) -> bool:
+def _same(first: Document, second: Document) -> bool:
     # Compared as texts, because a tree that was parsed again may divide raw Python differently.
-    return format_program(one.good.tree) == format_program(other.good.tree)
+    return format_program(first.good.tree) == format_program(second.good.tree)
 
 
 def _last_good(
@@ -472,5 +478,5 @@ def _unless_unread(before: Document, after: Document) -> Document:
 
 def _mistakes_of_blocks(error: LearnBlockError) -> tuple[Problem, ...]:
     if isinstance(error, FileError):
-        return tuple(problem(one, "blocks") for one in error.diagnostics)
+        return tuple(problem(diagnostic, "blocks") for diagnostic in error.diagnostics)
     return (Problem(code="blocks", message=error.phrase, severity="error", view="blocks"),)

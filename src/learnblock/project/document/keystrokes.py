@@ -45,12 +45,12 @@ class Typing:
         return adjoins and not _WORD_BEGINS.search(before.inserted[-1:] + self.inserted)
 
 
-def looks_alike(one: Document, other: Document) -> bool:
+def looks_alike(first: Document, second: Document) -> bool:
     """Whether two programs look the same in every view."""
     return (
-        one.blocktext == other.blocktext
-        and one.python == other.python
-        and one.workspace == other.workspace
+        first.blocktext == second.blocktext
+        and first.python == second.python
+        and first.workspace == second.workspace
     )
 
 
@@ -75,12 +75,12 @@ def _difference(old: str, new: str) -> tuple[int, str, str]:
     return start, old[start : len(old) - end], new[start : len(new) - end]
 
 
-def _common(one: str, other: str, most: int) -> int:
+def _common(first: str, second: str, most: int) -> int:
     """Count the equal characters at the start of two texts, at most `most`; by bisection."""
     low, high = 0, most
     while low < high:
         middle = (low + high + 1) // 2
-        if one.startswith(other[low:middle], low):
+        if first.startswith(second[low:middle], low):
             low = middle
         else:
             high = middle - 1
@@ -93,6 +93,6 @@ def _blocks(workspace: Workspace) -> Iterator[tuple[str, str]]:
     while ahead:
         block = ahead.pop()
         yield block.id, block.type
-        for given in block.inputs.values():
-            ahead.extend(one for one in (given.block, given.shadow) if one is not None)
-            ahead.extend(given.stack)
+        for slot in block.inputs.values():
+            ahead.extend(inner for inner in (slot.block, slot.shadow) if inner is not None)
+            ahead.extend(slot.stack)

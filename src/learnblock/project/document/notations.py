@@ -35,8 +35,8 @@ class Target:
     @cached_property
     def importable(self) -> Importable:
         """The known libraries; a project has no other files."""
-        found = (one.library for one in self.configurations.values())
-        return Importable(frozenset(filter(None, found)))
+        libraries = (configuration.library for configuration in self.configurations.values())
+        return Importable(frozenset(filter(None, libraries)))
 
 
 @dataclass(frozen=True)

@@ -18,19 +18,23 @@ def problems(notations: Notations, target: Target) -> tuple[Problem, ...]:
     """The diagnostics of `check`, cached for each text."""
     blocktext, python = notations.blocktext.tree, notations.python.tree
     text = notations.python.text if python is not None else None
-    said = _checked(blocktext or python or notations.tree, target, None if blocktext else text)
-    if not said:
+    diagnostics = _checked(
+        blocktext or python or notations.tree, target, None if blocktext else text
+    )
+    if not diagnostics:
         return ()
     if blocktext is None:
-        in_python = said
+        in_python = diagnostics
         blocktext = parse(notations.blocktext.text)
-        said = _checked(blocktext, target)
+        diagnostics = _checked(blocktext, target)
     elif python is not None:
         in_python = _checked(python, target, text)
-    found = _Located(notations, blocktext)
-    first = [problem(one, "blocktext", found.block(one)) for one in said]
+    located = _Located(notations, blocktext)
+    first = [
+        problem(diagnostic, "blocktext", located.block(diagnostic)) for diagnostic in diagnostics
+    ]
     if python is None:
-        return (*first, *map(found.in_python, said))
+        return (*first, *map(located.in_python, diagnostics))
     return (*first, *_in_authors_python(notations, python, in_python))
 
 
@@ -52,12 +56,12 @@ def problem(diagnostic: Diagnostic, view: View, block: str | None = None) -> Pro
 def owners(extents: Iterable[Extent]) -> list[int | None]:
     """The index of the innermost statement at each line of a text; there is none at line 0."""
     extents = list(extents)
-    found: list[int | None] = [None] * (max((last for _, last in extents), default=0) + 1)
+    innermost: list[int | None] = [None] * (max((last for _, last in extents), default=0) + 1)
     for index, (first, last) in enumerate(extents):
         if first:
             # Inner statements come later.
-            found[first : last + 1] = [index] * (last + 1 - first)
-    return found
+            innermost[first : last + 1] = [index] * (last + 1 - first)
+    return innermost
 
 
 def _checked(tree: Program, target: Target, python: str | None = None) -> list[Diagnostic]:
@@ -74,10 +78,10 @@ def _checked(tree: Program, target: Target, python: str | None = None) -> list[D
 def _in_authors_python(
     notations: Notations, tree: Program, diagnostics: Iterable[Diagnostic]
 ) -> Iterator[Problem]:
-    found = _Located(notations, tree)
+    located = _Located(notations, tree)
     lines = notations.python.text.split("\n")
-    for one in diagnostics:
-        yield problem(_in_characters(one, lines), "python", found.block(one))
+    for diagnostic in diagnostics:
+        yield problem(_in_characters(diagnostic, lines), "python", located.block(diagnostic))
 
 
 def _in_characters(diagnostic: Diagnostic, lines: Sequence[str]) -> Diagnostic:

@@ -151,20 +151,22 @@ class Revisions:
         steps = {*self._past, *self._future, *self._saves}
         oldest = self.number - MOST_REVISIONS
         self._log = {
-            number: one for number, one in self._log.items() if number > oldest or number in steps
+            number: revision
+            for number, revision in self._log.items()
+            if number > oldest or number in steps
         }
 
     def _pack(self) -> None:
         """Pack all revisions but the current one and the last steps of undo, within the limits."""
         steps, characters, size = {*self._past, *self._future}, 0, 0
         for number in sorted(self._log, reverse=True)[1:]:
-            one = self._log[number]
-            if isinstance(one, Document):
-                characters += (number in steps) * _characters(one)
+            revision = self._log[number]
+            if isinstance(revision, Document):
+                characters += (number in steps) * _characters(revision)
                 if number in steps and characters <= MOST_CHARACTERS:
                     continue
-                one = self._log[number] = _Packed.of(one)
-            size += one.size
+                revision = self._log[number] = _Packed.of(revision)
+            size += revision.size
             if size > MOST_BYTES and number != self._saves[-1]:
                 self._drop(number)
 
@@ -218,15 +220,15 @@ def _characters(document: Document) -> int:
     return len(document.blocktext) + len(document.python)
 
 
-def _restored(one: Document | _Packed, target: Target) -> Document:
+def _restored(revision: Document | _Packed, target: Target) -> Document:
     """An earlier program for the robot and the skills of today."""
-    if isinstance(one, _Packed):
-        return one.document(target)
-    if one.target == target:
-        return one
-    if one.target.configurations == target.configurations:
-        return one.with_robot(target.robot_module, target.equipment, target.drivetrain)
-    return _Packed.of(one).document(target)
+    if isinstance(revision, _Packed):
+        return revision.document(target)
+    if revision.target == target:
+        return revision
+    if revision.target.configurations == target.configurations:
+        return revision.with_robot(target.robot_module, target.equipment, target.drivetrain)
+    return _Packed.of(revision).document(target)
 
 
 def _distance(before: str, lines: Counter[str]) -> int:

@@ -110,11 +110,13 @@ class _Merging:
     def _both(self, base: str, ours: str) -> Merged | None:
         """Both changes; None if each gives a valid program, but both together do not."""
         view, wins = self.edit.view, self.edit.wins
-        found = merge(base, *((self.theirs, ours) if wins else (ours, self.theirs)))
-        both = self._with(found.text)
-        if both.unread and not any(_is_unread(one, view) for one in (self.now, self.alone)):
+        merged = merge(base, *((self.theirs, ours) if wins else (ours, self.theirs)))
+        both = self._with(merged.text)
+        if both.unread and not any(
+            _is_unread(document, view) for document in (self.now, self.alone)
+        ):
             return None
-        lost = self._overruled if found.is_conflict else None
+        lost = self._overruled if merged.is_conflict else None
         return Merged(both, ours, lost)
 
     def _with(self, text: str) -> Document:
@@ -143,12 +145,12 @@ def _with_unread_text(now: Document, after: Merged) -> Merged:
     if unread is None or unread.view == "blocks" or after.document.unread:
         return after
     was, becomes = (
-        one.good.blocktext.text if unread.view == "blocktext" else one.good.python.text
-        for one in (now, after.document)
+        program.good.blocktext.text if unread.view == "blocktext" else program.good.python.text
+        for program in (now, after.document)
     )
-    found = merge(was, becomes, unread.text)
-    document = after.document.with_text(unread.view, found.text)
-    return replace(after, document=document, lost=now if found.is_conflict else after.lost)
+    merged = merge(was, becomes, unread.text)
+    document = after.document.with_text(unread.view, merged.text)
+    return replace(after, document=document, lost=now if merged.is_conflict else after.lost)
 
 
 def _is_unread(document: Document, view: str) -> bool:

@@ -210,7 +210,7 @@ class ProjectFolder:
         if not path.is_file():
             raise UnknownNameError("project", name, self._names())
         # Windows and macOS ignore case in file names.
-        others = {one.casefold() for one in self._names() if one != name}
+        others = {other.casefold() for other in self._names() if other != name}
         if wish.casefold() in others:
             message = Phrase("project-name-taken", name=wish)
             raise ProjectError(target.name, [Diagnostic("name-taken", message)])
@@ -327,11 +327,11 @@ class ProjectFolder:
         """
         if format_ == "learnblock":
             return f"{project.name}.{format_}", encode_whole(project, leaves=True).decode()
-        one = project.parts[part]
-        name = one.name if project.has_several else project.name
+        chosen = project.parts[part]
+        name = chosen.name if project.has_several else project.name
         if format_ == "bt":
-            return f"{name}.{format_}", one.blocktext
-        text = one.python if one.python is not None else _python(one)
+            return f"{name}.{format_}", chosen.blocktext
+        text = chosen.python if chosen.python is not None else _python(chosen)
         return f"{name}.{format_}", text
 
     # History.

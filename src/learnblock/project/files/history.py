@@ -112,7 +112,7 @@ class History:
             UnknownNameError: it does not exist.
             ProjectError: its file is damaged.
         """
-        known = [one.id for one in self.versions()]
+        known = [entry.id for entry in self.versions()]
         if version not in known:
             raise UnknownNameError("version", version, known[:5])
         with self._path(version).open("rb") as file:

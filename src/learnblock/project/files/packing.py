@@ -34,9 +34,9 @@ def encode_whole(project: Project, *, leaves: bool = False) -> bytes:
     """
     whole = packed(project, "" if leaves else home_id())
     without_world = msgspec.structs.replace(whole.carried, world=None)
-    for one in (whole, replace(whole, carried=without_world)):
+    for candidate in (whole, replace(whole, carried=without_world)):
         with suppress(ProjectError):
-            return encode(one)
+            return encode(candidate)
     return encode(replace(project, carried=NOTHING))
 
 
@@ -54,7 +54,7 @@ def packed(project: Project, home: str) -> Project:
 
     What can't be read is left out: the project itself must be saved all the same.
     """
-    texts = [text for one in project.parts for text in (one.blocktext, one.python or "")]
+    texts = [text for part in project.parts for text in (part.blocktext, part.python or "")]
     code = _code(project, texts)
     carried = Carried(
         home=home,
@@ -105,7 +105,7 @@ def _code(project: Project, texts: list[str]) -> Code:
     # Code may use other code, so each text is read for more.
     for text in texts:
         words = {*_WORD.findall(text)}
-        wanted |= {one[1] or one[2] for one in _LIBRARY.finditer(text)}
+        wanted |= {match[1] or match[2] for match in _LIBRARY.finditer(text)}
         for name in [name for name, skills in own.items() if words & skills]:
             del own[name]
             if block := block_file(name):

@@ -180,11 +180,11 @@ def checked_name(name: str) -> str:
     return name
 
 
-def is_same_program(one: Project, other: Project) -> bool:
+def is_same_program(first: Project, second: Project) -> bool:
     """Whether two projects have the same programs on the same robots in the same world."""
 
     def program(project: Project) -> tuple[object, ...]:
         parts = ((part.blocktext, part.python, part.robot, part.count) for part in project.parts)
         return project.world, *parts
 
-    return program(one) == program(other)
+    return program(first) == program(second)

@@ -228,7 +228,7 @@ def _check_version(version: object, filename: str) -> None:
 
 def _check_choices(file: _File, filename: str) -> None:
     """Refuse paths: a project names robots and worlds, and never points outside its folder."""
-    kinds = [("robot", one) for one in (file.robot, *(other.robot for other in file.others))]
+    kinds = [("robot", robot) for robot in (file.robot, *(other.robot for other in file.others))]
     for key, value in (*kinds, ("world", file.world)):
         if value and not is_plain(value):
             _refuse(
@@ -242,10 +242,10 @@ def _check_choices(file: _File, filename: str) -> None:
 
 def _check_names(file: _File, filename: str) -> None:
     """Refuse robots that could not be distinguished, and too many."""
-    robots = file.count + sum(one.count for one in file.others)
+    robots = file.count + sum(other.count for other in file.others)
     if robots > MOST_ROBOTS:
         _refuse(filename, "too-many", Phrase("tabs-too-many", limit=MOST_ROBOTS))
-    names = [file.first, *(one.name for one in file.others)] if robots > 1 else []
+    names = [file.first, *(other.name for other in file.others)] if robots > 1 else []
     for name in names:
         if not is_part_name(name) or names.count(name) > 1:
             _refuse(filename, "robot-name", Phrase("project-robot-name", name=name))
@@ -422,11 +422,11 @@ def _written(value: Any, depth: int = _SPREAD, indent: str = "") -> str:
     if isinstance(value, dict):
         opening, closing = "{}"
         # Each of the other robots has texts and blocks as the file itself has.
-        items = ((key, one, depth + (1 if key == "others" else -1)) for key, one in value.items())
-        parts = [f"{_key(key)}: {_written(one, levels, inner)}" for key, one, levels in items]
+        items = ((key, item, depth + (1 if key == "others" else -1)) for key, item in value.items())
+        parts = [f"{_key(key)}: {_written(item, levels, inner)}" for key, item, levels in items]
     else:
         opening, closing = "[]"
-        parts = [_written(one, depth - 1, inner) for one in value]
+        parts = [_written(item, depth - 1, inner) for item in value]
     return f"{opening}\n{inner}" + f",\n{inner}".join(parts) + f"\n{indent}{closing}"
 
 

@@ -167,8 +167,12 @@ def _tags(own: Mapping[str, int], carried: Mapping[str, int], *, is_home: bool) 
 def without(code: Code, installed: Code) -> Code:
     """The code that has not been installed."""
     return Code(
-        {name: one for name, one in code.blocks.items() if installed.blocks.get(name) != one},
-        {name: one for name, one in code.libraries.items() if installed.libraries.get(name) != one},
+        {name: block for name, block in code.blocks.items() if installed.blocks.get(name) != block},
+        {
+            name: library
+            for name, library in code.libraries.items()
+            if installed.libraries.get(name) != library
+        },
     )
 
 

@@ -199,8 +199,8 @@ class Completer:
     def functions(self) -> Iterator[Completion]:
         for name, plain in self.vocabulary.functions.items():
             parameters = [
-                self.vocabulary.written(one)
-                for one in self.vocabulary.symbols.functions[plain].parameters
+                self.vocabulary.written(parameter)
+                for parameter in self.vocabulary.symbols.functions[plain].parameters
             ]
             yield Completion(
                 label=name,
@@ -247,9 +247,9 @@ class Completer:
         return self.skills[name].parameters[call.commas - len(call.given) :]
 
     def named(self, call: OpenCall) -> Iterator[tuple[str, str, str]]:
-        for one in self.expected(call):
-            default = "" if one.required else repr(one.default)
-            yield attribute_to_python(one.name), default, self.words.parameter(one)
+        for missing in self.expected(call):
+            default = "" if missing.required else repr(missing.default)
+            yield attribute_to_python(missing.name), default, self.words.parameter(missing)
         if call.name in self.vocabulary.functions:
             function = self.vocabulary.symbols.functions[self.vocabulary.functions[call.name]]
             for parameter in function.parameters[call.commas - len(call.given) :]:

@@ -75,13 +75,13 @@ def languages() -> tuple[str, ...]:
 
 @cache
 def _read(language: str) -> Mapping[str, Any]:
-    said: dict[str, Any] = msgspec.json.decode((_FOLDER / f"{language}.json").read_bytes())
+    words: dict[str, Any] = msgspec.json.decode((_FOLDER / f"{language}.json").read_bytes())
     if language == _FALLBACK:
-        return said
+        return words
     english = _read(_FALLBACK)
     return {
-        key: {**one, **said.get(key, {})} if isinstance(one, dict) else said.get(key, one)
-        for key, one in english.items()
+        key: {**part, **words.get(key, {})} if isinstance(part, dict) else words.get(key, part)
+        for key, part in english.items()
     }
 
 
