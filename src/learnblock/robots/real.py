@@ -111,7 +111,7 @@ class RealRobot(Client, Generic[SettingsT]):
             # It is raised when the robot is created.
             return ()
         values = (getattr(saved, name) for name in saved.__struct_fields__)
-        return tuple(one for one in values if isinstance(one, str) and one.startswith("/"))
+        return tuple(value for value in values if isinstance(value, str) and value.startswith("/"))
 
     @classmethod
     def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:  # noqa: ARG003 - for subclasses

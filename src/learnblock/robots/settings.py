@@ -100,7 +100,7 @@ def given_names() -> dict[str, str]:
     tables = whole.get("robots")
     if not isinstance(tables, dict):
         return {}
-    names = {robot: one.get("name") for robot, one in tables.items() if isinstance(one, dict)}
+    names = {robot: table.get("name") for robot, table in tables.items() if isinstance(table, dict)}
     return {robot: name[:LONGEST_NAME] for robot, name in names.items() if isinstance(name, str)}
 
 

@@ -147,7 +147,7 @@ class NamedParts:
             for side in SIDES
         }
         return lambda: {
-            side: [self._ask(distance, "readProximitySensor", one) for one in sensors]
+            side: [self._ask(distance, "readProximitySensor", sensor) for sensor in sensors]
             for side, sensors in sides.items()
         }
 
@@ -157,8 +157,8 @@ class NamedParts:
             path = getattr(self._settings, f"ground_{side}")
             sensors[side] = self._object(path, f"ground_{side}") if path else None
         return lambda: {
-            side: None if one is None else self._ask(brightness, "readVisionSensor", one)
-            for side, one in sensors.items()
+            side: None if sensor is None else self._ask(brightness, "readVisionSensor", sensor)
+            for side, sensor in sensors.items()
         }
 
     def _camera(self) -> Callable[[], Any]:

@@ -132,4 +132,4 @@ def _pose(pose: Pose) -> Pose:
 
 
 def _distances(seen: Sequence[float]) -> tuple[float, ...]:
-    return tuple(min(max(finite(one), 0.0), NOTHING_SEEN) for one in seen)
+    return tuple(min(max(finite(reading), 0.0), NOTHING_SEEN) for reading in seen)

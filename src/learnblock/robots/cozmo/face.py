@@ -42,7 +42,7 @@ def picture(frame: NDArray[np.uint8]) -> bytes:
     grey = ImageOps.pad(Image.fromarray(np.ascontiguousarray(frame)).convert("L"), (WIDTH, HEIGHT))
     blocks = (1, 2, 4, 8)
     # More detail takes more bytes: use the finest that fits into one frame.
-    fitting = (coded for coded in (_coarse(grey, one) for one in blocks) if coded)
+    fitting = (coded for coded in (_coarse(grey, size) for size in blocks) if coded)
     return next(fitting)
 
 
@@ -50,7 +50,7 @@ def text(words: str) -> bytes:
     """A text in the largest letters with which it fits on the screen and into a frame."""
     screens = (_written(words, size) for size in range(LARGEST_LETTERS, SMALLEST_LETTERS, -2))
     fitting = (_encoded(screen) for screen in screens if screen)
-    coded = next((one for one in fitting if len(one) <= LONGEST), None)
+    coded = next((candidate for candidate in fitting if len(candidate) <= LONGEST), None)
     return coded or text(words[: len(words) * 3 // 4])
 
 

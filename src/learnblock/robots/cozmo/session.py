@@ -87,7 +87,7 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
     def _show_last_picture(self) -> None:
         """Show the picture that a program has set as it ended, and for which no frame was left."""
         queue = self.anim_controller.queue
-        pictures = [one for one in queue.image_queue if one is not None]
+        pictures = [picture for picture in queue.image_queue if picture is not None]
         # A behaviour that has been cut off has pictures for later.
         if pictures and not queue.pkt_queue:
             self.conn.send(pictures[-1])

@@ -57,8 +57,8 @@ class Stage:
         with queue.lock:
             waiting = (queue.audio_queue, queue.image_queue, queue.pkt_queue)
             longest = max(map(len, waiting))
-            for one in waiting:
-                one.extend([None] * (longest - len(one)))
+            for track in waiting:
+                track.extend([None] * (longest - len(track)))
 
 
 def _frames(step: Step) -> list[tuple[Any, Any, Any]]:

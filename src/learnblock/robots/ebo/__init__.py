@@ -81,7 +81,7 @@ class Robot(RoboCompRobot[Settings]):
         self.add(Camera(read=self._camera.read))
 
     def _distances(self) -> dict[str, list[float]]:
-        return by_side([in_range(one.dist) for one in self.lasers[0].ask("getLaserData")])
+        return by_side([in_range(point.dist) for point in self.lasers[0].ask("getLaserData")])
 
     def _express(self, emotion: str) -> None:
         operation = "expressNeutral" if emotion == "none" else f"express{emotion.capitalize()}"

@@ -513,11 +513,11 @@ class Agent:
         """Wait for clients, and serve those that say something; at most half a second."""
         left = self.left(self._clock.now())
         ready, _, _ = select.select([self._listener, *self._clients], [], [], left)
-        for one in ready:
-            if one is self._listener:
+        for connection in ready:
+            if connection is self._listener:
                 self._welcome()
             else:
-                self._hear(self._clients[one])
+                self._hear(self._clients[connection])
         for client in self.overdue(self._clock.now()):
             self._dismiss(client)
 

@@ -56,7 +56,7 @@ class Robot(RoboCompRobot[Settings]):
 
     def _distances(self) -> dict[str, list[float]]:
         rows = (laser.ask("getLaserData") for laser in self.lasers)
-        nearest = (min((in_range(one.dist) for one in row), default=0.0) for row in rows)
+        nearest = (min((in_range(point.dist) for point in row), default=0.0) for row in rows)
         return by_side([in_range(mm) for mm in nearest])
 
     def _look(self) -> "Frame | None":

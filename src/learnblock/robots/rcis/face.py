@@ -72,16 +72,18 @@ def draw_text(text: str) -> "Frame":
     """A text in the largest letters with which it fits on the screen."""
     for scale in _TEXT_SCALES:
         (widest, _), _ = cv2.getTextSize("W", _FONT, scale, 2)
-        line, columns = int(40 * scale), (WIDTH - 20) // widest
-        lines = [part for one in in_ascii(text).splitlines() for part in wrap(one, columns)]
-        if len(lines) * line <= HEIGHT:
+        height, columns = int(40 * scale), (WIDTH - 20) // widest
+        lines = [
+            part for paragraph in in_ascii(text).splitlines() for part in wrap(paragraph, columns)
+        ]
+        if len(lines) * height <= HEIGHT:
             break
     screen = np.full((HEIGHT, WIDTH, 3), 255, np.uint8)
-    top = (HEIGHT - len(lines) * line) // 2
-    for row, one in enumerate(lines):
-        (width, _), _ = cv2.getTextSize(one, _FONT, scale, 2)
-        place = (WIDTH - width) // 2, top + int((row + 0.75) * line)
-        cv2.putText(screen, one, place, _FONT, scale, _BLACK, 2, cv2.LINE_AA)
+    top = (HEIGHT - len(lines) * height) // 2
+    for row, line in enumerate(lines):
+        (width, _), _ = cv2.getTextSize(line, _FONT, scale, 2)
+        place = (WIDTH - width) // 2, top + int((row + 0.75) * height)
+        cv2.putText(screen, line, place, _FONT, scale, _BLACK, 2, cv2.LINE_AA)
     return screen
 
 

@@ -54,7 +54,7 @@ class Component:
 
     def can(self, operation: str) -> bool:
         """Whether its interface has the operation."""
-        return any(one.name == operation for one in self._proxy.interface.operations)
+        return any(offered.name == operation for offered in self._proxy.interface.operations)
 
     def check(self) -> None:
         """Check that the component answers and has the expected interface.

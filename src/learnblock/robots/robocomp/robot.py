@@ -188,7 +188,9 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
             "laser": self.lasers[0],
         }
         try:
-            fitting = layouts_of({name: one.endpoint for name, one in components.items()})
+            fitting = layouts_of(
+                {name: component.endpoint for name, component in components.items()}
+            )
         except IceError as error:
             raise self._base.error(error) from error
         if not fitting:

@@ -56,7 +56,7 @@ def _rounded(value: Any) -> Any:
     if isinstance(value, tuple | list):
         return type(value)(map(_rounded, value))
     if isinstance(value, dict):
-        return {key: _rounded(one) for key, one in value.items()}
+        return {key: _rounded(item) for key, item in value.items()}
     return value
 
 
@@ -72,7 +72,7 @@ def _logged(body: RobotBody, device: str, action: str) -> Callable[..., None]:
 
 def _speaker(body: RobotBody, _key: str) -> Speaker:
     able = body.description.abilities()
-    actions = [one for one in ABILITIES["Speaker"] if f"Speaker:{one}" in able]
+    actions = [action for action in ABILITIES["Speaker"] if f"Speaker:{action}" in able]
     return Speaker(**{action: _logged(body, "Speaker", action) for action in actions})
 
 
