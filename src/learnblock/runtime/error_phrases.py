@@ -75,12 +75,16 @@ def _name_suggestion(name: str, raised: TracebackType | None) -> Phrase | None:
     frame, code = raised.tb_frame, "run-means-name-near"
     visible = {*vars(builtins), *frame.f_globals, *frame.f_locals}
     # A name that is only a little like True, False, None or an error means something else.
-    likely = [one for one in visible if one[0].islower() or one not in vars(builtins)]
+    likely = [
+        candidate
+        for candidate in visible
+        if candidate[0].islower() or candidate not in vars(builtins)
+    ]
     return _near(code, name, visible, likeness=0.8) or _near(code, name, likely)
 
 
-def _near(code: str, name: str, known: Iterable[str], *, likeness: float = 0.6) -> Phrase | None:
-    public = [one for one in known if not one.startswith("_")]
+def _near(code: str, name: str, names: Iterable[str], *, likeness: float = 0.6) -> Phrase | None:
+    public = [candidate for candidate in names if not candidate.startswith("_")]
     near = nearest(name, public, likeness=likeness)
     return None if near is None else Phrase(code, name=name, near=near)
 
@@ -95,10 +99,12 @@ def _last(step: TracebackType | None) -> TracebackType | None:
 def _is_before_dot(raised: TracebackType) -> bool:
     """Whether a name is missing that is used as a module, as in ``time.sleep(1)``."""
     following = (
-        one for one in dis.get_instructions(raised.tb_frame.f_code) if one.offset > raised.tb_lasti
+        instruction
+        for instruction in dis.get_instructions(raised.tb_frame.f_code)
+        if instruction.offset > raised.tb_lasti
     )
-    one = next(following, None)
-    return one is not None and one.opname in {"LOAD_ATTR", "LOAD_METHOD"}
+    instruction = next(following, None)
+    return instruction is not None and instruction.opname in {"LOAD_ATTR", "LOAD_METHOD"}
 
 
 def _sendable(phrase: Phrase) -> Phrase:
@@ -115,7 +121,7 @@ def _sendable_value(value: Value) -> Value:
     if isinstance(value, Phrase):
         return _sendable(value)
     if isinstance(value, tuple):
-        return tuple(_sendable_value(one) for one in value)
+        return tuple(_sendable_value(part) for part in value)
     if isinstance(value, int) and abs(value) > LARGEST_NUMBER:
         return str(value)
     return _text(value) if isinstance(value, str) else value

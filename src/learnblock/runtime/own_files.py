@@ -23,7 +23,7 @@ def own_files() -> frozenset[str]:
     """The files of the user's folder in which a program's error can be."""
     folders = (home().absolute() / name for name in _FOLDERS)
     with suppress(OSError):
-        return frozenset(str(one) for folder in folders for one in folder.rglob("*.py"))
+        return frozenset(str(path) for folder in folders for path in folder.rglob("*.py"))
     return frozenset()
 
 
@@ -40,10 +40,10 @@ def quoted(file: str, line: int) -> str:
 def own_place(error: BaseException) -> Place:
     """The innermost position of an error or its causes."""
     is_own = _Own()
-    for one in _with_causes(error):
-        if isinstance(one, SyntaxError) and is_own(one.filename or ""):
-            return one.filename or "", max(0, one.lineno or 0)
-        places = [place for place in _places(one.__traceback__) if is_own(place[0])]
+    for cause in _with_causes(error):
+        if isinstance(cause, SyntaxError) and is_own(cause.filename or ""):
+            return cause.filename or "", max(0, cause.lineno or 0)
+        places = [place for place in _places(cause.__traceback__) if is_own(place[0])]
         if places:
             return places[-1]
     return NOWHERE
@@ -64,11 +64,11 @@ def _opened(file: str, flags: int) -> int:
 def _with_causes(error: BaseException) -> Iterator[BaseException]:
     """An error and the chain of its causes, each once."""
     seen: set[int] = set()
-    one: BaseException | None = error
-    while one is not None and id(one) not in seen:
-        seen.add(id(one))
-        yield one
-        one = one.__cause__
+    cause: BaseException | None = error
+    while cause is not None and id(cause) not in seen:
+        seen.add(id(cause))
+        yield cause
+        cause = cause.__cause__
 
 
 def _places(step: TracebackType | None) -> Iterator[Place]:

@@ -100,7 +100,7 @@ class RemoteRobot(Client):
     def _missing(self, device: str) -> MissingDeviceError:
         kind, _, key = device.partition(":")
         named = Phrase("check-device", kind=kind, key=key)
-        known = tuple(own for own, one in self.devices() if type(one).__name__ == kind)
+        known = tuple(own for own, instance in self.devices() if type(instance).__name__ == kind)
         if self._skill is None:
             return MissingDeviceError("robot-lacks", device=named)
         if known:

@@ -46,7 +46,7 @@ def make_importable(folder: str, files: Sequence[Path]) -> None:
         for path in files
         if path.suffix in SOURCE_SUFFIXES
     }
-    places = [place for place, one in enumerate(sys.meta_path) if one is PathFinder]
+    places = [place for place, finder in enumerate(sys.meta_path) if finder is PathFinder]
     sys.meta_path.insert(places[0] if places else len(sys.meta_path), _Modules(modules))
 
 

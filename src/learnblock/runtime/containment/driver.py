@@ -88,7 +88,7 @@ def end_threads(threads: Iterable[OwnThread[Any]], measures: Iterable[Measure]) 
 
     def ended(seconds: float) -> bool:
         deadline = monotonic() + seconds
-        return all(one.ends_within(max(0.0, deadline - monotonic())) for one in running)
+        return all(thread.ends_within(max(0.0, deadline - monotonic())) for thread in running)
 
     if not ended(0) and not escalate(measures, ended):
         raise LearnBlockError("run-given-up")

@@ -84,7 +84,7 @@ def restrict_driver(*, network: bool, programs: bool, files: bool) -> None:
 
 
 def _enforce(filter_: Iterator[_Instruction]) -> None:
-    instructions = b"".join(struct.pack("=HBBI", *one) for one in filter_)
+    instructions = b"".join(struct.pack("=HBBI", *instruction) for instruction in filter_)
     program = _Program(len(instructions) // 8, instructions)
     kernel.give_up_privileges()
     kernel.prctl(_PR_SET_SECCOMP, _MODE_FILTER, ctypes.byref(program))
