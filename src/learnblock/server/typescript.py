@@ -68,11 +68,11 @@ def module(
         structs: types that are sent on their own.
     """
     kinds = {name: inspect.type_info(union) for name, union in unions.items()}
-    alone = [inspect.type_info(one) for one in structs]
+    alone = [inspect.type_info(struct) for struct in structs]
     parts = [header]
     parts += [
-        f"export type {name} = {_written(inspect.type_info(one))};\n"
-        for name, one in aliases.items()
+        f"export type {name} = {_written(inspect.type_info(alias))};\n"
+        for name, alias in aliases.items()
     ]
     parts += [_interface(struct) for struct in _structs([*kinds.values(), *alone])]
     parts += [
@@ -103,20 +103,22 @@ def limits(union: Any) -> str:
     """
     longest = {
         struct.cls.__name__: {
-            one.encode_name: most
-            for one in struct.fields
-            if (most := _max_length(one.type)) is not None
+            field.encode_name: most
+            for field in struct.fields
+            if (most := _max_length(field.type)) is not None
         }
         for struct in _structs([inspect.type_info(union)])
     }
-    written = json.format(json.encode({name: one for name, one in longest.items() if one}))
+    written = json.format(
+        json.encode({name: lengths for name, lengths in longest.items() if lengths})
+    )
     return f"\nexport const LIMITS = {written.decode()} as const;\n"
 
 
 def _max_length(kind: inspect.Type) -> int | None:
     if isinstance(kind, inspect.UnionType):
         found = map(_max_length, kind.types)
-        return next((one for one in found if one is not None), None)
+        return next((length for length in found if length is not None), None)
     most: int | None = getattr(kind, "max_length", None)
     return most
 
@@ -151,7 +153,7 @@ def _structs(kinds: Any) -> list[inspect.StructType]:
 def _parts(kind: inspect.Type) -> list[inspect.Type]:
     match kind:
         case inspect.StructType(fields=fields):
-            return [one.type for one in fields]
+            return [field.type for field in fields]
         case inspect.UnionType(types=types):
             return list(types)
         case (
@@ -169,22 +171,23 @@ def _parts(kind: inspect.Type) -> list[inspect.Type]:
 
 def _interface(struct: inspect.StructType) -> str:
     if struct.array_like:
-        fields = ", ".join(f"{one.name}: {_written(one.type)}" for one in struct.fields)
+        fields = ", ".join(f"{field.name}: {_written(field.type)}" for field in struct.fields)
         return f"export type {struct.cls.__name__} = [{fields}];\n"
     lines = [f"export interface {struct.cls.__name__} {{"]
     if struct.tag is not None:
         lines.append(f'  {struct.tag_field}: "{struct.tag}";')
     lines += [
-        f"  {one.encode_name}{_mark(struct, one)}: {_written(one.type)};" for one in struct.fields
+        f"  {field.encode_name}{_mark(struct, field)}: {_written(field.type)};"
+        for field in struct.fields
     ]
     return "\n".join([*lines, "}", ""])
 
 
-def _mark(struct: inspect.StructType, one: inspect.Field) -> str:
+def _mark(struct: inspect.StructType, field: inspect.Field) -> str:
     """Whether a field may be absent: the server omits defaults, and a page may too."""
     defaults = struct.cls.__struct_config__.omit_defaults
     has_default = (
-        one.default is not msgspec.NODEFAULT or one.default_factory is not msgspec.NODEFAULT
+        field.default is not msgspec.NODEFAULT or field.default_factory is not msgspec.NODEFAULT
     )
     return "?" if defaults and has_default else ""
 
@@ -215,7 +218,7 @@ def _compound(kind: inspect.Type) -> str:
 
 def _choices(kind: inspect.LiteralType | inspect.EnumType) -> Iterable[Any]:
     if isinstance(kind, inspect.EnumType):
-        return [one.value for one in kind.cls]
+        return [member.value for member in kind.cls]
     return kind.values
 
 

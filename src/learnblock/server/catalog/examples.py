@@ -272,7 +272,7 @@ _TEAMS = (
 def example_choices() -> dict[str, ExampleChoice]:
     """The examples by name."""
     chosen = (*_examples(), *_teams(), *_first_programs())
-    return {one.name: one for one in chosen}
+    return {choice.name: choice for choice in chosen}
 
 
 def example_programs(name: str) -> tuple[tuple[str, str, int], ...]:
@@ -281,13 +281,13 @@ def example_programs(name: str) -> tuple[tuple[str, str, int], ...]:
     Raises:
         UnknownNameError: there is no such example.
     """
-    one = example(name)
+    chosen = example(name)
     teams = {
         team: tuple((f"several/{program}", robot, count) for program, robot, count in programs)
         for team, _, _, _, programs in _TEAMS
     }
-    file = f"first/{name.removeprefix(_FIRST_NAME)}" if one.is_first else name
-    return teams.get(name, ((file, one.robot, 1),))
+    file = f"first/{name.removeprefix(_FIRST_NAME)}" if chosen.is_first else name
+    return teams.get(name, ((file, chosen.robot, 1),))
 
 
 def _first_programs() -> Iterator[ExampleChoice]:

@@ -144,7 +144,7 @@ def star_names(step: Step) -> Iterator[str]:
         yield "goals"
         if step.variants:
             yield "everywhere"
-    yield from (f"check-{index}" for index, one in enumerate(step.check) if one.optional)
+    yield from (f"check-{index}" for index, check in enumerate(step.check) if check.optional)
     if step.quiz:
         yield "quiz"
     if step.puzzle:

@@ -23,7 +23,7 @@ def robot_choices() -> tuple[RobotChoice, ...]:
     """The available robots."""
     names = given_names()
     choices = map(_robot_choice, robots.entries().values())
-    return tuple(structs.replace(one, given=names.get(one.name, "")) for one in choices)
+    return tuple(structs.replace(choice, given=names.get(choice.name, "")) for choice in choices)
 
 
 def _robot_choice(entry: robots.RobotEntry) -> RobotChoice:
@@ -98,8 +98,8 @@ def _needs() -> tuple[str, ...]:
 
 def runs_on(document: Document) -> RunsOn:
     """For each robot, whether it can run the program, and what it lacks."""
-    found = running.verdicts(document.block_tree, document.target.configurations)
-    return RunsOn(tuple(_verdict(robot, one) for robot, one in found.items()))
+    verdicts = running.verdicts(document.block_tree, document.target.configurations)
+    return RunsOn(tuple(_verdict(robot, verdict) for robot, verdict in verdicts.items()))
 
 
 def _verdict(robot: str, found: Found | Phrase) -> Verdict:

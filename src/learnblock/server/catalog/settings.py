@@ -45,20 +45,20 @@ def described(settings: Table[Any]) -> Iterator[Setting]:
     Raises:
         SettingsError: the user's file is invalid.
     """
-    found = inspect.type_info(settings.kind)
-    assert isinstance(found, inspect.StructType)  # noqa: S101 - for the type checker
-    for one, field in zip(settings.describe(), found.fields, strict=True):
+    struct = inspect.type_info(settings.kind)
+    assert isinstance(struct, inspect.StructType)  # noqa: S101 - for the type checker
+    for setting, field in zip(settings.describe(), struct.fields, strict=True):
         kind = struct_types.bare(field.type)
         yield Setting(
-            name=one.name,
+            name=setting.name,
             sort=_sort(kind),
-            value=one.value,
-            default=one.default,
+            value=setting.value,
+            default=setting.default,
             allowed=struct_types.describe(kind),
             description=_description(field.type),
             **_bounds(kind),
             choices=tuple(map(str, struct_types.choices(kind))),
-            secret=one.name in _SECRET,
+            secret=setting.name in _SECRET,
         )
 
 
@@ -68,7 +68,7 @@ def chosen(settings: Table[Any], values: Mapping[str, Any]) -> dict[str, Any]:
     Raises:
         LearnBlockError: a value is a path that pages must not use.
     """
-    defaults = {one.name: one.default for one in settings.describe()}
+    defaults = {setting.name: setting.default for setting in settings.describe()}
     return {
         name: defaults.get(name) if value is None else _permitted(name, value)
         for name, value in values.items()
@@ -108,14 +108,16 @@ def _sort(kind: inspect.Type) -> Sort:
         inspect.TupleType: "list",
         inspect.VarTupleType: "list",
     }
-    found = [sorts.get(type(one), "text") for one in struct_types.alternatives(kind)]
-    return next((one for one in found if one != "choice"), found[0])
+    found = [
+        sorts.get(type(alternative), "text") for alternative in struct_types.alternatives(kind)
+    ]
+    return next((sort for sort in found if sort != "choice"), found[0])
 
 
 def _bounds(kind: inspect.Type) -> dict[str, Any]:
-    for one in struct_types.alternatives(kind):
-        if isinstance(one, inspect.IntType | inspect.FloatType):
-            return {"least": one.ge, "most": one.le}
+    for alternative in struct_types.alternatives(kind):
+        if isinstance(alternative, inspect.IntType | inspect.FloatType):
+            return {"least": alternative.ge, "most": alternative.le}
     return {}
 
 

@@ -53,7 +53,7 @@ class PageFiles(StaticFiles):
 
 def _takes_brotli(scope: Scope) -> bool:
     accepted = Headers(scope=scope).get("accept-encoding", "")
-    return "br" in (one.partition(";")[0].strip() for one in accepted.split(","))
+    return "br" in (coding.partition(";")[0].strip() for coding in accepted.split(","))
 
 
 def index(folder: Path) -> Response:

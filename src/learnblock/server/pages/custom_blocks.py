@@ -126,19 +126,20 @@ def _result(request: int, checked: Checked, language: str) -> messages.CustomBlo
         configuration=checked.complete,
         chosen=checked.chosen,
         previews=tuple(
-            messages.CustomBlockPreview(one.name, *preview(one, language)) for one in checked.blocks
+            messages.CustomBlockPreview(block.name, *preview(block, language))
+            for block in checked.blocks
         ),
     )
 
 
 def _problem(problem: Problem) -> messages.CustomBlockProblem:
-    one = problem.diagnostic
+    diagnostic = problem.diagnostic
     return messages.CustomBlockProblem(
         part=problem.part,
-        code=one.code,
-        message=one.message,
-        severity=one.severity,
-        line=one.line,
-        column=one.column,
-        end_column=one.end_column,
+        code=diagnostic.code,
+        message=diagnostic.message,
+        severity=diagnostic.severity,
+        line=diagnostic.line,
+        column=diagnostic.column,
+        end_column=diagnostic.end_column,
     )

@@ -137,15 +137,17 @@ def _saved(page: Page, edited: EditedLesson) -> OpenLesson | None:
 def _title(edited: EditedLesson) -> str:
     title = edited.content.get("title")
     texts = [title] if isinstance(title, str) else [*title.values()] if title else []
-    return next((one for one in texts if isinstance(one, str)), "")
+    return next((text for text in texts if isinstance(text, str)), "")
 
 
 def _examined(edited: EditedLesson, saved: OpenLesson | None) -> messages.LessonExamined:
     examined = editing.examine(edited, edited.lesson or "lesson", saved)
     steps = examined.content.get("step")
-    tables = [one for one in steps if isinstance(one, dict)] if isinstance(steps, list) else []
+    tables = [step for step in steps if isinstance(step, dict)] if isinstance(steps, list) else []
     return messages.LessonExamined(
-        problems=tuple(messages.LessonProblem(one.path, one.message) for one in examined.problems),
+        problems=tuple(
+            messages.LessonProblem(problem.path, problem.message) for problem in examined.problems
+        ),
         steps=tuple(_examined_step(examined, index, step) for index, step in enumerate(tables)),
         drawings=lesson_view.drawings_in(_texts(tables)),
     )
@@ -180,9 +182,9 @@ def _words(check: object) -> Phrase | None:
 def _texts(steps: Iterable[Mapping[str, Any]]) -> Iterator[str]:
     for step in steps:
         text = step.get("text")
-        for one in text.values() if isinstance(text, dict) else [text]:
-            if isinstance(one, str) and len(one) <= texts.LONGEST:
-                yield one
+        for translation in text.values() if isinstance(text, dict) else [text]:
+            if isinstance(translation, str) and len(translation) <= texts.LONGEST:
+                yield translation
 
 
 @HANDLERS.add

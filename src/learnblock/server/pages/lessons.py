@@ -30,18 +30,20 @@ def _lessons(page: Page) -> messages.Lessons:
     # The last changed project is that with which the user goes on.
     for entry in reversed(folder.entries()):
         progress = folder.lesson(entry.name).progress()
-        known = next((one for one in choices if progress and one.name == progress.lesson), None)
-        if progress is None or known is None or not _is_own(page, progress):
+        lesson = next(
+            (choice for choice in choices if progress and choice.name == progress.lesson), None
+        )
+        if progress is None or lesson is None or not _is_own(page, progress):
             continue
-        earned = sum(len(one.stars) for one in progress.steps.values())
-        before = begun.get(known.name, known)
-        begun[known.name] = replace(
-            known,
-            earned=min(max(earned, before.earned), known.stars),
+        earned = sum(len(step.stars) for step in progress.steps.values())
+        before = begun.get(lesson.name, lesson)
+        begun[lesson.name] = replace(
+            lesson,
+            earned=min(max(earned, before.earned), lesson.stars),
             step=progress.step,
             project=entry.name,
         )
-    return messages.Lessons(tuple(begun.get(one.name, one) for one in choices), problems)
+    return messages.Lessons(tuple(begun.get(choice.name, choice) for choice in choices), problems)
 
 
 def _is_own(page: Page, progress: Progress) -> bool:
@@ -63,7 +65,7 @@ async def _introduce(page: Page, message: messages.Introduce) -> None:
 async def _start(page: Page, message: messages.StartLesson) -> None:
     opened = await to_thread.run_sync(catalog.find_lesson, message.lesson)
     listed = await to_thread.run_sync(_lessons, page)
-    begun = next((one.project for one in listed.lessons if one.name == message.lesson), "")
+    begun = next((choice.project for choice in listed.lessons if choice.name == message.lesson), "")
     if begun and not message.again:
         await page.move_to(await page.sessions.open(begun))
         return

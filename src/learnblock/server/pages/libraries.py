@@ -90,25 +90,25 @@ def listed() -> messages.Libraries:
     return messages.Libraries(tuple(map(_shelved, libraries.shelved())))
 
 
-def _shelved(one: Shelved) -> messages.InstalledLibrary:
-    if one.library is None:
-        return messages.InstalledLibrary(one.name, problem=one.problem)
-    return _described(one.library)
+def _shelved(shelved: Shelved) -> messages.InstalledLibrary:
+    if shelved.library is None:
+        return messages.InstalledLibrary(shelved.name, problem=shelved.problem)
+    return _described(shelved.library)
 
 
-def _described(one: Library) -> messages.InstalledLibrary:
-    manifest = one.manifest
+def _described(library: Library) -> messages.InstalledLibrary:
+    manifest = library.manifest
     return messages.InstalledLibrary(
-        one.name,
+        library.name,
         manifest.version,
         dict(manifest.title),
         manifest.description,
-        tuple(one.skills),
+        tuple(library.skills),
     )
 
 
-def _made(one: Library) -> messages.LibraryMade:
-    return messages.LibraryMade(one.name + ENDING, libraries.pack(one))
+def _made(library: Library) -> messages.LibraryMade:
+    return messages.LibraryMade(library.name + ENDING, libraries.pack(library))
 
 
 def _converted(message: messages.ConvertLibrary) -> messages.LibraryConverted:
@@ -140,13 +140,13 @@ def _renamed(file: messages.LibraryFile) -> Library:
 
 
 def _looked_at(files: tuple[messages.LibraryFile, ...]) -> messages.LibrariesRead:
-    found = [_opened(file) for file in files]
-    clashes = libraries.clashes(one for one, _ in found if one is not None)
+    opened = [_opened(file) for file in files]
+    clashes = libraries.clashes(library for library, _ in opened if library is not None)
     there = libraries.readable()
     return messages.LibrariesRead(
         tuple(
-            _file(file, one, problem, there, clashes)
-            for file, (one, problem) in zip(files, found, strict=True)
+            _file(file, library, problem, there, clashes)
+            for file, (library, problem) in zip(files, opened, strict=True)
         )
     )
 
@@ -154,34 +154,34 @@ def _looked_at(files: tuple[messages.LibraryFile, ...]) -> messages.LibrariesRea
 def _opened(file: messages.LibraryFile) -> tuple[Library | None, Phrase | None]:
     """Read the library in a file; return it with its possible new names and its problems."""
     try:
-        one = libraries.unpack(file.content, file.filename)
+        library = libraries.unpack(file.content, file.filename)
     except LearnBlockError as error:
         return None, phrase_of(error)
     try:
-        return libraries.renamed(one, file.renames), None
+        return libraries.renamed(library, file.renames), None
     except LearnBlockError as error:
-        return one, phrase_of(error)
+        return library, phrase_of(error)
 
 
 def _file(
     file: messages.LibraryFile,
-    one: Library | None,
+    library: Library | None,
     problem: Phrase | None,
     there: Mapping[str, Library],
     clashes: tuple[libraries.Clash, ...],
 ) -> messages.LibraryRead:
-    if one is None:
+    if library is None:
         return messages.LibraryRead(file.filename, problem=problem)
-    before = there.get(one.name)
+    before = there.get(library.name)
     return messages.LibraryRead(
         file.filename,
-        _described(one),
+        _described(library),
         before.manifest.version if before else "",
-        before is None or one.manifest.order > before.manifest.order,
+        before is None or library.manifest.order > before.manifest.order,
         tuple(
             messages.SkillClash(clash.skill, clash.place)
             for clash in clashes
-            if clash.library == one.name
+            if clash.library == library.name
         ),
         problem,
     )
@@ -191,15 +191,17 @@ def _file(
 
 
 def _exportable(program: Program) -> messages.Exportable:
-    functions = tuple(_function(program, one) for one in program.functions.values())
+    functions = tuple(_function(program, function) for function in program.functions.values())
     own = tuple(messages.ExportableBlocks(*found) for found in libraries.own_skills().items())
     return messages.Exportable(functions, own)
 
 
-def _function(program: Program, one: Def) -> messages.ExportableFunction:
-    others = tuple(name for name in with_needed(program, [one.name]) if name != one.name)
+def _function(program: Program, function: Def) -> messages.ExportableFunction:
+    others = tuple(name for name in with_needed(program, [function.name]) if name != function.name)
     try:
-        extracted(program, [one.name], "")
+        extracted(program, [function.name], "")
     except LearnBlockError as error:
-        return messages.ExportableFunction(one.name, one.parameters, others, phrase_of(error))
-    return messages.ExportableFunction(one.name, one.parameters, others)
+        return messages.ExportableFunction(
+            function.name, function.parameters, others, phrase_of(error)
+        )
+    return messages.ExportableFunction(function.name, function.parameters, others)

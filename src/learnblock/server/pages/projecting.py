@@ -97,8 +97,8 @@ async def _copy(page: Page, message: messages.CopyProject) -> None:
     copy = await page.sessions.start(replace(session.project, name=message.name))
     # The file of the copy does not carry anything yet.
     copy.archive.changed()
-    for one in (session, copy):
-        page.sessions.left(one)
+    for opened in (session, copy):
+        page.sessions.left(opened)
     await _copy_picture(page, session.name, copy.name)
     await _list(page, messages.ListProjects())
 

@@ -22,7 +22,10 @@ async def _make(page: Page, message: messages.MakeRobot) -> None:
     try:
         files = await to_thread.run_sync(_written, message.name.strip(), message.description)
     except RobotDescriptionError as error:
-        problems = (messages.RobotProblem(one.message, one.line) for one in error.diagnostics)
+        problems = (
+            messages.RobotProblem(diagnostic.message, diagnostic.line)
+            for diagnostic in error.diagnostics
+        )
         page.send(messages.RobotMade(message.name, problems=tuple(problems)))
         return
     page.sessions.send(messages.Robots(await to_thread.run_sync(catalog.robot_choices)))

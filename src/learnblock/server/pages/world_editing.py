@@ -153,7 +153,7 @@ def _title(name: str) -> str:
 
     if name not in worlds.own_names():
         raise UnknownNameError("world", name, worlds.own_names())
-    titles = {one.name: one.title for one in catalog.world_choices()}
+    titles = {choice.name: choice.title for choice in catalog.world_choices()}
     return titles.get(name, name)
 
 
@@ -163,7 +163,7 @@ def _checked(values: dict[str, Any], robot: str) -> messages.WorldChecked:
     try:
         world = worlds.world_from_values(values)
     except WorldError as error:
-        return messages.WorldChecked(tuple(one.message for one in error.diagnostics))
+        return messages.WorldChecked(tuple(diagnostic.message for diagnostic in error.diagnostics))
     unreachable = tuple(
         messages.UnreachableGoal(*goal) for goal in worlds.unreachable(world, robot)
     )
@@ -177,5 +177,5 @@ def _saved(name: str, values: dict[str, Any]) -> messages.WorldChecked | None:
     try:
         worlds.save_world(name, values)
     except WorldError as error:
-        return messages.WorldChecked(tuple(one.message for one in error.diagnostics))
+        return messages.WorldChecked(tuple(diagnostic.message for diagnostic in error.diagnostics))
     return None

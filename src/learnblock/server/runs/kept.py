@@ -68,7 +68,7 @@ def _lines_now(then: str, now: str) -> Sequence[int]:
     lines = [0] * len(old)
     if max(len(old), len(new)) > _MOST_LINES:
         pairs = enumerate(zip(old, new, strict=False))
-        return [number + 1 if one == other else 0 for number, (one, other) in pairs]
+        return [number + 1 if before == after else 0 for number, (before, after) in pairs]
     for at, there, count in SequenceMatcher(None, old, new).get_matching_blocks():
         lines[at : at + count] = range(there + 1, there + 1 + count)
     return lines
@@ -108,15 +108,15 @@ def compared(first: tuple[str, bytes], second: tuple[str, bytes]) -> messages.Ru
     from learnblock.why.comparison import compared as compare  # noqa: PLC0415 - the page opens before
     from learnblock.why.verification import history_of  # noqa: PLC0415
 
-    one, other = (history_of(data) for _, data in (first, second))
-    found = compare(one, other)
-    parting = found.parting
+    first_history, second_history = (history_of(data) for _, data in (first, second))
+    comparison = compare(first_history, second_history)
+    parting = comparison.parting
     return messages.RunsCompared(
-        _run(first[0], one, parting.first if parting else None),
-        _run(second[0], other, parting.second if parting else None),
+        _run(first[0], first_history, parting.first if parting else None),
+        _run(second[0], second_history, parting.second if parting else None),
         parting.together if parting else None,
         parting.because if parting else None,
-        found.causes,
+        comparison.causes,
     )
 
 

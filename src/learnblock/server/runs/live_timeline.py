@@ -53,6 +53,6 @@ class LiveTimeline:
             if "pose" in line:
                 self._way.append((line["t"], *line["pose"][:2]))
             self._marks.extend(
-                messages.TimeMark(one.time, one.kind, one.text)  # type: ignore[arg-type] # the same kinds
-                for one in marks_in([line])
+                messages.TimeMark(mark.time, mark.kind, mark.text)  # type: ignore[arg-type] # the same kinds
+                for mark in marks_in([line])
             )

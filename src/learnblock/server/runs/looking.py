@@ -140,7 +140,7 @@ class Looking:
             history, moments = self._now()
             event = len(history.events) - 1
             values = self._values(event, moments.line_at(history.end))
-            is_late = any(now.get(one.name, one.value) != one.value for one in values)
+            is_late = any(now.get(value.name, value.value) != value.value for value in values)
             return messages.ValuesThere(() if is_late else values)
 
     def calls(self, first: float, last: float | None) -> messages.CallGraph:
@@ -160,12 +160,14 @@ class Looking:
             history, _ = self._now()
         if block:
             lines = self._lines_of(history, block)
-            found = questions.questions_about_lines(history, lines, time)
+            possible = questions.questions_about_lines(history, lines, time)
         elif time is not None:
-            found = questions.questions_about_moment(history, time)
+            possible = questions.questions_about_moment(history, time)
         else:
-            found = questions.questions(history)
-        return messages.Questions(tuple(self._asked(history, one) for one in found), block)
+            possible = questions.questions(history)
+        return messages.Questions(
+            tuple(self._asked(history, question) for question in possible), block
+        )
 
     def answer(self, question: messages.WhyQuestion) -> messages.WhyAnswer:
         """The answer to a question."""
@@ -178,20 +180,20 @@ class Looking:
             history, _ = self._now()
             if self._answers is None:
                 self._answers = Answers(history, seen_in(self._world) if self._world else None)
-            given = self._answers.answer(asked)
+            answer = self._answers.answer(asked)
             asked = with_values(history, asked)
         return messages.WhyAnswer(
             self._asked(history, asked),
-            tuple(self._sentence(history, one) for one in given.sentences),
-            tuple(self._sentence(history, one) for one in given.more),
+            tuple(self._sentence(history, sentence) for sentence in answer.sentences),
+            tuple(self._sentence(history, sentence) for sentence in answer.more),
         )
 
-    def _sentence(self, history: "History", one: "Sentence") -> messages.WhySentence:
+    def _sentence(self, history: "History", sentence: "Sentence") -> messages.WhySentence:
         return messages.WhySentence(
-            one.phrase,
-            one.time if one.event >= 0 else None,
-            self._block_of(history, str(one.line)),
-            self._block_of(history, str(one.phrase.values.get("inner", ""))),
+            sentence.phrase,
+            sentence.time if sentence.event >= 0 else None,
+            self._block_of(history, str(sentence.line)),
+            self._block_of(history, str(sentence.phrase.values.get("inner", ""))),
         )
 
     def _asked(self, history: "History", question: "Question") -> messages.Asked:
@@ -207,8 +209,8 @@ class Looking:
         """The author's lines of a block."""
         return frozenset(
             str(history.program.written_line(number))
-            for number, one in enumerate(self._line_blocks, 1)
-            if one == block
+            for number, owner in enumerate(self._line_blocks, 1)
+            if owner == block
         )
 
     @contextmanager
@@ -314,9 +316,9 @@ class Looking:
         assert moments is not None  # noqa: S101 - read with the history
         heads = self._heads(history)
         return tuple(
-            messages.ValueThere(heads[one.line], one.name, one.value)
-            for one in values_there(history, moments, event, line)
-            if one.line in heads
+            messages.ValueThere(heads[value.line], value.name, value.value)
+            for value in values_there(history, moments, event, line)
+            if value.line in heads
         )
 
     def _heads(self, history: "History") -> dict[int, str]:
@@ -346,21 +348,21 @@ def call_graph(graph: "Calls") -> messages.CallGraph:
         graph.last,
         tuple(
             messages.CalledFunction(
-                int(one.called.layer), one.called.name, one.count, one.seconds, one.share
+                int(node.called.layer), node.called.name, node.count, node.seconds, node.share
             )
-            for one in graph.nodes
+            for node in graph.nodes
         ),
         tuple(
             messages.CallEdge(
-                numbers[one.caller],
-                numbers[one.callee],
-                one.count,
-                one.seconds,
-                one.share,
-                one.first,
-                one.event,
+                numbers[edge.caller],
+                numbers[edge.callee],
+                edge.count,
+                edge.seconds,
+                edge.share,
+                edge.first,
+                edge.event,
             )
-            for one in graph.edges
+            for edge in graph.edges
         ),
     )
 

@@ -71,8 +71,8 @@ class Nearby:
 
     def find(self, id: str) -> Found | None:  # noqa: A002 - as in the message
         """The robot with this id, if it has answered."""
-        every = (one for same in self._found.values() for one in same)
-        return next((one for one in every if one.shown.id == id), None)
+        every = (robot for same in self._found.values() for robot in same)
+        return next((robot for robot in every if robot.shown.id == id), None)
 
     def join(self, page: Viewer) -> None:
         """Send a page every change from now on."""
@@ -155,9 +155,10 @@ class Nearby:
         """Send the pages what has changed."""
         if not self._pages:
             return
-        found = (one.shown for same in self._found.values() for one in same)
+        found = (robot.shown for same in self._found.values() for robot in same)
         known = (
-            structs.replace(one, is_busy=self._is_used(one.robot)) for one in self._known.values()
+            structs.replace(robot, is_busy=self._is_used(robot.robot))
+            for robot in self._known.values()
         )
         shown = messages.RobotsNearby(tuple(found), tuple(known))
         if shown != self._last:

@@ -63,14 +63,14 @@ def predicted(recorded: "Recorded") -> messages.Predicted:
     return messages.Predicted(
         _points(prediction.twin.moved_to(start)),
         prediction.parting.time if prediction.parting else None,
-        tuple(messages.TwinFinding(one.phrase, one.time) for one in found),
+        tuple(messages.TwinFinding(finding.phrase, finding.time) for finding in found),
         unrecorded(prediction, drifted),
     )
 
 
 def _sensors(sensed: Mapping[str, Any]) -> tuple[Sensor, ...]:
     named = ((*name.split(":", 1), value) for name, value in sensed.items())
-    return tuple(one for kind, key, value in named for one in sensors_of(kind, value, key))
+    return tuple(sensor for kind, key, value in named for sensor in sensors_of(kind, value, key))
 
 
 def _points(way: "Way") -> tuple[tuple[float, float, float, float], ...]:

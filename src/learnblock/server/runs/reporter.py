@@ -179,7 +179,7 @@ class Bumps:
             collisions: all of the run so far.
         """
         new, self._seen = collisions[self._seen :], len(collisions)
-        for one in new:
-            before, self._touched[one.thing] = self._touched.get(one.thing, -math.inf), one.time
-            if one.time - before >= APART:
-                yield messages.Bumped(one.time, thing_phrase(one.thing))
+        for bump in new:
+            before, self._touched[bump.thing] = self._touched.get(bump.thing, -math.inf), bump.time
+            if bump.time - before >= APART:
+                yield messages.Bumped(bump.time, thing_phrase(bump.thing))

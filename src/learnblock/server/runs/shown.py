@@ -103,14 +103,14 @@ class Shown:
 
 def _fewer(problems: tuple[Problem, ...]) -> tuple[Problem, ...]:
     """At most `MOST_PROBLEMS` of each view, errors before warnings, and how many are left out."""
-    most = max(Counter(one.view for one in problems).values(), default=0)
+    most = max(Counter(problem.view for problem in problems).values(), default=0)
     if most <= MOST_PROBLEMS:
         return problems
-    kept: list[Problem] = []
+    shown: list[Problem] = []
     count: Counter[View] = Counter()
-    for one in sorted(problems, key=lambda one: one.severity != "error"):
-        count[one.view] += 1
-        if count[one.view] <= MOST_PROBLEMS:
-            kept.append(one)
+    for problem in sorted(problems, key=lambda problem: problem.severity != "error"):
+        count[problem.view] += 1
+        if count[problem.view] <= MOST_PROBLEMS:
+            shown.append(problem)
     left = Phrase("server-more-problems", count=most - MOST_PROBLEMS)
-    return (*kept, Problem("more-problems", left, "warning", kept[-1].view))
+    return (*shown, Problem("more-problems", left, "warning", shown[-1].view))

@@ -35,7 +35,9 @@ def link(monitor: "Monitor") -> messages.RobotLink:
 
 def sounds(monitor: "Monitor") -> tuple[messages.Sound, ...]:
     """The sounds since the last call."""
-    return tuple(messages.Sound(one.device, one.action, one.values) for one in monitor.sounds())
+    return tuple(
+        messages.Sound(sound.device, sound.action, sound.values) for sound in monitor.sounds()
+    )
 
 
 def camera_frame(picture: "Picture", *, past: bool = False) -> messages.CameraFrame:

@@ -200,10 +200,12 @@ async def play_together(participants: Sequence[Participant]) -> None:
     """
     from learnblock.running.team import TeamRun  # noqa: PLC0415 - as above
 
-    watchers = {one.setting.name: MemberWatcher(one.player) for one in participants}
-    debuggers = {one.setting.name: one.debugger() for one in participants}
+    watchers = {
+        participant.setting.name: MemberWatcher(participant.player) for participant in participants
+    }
+    debuggers = {participant.setting.name: participant.debugger() for participant in participants}
     shared = participants[0].setting
-    members = [one.member() for one in participants]
+    members = [participant.member() for participant in participants]
     logs = {member.name: RunLog(member.program) for member in members}
     team = TeamRun(
         members,
@@ -215,20 +217,20 @@ async def play_together(participants: Sequence[Participant]) -> None:
         logs=logs,
     )
     playings = []
-    for member, one in zip(team.members, participants, strict=True):
+    for member, participant in zip(team.members, participants, strict=True):
         watcher = watchers[member.name]
         watcher.run = MemberRun(team, member, debuggers)
-        looking = one.looking(logs[member.name])
-        playings.append(Playing(one.played, watcher.run, watcher, looking))
+        looking = participant.looking(logs[member.name])
+        playings.append(Playing(participant.played, watcher.run, watcher, looking))
     try:
-        for playing, one in zip(playings, participants, strict=True):
-            await one.player.begin(playing)
+        for playing, participant in zip(playings, participants, strict=True):
+            await participant.player.begin(playing)
         follow(playings, partial(_play, team))
     except Exception as error:
-        if not any(one.player.active for one in participants):
+        if not any(participant.player.active for participant in participants):
             raise
-        for one in participants:
-            one.player.take_back(error)
+        for participant in participants:
+            participant.player.take_back(error)
 
 
 def _play(team: "TeamRun", playings: Sequence[Playing]) -> None:
@@ -244,4 +246,7 @@ def _play(team: "TeamRun", playings: Sequence[Playing]) -> None:
 def _outcomes(report: "TeamReport") -> Sequence[Report]:
     """The report of each robot, with the goals and the trace of the whole run."""
     trace = report.trace_sha256 or ""
-    return [replace(one, goals=report.goals, trace_sha256=trace) for _, one in report.robots]
+    return [
+        replace(own_report, goals=report.goals, trace_sha256=trace)
+        for _, own_report in report.robots
+    ]

@@ -125,7 +125,9 @@ class Connections:
         await asyncio.gather(*(connected.close(self._last_patience) for connected in held))
 
     def _holder(self, robot: str) -> Connected | None:
-        return next((one for one in self._held.values() if one.robot.name == robot), None)
+        return next(
+            (connected for connected in self._held.values() if connected.robot.name == robot), None
+        )
 
     def _ended(self, connected: Connected) -> None:
         if self._held.get(connected.page) is connected:

@@ -64,7 +64,7 @@ def beginning(opened: OpenLesson, number: int, name: str, robot: str) -> Project
     file = opened.start(group_of(opened, number))
     source = opened.program(file) if file else EMPTY
     known = opened.robots(number)
-    chosen = next((one for one in (robot, f"sim-{robot}") if one in known), known[0])
+    chosen = next((choice for choice in (robot, f"sim-{robot}") if choice in known), known[0])
     mine = ProjectPart(name, source, robot=chosen)
     project = Project(name, world=world_here(opened, number, chosen))
     return project.with_parts([mine, *_partners(opened, number)])
@@ -72,6 +72,6 @@ def beginning(opened: OpenLesson, number: int, name: str, robot: str) -> Project
 
 def _partners(opened: OpenLesson, number: int) -> Iterator[ProjectPart]:
     """The other robots of a step, with their programs."""
-    for one in opened.step(number).partners:
-        robot = robots.find(one.robot).name
-        yield ProjectPart(one.name, opened.program(one.program), robot=robot)
+    for partner in opened.step(number).partners:
+        robot = robots.find(partner.robot).name
+        yield ProjectPart(partner.name, opened.program(partner.program), robot=robot)

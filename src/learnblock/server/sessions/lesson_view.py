@@ -87,8 +87,8 @@ def quiz(step: Step, done: StepProgress) -> messages.LessonQuiz | None:
     choices = step.quiz.choices
     return messages.LessonQuiz(
         question=plain(step.quiz.question),
-        choices=tuple(plain(one.text) for one in choices),
-        several=sum(one.right for one in choices) > 1,
+        choices=tuple(plain(choice.text) for choice in choices),
+        several=sum(choice.right for choice in choices) > 1,
         solved=QUIZ in done.stars,
     )
 
@@ -100,7 +100,7 @@ def puzzle(
     if step.puzzle is None:
         return None, ()
     right, *_ = puzzles.right_orders(opened, step.puzzle)
-    pieces = [*right, *(one.strip() for one in step.puzzle.distractors)]
+    pieces = [*right, *(line.strip() for line in step.puzzle.distractors)]
     # The same for everyone and each time, so that a page that is reloaded shows the same.
     for seed in count():
         shuffled = random.Random(seed).sample(pieces, len(pieces))  # noqa: S311 - no secret

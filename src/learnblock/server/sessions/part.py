@@ -74,8 +74,8 @@ class Part:
         return messages.Tab(
             self.name,
             self.robot.name,
-            min((one.state for one in robots), key=_STATES.index),
-            failed=any(one.failed for one in robots),
+            min((robot.state for robot in robots), key=_STATES.index),
+            failed=any(robot.failed for robot in robots),
             mistakes=self.document.first_error is not None,
             robots=robots if len(robots) > 1 else (),
         )
@@ -90,7 +90,9 @@ class Part:
 
     def player_named(self, name: str) -> Player:
         """The robot with this name; the first if there is none."""
-        return next((one for one in self.players if one.voice.robot == name), self.players[0])
+        return next(
+            (player for player in self.players if player.voice.robot == name), self.players[0]
+        )
 
     def set_count(self, count: int) -> tuple[Player, ...]:
         """Let another number of robots run the program; return those that are left over.

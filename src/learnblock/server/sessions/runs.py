@@ -96,12 +96,12 @@ class Runs:
         Raises:
             LearnBlockError: a program has errors.
         """
-        for one in self._parts:
-            self._require_no_errors(one)
+        for part in self._parts:
+            self._require_no_errors(part)
         await self.stop()
         self._endings.clear()
         self._last_run = (time(), await self._project.archive.keep_version("run"))
-        settings = [await self._setting(part, one) for part, one in self._robots]
+        settings = [await self._setting(part, member) for part, member in self._robots]
         if coach := self._project.coach:
             trace, seconds = coach.watch()
             settings[0] = replace(settings[0], trace=trace, seconds=seconds)
@@ -117,8 +117,8 @@ class Runs:
             await player.run(self._parts[0].document, settings[0], paused=paused)
             return
         participants = [
-            Participant(one, part.document, setting, paused and one is player)
-            for (part, one), setting in zip(self._robots, settings, strict=True)
+            Participant(member, part.document, setting, paused and member is player)
+            for (part, member), setting in zip(self._robots, settings, strict=True)
         ]
         await play_together(participants)
 
@@ -212,18 +212,20 @@ class Runs:
     def _keep_run(self) -> None:
         began, version = self._last_run
         first = self._endings[0]
-        worst = next((one for one in self._endings if one.ended != "finished"), first)
+        worst = next((ending for ending in self._endings if ending.ended != "finished"), first)
         self._project.archive.add_run(
             PastRun(
                 time=began,
                 robot=", ".join(part.robot.name for part in self._parts),
                 world=self._project.world,
                 ended=worst.ended,
-                seconds=max(one.time for one in self._endings),
+                seconds=max(ending.time for ending in self._endings),
                 goals=tuple(goal.name for goal in first.goals if goal.state == "reached"),
                 trace_sha256=first.trace_sha256,
                 version=version,
             )
         )
         found = (player.newest for player in self._players)
-        self._project.archive.keep_logs(began, version, [one.log.blocks for one in found if one])
+        self._project.archive.keep_logs(
+            began, version, [newest.log.blocks for newest in found if newest]
+        )

@@ -111,17 +111,19 @@ class Session:
     def _project_with(self, documents: Mapping[Part, Document]) -> Project:
         """The project with other programs of some parts."""
         programs = {part: documents.get(part, part.document) for part in self.parts}
-        libraries = [self.libraries.used(one.good.tree) for one in programs.values()]
+        libraries = [self.libraries.used(document.good.tree) for document in programs.values()]
         project = Project(
             name=self.name,
             world=self.world,
             shown=self.shown_blocks.name,
             block_sets=self.shown_blocks.carried,
-            libraries={name: one[name] for one in libraries for name in sorted(one)},
+            libraries={name: used[name] for used in libraries for name in sorted(used)},
             tags=self.tags,
             carried=Carried(offered=self.offered),
         )
-        return project.with_parts([part.saved_with(one) for part, one in programs.items()])
+        return project.with_parts(
+            [part.saved_with(document) for part, document in programs.items()]
+        )
 
     @property
     def is_running(self) -> bool:
@@ -297,7 +299,7 @@ class Session:
 
     async def _set_robot_counts(self, counts: Iterable[tuple[Part, int]]) -> None:
         """Let other numbers of robots run some programs; those that lose robots come first."""
-        for part, count in sorted(counts, key=lambda one: one[1] - len(one[0].players)):
+        for part, count in sorted(counts, key=lambda change: change[1] - len(change[0].players)):
             await self.set_robot_count(part, count)
 
     def _require_few(self, more: int) -> None:
@@ -508,9 +510,9 @@ class Session:
         if before == after or len(before) == len(after) == 1:
             return False
         try:
-            for one in found.parts:
-                if self._named(one.name) is None and one.name not in before:
-                    await self._insert(self._new_part(one), len(self.parts))
+            for prepared in found.parts:
+                if self._named(prepared.name) is None and prepared.name not in before:
+                    await self._insert(self._new_part(prepared), len(self.parts))
             for name in before - after:
                 if self._named(name):
                     await self.close_robot(name)
@@ -523,14 +525,14 @@ class Session:
         """Choose what another program has chosen, unless a running program forbids it."""
         before = {part.name: part for part in saved.parts}
         try:
-            for there, one in zip(outside.parts, found.parts, strict=True):
-                part, last = self._like(one, len(outside.parts)), before.get(there.name)
+            for there, prepared in zip(outside.parts, found.parts, strict=True):
+                part, last = self._like(prepared, len(outside.parts)), before.get(there.name)
                 if part and last and there.robot != last.robot:
-                    await self.choose_robot(part, one.robot.name)
+                    await self.choose_robot(part, prepared.robot.name)
                 if part and last and there.count != last.count:
-                    await self.set_robot_count(part, one.count)
+                    await self.set_robot_count(part, prepared.count)
                 if part and last and there.breakpoints != last.breakpoints:
-                    self.set_breakpoints(part, one.breakpoints)
+                    self.set_breakpoints(part, prepared.breakpoints)
             if outside.world != saved.world:
                 await self.choose_world(found.world)
         except LearnBlockError as error:

@@ -32,7 +32,7 @@ class ShownBlocks:
         """
         found = cls(project.shown, project.block_sets)
         if found._find() is None:
-            known = (*block_sets.BUILT_IN, *(one.name for one in found.carried))
+            known = (*block_sets.BUILT_IN, *(block_set.name for block_set in found.carried))
             raise UnknownNameError("block-set", project.shown, known)
         return found
 
@@ -52,7 +52,7 @@ class ShownBlocks:
         if block_sets.built_in().get(chosen.name) == chosen:
             return ShownBlocks(chosen.name, self.carried)
         name = block_sets.checked_name(chosen.name)
-        others = (one for one in self.carried if one.name != name)
+        others = (block_set for block_set in self.carried if block_set.name != name)
         return ShownBlocks(name, (chosen, *others)[:MOST_BLOCK_SETS])
 
     def message(self) -> BlocksShown:
@@ -60,5 +60,5 @@ class ShownBlocks:
         return BlocksShown(self.set, self.carried)
 
     def _find(self) -> BlockSet | None:
-        carried = {one.name: one for one in self.carried}
+        carried = {block_set.name: block_set for block_set in self.carried}
         return block_sets.built_in().get(self.name) or carried.get(self.name)
