@@ -45,12 +45,12 @@ def own_certificate(folder: Path) -> Certificate:
         LearnBlockError: the library that makes it is not installed.
         OSError: it can't be saved.
     """
-    made = Certificate(folder / "certificate.pem", folder / "certificate-key.pem")
-    if not (made.file.is_file() and made.key.is_file()):
+    certificate = Certificate(folder / "certificate.pem", folder / "certificate-key.pem")
+    if not (certificate.file.is_file() and certificate.key.is_file()):
         if find_spec("cryptography") is None:
             raise LearnBlockError("class-no-cryptography", command=add_on("tls"))
-        _make(made)
-    return made
+        _make(certificate)
+    return certificate
 
 
 def _make(certificate: Certificate) -> None:

@@ -61,7 +61,7 @@ class Forwarder:
     async def _send(
         self, request: Request, place: Place, body: AsyncIterator[bytes] | None
     ) -> Response:
-        asked = self._client.build_request(
+        forwarded = self._client.build_request(
             request.method,
             f"http://{place.host}{request.url.path}",
             params=request.query_params,
@@ -69,7 +69,7 @@ class Forwarder:
             cookies={"learnblock_token": place.token},
             content=body,
         )
-        answer = await self._client.send(asked, stream=True)
+        answer = await self._client.send(forwarded, stream=True)
         return StreamingResponse(
             answer.aiter_raw(),
             answer.status_code,
