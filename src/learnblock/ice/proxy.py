@@ -43,13 +43,13 @@ class Proxy(Closing):
         Raises:
             IceEncodingError: the text is not such a proxy.
         """
-        found = _TEXT.fullmatch(text)
-        options = dict(re.findall(r"-(\w)\s+(\S+)", found["options"])) if found else {}
+        match = _TEXT.fullmatch(text)
+        options = dict(re.findall(r"-(\w)\s+(\S+)", match["options"])) if match else {}
         port = options.get("p", "")
-        if found is None or not port.isdecimal() or not 0 < int(port) < 65536:
+        if match is None or not port.isdecimal() or not 0 < int(port) < 65536:
             raise IceEncodingError("ice-bad-proxy", text=text)
         endpoint = Endpoint(options.get("h", "localhost"), int(port), timeout)
-        return cls(interface, found["identity"], endpoint)
+        return cls(interface, match["identity"], endpoint)
 
     def __repr__(self) -> str:
         return f"<Proxy {self.identity}:tcp -h {self.endpoint.host} -p {self.endpoint.port}>"
@@ -74,8 +74,8 @@ class Proxy(Closing):
         write_all(writer, operation.takes, values)
         again = operation.mode is not Mode.NORMAL
         reply = self.endpoint.call(opening, writer.encapsulated(), again=again)
-        given = read_all(open_reply(reply), operation.gives)
-        return given if len(given) > 1 else next(iter(given), None)
+        results = read_all(open_reply(reply), operation.gives)
+        return results if len(results) > 1 else next(iter(results), None)
 
     def ping(self) -> None:
         """Check that the object exists.

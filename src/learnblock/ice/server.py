@@ -185,9 +185,9 @@ def _check_mode(request: Request, operation: Operation) -> None:
 
 
 def _refused(request: Request, operation: Operation, refused: IceRefusedError) -> bytes:
-    for known in operation.refuses:
-        if known.type_id == refused.kind:
-            return refusal(request, known, str(refused))
+    for allowed in operation.refuses:
+        if allowed.type_id == refused.kind:
+            return refusal(request, allowed, str(refused))
     return failure(request, Status.UNKNOWN_USER, f"{refused.kind}: {refused}")
 
 
