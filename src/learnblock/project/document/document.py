@@ -282,8 +282,8 @@ class Document:
             LearnBlockError: the program has errors.
         """
         if error := self.first_error:
-            said = self._said(error)
-            raise LearnBlockError(said.code, **said.values)
+            phrase = self._said(error)
+            raise LearnBlockError(phrase.code, **phrase.values)
 
     def _said(self, error: Problem) -> Phrase:
         """An error where the author looks: in the blocks, or on a line."""
@@ -307,7 +307,7 @@ class Document:
     @cached_property
     def places(self) -> tuple[Place, ...]:
         """Every statement in all three views."""
-        found: dict[str, Place] = {}
+        places: dict[str, Place] = {}
         rows = zip(
             self.good.statement_blocks(),
             self._extents("blocktext"),
@@ -317,8 +317,8 @@ class Document:
         for block, blocktext, python in rows:
             if block is not None:
                 # A comment belongs to the block of the statement below it, which comes later.
-                found[block] = Place(block, *blocktext, *python)
-        return tuple(found.values())
+                places[block] = Place(block, *blocktext, *python)
+        return tuple(places.values())
 
     def block_at(self, python_line: int) -> str | None:
         """The innermost block in a line of the Python view; lines count from 1."""

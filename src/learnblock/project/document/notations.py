@@ -171,8 +171,8 @@ def is_raw(tree: Program) -> bool:
 
 
 def _blocks(tree: Program, target: Target, layout: Workspace | None) -> Blocks:
-    made = to_workspace(tree, target.configurations, layout)
-    return Blocks(made.workspace, made.block_ids)
+    program = to_workspace(tree, target.configurations, layout)
+    return Blocks(program.workspace, program.block_ids)
 
 
 def _blocktext(tree: Program) -> Written:
@@ -181,5 +181,5 @@ def _blocktext(tree: Program) -> Written:
 
 
 def _python(tree: Program, target: Target) -> Written:
-    made = to_python(replace(tree, python=None), target.robot_module)
-    return Written(made.text, extents(tree, made.extents))
+    python = to_python(replace(tree, python=None), target.robot_module)
+    return Written(python.text, extents(tree, python.extents))

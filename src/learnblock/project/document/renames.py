@@ -44,14 +44,14 @@ def rename_between(before: Workspace, after: Workspace) -> Rename | None:
 
 def _names(workspace: Workspace) -> dict[tuple[Sort, str], str]:
     """List all names by sort and id."""
-    found: dict[tuple[Sort, str], str] = {
+    names: dict[tuple[Sort, str], str] = {
         ("variable", variable.id): variable.name for variable in workspace.variables
     }
     for first, *_ in workspace.stacks:
         sort, name = _SORTS.get(first.type), _name(first)
         if sort and name:
-            found[sort, first.id] = name
-    return found
+            names[sort, first.id] = name
+    return names
 
 
 def _name(block: Block) -> str:

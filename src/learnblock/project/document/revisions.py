@@ -65,8 +65,8 @@ class Revisions:
 
     def text(self, number: int, view: View) -> str | None:
         """The program as a view showed it, see `Document.text_of`; None once it is forgotten."""
-        found = self._log.get(number)
-        return found.text_of(view) if found else None
+        document = self._log.get(number)
+        return document.text_of(view) if document else None
 
     # Changes.
 
@@ -132,8 +132,8 @@ class Revisions:
             view: the view in which it was edited.
             text: the text that the other program has written.
         """
-        kept = (number for number in self._saves if number in self._log)
-        saves = {number: self._log[number].text_of(view) for number in kept}
+        numbers = (number for number in self._saves if number in self._log)
+        saves = {number: self._log[number].text_of(view) for number in numbers}
         if text in saves.values():
             return max(saves)
         lines = Counter(text.split("\n"))

@@ -63,8 +63,8 @@ def merged(now: Document, edit: Edit, *, keeps_unread: bool = False) -> Merged:
         keeps_unread: whether a text that can't be parsed yet is kept if another view is edited,
             because another user is writing it.
     """
-    found = _Merging(now, edit).merged()
-    return _with_unread_text(now, found) if keeps_unread else found
+    result = _Merging(now, edit).merged()
+    return _with_unread_text(now, result) if keeps_unread else result
 
 
 def base_of(now: Document, content: Content) -> str | None:
@@ -184,12 +184,12 @@ class SharedProgram:
             by: who made the edit, such as a page; None for another program.
         """
         keeps_unread = by is None or self._unread_by is not by
-        found = merged(self.document, edit, keeps_unread=keeps_unread)
-        self.change(lambda _: found.document)
-        unread = found.document.unread
+        result = merged(self.document, edit, keeps_unread=keeps_unread)
+        self.change(lambda _: result.document)
+        unread = result.document.unread
         if unread is None or unread.view == edit.view:
             self._unread_by = by
-        return found
+        return result
 
     def change(self, edit: Callable[[Document], Document]) -> None:
         """Change the program.

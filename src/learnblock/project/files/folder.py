@@ -305,13 +305,14 @@ class ProjectFolder:
         stem, _, ending = filename.replace("\\", "/").rpartition("/")[2].rpartition(".")
         skills = all_configurations()
         if f".{ending}".lower() == importing.ENDING.lower():
-            made = importing.import_project(data, filename, skills, find_library)
+            imported = importing.import_project(data, filename, skills, find_library)
         elif f".{ending}".lower() == importing.LIBRARY_ENDING:
-            made = importing.import_text(data, filename, skills)
+            imported = importing.import_text(data, filename, skills)
         else:
             raise ProjectError(filename, [Diagnostic("unknown-file", Phrase("import-type"))])
-        _require_short(made.blocktext, filename)
-        return Project(self.free_name(stem), made.blocktext, workspace=made.workspace), made.report
+        _require_short(imported.blocktext, filename)
+        project = Project(self.free_name(stem), imported.blocktext, workspace=imported.workspace)
+        return project, imported.report
 
     def export(self, project: Project, format_: Format, part: int = 0) -> tuple[str, str]:
         """Export a project, or the program of one of its robots: the name and text of a file.

@@ -101,9 +101,9 @@ class History:
 
     def versions(self) -> tuple[Version, ...]:
         """List the versions, the newest first."""
-        found = (_version(path.stem) for path in self.folder.glob(f"*{ENDING}"))
-        kept = (version for version in found if version is not None)
-        return tuple(sorted(kept, key=lambda version: version.time, reverse=True))
+        parsed = (_version(path.stem) for path in self.folder.glob(f"*{ENDING}"))
+        versions = (version for version in parsed if version is not None)
+        return tuple(sorted(versions, key=lambda version: version.time, reverse=True))
 
     def read(self, version: str) -> Project:
         """Read a version.
@@ -166,18 +166,18 @@ class History:
         return f"{moment:013}-{reason}-{lines}"
 
     def _thin_out(self) -> None:
-        kept = list(self.versions())
-        while len(kept) > MOST_VERSIONS:
-            least = kept.pop(_least_missed(kept))
+        versions = list(self.versions())
+        while len(versions) > MOST_VERSIONS:
+            least = versions.pop(_least_missed(versions))
             self._path(least.id).unlink(missing_ok=True)
 
 
 def _version(id_: str) -> Version | None:
-    found = _ID.fullmatch(id_)
-    if found is None:
+    match = _ID.fullmatch(id_)
+    if match is None:
         return None
-    reason = cast("Reason", found[2])
-    return Version(id=id_, time=int(found[1]) / 1000, reason=reason, lines=int(found[3]))
+    reason = cast("Reason", match[2])
+    return Version(id=id_, time=int(match[1]) / 1000, reason=reason, lines=int(match[3]))
 
 
 def _least_missed(versions: list[Version]) -> int:

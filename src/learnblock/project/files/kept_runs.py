@@ -96,8 +96,8 @@ class KeptRuns:
     def runs(self) -> tuple[KeptRun, ...]:
         """List the runs, the newest first."""
         ids = (path.stem for path in self.folder.glob(f"*{ENDING}") if path.is_file())
-        found = map(self._entry, filter(_ID.fullmatch, ids))
-        return tuple(sorted(found, key=lambda run: _order(run.id), reverse=True))
+        runs = map(self._entry, filter(_ID.fullmatch, ids))
+        return tuple(sorted(runs, key=lambda run: _order(run.id), reverse=True))
 
     def find(self, id_: str) -> KeptRun:
         """The run with this id.

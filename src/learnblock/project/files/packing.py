@@ -69,19 +69,19 @@ def packed(project: Project, home: str) -> Project:
 def block_file(name: str) -> dict[str, object] | None:
     """A custom block as in its exported file; None if there is none that can be read."""
     try:
-        found: dict[str, object] = json.loads(custom_blocks.export(name)[1])
+        block: dict[str, object] = json.loads(custom_blocks.export(name)[1])
     except (LearnBlockError, OSError):
         return None
-    return found
+    return block
 
 
 def library_file(name: str) -> dict[str, list[str]] | None:
     """The lines of each file of an installed library; None if there is none that can be read."""
     try:
-        found = libraries.installed(name)
+        library = libraries.installed(name)
     except (LearnBlockError, OSError):
         return None
-    return {file: text.split("\n") for file, text in found.files.items()}
+    return {file: text.split("\n") for file, text in library.files.items()}
 
 
 def _world(name: str) -> CarriedWorld | None:
@@ -90,10 +90,10 @@ def _world(name: str) -> CarriedWorld | None:
     if name not in worlds.own_names():
         return None
     try:
-        found = worlds.find(name)
+        world = worlds.find(name)
     except (LearnBlockError, OSError, UnicodeDecodeError):
         return None
-    return CarriedWorld(name, found.text.split("\n"), found.picture)
+    return CarriedWorld(name, world.text.split("\n"), world.picture)
 
 
 def _code(project: Project, texts: list[str]) -> Code:

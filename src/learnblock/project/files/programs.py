@@ -51,8 +51,8 @@ def opened(path: Path, report: Report) -> Iterator[ProgramFile]:
         FileError: it is invalid.
         OSError: it can't be read.
     """
-    with opened_all(path, report) as found:
-        yield found[0]
+    with opened_all(path, report) as programs:
+        yield programs[0]
 
 
 def robots_in(path: Path) -> int:
@@ -100,8 +100,8 @@ def read(path: Path, report: Report) -> Source:
         FileError: it is invalid.
         OSError: it can't be read.
     """
-    with opened(path, report) as found:
-        return found.source
+    with opened(path, report) as program:
+        return program.source
 
 
 def _project(path: Path) -> "Project":

@@ -287,8 +287,8 @@ _PARTS: tuple[tuple[str, type[Struct]], ...] = (
 
 def _explained(refusal: str, text: str) -> Diagnostic:
     """Explain an error of msgspec to a person who knows only the file."""
-    found = _PLACE.search(refusal)
-    place = found[1] if found else ""
+    match = _PLACE.search(refusal)
+    place = match[1] if match else ""
     refusal = _PLACE.sub("", refusal)
     if missing := _MISSING.match(refusal):
         message = Phrase("file-missing-key", key=missing[1], place=phrase_of_place(place))
@@ -312,8 +312,8 @@ def _wrong_value(place: str, key: str, text: str) -> Phrase:
 
 def _known(place: str) -> tuple[str, ...]:
     """The keys that are allowed at a position."""
-    found = (kind for pattern, kind in _PARTS if re.fullmatch(pattern, place))
-    return next(found, _File).__struct_fields__
+    kinds = (kind for pattern, kind in _PARTS if re.fullmatch(pattern, place))
+    return next(kinds, _File).__struct_fields__
 
 
 def _shown(place: str, text: str) -> str | None:
@@ -330,18 +330,18 @@ def _shown(place: str, text: str) -> str | None:
 
 
 def _at(key: str, text: str, code: str, message: Phrase) -> Diagnostic:
-    found = re.search(rf'^\s*("{re.escape(key)}")\s*:', text, re.MULTILINE) if key else None
-    if found is None:
+    match = re.search(rf'^\s*("{re.escape(key)}")\s*:', text, re.MULTILINE) if key else None
+    if match is None:
         return Diagnostic(code, message)
-    start = text.rfind("\n", 0, found.start(1)) + 1
-    line, column = text.count("\n", 0, start) + 1, found.start(1) - start + 1
-    return Diagnostic(code, message, line, column, column + len(found[1]))
+    start = text.rfind("\n", 0, match.start(1)) + 1
+    line, column = text.count("\n", 0, start) + 1, match.start(1) - start + 1
+    return Diagnostic(code, message, line, column, column + len(match[1]))
 
 
 def _malformed(refusal: str, data: bytes) -> Diagnostic:
     """Report a file that is not JSON, with the position."""
-    found = _BYTE.search(refusal)
-    at = int(found[1]) if found else len(data)
+    match = _BYTE.search(refusal)
+    at = int(match[1]) if match else len(data)
     start = data.rfind(b"\n", 0, at) + 1
     column = len(data[start:at].decode("utf-8", "replace")) + 1
     what = _BYTE.sub("", refusal).removeprefix("JSON is malformed: ")

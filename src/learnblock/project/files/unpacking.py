@@ -58,9 +58,11 @@ def unpacked(project: Project) -> Unpacked:
     world = _world(project.world, carried.world, is_home=is_home)
     tags = _tags(project.tags, carried.tags, is_home=is_home)
     offered = offered_code(project)
-    found = replace(project, world=world.value, tags=tags.value, carried=Carried(offered=offered))
+    unpacked = replace(
+        project, world=world.value, tags=tags.value, carried=Carried(offered=offered)
+    )
     return Unpacked(
-        found, (*world.remarks, *tags.remarks), (*world.notes, *tags.notes), world.is_new
+        unpacked, (*world.remarks, *tags.remarks), (*world.notes, *tags.notes), world.is_new
     )
 
 
@@ -112,8 +114,8 @@ def _missing(
         there = here(name)
         return there is None if is_home and name not in offered else there != code
 
-    found = {**copies, **offered}
-    return {name: code for name, code in found.items() if is_missing(name, code)}
+    codes = {**copies, **offered}
+    return {name: code for name, code in codes.items() if is_missing(name, code)}
 
 
 def _world(name: str, carried: CarriedWorld | None, *, is_home: bool) -> _Found:
@@ -152,8 +154,8 @@ def _tags(own: Mapping[str, int], carried: Mapping[str, int], *, is_home: bool) 
     except (LearnBlockError, OSError):
         # The project has its own numbers even if the user's file is damaged or full.
         return _Found(wanted)
-    kept = (own if is_home else wanted).items()
-    differing = {name: number for name, number in kept if known.get(name, number) != number}
+    numbers = (own if is_home else wanted).items()
+    differing = {name: number for name, number in numbers if known.get(name, number) != number}
     return _Found(
         differing,
         tuple(

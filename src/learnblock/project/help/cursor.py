@@ -64,8 +64,8 @@ class Cursor:
     @property
     def typed(self) -> str:
         """The part of a word directly before the cursor."""
-        found = _TYPED.search(self.before)
-        return found[0] if found else ""
+        match = _TYPED.search(self.before)
+        return match[0] if match else ""
 
     @property
     def word(self) -> str:
@@ -86,8 +86,8 @@ class Cursor:
     @cached_property
     def owner(self) -> str:
         """The name before the dot before the word, or ""."""
-        found = _DOTTED.search(self.before[: self.start])
-        return found[1] if found else ""
+        match = _DOTTED.search(self.before[: self.start])
+        return match[1] if match else ""
 
     @property
     def begins_line(self) -> bool:
@@ -97,8 +97,8 @@ class Cursor:
     @property
     def word_before(self) -> str:
         """The previous word, if only blanks are in between."""
-        found = _TYPED.search(self.before[: self.start].rstrip())
-        return found[0] if found else ""
+        match = _TYPED.search(self.before[: self.start].rstrip())
+        return match[0] if match else ""
 
     @property
     def is_argument_name(self) -> bool:

@@ -131,13 +131,13 @@ class Describer:
         cursor = self.cursor
         if cursor.owner:
             return self.member(cursor.owner, word)
-        if cursor.is_argument_name and (found := self.argument(word)):
-            return found
+        if cursor.is_argument_name and (meaning := self.argument(word)):
+            return meaning
         if cursor.word_before in {"activate", "deactivate", "when"} and not self.is_python:
             return self.when(word)
-        for known in (self.state, self.keyword, self.own, self.function, self.variable, self.when):
-            if found := known(word):
-                return found
+        for lookup in (self.state, self.keyword, self.own, self.function, self.variable, self.when):
+            if meaning := lookup(word):
+                return meaning
         return self.library(word)
 
     def member(self, owner: str, word: str) -> Meaning | None:
@@ -175,9 +175,12 @@ class Describer:
         for parameter in skill.parameters if skill else ():
             if parameter.name == attribute_from_python(word):
                 default = "" if parameter.required else repr(parameter.default)
-                said = [self.words.parameter(parameter), self.words.say("argument", call=call.name)]
-                said += [self.words.say("default", value=default)] if default else []
-                return Meaning(word, " · ".join(filter(None, said)))
+                parts = [
+                    self.words.parameter(parameter),
+                    self.words.say("argument", call=call.name),
+                ]
+                parts += [self.words.say("default", value=default)] if default else []
+                return Meaning(word, " · ".join(filter(None, parts)))
         return None
 
     def keyword(self, word: str) -> Meaning | None:
@@ -258,9 +261,9 @@ class Describer:
             word = meaning.name
         for number, line in self.lines(from_owner=meaning.local):
             if re.match(rf"\s*(?:{meaning.defined})", line):
-                found = re.search(rf"\b{word}\b", line)
-                if found:
-                    return number, found.start() + 1
+                match = re.search(rf"\b{word}\b", line)
+                if match:
+                    return number, match.start() + 1
         return 0, 0
 
     def lines(self, *, from_owner: bool) -> Iterator[tuple[int, str]]:

@@ -106,11 +106,11 @@ class Vocabulary:
         """The Python function that contains the line; None at the top level."""
         lines = self.text.split("\n")[: self.line]
         if not lines or lines[-1][:1].strip():
-            found = _TOP_LEVEL.match(lines[-1]) if lines else None
-            return (found[1] if found else None) or ""
+            match = _TOP_LEVEL.match(lines[-1]) if lines else None
+            return (match[1] if match else None) or ""
         for line in reversed(lines):
-            if found := _TOP_LEVEL.match(line):
-                return found[1] or ""
+            if match := _TOP_LEVEL.match(line):
+                return match[1] or ""
         return ""
 
     def _clashes(self) -> dict[str, int]:
