@@ -44,8 +44,8 @@ def devices_of(settings: Settings) -> frozenset[str]:
         "GroundSensors": (settings.ground_left, settings.ground_central, settings.ground_right),
         "Camera": (settings.camera,),
     }
-    found = {f"{device}:ROBOT" for device, paths in named.items() if any(paths)}
-    return frozenset(found | {"Base:ROBOT", "Gyroscope:Z_AXIS"})
+    devices = {f"{device}:ROBOT" for device, paths in named.items() if any(paths)}
+    return frozenset(devices | {"Base:ROBOT", "Gyroscope:Z_AXIS"})
 
 
 def sides_of(settings: Settings) -> tuple[str, ...]:

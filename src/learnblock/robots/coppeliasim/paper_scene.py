@@ -93,9 +93,9 @@ def _first(kind: int) -> Callable[[Any], float]:
 def _list(reply: Any, kind: int) -> Sequence[Any]:
     """One of the lists of a reply; an empty list may arrive as an empty dictionary."""
     lists = reply if isinstance(reply, tuple) else (reply,)
-    found = lists[kind] if len(lists) > kind else None
-    if found == {}:
+    chosen = lists[kind] if len(lists) > kind else None
+    if chosen == {}:
         return ()
-    if not isinstance(found, list):
+    if not isinstance(chosen, list):
         raise BadReplyError(reply)
-    return found
+    return chosen

@@ -77,10 +77,10 @@ def resolved(address: str, port: int) -> Address:
         RobotConnectionError: the name is unknown.
     """
     try:
-        found = socket.getaddrinfo(address, port, socket.AF_INET, socket.SOCK_DGRAM)
+        addresses = socket.getaddrinfo(address, port, socket.AF_INET, socket.SOCK_DGRAM)
     except (OSError, UnicodeError) as error:
         raise RobotConnectionError("cozmo-unknown-address", address=address) from error
-    return str(found[0][4][0]), port
+    return str(addresses[0][4][0]), port
 
 
 def _insist(

@@ -209,9 +209,9 @@ class Brick:
         self._sensors = {}  # type: Dict[str, Tuple[Any, float]]
         plugged = list(sensors())
         for kind, port in sorted(wish["sensors"].items()):
-            found = find_sensor(plugged, kind, port)
-            if found:
-                self._sensors[kind] = found
+            sensor = find_sensor(plugged, kind, port)
+            if sensor:
+                self._sensors[kind] = sensor
         self._sounds = []  # type: List[Any]
 
     def state(self) -> Dict[str, Any]:

@@ -105,8 +105,8 @@ def kind_of(port: int) -> Query:
 def reading(port: int, mode: int) -> Query:
     """Query a sensor's reading in a mode, in its own unit, once it is ready."""
     # Type 0 keeps the current type; one value is requested.
-    asked = LAYER + number(port) + number(0) + number(mode) + number(1)
-    return Query(INPUT_READY_SI + asked, "f")
+    parameters = LAYER + number(port) + number(0) + number(mode) + number(1)
+    return Query(INPUT_READY_SI + parameters, "f")
 
 
 def tone(hertz: int, milliseconds: int, volume: int = 50) -> bytes:

@@ -45,19 +45,19 @@ def resolve(name: str, timeout: float) -> str:
     Raises:
         RobotNotFoundError: the name is unknown, or looking it up takes too long.
     """
-    found: list[str] = []
-    search = threading.Thread(target=_resolve, args=(name, found), name="resolve", daemon=True)
+    addresses: list[str] = []
+    search = threading.Thread(target=_resolve, args=(name, addresses), name="resolve", daemon=True)
     search.start()
     # The system's own limit is many seconds for an unknown .local name.
     search.join(timeout)
-    if not found:
+    if not addresses:
         raise RobotNotFoundError("ev3-not-found", address=name)
-    return found[0]
+    return addresses[0]
 
 
-def _resolve(name: str, found: list[str]) -> None:
+def _resolve(name: str, addresses: list[str]) -> None:
     try:
-        found.append(socket.gethostbyname(name))
+        addresses.append(socket.gethostbyname(name))
     except (OSError, UnicodeError):
         # The list stays empty.
         return

@@ -83,8 +83,8 @@ class RpycLink(Link):
             raise
 
     def exchange(self, word: Word) -> State:
-        said = self._asked(self._answer, lines.spoken(word).decode())
-        return self._read(said)
+        reply = self._asked(self._answer, lines.spoken(word).decode())
+        return self._read(reply)
 
     def farewell(self) -> None:
         self._asked(self._connection.root.eval, "end()")
@@ -112,13 +112,13 @@ class RpycLink(Link):
             slave = self._connection.root
             self._slowly(slave.execute, agent + BEGIN)
             introduction = lines.introduction(settings, "").decode()
-            said = self._slowly(slave.eval, f"begin({introduction!r})")
+            reply = self._slowly(slave.eval, f"begin({introduction!r})")
             answer = slave.eval("answer")
         except Exception as error:
             raise RobotConnectionError(
                 "ev3-rpyc-failed", place=self.place, reason=_first_line(error)
             ) from error
-        self._read(said)
+        self._read(reply)
         return answer
 
     def _slowly(self, function: Any, argument: str) -> object:

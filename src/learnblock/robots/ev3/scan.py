@@ -34,8 +34,8 @@ def scan(seconds: float) -> Iterator[Found]:
     """
     looks: tuple[Callable[[float], Iterator[Found]], ...] = (_ev3dev, beacons, _devices)
     with ThreadPoolExecutor(len(looks)) as pool:
-        for found in pool.map(lambda look: list(look(seconds)), looks):
-            yield from found
+        for bricks in pool.map(lambda look: list(look(seconds)), looks):
+            yield from bricks
 
 
 def beacons(seconds: float, port: int = BEACONS, clock: SteadyClock = MONOTONIC) -> Iterator[Found]:

@@ -96,6 +96,6 @@ def _plugin_worlds() -> Iterator[Path]:
     from importlib.util import find_spec  # noqa: PLC0415
 
     for point in installed.entry_points("learnblock.worlds"):
-        found = find_spec(point.module)
-        if found and found.submodule_search_locations:
-            yield Path(found.submodule_search_locations[0])
+        spec = find_spec(point.module)
+        if spec and spec.submodule_search_locations:
+            yield Path(spec.submodule_search_locations[0])
