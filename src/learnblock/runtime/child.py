@@ -343,7 +343,7 @@ def _print_to(output: LineWriter, *values: object, **options: Any) -> None:
 
 def _described(variables: Any) -> dict[str, str]:
     """The variables as text, as many as fit into a message."""
-    found: dict[str, str] = {}
+    texts: dict[str, str] = {}
     left = _MOST_DESCRIBED
     for name, value in list(variables.items()):
         if name.startswith("__") or isinstance(value, Client) or callable(value):
@@ -352,8 +352,8 @@ def _described(variables: Any) -> dict[str, str]:
         left -= len(shown.encode()) + len(text.encode())
         if left < 0:
             break
-        found[shown] = text
-    return found
+        texts[shown] = text
+    return texts
 
 
 if __name__ == "__main__":

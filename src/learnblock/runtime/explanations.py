@@ -204,8 +204,8 @@ def explanation(error: Exception, text: str, failed: FailedCode) -> Phrase | Non
         failed: the code that raised it.
     """
     for kind, pattern, code in _MEANINGS:
-        if isinstance(error, kind) and (found := re.fullmatch(pattern, text, re.DOTALL)):
-            meaning = Phrase(code, **_values(error, found.groupdict()))
+        if isinstance(error, kind) and (match := re.fullmatch(pattern, text, re.DOTALL)):
+            meaning = Phrase(code, **_values(error, match.groupdict()))
             return in_own_words(meaning, failed)
     return None
 

@@ -45,15 +45,15 @@ class Program:
     @cached_property
     def names(self) -> tuple[str, ...]:
         """Every attribute it uses, including skills; none if it cannot be parsed."""
-        found = {node.attr for node in self._nodes if isinstance(node, ast.Attribute)}
-        return tuple(sorted(found))
+        attributes = {node.attr for node in self._nodes if isinstance(node, ast.Attribute)}
+        return tuple(sorted(attributes))
 
     @property
     def keys(self) -> tuple[Key, ...]:
         """The keys it asks for; every key if its text does not tell which."""
         calls = (node for node in self._nodes if isinstance(node, ast.Call))
-        asked = {_asked_key(call) for call in calls if _is_for_key(call)}
-        return tuple(key for key in KEYS if key in asked or None in asked or not asked)
+        keys = {_asked_key(call) for call in calls if _is_for_key(call)}
+        return tuple(key for key in KEYS if key in keys or None in keys or not keys)
 
     @cached_property
     def _nodes(self) -> tuple[ast.AST, ...]:
@@ -92,7 +92,7 @@ def _as_read(text: str) -> str:
 
 def _asked_key(call: ast.Call) -> object:
     """The key in a call of the skill; None if only the running program knows it."""
-    given = [*call.args, *(keyword.value for keyword in call.keywords)]
-    if not given:
+    arguments = [*call.args, *(keyword.value for keyword in call.keywords)]
+    if not arguments:
         return "space"
-    return given[0].value if isinstance(given[0], ast.Constant) else None
+    return arguments[0].value if isinstance(arguments[0], ast.Constant) else None

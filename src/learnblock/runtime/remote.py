@@ -353,8 +353,8 @@ def _read(wire: Wire, index: int, convert: Callable[[Any], Any]) -> Any:
 def _detect(wire: Wire, index: int, detector: str) -> Any:
     from learnblock.perception.detections import KINDS  # noqa: PLC0415 - few programs see
 
-    found = wire.call(index, "detect", detector)
-    return None if found is None else msgspec.convert(found, KINDS[detector])
+    detections = wire.call(index, "detect", detector)
+    return None if detections is None else msgspec.convert(detections, KINDS[detector])
 
 
 def _tuple(value: list[float] | None) -> tuple[float, ...] | None:

@@ -99,11 +99,11 @@ def _refused() -> frozenset[str]:
     source = _PROGRAM.replace("{attempts}", repr(_ATTEMPTS))
     try:
         worker.link.send(Setup(source, "doctor.py", "", (), (), None, Limits()))
-        found = set()
+        printed = set()
         while isinstance(message := worker.link.receive(TIMEOUT), Contained | Printed):
             if isinstance(message, Printed):
-                found.update(message.text.split())
-        return frozenset(found)
+                printed.update(message.text.split())
+        return frozenset(printed)
     finally:
         worker.kill()
 

@@ -105,11 +105,11 @@ class _Instrumenting(ast.NodeTransformer):
 
     def block(self, body: Iterable[ast.stmt]) -> list[ast.stmt]:
         """Instrument the statements of a block."""
-        done: list[ast.stmt] = []
+        statements: list[ast.stmt] = []
         for statement in body:
             new: Any = self.visit(statement)
-            done.extend(new if isinstance(new, list) else [new])
-        return done
+            statements.extend(new if isinstance(new, list) else [new])
+        return statements
 
     def visit(self, node: ast.AST) -> ast.AST | list[ast.stmt]:
         if isinstance(node, _ALONE):
