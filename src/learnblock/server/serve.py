@@ -333,8 +333,8 @@ def _page_address(service: Service, listening: socket.socket) -> str:
 
 def whole_address(address: str, token: str | None, project: str | None) -> str:
     """The address that opens a page: with the token, and the project to open."""
-    given = f"?token={token}" if token else ""
-    return f"{address}{given}#project={quote(project)}" if project else f"{address}{given}"
+    query = f"?token={token}" if token else ""
+    return f"{address}{query}#project={quote(project)}" if project else f"{address}{query}"
 
 
 def _place(service: Service, listening: socket.socket) -> str:

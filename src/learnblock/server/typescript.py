@@ -117,8 +117,8 @@ def limits(union: Any) -> str:
 
 def _max_length(kind: inspect.Type) -> int | None:
     if isinstance(kind, inspect.UnionType):
-        found = map(_max_length, kind.types)
-        return next((length for length in found if length is not None), None)
+        lengths = map(_max_length, kind.types)
+        return next((length for length in lengths if length is not None), None)
     most: int | None = getattr(kind, "max_length", None)
     return most
 
@@ -135,19 +135,19 @@ def _members(kind: inspect.Type) -> Iterator[str]:
 
 def _structs(kinds: Any) -> list[inspect.StructType]:
     """Every struct used in the messages, in alphabetical order."""
-    found: dict[str, inspect.StructType] = {}
+    structs: dict[str, inspect.StructType] = {}
     ahead = list(kinds)
     while ahead:
         kind = ahead.pop()
         if isinstance(kind, inspect.StructType):
-            known = found.get(kind.cls.__name__)
+            known = structs.get(kind.cls.__name__)
             if known and known.cls is not kind.cls:
                 raise TypeError(f"{known.cls} and {kind.cls} have the same name")
             if known:
                 continue
-            found[kind.cls.__name__] = kind
+            structs[kind.cls.__name__] = kind
         ahead += _parts(kind)
-    return [found[name] for name in sorted(found)]
+    return [structs[name] for name in sorted(structs)]
 
 
 def _parts(kind: inspect.Type) -> list[inspect.Type]:

@@ -87,8 +87,8 @@ def copy_lesson(name: str) -> OpenLesson:
 
 def own_files() -> list[Path]:
     """The files of the user's lessons."""
-    found = (file for file in _folder().glob(f"*{LESSON_ENDING}") if _NAME.fullmatch(file.stem))
-    return sorted(found)[:MOST_OWN]
+    files = (file for file in _folder().glob(f"*{LESSON_ENDING}") if _NAME.fullmatch(file.stem))
+    return sorted(files)[:MOST_OWN]
 
 
 def add_lesson(name: str, content: bytes) -> OpenLesson:

@@ -92,8 +92,8 @@ def _equipment(entry: robots.RobotEntry) -> frozenset[str] | None:
 @cache
 def _needs() -> tuple[str, ...]:
     """Every need of the built-in blocks."""
-    found = (need for block in builtin().values() for need in block.needed())
-    return tuple(sorted(set(found)))
+    needs = (need for block in builtin().values() for need in block.needed())
+    return tuple(sorted(set(needs)))
 
 
 def runs_on(document: Document) -> RunsOn:

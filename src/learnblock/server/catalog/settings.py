@@ -33,10 +33,10 @@ def table(robot: str) -> Table[Any]:
 
     if not robot:
         return sources.TABLE
-    found = robots.find(robot).load()
-    if not issubclass(found, RealRobot):
+    robot_type = robots.find(robot).load()
+    if not issubclass(robot_type, RealRobot):
         raise LearnBlockError("settings-simulated", robot=robot)
-    return robot_table(found.name(), found.settings_type)
+    return robot_table(robot_type.name(), robot_type.settings_type)
 
 
 def described(settings: Table[Any]) -> Iterator[Setting]:
@@ -93,10 +93,10 @@ def _permitted(name: str, value: Any) -> Any:
 def _video(name: str) -> str:
     known = {path.name: path for path in videos().glob("*") if path.is_file()}
     present = {str(path): path for path in known.values()}
-    found = known.get(name) or present.get(name)
-    if found is None:
+    path = known.get(name) or present.get(name)
+    if path is None:
         raise LearnBlockError("settings-video", name=name[:80], folder=str(videos()))
-    return str(found)
+    return str(path)
 
 
 def _sort(kind: inspect.Type) -> Sort:

@@ -44,14 +44,14 @@ def token(*, new: bool = False) -> str:
 
 def _own(*, new: bool) -> str:
     file = home() / "token"
-    kept = None if new else _read(file)
-    if kept is not None:
-        return kept
-    made = secrets.token_urlsafe(24)
+    saved = None if new else _read(file)
+    if saved is not None:
+        return saved
+    token = secrets.token_urlsafe(24)
     # If the token can't be saved, LearnBlock works, but its address changes with each restart.
     with suppress(OSError):
-        save(file, made.encode(), private=True)
-    return made
+        save(file, token.encode(), private=True)
+    return token
 
 
 def _read(file: Path) -> str | None:
@@ -60,10 +60,10 @@ def _read(file: Path) -> str | None:
         with file.open(encoding="ascii") as opened:
             if os.name == "posix" and stat.S_IMODE(os.fstat(opened.fileno()).st_mode) & 0o077:
                 return None
-            kept = opened.read(_LONGEST + 1)
+            token = opened.read(_LONGEST + 1)
     except (OSError, UnicodeDecodeError):
         return None
-    return kept if len(kept) <= _LONGEST and _TOKEN.fullmatch(kept) else None
+    return token if len(token) <= _LONGEST and _TOKEN.fullmatch(token) else None
 
 
 def own_address() -> str | None:

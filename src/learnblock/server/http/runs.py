@@ -78,11 +78,11 @@ class RunFiles:
     def _file(self, name: str, run: str) -> Response:
         from learnblock.project.files.folder import ProjectFolder  # noqa: PLC0415
 
-        kept = ProjectFolder(self._folder).kept_runs(name)
-        title = quote(f"{kept.find(run).name or name}.why")
+        runs = ProjectFolder(self._folder).kept_runs(name)
+        title = quote(f"{runs.find(run).name or name}.why")
         disposition = f"attachment; filename*=UTF-8''{title}"
         return Response(
-            kept.read(run), media_type=_LOG, headers={"content-disposition": disposition}
+            runs.read(run), media_type=_LOG, headers={"content-disposition": disposition}
         )
 
     def _take_in(self, name: str, filename: str, data: bytes) -> Response:

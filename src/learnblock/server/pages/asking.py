@@ -17,14 +17,14 @@ Answer = TypeVar("Answer")
 
 @HANDLERS.add
 async def _complete(page: Page, message: messages.Complete) -> None:
-    found = await _at_cursor(services.complete, page, message)
-    page.send(messages.Completions(message.request, found.from_column, found.options))
+    completions = await _at_cursor(services.complete, page, message)
+    page.send(messages.Completions(message.request, completions.from_column, completions.options))
 
 
 @HANDLERS.add
 async def _describe(page: Page, message: messages.Describe) -> None:
-    found = await _at_cursor(services.describe, page, message)
-    page.send(messages.Description(request=message.request, **asdict(found)))
+    description = await _at_cursor(services.describe, page, message)
+    page.send(messages.Description(request=message.request, **asdict(description)))
 
 
 async def _at_cursor(

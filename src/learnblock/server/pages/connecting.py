@@ -25,9 +25,9 @@ async def _find(page: Page, message: messages.FindRobots) -> None:
 @HANDLERS.add
 async def _connect(page: Page, message: messages.ConnectRobot) -> None:
     connections = page.sessions.connections
-    found = connections.nearby.find(message.id)
-    entry = found.entry if found else await to_thread.run_sync(_real, message.id)
-    await connections.connect(page, message.id, entry, found.chosen if found else {})
+    robot = connections.nearby.find(message.id)
+    entry = robot.entry if robot else await to_thread.run_sync(_real, message.id)
+    await connections.connect(page, message.id, entry, robot.chosen if robot else {})
     if not page.sessions.folder.read_only:
         await to_thread.run_sync(_remember, entry)
     await _refresh(page)

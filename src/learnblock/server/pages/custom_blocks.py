@@ -47,8 +47,8 @@ async def _try(page: Page, message: messages.TryCustomBlock) -> None:
 
 @HANDLERS.add
 async def _duplicate(page: Page, message: messages.DuplicateCustomBlock) -> None:
-    made = await to_thread.run_sync(custom_blocks.duplicate, message.name, message.new)
-    await _have_changed(page, made.name)
+    duplicate = await to_thread.run_sync(custom_blocks.duplicate, message.name, message.new)
+    await _have_changed(page, duplicate.name)
 
 
 @HANDLERS.add

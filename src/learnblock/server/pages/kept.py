@@ -17,10 +17,10 @@ async def _list(page: Page, _: messages.ListRuns) -> None:
 
 @HANDLERS.add
 async def _open(page: Page, message: messages.OpenRun) -> None:
-    kept, now = _kept(page), page.part.document
+    runs, now = _kept(page), page.part.document
 
     def read() -> OpenedRun:
-        return opened(kept.find(message.run), kept.read(message.run), now)
+        return opened(runs.find(message.run), runs.read(message.run), now)
 
     page.session.runs.require_rest()
     page.player.show_kept(await to_thread.run_sync(read))
@@ -45,10 +45,10 @@ async def _delete(page: Page, message: messages.DeleteRun) -> None:
 
 @HANDLERS.add
 async def _compare(page: Page, message: messages.CompareRuns) -> None:
-    kept = _kept(page)
+    runs = _kept(page)
 
     def compare() -> messages.RunsCompared:
-        pair = [(run, kept.read(run)) for run in (message.first, message.second)]
+        pair = [(run, runs.read(run)) for run in (message.first, message.second)]
         return compared(*pair)
 
     page.send(await to_thread.run_sync(compare))
@@ -56,10 +56,10 @@ async def _compare(page: Page, message: messages.CompareRuns) -> None:
 
 @HANDLERS.add
 async def _read_calls(page: Page, message: messages.ReadCallsBeside) -> None:
-    kept = _kept(page)
+    runs = _kept(page)
 
     def read() -> messages.CallsBeside:
-        return calls_beside(kept.read(message.first), kept.read(message.second))
+        return calls_beside(runs.read(message.first), runs.read(message.second))
 
     page.send(await to_thread.run_sync(read))
 

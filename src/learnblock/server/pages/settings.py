@@ -30,10 +30,10 @@ def _table(robot: str, wrong: dict[str, Phrase] | None = None) -> messages.Setti
     from learnblock.server.catalog import settings  # noqa: PLC0415
 
     try:
-        found = tuple(settings.described(settings.table(robot)))
+        rows = tuple(settings.described(settings.table(robot)))
     except SettingsError as error:
         return messages.SettingsTable(robot, problem=error.phrase)
-    return messages.SettingsTable(robot, found, wrong or {})
+    return messages.SettingsTable(robot, rows, wrong or {})
 
 
 def _changed(message: messages.ChangeSettings) -> dict[str, Phrase]:

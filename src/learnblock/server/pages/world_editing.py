@@ -29,8 +29,8 @@ async def _make(page: Page, message: messages.MakeWorld) -> None:
     def make() -> messages.WorldMade:
         from learnblock.monitor import worlds  # noqa: PLC0415
 
-        made = worlds.made_world(message.template, message.size, message.seed)
-        return messages.WorldMade(worlds.world_values(made))
+        world = worlds.made_world(message.template, message.size, message.seed)
+        return messages.WorldMade(worlds.world_values(world))
 
     page.send(await to_thread.run_sync(make))
 

@@ -128,9 +128,9 @@ class Nearby:
         while True:
             # A robot in use is not disturbed; it stays in the list until it is free again.
             if not self._is_busy(entry.name):
-                found, used = await asyncio.shield(self._begin_to_look(entry))
+                settings, used = await asyncio.shield(self._begin_to_look(entry))
                 if not self._is_busy(entry.name):
-                    self._note(entry, found)
+                    self._note(entry, settings)
                     self._elsewhere.discard(entry.name)
                     self._elsewhere |= {entry.name} if used else set()
             self.show()
@@ -155,12 +155,12 @@ class Nearby:
         """Send the pages what has changed."""
         if not self._pages:
             return
-        found = (robot.shown for same in self._found.values() for robot in same)
+        nearby = (robot.shown for same in self._found.values() for robot in same)
         known = (
             structs.replace(robot, is_busy=self._is_used(robot.robot))
             for robot in self._known.values()
         )
-        shown = messages.RobotsNearby(tuple(found), tuple(known))
+        shown = messages.RobotsNearby(tuple(nearby), tuple(known))
         if shown != self._last:
             self._last = shown
             self._pages.send(shown)
@@ -177,15 +177,15 @@ class Nearby:
         known = {}
         for name in order:
             command = finding.missing_add_on(entries[name])
-            given = names.get(name, "")
-            known[name] = messages.KnownRobot(name, given, name in used, add_on=command)
+            given_name = names.get(name, "")
+            known[name] = messages.KnownRobot(name, given_name, name in used, add_on=command)
         return known
 
 
 def _look(entry: RobotEntry) -> tuple[Settings, bool]:
     """The settings that reach each robot of a kind, and whether another program uses it."""
-    found = finding.find(entry, LIMIT)
-    return found, not found and finding.is_in_use(entry)
+    settings = finding.find(entry, LIMIT)
+    return settings, not settings and finding.is_in_use(entry)
 
 
 def _found(entry: RobotEntry, chosen: Mapping[str, Any]) -> Found:

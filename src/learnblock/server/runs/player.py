@@ -115,8 +115,8 @@ class Player:
     @property
     def variables(self) -> dict[str, str]:
         """The program's variables as it has reported them, those of the function first."""
-        told = self._variables
-        return {**told.shared, **told.local} if told else {}
+        variables = self._variables
+        return {**variables.shared, **variables.local} if variables else {}
 
     @property
     def running_line(self) -> messages.RunningLine:

@@ -155,10 +155,10 @@ class Archive:
     async def _keep_logs(
         self, began: float, version: str, logs: Sequence[tuple[Block, ...]]
     ) -> None:
-        kept = self._folder.kept_runs(self._project.name)
+        kept_runs = self._folder.kept_runs(self._project.name)
         for blocks in logs:
-            await self._tried(partial(kept.add, began, blocks, version=version))
-        if (runs := await self._tried(kept.runs)) is not None:
+            await self._tried(partial(kept_runs.add, began, blocks, version=version))
+        if (runs := await self._tried(kept_runs.runs)) is not None:
             self._project.runs_kept(runs)
 
     def _later(self, saving: Coroutine[Any, Any, object]) -> None:
@@ -263,8 +263,8 @@ class Archive:
 
     def _found_outside(self) -> FileState | None:
         """The state of the file if another program has changed it."""
-        found = self._folder.state(self._project.name)
-        return None if found == self._on_disk else found
+        state = self._folder.state(self._project.name)
+        return None if state == self._on_disk else state
 
     async def _tried(
         self, action: Callable[..., Value], *args: object, quietly: bool = False

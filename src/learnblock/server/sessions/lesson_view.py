@@ -124,7 +124,7 @@ def drawings(step: Step, pieces: Iterable[str] = ()) -> dict[str, Workspace]:
 
 def drawings_in(texts: Iterable[str], pieces: Iterable[str] = ()) -> dict[str, Workspace]:
     """The blocks of Markdown and of the pieces of a puzzle, by their Block-Text."""
-    fences = (found.strip("\n") for text in texts for found in drawn_blocks(text))
+    fences = (fence.strip("\n") for text in texts for fence in drawn_blocks(text))
     wanted = islice(dict.fromkeys((*fences, *pieces)), MOST_DRAWINGS)
     drawn = ((source, _drawing(source)) for source in wanted)
     return {source: workspace for source, workspace in drawn if workspace is not None}
@@ -144,9 +144,9 @@ def _drawing(source: str) -> Workspace | None:
     if is_head:
         # A line such as "repeat 4:" begins a statement.
         parts.append(f"main:\n{inner}\n        pass\n    end\nend\n")
-    found = next(filter(None, map(_blocks, parts)), None)
-    if found:
-        return _without_head(found)
+    workspace = next(filter(None, map(_blocks, parts)), None)
+    if workspace:
+        return _without_head(workspace)
     # "main:" or "def go():" begins a part of the program.
     return _blocks(f"{body}\n    pass\nend\n" if is_head else source)
 
@@ -161,7 +161,7 @@ def _blocks(text: str) -> Workspace | None:
 def _without_head(workspace: Workspace) -> Workspace | None:
     """The statements inside of ``main``, as a stack of their own."""
     for first, *_ in workspace.stacks:
-        for found in first.inputs.values():
-            if found.stack:
-                return Workspace([found.stack], workspace.variables)
+        for slot in first.inputs.values():
+            if slot.stack:
+                return Workspace([slot.stack], workspace.variables)
     return None

@@ -434,13 +434,18 @@ class Session:
         self.runs.require_rest()
         await self.archive.keep_version("restored")
         prepared = await to_thread.run_sync(prepare, earlier)
-        like = [(self._like(found, len(prepared.parts)), found) for found in prepared.parts]
-        await self._set_robot_counts((part, found.count) for part, found in like if part)
-        for part, found in like:
+        like = [
+            (self._like(prepared_part, len(prepared.parts)), prepared_part)
+            for prepared_part in prepared.parts
+        ]
+        await self._set_robot_counts(
+            (part, prepared_part.count) for part, prepared_part in like if part
+        )
+        for part, prepared_part in like:
             if part:
-                await part.restore(found.document)
+                await part.restore(prepared_part.document)
             else:
-                await self._insert(self._new_part(found), len(self.parts))
+                await self._insert(self._new_part(prepared_part), len(self.parts))
 
     async def know(self, configurations: Mapping[str, BlockConfiguration]) -> None:
         """Read the programs with a changed set of skills."""
@@ -492,9 +497,9 @@ class Session:
         prepared = await to_thread.run_sync(lambda: prepare(outside, read_only=read_only))
         is_lost = await self._take_in_robots(outside, prepared)
         await self._take_in_settings(self._saved, outside, prepared)
-        for saved, found in zip(outside.parts, prepared.parts, strict=True):
-            if part := self._like(found, len(outside.parts)):
-                is_lost |= await part.take_in(saved, found.document)
+        for saved, prepared_part in zip(outside.parts, prepared.parts, strict=True):
+            if part := self._like(prepared_part, len(outside.parts)):
+                is_lost |= await part.take_in(saved, prepared_part.document)
         if not is_lost:
             self.viewers.send(messages.TakenIn())
         return is_lost

@@ -111,8 +111,8 @@ class Sessions:
         """The name of a project that was created like this one, and is still as it was."""
         for name in await to_thread.run_sync(self.folder.taken_names, project.name):
             with suppress(LearnBlockError):
-                found = await self._project(name)
-                if is_same_program(found, project):
+                other = await self._project(name)
+                if is_same_program(other, project):
                     return name
         return None
 

@@ -30,18 +30,18 @@ class ShownBlocks:
         Raises:
             UnknownNameError: the project names an unknown set.
         """
-        found = cls(project.shown, project.block_sets)
-        if found._find() is None:
-            known = (*block_sets.BUILT_IN, *(block_set.name for block_set in found.carried))
+        shown = cls(project.shown, project.block_sets)
+        if shown._find() is None:
+            known = (*block_sets.BUILT_IN, *(block_set.name for block_set in shown.carried))
             raise UnknownNameError("block-set", project.shown, known)
-        return found
+        return shown
 
     @property
     def set(self) -> BlockSet:
         """The set that is shown."""
-        found = self._find()
-        assert found is not None  # noqa: S101 - `of` and `choosing` ensure it
-        return found
+        block_set = self._find()
+        assert block_set is not None  # noqa: S101 - `of` and `choosing` ensure it
+        return block_set
 
     def choosing(self, chosen: BlockSet) -> "ShownBlocks":
         """Choose another set, and save it in the project unless it is built in.
