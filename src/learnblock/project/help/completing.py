@@ -161,10 +161,10 @@ class Completer:
         yield from self.skill_options("robot." if self.is_python else "function.")
 
     def statements(self) -> Iterator[Completion]:
-        known = dict(_PYTHON_STATEMENTS if self.is_python else _BLOCKTEXT_STATEMENTS)
+        keywords = dict(_PYTHON_STATEMENTS if self.is_python else _BLOCKTEXT_STATEMENTS)
         if not self.cursor.before[: self.cursor.start]:
-            known |= _PYTHON_ITEMS if self.is_python else _BLOCKTEXT_ITEMS
-        for label, (word, insert) in known.items():
+            keywords |= _PYTHON_ITEMS if self.is_python else _BLOCKTEXT_ITEMS
+        for label, (word, insert) in keywords.items():
             help_ = self.words.about("keywords", word)
             yield Completion(label, insert, "keyword", help=help_)
         for name, plain in self.vocabulary.whens.items():
