@@ -98,8 +98,8 @@ def distance(reply: object) -> float:
     Raises:
         BadReplyError: it is not a reading.
     """
-    found, *rest = reply if isinstance(reply, tuple) else (reply,)
-    if found != 1:
+    detected, *rest = reply if isinstance(reply, tuple) else (reply,)
+    if detected != 1:
         return NOTHING_SEEN
     if not rest:
         raise BadReplyError(reply)

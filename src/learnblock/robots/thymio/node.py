@@ -60,11 +60,11 @@ class Node:
     @property
     def complete(self) -> bool:
         """Whether everything it announced has been described."""
-        known = self._remote
+        remote = self._remote
         return self._expected == (
-            len(known.named_variables),
-            len(known.local_events),
-            len(known.native_functions),
+            len(remote.named_variables),
+            len(remote.local_events),
+            len(remote.native_functions),
         )
 
     @property
