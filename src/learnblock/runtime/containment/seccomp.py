@@ -142,7 +142,7 @@ def _verdict(name: str, conditions: Mapping[str, tuple[Condition, ...]]) -> Iter
 def _conditions(process: int, *, network: bool) -> dict[str, tuple[Condition, ...]]:
     itself = (Condition(0, (process,)),)
     stream = Condition(2, (1,), mask=0xF)
-    found = {
+    conditions = {
         **_THREADS,
         "kill": itself,
         "tgkill": itself,
@@ -160,9 +160,9 @@ def _conditions(process: int, *, network: bool) -> dict[str, tuple[Condition, ..
     }
     if network:
         internet = (Condition(0, (2, 10)), Condition(2, (1, 2), mask=0xF))
-        return found | {"socket": internet}
+        return conditions | {"socket": internet}
     # Sending is allowed only without an address.
-    return found | {"sendto": (Condition(8, (0,)), Condition(9, (0,)))}
+    return conditions | {"sendto": (Condition(8, (0,)), Condition(9, (0,)))}
 
 
 #: Threads may be created, but not processes.

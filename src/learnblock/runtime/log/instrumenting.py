@@ -394,9 +394,9 @@ class _Instrumenting(ast.NodeTransformer):
     ) -> list[ast.stmt]:
         context = self._control, self._branch
         self._control, self._branch = number, branch
-        done = self.block(body)
+        statements = self.block(body)
         self._control, self._branch = context
-        return done
+        return statements
 
     def _begin(
         self, node: _Placed, kind: Kind, *, at: _Placed | None = None, **more: object
