@@ -249,8 +249,8 @@ def _server(
             address = _page_address(service, listening)
             if service.access.writer:
                 service.access.writer.describe(address, token)
-            given = None if service.proxy_sends_token else token
-            address = whole_address(address, given, service.project)
+            shown_token = None if service.proxy_sends_token else token
+            address = whole_address(address, shown_token, service.project)
             service.announce(Phrase("server-started", address=address))
             if service.access.read_only:
                 service.announce(service.access.read_only)

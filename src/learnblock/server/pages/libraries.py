@@ -122,13 +122,13 @@ def _converted(message: messages.ConvertLibrary) -> messages.LibraryConverted:
     files = importing.LibraryFiles(
         message.filename, message.content, message.python, message.configuration
     )
-    done = importing.import_library(files, all_configurations())
-    if done.library is None:
+    imported = importing.import_library(files, all_configurations())
+    if imported.library is None:
         reason = Phrase("import-only-program", name=message.filename)
         raise ProjectError(message.filename, [Diagnostic("only-program", reason)])
-    made = _made(done.library)
+    converted = _made(imported.library)
     return messages.LibraryConverted(
-        made.filename, made.content, done.report.changed, done.report.missing
+        converted.filename, converted.content, imported.report.changed, imported.report.missing
     )
 
 
