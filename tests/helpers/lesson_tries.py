@@ -43,8 +43,8 @@ def tried(
     with opened.world_file(step) as file:
         trials = [Trial(opened, step, read_program(one), file) for one in sources]
         jobs = [trial.job(attempt) for trial in trials for attempt in wanted]
-        for result in Batch(jobs, kept=kept).results():
-            program, number = divmod(result.job, len(wanted))
+        for index, result in Batch(jobs, kept=kept).results():
+            program, number = divmod(index, len(wanted))
             evidence = evidence_of(result.trace, result.report)
             tree = trials[program].source.tree
             verdicts = judge(described, tree, evidence, world, Experts(opened))

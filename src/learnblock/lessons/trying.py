@@ -141,9 +141,9 @@ def try_step(
     described = opened.step(step)
     world = opened.described_world(step)
     with opened.world_file(step) as file:
-        trial = Trial(opened, step, written, file, switch or StopSwitch())
-        made = trial.teams(wanted, limits) if described.partners else None
-        for attempt, evidence, trace, isolated in made or trial.batch(wanted, limits, at_once):
+        trial = Trial(opened, step, written, file, limits or Limits(), switch or StopSwitch())
+        made = trial.teams(wanted) if described.partners else None
+        for attempt, evidence, trace, isolated in made or trial.batch(wanted, at_once):
             verdicts = judge(described, written.tree, evidence, world, Experts(opened))
             assert evidence.report is not None  # noqa: S101 - the run is over
             yield Tried(attempt, verdicts, evidence, evidence.report, trace, isolated)
@@ -162,6 +162,7 @@ class Trial:
         step: the number of the step.
         source: the program.
         world: the name or the path of the world: see `OpenLesson.world_file`.
+        limits: the resources that each program may use.
         switch: ends its runs.
     """
 
@@ -169,13 +170,14 @@ class Trial:
     step: int
     source: Source
     world: str | None
+    limits: Limits = Limits()  # noqa: RUF009 - it is frozen
     switch: StopSwitch = field(default_factory=StopSwitch)
 
     def job(self, attempt: Attempt) -> Job:
         """The run of an attempt."""
         robot = known_robots.find(attempt.robot)
         program = running.program(self.source, robot)
-        return Job(program, robot, self.options(attempt), with_trace=True)
+        return Job(program, robot, self.options(attempt), with_trace=True, limits=self.limits)
 
     def options(self, attempt: Attempt) -> Options:
         """How an attempt is run."""
@@ -192,25 +194,25 @@ class Trial:
         partners = self.opened.step(self.step).partners
         return [_member(OWN_ROBOT, self.source, attempt.robot), *map(self._partner, partners)]
 
-    def batch(
-        self, wanted: Sequence[Attempt], limits: Limits | None, at_once: int | None
-    ) -> Iterator[Made]:
+    def batch(self, wanted: Sequence[Attempt], at_once: int | None) -> Iterator[Made]:
         """Make the runs of attempts with one robot, many at once."""
-        batch = Batch([*map(self.job, wanted)], at_once, limits=limits)
+        batch = Batch([*map(self.job, wanted)], at_once)
         with self.switch.ends(batch.stop):
-            for result in batch.results():
+            for number, result in batch.results():
                 if result.lost:
                     raise LearnBlockError("run-lost", reason=result.lost)
                 evidence = evidence_of(result.trace, result.report)
-                yield wanted[result.job], evidence, result.trace, result.isolated
+                yield wanted[number], evidence, result.trace, result.isolated
 
-    def teams(self, wanted: Sequence[Attempt], limits: Limits | None) -> Iterator[Made]:
+    def teams(self, wanted: Sequence[Attempt]) -> Iterator[Made]:
         """Make the runs of attempts with partners, one after the other."""
         for attempt in wanted:
             if self.switch.is_stopped:
                 return
             file = BytesIO()
-            run = TeamRun(self.members(attempt), self.options(attempt), trace=file, limits=limits)
+            run = TeamRun(
+                self.members(attempt), self.options(attempt), trace=file, limits=self.limits
+            )
             with self.switch.ends(run.stop):
                 reports = {member.name: report for member, report in run.run().robots}
             if reports[OWN_ROBOT].ended == How.STOPPED:

@@ -38,8 +38,9 @@ from learnblock.lessons.reading import for_pupils
 from learnblock.lessons.texts import Title, in_language
 from learnblock.lessons.trying import Attempt, Trial
 from learnblock.running import Report, Source
-from learnblock.running.batch import CAN_FORK, Batch, JobResult, WarmProcess
+from learnblock.running.batch import CAN_FORK, Batch, WarmProcess
 from learnblock.running.job import Job
+from learnblock.running.result import RunResult
 from learnblock.runtime.ending import How
 from learnblock.runtime.limits import MEGABYTE, Limits
 from learnblock.simulator import WorldDescription
@@ -160,7 +161,7 @@ class _Piece:
     def result(self) -> Result:
         """Run the program, and judge what it did."""
         with self.opened.world_file(self.order.step) as world:
-            trial = Trial(self.opened, self.order.step, self.source, world)
+            trial = Trial(self.opened, self.order.step, self.source, world, self.order.limits)
             if self._step.partners:
                 return self._in_team(trial)
             made = self._job(trial)
@@ -185,20 +186,19 @@ class _Piece:
         options = replace(made.options, seed=self.order.seed)
         return replace(made, program=program, options=options)
 
-    def _run(self, made: Job) -> JobResult:
+    def _run(self, made: Job) -> RunResult:
         """Make one run, in a process that is kept for the next one."""
-        limits = self.order.limits
-        [result] = _forked(made, limits) if CAN_FORK else Batch([made], limits=limits).results()
+        [(_, result)] = _forked(made) if CAN_FORK else Batch([made]).results()
         if result.lost:
             raise NotRunError("run-lost", reason=result.lost)
         return result
 
     def _in_team(self, trial: Trial) -> Result:
         """The result of a step with partners, where every program has a process of its own."""
-        [(_, evidence, _, _)] = trial.teams([self._attempt], self.order.limits)
+        [(_, evidence, _, _)] = trial.teams([self._attempt])
         return self._judged(evidence, "isolated")
 
-    def _of(self, made: JobResult, checked: Checked) -> Result:
+    def _of(self, made: RunResult, checked: Checked) -> Result:
         if len(made.trace) > LONGEST_TRACE:
             reason = in_all(Phrase("grade-trace-too-long", limit=LONGEST_TRACE // MEGABYTE))
             return Result(ended=How.KILLED, checked=checked, reason=reason)
@@ -236,14 +236,14 @@ class _Piece:
         )
 
 
-def _forked(made: Job, limits: Limits) -> list[JobResult]:
+def _forked(made: Job) -> list[tuple[int, RunResult]]:
     idle = _idle()
     try:
         kept = idle.get_nowait()
     except Empty:
         kept = WarmProcess()
     try:
-        return [*Batch([made], 1, limits=limits, kept=kept).results()]
+        return [*Batch([made], 1, kept=kept).results()]
     finally:
         if kept.is_running:
             idle.put(kept)
