@@ -239,7 +239,7 @@ def _result(data: bytes, *, isolated: bool) -> RunResult:
         reason = refused("an error that is not known").phrase
         return RunResult(_failed(How.ERROR, reason), isolated=isolated)
     # Only a host that no program shares can say that a run is lost.
-    return replace(sent, isolated=isolated, lost=sent.lost if isolated else "")
+    return RunResult(sent.report, sent.trace, isolated, sent.lost if isolated else "")
 
 
 def _failed(how: How, message: Phrase) -> Report:

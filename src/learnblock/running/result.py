@@ -1,6 +1,7 @@
 """What came of a run, and how it is sent by the process that made it."""
 
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 
 import msgspec
 
@@ -10,19 +11,23 @@ from learnblock.running.report import Report
 
 @dataclass(frozen=True, slots=True)
 class RunResult:
-    """What came of a `Job`.
+    """What came of a `Job`, or of a run of several robots.
 
     Args:
         report: its report, with what it printed.
         trace: its trace, if the job wants it.
         isolated: whether the program ran in a process of its own.
         lost: why the run could not be made, which is not its program's fault; "" if it was made.
+        robot: among several, the name of the robot that is looked at.
+        team: the reports of several robots, by their names.
     """
 
     report: Report
     trace: bytes = b""
     isolated: bool = True
     lost: str = ""
+    robot: str = ""
+    team: Mapping[str, Report] = field(default_factory=dict)
 
 
 def packed(result: RunResult) -> bytes:

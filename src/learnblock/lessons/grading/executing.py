@@ -36,7 +36,7 @@ from learnblock.lessons.lesson import Lesson, Step
 from learnblock.lessons.opened import EXPERTS, OpenLesson
 from learnblock.lessons.reading import for_pupils
 from learnblock.lessons.texts import Title, in_language
-from learnblock.lessons.trying import Attempt, Trial
+from learnblock.lessons.trying import Attempt, StepRuns
 from learnblock.running import Report, Source
 from learnblock.running.batch import CAN_FORK, Batch, WarmProcess
 from learnblock.running.job import Job
@@ -161,10 +161,10 @@ class _Piece:
     def result(self) -> Result:
         """Run the program, and judge what it did."""
         with self.opened.world_file(self.order.step) as world:
-            trial = Trial(self.opened, self.order.step, self.source, world, self.order.limits)
+            runs = StepRuns(self.opened, self.order.step, self.source, world, self.order.limits)
             if self._step.partners:
-                return self._in_team(trial)
-            made = self._job(trial)
+                return self._in_team(runs)
+            made = self._job(runs)
             first = self._run(replace(made, isolated=self.order.manner == "isolated"))
             if self.order.manner != "compared" or first.isolated:
                 return self._of(first, "isolated" if first.isolated else "shared")
@@ -180,8 +180,8 @@ class _Piece:
     def _attempt(self) -> Attempt:
         return Attempt(self.order.robot, self.order.variant)
 
-    def _job(self, trial: Trial) -> Job:
-        made = trial.job(self._attempt)
+    def _job(self, runs: StepRuns) -> Job:
+        made = runs.job(self._attempt)
         program = replace(made.program, folder="", tags=dict(self.order.tags))
         options = replace(made.options, seed=self.order.seed)
         return replace(made, program=program, options=options)
@@ -193,20 +193,19 @@ class _Piece:
             raise NotRunError("run-lost", reason=result.lost)
         return result
 
-    def _in_team(self, trial: Trial) -> Result:
+    def _in_team(self, runs: StepRuns) -> Result:
         """The result of a step with partners, where every program has a process of its own."""
-        [(_, evidence, _, _)] = trial.teams([self._attempt])
-        return self._judged(evidence, "isolated")
+        [(_, result)] = runs.results([self._attempt])
+        return self._judged(result, "isolated")
 
     def _of(self, made: RunResult, checked: Checked) -> Result:
         if len(made.trace) > LONGEST_TRACE:
             reason = in_all(Phrase("grade-trace-too-long", limit=LONGEST_TRACE // MEGABYTE))
             return Result(ended=How.KILLED, checked=checked, reason=reason)
-        return self._judged(evidence_of(made.trace, made.report), checked)
+        return self._judged(made, checked)
 
-    def _judged(self, evidence: Evidence, checked: Checked) -> Result:
-        report = evidence.report
-        assert report is not None  # noqa: S101 - the run is over
+    def _judged(self, made: RunResult, checked: Checked) -> Result:
+        report, evidence = made.report, evidence_of(made)
         world = _world(self.order.lesson, self.order.step)
         verdicts = judge(self._step, self.source.tree, evidence, world, Experts(self.opened))
         return Result(
