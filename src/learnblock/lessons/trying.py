@@ -28,10 +28,17 @@ from learnblock.simulator import WorldDescription
 
 @dataclass(frozen=True, slots=True)
 class Attempt:
-    """A robot and a variant of the world in which a program is tried; 0 is the world as it is."""
+    """What a program is tried in.
+
+    Args:
+        robot: the robot.
+        variant: the variant of the world; 0 is the world as it is.
+        seed: the seed of all noise.
+    """
 
     robot: str
     variant: int
+    seed: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -199,7 +206,7 @@ class StepRuns:
         """How an attempt is run."""
         return Options(
             world=self.world,
-            seed=0,
+            seed=attempt.seed,
             pace="free",
             seconds=self.opened.step(self.step).seconds,
             variant=attempt.variant,

@@ -37,8 +37,8 @@ LIMITS = Limits(silence=1.0)
 
 def graded(text):
     [one] = handed_in(eve=text)
-    [(_, order)] = plan((one,), limits=LIMITS).orders(one)
-    return unpacked(run_piece(replace(order, manner="shared")))
+    [(_, piece)] = plan((one,), limits=LIMITS).pieces(one)
+    return unpacked(run_piece(replace(piece, manner="shared")))
 
 
 @pytest.fixture(scope="module")
