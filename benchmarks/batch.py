@@ -12,6 +12,7 @@ import argparse
 import os
 from dataclasses import replace
 from itertools import cycle, islice
+from operator import itemgetter
 from pathlib import Path
 from time import perf_counter
 
@@ -52,7 +53,7 @@ def main() -> None:
     given = parser.parse_args()
     wanted = jobs(given.runs, given.seconds)
     began, used = perf_counter(), _used()
-    results = sorted(Batch(wanted).results(), key=lambda one: one.job)
+    results = [result for _, result in sorted(Batch(wanted).results(), key=itemgetter(0))]
     batch, used = perf_counter() - began, _used() - used
     simulated = sum(one.report.time for one in results)
     together = simulated / batch

@@ -41,7 +41,7 @@ from learnblock.lessons.grading.grading import Grading
 from learnblock.lessons.grading.journal import opened_journal
 from learnblock.lessons.grading.likeness import Print, alike
 from learnblock.lessons.grading.output import TABLE, write_results
-from learnblock.lessons.grading.plan import Plan, tries
+from learnblock.lessons.grading.plan import Plan, graded_attempts
 from learnblock.lessons.grading.values import HandedIn
 from learnblock.lessons.mutants import mutants
 from learnblock.lessons.opened import OpenLesson
@@ -82,9 +82,8 @@ def planned(kind: str, programs: int, variants: int, seconds: float = 60.0) -> P
     opened = OpenLesson(opened.name, lesson, opened.teacher, opened.files)
     wanted = attempts(opened, step, robots=[robot], variants=variants)
     whole_class = a_class(opened, step, programs)
-    return Plan(
-        opened, step, whole_class, tries(opened, step, wanted), version("learnblock-studio")
-    )
+    tried = graded_attempts(opened, step, wanted)
+    return Plan(opened, step, whole_class, tried, version("learnblock-studio"))
 
 
 def graded(plan: Plan, workers: OpenWorkers, kill: subprocess.Popen[bytes] | None = None) -> str:
@@ -129,8 +128,8 @@ class OneRun(Executor):
     def __init__(self) -> None:
         self._made: bytes | None = None
 
-    def submit(self, function: Any, order: Any, /) -> Any:  # type: ignore[override]
-        self._made = self._made or function(order)
+    def submit(self, function: Any, piece: Any, /) -> Any:  # type: ignore[override]
+        self._made = self._made or function(piece)
         future: Future[bytes] = Future()
         future.set_result(self._made)
         return future
@@ -208,7 +207,7 @@ def main() -> None:
         return
     for kind in given.lessons.split(","):
         plan = planned(kind, given.programs, given.variants, given.seconds)
-        print(f"{kind}: {len(plan.handed_in)} programs, {len(plan.tries)} runs each", flush=True)
+        print(f"{kind}: {len(plan.handed_in)} programs, {len(plan.attempts)} runs each", flush=True)
         found = {graded(plan, one_run if given.one_run else partial(local, given.jobs))}
         for kills in [False] * given.dask + [True] * given.kill:
             with dask(2) as (address, workers):

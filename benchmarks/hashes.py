@@ -42,7 +42,7 @@ def job(name):
 
 def reports(jobs):
     if sys.argv[2] == "warm":
-        return [one.report for one in sorted(Batch(jobs).results(), key=lambda one: one.job)]
+        return [one.report for _, one in sorted(Batch(jobs).results(), key=lambda one: one[0])]
     worker = {"process": ProcessWorker, "thread": InlineWorker}[sys.argv[2]]
     runs = (ProgramRun(one.program, one.robot, one.options, worker=worker) for one in jobs)
     return [run.run() for run in runs]

@@ -24,7 +24,7 @@ from learnblock.lessons.checks import Size, Uses
 from learnblock.lessons.judging import is_done
 from learnblock.lessons.mutants import mutants
 from learnblock.lessons.reading import OpenLesson, find_lesson, shipped
-from learnblock.lessons.trying import Tried, attempts
+from learnblock.lessons.trying import JudgedRun, attempts
 from learnblock.lessons.variations import variations
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "helpers"))
@@ -48,7 +48,7 @@ class Tally:
     #: Variations that lack the construct for which the step asks.
     without: int = 0
 
-    def count_variation(self, done: Sequence[Tried]) -> bool:
+    def count_variation(self, done: Sequence[JudgedRun]) -> bool:
         """Count another solution; return whether it is not refused."""
         failed = [check for one in done for check in one.verdicts if check.state == "failed"]
         needed = [one.check for one in failed if not one.check.optional]

@@ -143,7 +143,7 @@ def try_shared(attacks: list[Attack], targets: Targets) -> dict[str, str]:
     with patch.object(batch.subprocess, "Popen", _start_for_all):
         warm = WarmProcess()
     try:
-        [result] = Batch([job], kept=warm).results()
+        [(_, result)] = Batch([job], kept=warm).results()
     finally:
         warm.end()
     assert (result.isolated, result.report.error) == (False, None)

@@ -4,9 +4,10 @@ from importlib.metadata import version
 
 from learnblock.lessons.grading.grading import Grading
 from learnblock.lessons.grading.journal import opened_journal
-from learnblock.lessons.grading.plan import Plan, Try
+from learnblock.lessons.grading.plan import Plan
 from learnblock.lessons.grading.values import HandedIn
 from learnblock.lessons.reading import read_files
+from learnblock.lessons.trying import Attempt
 from learnblock.runtime.limits import Limits
 
 LESSON = """
@@ -63,8 +64,8 @@ def handed_in(**programs):
 
 
 def plan(programs, *, opened=None, seeds=1, limits=LIMITS):
-    tries = tuple(Try("sim-ebo", 0, seed) for seed in range(seeds))
-    return Plan(opened or lesson(), 1, programs, tries, version("learnblock-studio"), limits)
+    attempts = tuple(Attempt("sim-ebo", 0, seed) for seed in range(seeds))
+    return Plan(opened or lesson(), 1, programs, attempts, version("learnblock-studio"), limits)
 
 
 def rows(wanted, folder, workers):

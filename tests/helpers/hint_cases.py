@@ -8,7 +8,7 @@ from pathlib import Path
 from learnblock.lessons.hints import Elsewhere, Hint, hints
 from learnblock.lessons.judging import is_done
 from learnblock.lessons.reading import OpenLesson, read_files
-from learnblock.lessons.trying import Tried, attempts, read_program, try_step
+from learnblock.lessons.trying import JudgedRun, attempts, read_program, try_step
 from places import ROOT
 
 CASES = ROOT / "tests" / "cases" / "hints"
@@ -71,7 +71,7 @@ def lesson_cases(lesson: OpenLesson) -> Iterator[Case]:
         yield Case(lesson, wrong.step, f"{lesson.name} {wrong.program}", program, (wrong.hint,))
 
 
-def failing(case: Case) -> tuple[Tried | None, Elsewhere]:
+def failing(case: Case) -> tuple[JudgedRun | None, Elsewhere]:
     """The first attempt in which a program fails; None if it never does."""
     wanted = attempts(case.lesson, case.step)
     usual = next(try_step(case.lesson, case.step, case.program, wanted[:1]))

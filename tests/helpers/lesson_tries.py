@@ -6,12 +6,10 @@ from functools import cache
 
 import msgspec
 
-from learnblock.lessons.evidence import evidence_of
-from learnblock.lessons.expert import Experts
-from learnblock.lessons.judging import is_done, judge
+from learnblock.lessons.judging import is_done
 from learnblock.lessons.mutants import Mutant
 from learnblock.lessons.reading import OpenLesson, find_lesson
-from learnblock.lessons.trying import Attempt, Trial, Tried, attempts, read_program, try_step
+from learnblock.lessons.trying import Attempt, JudgedRun, StepRuns, attempts, read_program, try_step
 from learnblock.running.batch import Batch, WarmProcess
 
 #: A lesson that comes with LearnBlock, read once by all tests.
@@ -26,7 +24,7 @@ def tried(
     sources: Sequence[str],
     wanted: Sequence[Attempt],
     kept: WarmProcess | None = None,
-) -> list[list[Tried]]:
+) -> list[list[JudgedRun]]:
     """Try programs: the results of each, in the order of the attempts.
 
     Args:
@@ -38,23 +36,17 @@ def tried(
     """
     if opened.step(step).partners:
         return [_in_order(try_step(opened, step, one, wanted), wanted) for one in sources]
-    described, world = opened.step(step), opened.described_world(step)
-    made: dict[tuple[int, int], Tried] = {}
+    made: dict[tuple[int, int], JudgedRun] = {}
     with opened.world_file(step) as file:
-        trials = [Trial(opened, step, read_program(one), file) for one in sources]
-        jobs = [trial.job(attempt) for trial in trials for attempt in wanted]
-        for result in Batch(jobs, kept=kept).results():
-            program, number = divmod(result.job, len(wanted))
-            evidence = evidence_of(result.trace, result.report)
-            tree = trials[program].source.tree
-            verdicts = judge(described, tree, evidence, world, Experts(opened))
-            made[program, number] = Tried(
-                wanted[number], verdicts, evidence, result.report, result.trace
-            )
+        programs = [StepRuns(opened, step, read_program(one), file) for one in sources]
+        jobs = [runs.job(attempt) for runs in programs for attempt in wanted]
+        for index, result in Batch(jobs, kept=kept).results():
+            program, number = divmod(index, len(wanted))
+            made[program, number] = programs[program].judged(wanted[number], result)
     return [[made[one, two] for two in range(len(wanted))] for one in range(len(sources))]
 
 
-def _in_order(found: Iterable[Tried], wanted: Sequence[Attempt]) -> list[Tried]:
+def _in_order(found: Iterable[JudgedRun], wanted: Sequence[Attempt]) -> list[JudgedRun]:
     return sorted(found, key=lambda one: wanted.index(one.attempt))
 
 
@@ -73,9 +65,9 @@ def tried_until_failed(
     opened: OpenLesson,
     step: int,
     sources: Sequence[str],
-    right: Sequence[Tried],
+    right: Sequence[JudgedRun],
     kept: WarmProcess | None = None,
-) -> list[list[Tried]]:
+) -> list[list[JudgedRun]]:
     """Try programs; one that fails in the first attempt, in another way, has no others.
 
     Args:
@@ -90,7 +82,7 @@ def tried_until_failed(
     open_ = [
         number
         for number, [one] in enumerate(first)
-        if is_done(one.verdicts) or behaviour(one.trace) == behaviour(right[0].trace)
+        if is_done(one.verdicts) or behaviour(one.result.trace) == behaviour(right[0].result.trace)
     ]
     if wanted[1:]:
         more = tried(opened, step, [sources[number] for number in open_], wanted[1:], kept)
@@ -111,11 +103,11 @@ def unnoticed(
     """
     wanted = attempts(opened, step, robots=opened.robots(step)[:1])
     [right] = tried(opened, step, [opened.solution(step) or ""], wanted, kept)
-    expected = [behaviour(one.trace) for one in right]
+    expected = [behaviour(one.result.trace) for one in right]
     sources = [one.source for one in programs]
     for program, done in zip(
         programs, tried_until_failed(opened, step, sources, right, kept), strict=True
     ):
-        is_other = [behaviour(one.trace) for one in done] != expected
+        is_other = [behaviour(one.result.trace) for one in done] != expected
         if is_other and all(is_done(one.verdicts) for one in done):
             yield program

@@ -2,6 +2,7 @@
 
 import sys
 from dataclasses import replace
+from operator import itemgetter
 from threading import Timer
 
 import msgspec
@@ -12,7 +13,8 @@ from learnblock.i18n import Phrase, translate
 from learnblock.running import Options, ProgramRun, Report
 from learnblock.running.batch import Batch, WarmProcess, _result
 from learnblock.running.job import Job
-from learnblock.running.warm import Prints, Sent
+from learnblock.running.result import RunResult, packed
+from learnblock.running.warm import Prints
 from learnblock.runtime.ending import How
 from learnblock.runtime.limits import MEGABYTE, Limits
 from learnblock.runtime.program import Program
@@ -34,10 +36,15 @@ def job(program, **options):
     return Job(program, EBO, Options(**{"world": "empty", "seconds": 3, **options}))
 
 
-def alone(one, limits=None):
+def made(*jobs, **options):
+    """What came of the runs of a batch, in the order of its jobs."""
+    return [result for _, result in sorted(Batch(jobs, **options).results(), key=itemgetter(0))]
+
+
+def alone(one):
     """The report of a job's run with a process of its own."""
     prints = Prints()
-    run = ProgramRun(one.program, one.robot, one.options, watcher=prints, limits=limits)
+    run = ProgramRun(one.program, one.robot, one.options, watcher=prints, limits=one.limits)
     return replace(run.run(), output=prints.text)
 
 
@@ -48,7 +55,7 @@ def test_plain_programs_share_a_process_with_their_host_and_end_as_alone():
     ]
     jobs = [job(one, world=WORLDS.get(one.name, "table")) for one in programs]
     jobs += [job(in_python("print('hi')\nx = [] + 3")), job(in_python("robot.no_such_skill()"))]
-    results = sorted(Batch(jobs, at_once=2).results(), key=lambda one: one.job)
+    results = made(*jobs, at_once=2)
 
     assert [one.isolated for one in results] == [False] * 5 + [True]
     assert [one.report for one in results] == list(map(alone, jobs))
@@ -56,7 +63,7 @@ def test_plain_programs_share_a_process_with_their_host_and_end_as_alone():
 
 def test_a_program_with_imports_never_has_the_simulator_in_its_process():
     look = in_python("import sys\nprint('learnblock.simulator' in sys.modules)")
-    [result] = Batch([job(look)]).results()
+    [result] = made(job(look))
 
     assert result.isolated
     assert result.report.output == "False\n"
@@ -65,26 +72,26 @@ def test_a_program_with_imports_never_has_the_simulator_in_its_process():
 
 def test_a_plain_program_that_never_calls_its_robot_ends_as_alone():
     busy = in_python("while True:\n    x = 1")
-    [result] = Batch([job(busy)], limits=Limits(silence=0.2)).results()
+    [result] = made(replace(job(busy), limits=Limits(silence=0.2)))
 
     assert result.isolated
     assert result.report.ended == How.NO_CALL
 
 
 def test_a_plain_program_with_too_much_memory_ends_as_one_in_a_process():
-    greedy = in_python("x = [0]\nwhile len(x) < 1e10:\n    x.extend(x)")
-    limits = Limits(memory=1024 * MEGABYTE)
-    [result] = Batch([job(greedy)], limits=limits).results()
+    program = in_python("x = [0]\nwhile len(x) < 1e10:\n    x.extend(x)")
+    greedy = replace(job(program), limits=Limits(memory=1024 * MEGABYTE))
+    [result] = made(greedy)
 
     assert result.report.ended == How.ERROR
-    assert result.report.error["message"] == alone(job(greedy), limits).error["message"]
+    assert result.report.error["message"] == alone(greedy).error["message"]
 
 
 def test_a_kept_process_makes_the_runs_of_further_batches():
     wanted = job(in_python("robot.move_straight(40)\nrobot.sleep(2)"))
     kept = WarmProcess()
     try:
-        first, second = ([*Batch([wanted], kept=kept).results()] for _ in range(2))
+        first, second = (made(wanted, kept=kept) for _ in range(2))
         assert first == second
         assert kept.is_running
     finally:
@@ -104,7 +111,7 @@ def test_a_kept_process_ends_with_a_batch_that_is_stopped():
 def test_a_batch_whose_kept_process_has_ended_starts_one_of_its_own():
     kept = WarmProcess()
     kept.end()
-    [result] = Batch([job(in_python("robot.sleep(1)"))], kept=kept).results()
+    [result] = made(job(in_python("robot.sleep(1)")), kept=kept)
 
     assert result.report.ended == How.FINISHED
     assert result.report.time == 1
@@ -113,7 +120,7 @@ def test_a_batch_whose_kept_process_has_ended_starts_one_of_its_own():
 def test_a_plain_program_that_is_to_be_isolated_has_the_same_result():
     program = running.program(running.read(EXAMPLES / "square.bt"), EBO)
     jobs = [job(program), replace(job(program), isolated=True)]
-    together, apart = sorted(Batch(jobs).results(), key=lambda one: one.job)
+    together, apart = made(*jobs)
 
     assert (together.isolated, apart.isolated) == (False, True)
     assert together.report == apart.report
@@ -122,7 +129,7 @@ def test_a_plain_program_that_is_to_be_isolated_has_the_same_result():
 def test_a_trace_is_kept_if_it_is_wanted():
     program = running.program(running.read(EXAMPLES / "square.bt"), EBO)
     wanted = replace(job(program), with_trace=True)
-    [result] = Batch([wanted]).results()
+    [result] = made(wanted)
 
     lines = [msgspec.json.decode(line) for line in result.trace.splitlines()]
     assert lines[0]["run"]["world"] == "empty"
@@ -140,31 +147,34 @@ def test_stopped_runs_have_no_result():
 
 def test_a_program_that_is_not_python_is_refused_as_alone():
     broken = Program("program.py", "x = = 3\n", "x = = 3\n")
-    [result] = Batch([job(broken)]).results()
+    [result] = made(job(broken))
 
     assert result.report == alone(job(broken))
 
 
 def test_a_program_that_prints_too_much_ends_alike_in_every_process_and_at_its_line():
-    one = job(in_python("for i in range(10**6):\n    print(i)"))
-    shared, apart = sorted(
-        Batch([one, replace(one, isolated=True)], limits=Limits(output=5000)).results(),
-        key=lambda result: result.isolated,
-    )
+    program = in_python("for i in range(10**6):\n    print(i)")
+    one = replace(job(program), limits=Limits(output=5000))
+    shared, apart = made(one, replace(one, isolated=True))
     assert shared.report == apart.report
     assert ("output limit", 5) == (apart.report.ended, apart.report.error["line"])
 
 
 @pytest.mark.parametrize(
-    ("sent", "ended", "lost"),
+    ("sent", "ended", "isolated"),
     [
-        (Sent(Report("finished"), Phrase(""), isolated=True, lost="mine"), "finished", ""),
-        (Sent(Report("error"), Phrase("run-too-much-output"), isolated=True), "error", ""),
+        (RunResult(Report("finished"), lost="mine"), "finished", False),
+        (
+            RunResult(Report("error", error={"message": Phrase("run-too-much-output")})),
+            "error",
+            False,
+        ),
+        (RunResult(Report("error", error={"message": 3})), "killed", True),
     ],
 )
 def test_a_shared_process_is_believed_neither_a_lost_run_nor_an_error_without_words(
-    sent, ended, lost
+    sent, ended, isolated
 ):
-    made = _result(0, msgspec.msgpack.encode(sent), isolated=False)
-    assert (made.report.ended, made.lost, made.isolated) == (ended, lost, False)
-    translate((made.report.error or {}).get("message", Phrase("")), "en")
+    result = _result(packed(sent), isolated=False)
+    assert (result.report.ended, result.lost, result.isolated) == (ended, "", isolated)
+    translate(result.report.message or Phrase(""), "en")

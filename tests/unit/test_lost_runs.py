@@ -15,9 +15,8 @@ import pytest
 from learnblock import robots
 from learnblock.running import Options, warm
 from learnblock.running.batch import Batch, WarmProcess
-from learnblock.running.job import Job, Order
+from learnblock.running.job import Job, packed
 from learnblock.runtime.ending import How
-from learnblock.runtime.limits import Limits
 from learnblock.runtime.program import Program
 
 pytestmark = [
@@ -75,9 +74,9 @@ def children(process):
 @pytest.mark.parametrize("isolated", [False, True])
 def test_a_run_whose_process_is_killed_is_made_again(kept, isolated):
     driving = replace(DRIVING, isolated=isolated)
-    [whole] = Batch([driving]).results()
+    [(_, whole)] = Batch([driving]).results()
     with killer(kept, 1):
-        [result] = Batch([driving], 1, kept=kept).results()
+        [(_, result)] = Batch([driving], 1, kept=kept).results()
     assert result == whole
     assert result.isolated == isolated
     assert result.report.ended == How.TIME_LIMIT
@@ -85,7 +84,7 @@ def test_a_run_whose_process_is_killed_is_made_again(kept, isolated):
 
 def test_a_run_whose_process_is_killed_twice_is_lost_and_no_failure_of_its_program(kept):
     with killer(kept, 2):
-        [result] = Batch([replace(DRIVING, isolated=True)], 1, kept=kept).results()
+        [(_, result)] = Batch([replace(DRIVING, isolated=True)], 1, kept=kept).results()
     assert result.lost == "Killed"
     assert "not the fault of the program" in str(result.report.error["message"])
 
@@ -93,7 +92,7 @@ def test_a_run_whose_process_is_killed_twice_is_lost_and_no_failure_of_its_progr
 def test_runs_go_on_in_another_process_if_the_one_that_forks_them_is_killed(kept):
     jobs = [job(f"print({number})\nrobot.sleep(1)") for number in range(4)]
     found = []
-    for result in Batch(jobs, 1, kept=kept).results():
+    for _, result in Batch(jobs, 1, kept=kept).results():
         found.append(result.report.output)
         if len(found) == 1:
             os.kill(kept._process.pid, signal.SIGKILL)
@@ -107,8 +106,8 @@ def test_the_process_ends_quietly_if_nobody_wants_its_results():
         pass_fds=(theirs.fileno(),),
         stderr=subprocess.PIPE,
     )
-    order = Order((DRIVING,), 1, Limits()).packed()
+    jobs = packed([DRIVING], 1)
     with ours, theirs:
-        ours.sendall(len(order).to_bytes(8) + order)
+        ours.sendall(len(jobs).to_bytes(8) + jobs)
     _, said = process.communicate(timeout=60)
     assert (process.returncode, said) == (0, b"")

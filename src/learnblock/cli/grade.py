@@ -57,8 +57,8 @@ def grade_command(handed_in: tuple[Path, ...], robots: str | None, **choices: An
     if bool(handed_in) == bool(choices["class_name"]):
         raise usage_error("grade-files-or-class")
     # Imported here because `--help` needs none of it.
-    from learnblock.cli.grading import Wish, grade  # noqa: PLC0415
+    from learnblock.cli.grading import Choices, grade  # noqa: PLC0415
 
     named = None if robots is None else tuple(filter(None, robots.split(",")))
-    finished = grade(handed_in, Wish(robots=named, **choices))
+    finished = grade(handed_in, Choices(robots=named, **choices))
     sys.exit(ExitCode.WELL if finished else ExitCode.INTERRUPTED)

@@ -21,7 +21,7 @@ from learnblock.lessons.grading.grading import Grading
 from learnblock.lessons.grading.handed_in import read_all
 from learnblock.lessons.grading.journal import opened_journal
 from learnblock.lessons.grading.output import write_results
-from learnblock.lessons.grading.plan import Plan, tries
+from learnblock.lessons.grading.plan import Plan, graded_attempts
 from learnblock.lessons.grading.values import HandedIn
 from learnblock.lessons.opened import OpenLesson
 from learnblock.lessons.reading import find_lesson
@@ -33,8 +33,8 @@ HANDED_IN = "handed-in"
 
 
 @dataclass(frozen=True, slots=True)
-class Wish:
-    """What the teacher asks for; None leaves the choice to the lesson or to this computer.
+class Choices:
+    """What the teacher chooses; None leaves the choice to the lesson or to this computer.
 
     Args:
         lesson: the name or path of the lesson.
@@ -57,31 +57,31 @@ class Wish:
     out: Path
 
 
-def grade(handed_in: Sequence[Path], wish: Wish) -> bool:
+def grade(handed_in: Sequence[Path], choices: Choices) -> bool:
     """Grade, write and report the results, and return whether everything is finished."""
-    opened_lesson = find_lesson(wish.lesson)
-    step = wish.step or _last_with_checks(opened_lesson)
-    for name in wish.robots or ():
+    opened_lesson = find_lesson(choices.lesson)
+    step = choices.step or _last_with_checks(opened_lesson)
+    for name in choices.robots or ():
         _check_simulated(name)
-    wanted = attempts(opened_lesson, step, robots=wish.robots, variants=wish.variants)
+    wanted = attempts(opened_lesson, step, robots=choices.robots, variants=choices.variants)
     plan = Plan(
         opened_lesson,
         step,
-        tuple(_handed_in(handed_in, wish, step)),
-        tries(opened_lesson, step, wanted),
+        tuple(_handed_in(handed_in, choices, step)),
+        graded_attempts(opened_lesson, step, wanted),
         version(),
     )
     if not plan.handed_in:
         raise usage_error("grade-nothing-handed-in")
-    with opened_journal(wish.out) as journal:
+    with opened_journal(choices.out) as journal:
         grading = Grading(plan, journal)
         try:
             with stopped_by_signals(grading.stop):
-                _show(grading, _workers(wish))
+                _show(grading, _workers(choices))
         finally:
             # Also of what was made until the workers were lost.
-            write_results(grading, wish.out, language(), lesson=wish.lesson)
-            say("grade-written", file=str(wish.out / "results.html"), err=True)
+            write_results(grading, choices.out, language(), lesson=choices.lesson)
+            say("grade-written", file=str(choices.out / "results.html"), err=True)
     return _say_what_is_missing(grading)
 
 
@@ -109,10 +109,10 @@ def _show(grading: Grading, workers: OpenWorkers) -> None:
             bar.update(progress.done - bar.pos)
 
 
-def _workers(wish: Wish) -> OpenWorkers:
-    if wish.scheduler:
-        return partial(cluster, wish.scheduler)
-    return partial(local, wish.jobs or processors())
+def _workers(choices: Choices) -> OpenWorkers:
+    if choices.scheduler:
+        return partial(cluster, choices.scheduler)
+    return partial(local, choices.jobs or processors())
 
 
 def _last_with_checks(opened_lesson: OpenLesson) -> int:
@@ -128,16 +128,16 @@ def _check_simulated(name: str) -> None:
         raise LearnBlockError("grade-real-robot", robot=name)
 
 
-def _handed_in(paths: Sequence[Path], wish: Wish, step: int) -> Iterator[HandedIn]:
+def _handed_in(paths: Sequence[Path], choices: Choices, step: int) -> Iterator[HandedIn]:
     """What was handed in as files, or what the pupils of a class have made in the step.
 
     Raises:
         LearnBlockError: there is no such class, or a file can't be read.
     """
-    if wish.class_name:
+    if choices.class_name:
         # The command line needs none of it otherwise.
         from learnblock.classroom.collecting import collect  # noqa: PLC0415
         from learnblock.classroom.roster import known_class  # noqa: PLC0415
 
-        return collect(known_class(wish.class_name), find_lesson(wish.lesson).name, step)
-    return read_all(paths, wish.out / HANDED_IN, warn)
+        return collect(known_class(choices.class_name), find_lesson(choices.lesson).name, step)
+    return read_all(paths, choices.out / HANDED_IN, warn)

@@ -20,10 +20,10 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from learnblock.i18n import Phrase
-    from learnblock.lessons.checking import Result
+    from learnblock.lessons.checking import ProgramCheck
     from learnblock.lessons.hints import Hint
     from learnblock.lessons.texts import Title
-    from learnblock.lessons.trying import Tried
+    from learnblock.lessons.trying import JudgedRun
 
 _LESSON = click.argument("lesson", metavar="LESSON")
 _ROBOTS = click.option(
@@ -115,7 +115,7 @@ def check_command(
     from learnblock.lessons.checking import check_lesson  # noqa: PLC0415 - `--help`
     from learnblock.lessons.reading import find_lesson  # noqa: PLC0415
 
-    results: list[Result] = []
+    results: list[ProgramCheck] = []
     for result in check_lesson(find_lesson(lesson), robots=robots or None, variants=variants):
         results.append(result)
         if not as_json:
@@ -167,18 +167,18 @@ def try_command(
     wanted = attempts(opened, step, robots=robots or None, variants=variants)
     source = running.read_text(program)
     tried = []
-    for trial in try_step(opened, step, source, wanted, filename=program.name):
-        tried.append(trial)
+    for judged in try_step(opened, step, source, wanted, filename=program.name):
+        tried.append(judged)
         if not as_json:
-            _print_tried(trial)
-    tried.sort(key=lambda trial: wanted.index(trial.attempt))
-    failed = next((trial for trial in tried if not is_done(trial.verdicts)), None)
+            _print_tried(judged)
+    tried.sort(key=lambda one: wanted.index(one.attempt))
+    failed = next((judged for judged in tried if not is_done(judged.verdicts)), None)
     given: tuple[Hint, ...] = ()
     if hints and failed:
         tree = read_program(source, program.name).tree
         given = hints_for(opened, step, tree, failed)
     if as_json:
-        print_json([_as_object(trial, given if trial is failed else ()) for trial in tried])
+        print_json([_as_object(judged, given if judged is failed else ()) for judged in tried])
     else:
         _print_hints(given)
     done = failed is None and len(tried) == len(wanted)
@@ -212,7 +212,7 @@ _ROWS = {
 }
 
 
-def _print_result(result: "Result") -> None:
+def _print_result(result: "ProgramCheck") -> None:
     mark = "✓" if result.is_right else "✗"
     say(
         _ROWS[result.kind],
@@ -226,7 +226,7 @@ def _print_result(result: "Result") -> None:
         click.echo(f"    {text(problem)}")
 
 
-def _print_tried(tried: "Tried") -> None:
+def _print_tried(tried: "JudgedRun") -> None:
     from learnblock.lessons.describing import title_of  # noqa: PLC0415 - `--help`
 
     say("lesson-cli-attempt", robot=tried.attempt.robot, variant=str(tried.attempt.variant))
@@ -234,7 +234,7 @@ def _print_tried(tried: "Tried") -> None:
         mark = {"met": "✓", "failed": "✗", "open": "·"}[verdict.state]
         reason = f"  {text(verdict.reason)}" if verdict.reason else ""
         click.echo(f"    {mark} {title_of(verdict.check, language())}{reason}")
-    if error := tried.report.error:
+    if error := tried.result.report.error:
         click.echo(f"    {text(error['message'])}")  # type: ignore[arg-type] # see `Report`
 
 
@@ -252,7 +252,7 @@ def _words(level: "Phrase | Title") -> str:
     return text(level) if isinstance(level, Phrase) else in_language(level, language())
 
 
-def _as_object(tried: "Tried", hints: "Sequence[Hint]") -> dict[str, Any]:
+def _as_object(tried: "JudgedRun", hints: "Sequence[Hint]") -> dict[str, Any]:
     from learnblock.lessons.describing import title_of  # noqa: PLC0415 - `--help`
 
     verdicts = [
@@ -269,5 +269,5 @@ def _as_object(tried: "Tried", hints: "Sequence[Hint]") -> dict[str, Any]:
         "variant": tried.attempt.variant,
         "verdicts": verdicts,
         "hints": [{"rule": hint.rule, "levels": [*map(_words, hint.levels)]} for hint in hints],
-        "report": tried.report,
+        "report": tried.result.report,
     }

@@ -45,8 +45,8 @@ def _run_all(found: Prepared, variants: int, *, as_json: bool) -> int:
     ended: dict[int, Report] = {}
     printed = 0
     with stopped_by_signals(batch.stop):
-        for result in batch.results():
-            ended[result.job + 1] = result.report
+        for index, result in batch.results():
+            ended[index + 1] = result.report
             if not as_json:
                 printed = _print_rows(ended, printed, found.options.seconds)
     reports = dict(sorted(ended.items()))

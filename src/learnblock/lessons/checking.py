@@ -12,7 +12,14 @@ from learnblock.lessons.hints import Elsewhere, Hint, hints
 from learnblock.lessons.judging import Verdict
 from learnblock.lessons.lesson import Wrong
 from learnblock.lessons.opened import OpenLesson
-from learnblock.lessons.trying import Attempt, StopSwitch, Tried, attempts, read_program, try_step
+from learnblock.lessons.trying import (
+    Attempt,
+    JudgedRun,
+    StopSwitch,
+    attempts,
+    read_program,
+    try_step,
+)
 
 #: The most problems reported of one program.
 _MOST_PROBLEMS = 5
@@ -27,12 +34,12 @@ class Follow:
         switch: ends the check.
     """
 
-    watch: Callable[[Tried], object] = lambda _: None
+    watch: Callable[[JudgedRun], object] = lambda _: None
     switch: StopSwitch = field(default_factory=StopSwitch)
 
 
 @dataclass(frozen=True, slots=True)
-class Result:
+class ProgramCheck:
     """What has been found out about one of the teacher's programs.
 
     Args:
@@ -63,7 +70,7 @@ def check_lesson(
     robots: Sequence[str] | None = None,
     variants: int | None = None,
     follow: Follow | None = None,
-) -> Iterator[Result]:
+) -> Iterator[ProgramCheck]:
     """Try the teacher's programs; yield what is found as it comes.
 
     Args:
@@ -84,7 +91,7 @@ def _results(
     robots: Sequence[str] | None,
     variants: int | None,
     follow: Follow,
-) -> Iterator[Result]:
+) -> Iterator[ProgramCheck]:
     def attempts_here(step: int) -> tuple[Attempt, ...]:
         return attempts(opened, step, robots=robots, variants=variants)
 
@@ -94,7 +101,7 @@ def _results(
         if file is not None:
             yield _solution(opened, number, file, attempts_here(number), follow)
         elif step.check:
-            yield Result("none", number, "")
+            yield ProgramCheck("none", number, "")
     for wrong in teacher.wrong if teacher else ():
         yield _wrong(opened, wrong, attempts_here(wrong.step), follow)
 
@@ -110,17 +117,17 @@ def count_attempts(opened: OpenLesson) -> int:
 
 def _solution(
     opened: OpenLesson, step: int, file: str, wanted: Sequence[Attempt], follow: Follow
-) -> Result:
+) -> ProgramCheck:
     source = opened.text(f"teacher/solutions/{file}")
     try:
         tried = _tried(opened, step, (source, file), wanted, follow)
     except ProgramError as error:
-        return Result("solution", step, file, 0, len(wanted), (error.phrase,))
+        return ProgramCheck("solution", step, file, 0, len(wanted), (error.phrase,))
     tried.sort(key=lambda one: wanted.index(one.attempt))
     failed = [(one, verdict) for one in tried for verdict in one.verdicts if not _is_met(verdict)]
     right = sum(all(map(_is_met, one.verdicts)) for one in tried)
     problems = tuple(_not_met(one, verdict) for one, verdict in failed[:_MOST_PROBLEMS])
-    return Result("solution", step, file, right, len(wanted), problems)
+    return ProgramCheck("solution", step, file, right, len(wanted), problems)
 
 
 def _tried(
@@ -129,7 +136,7 @@ def _tried(
     program: tuple[str, str],
     wanted: Sequence[Attempt],
     follow: Follow,
-) -> list[Tried]:
+) -> list[JudgedRun]:
     """Try a program, given by its text and its file's name."""
     source, file = program
     tried = []
@@ -148,7 +155,7 @@ def _is_met(verdict: Verdict) -> bool:
     return verdict.state == "met"
 
 
-def _not_met(tried: Tried, verdict: Verdict) -> Phrase:
+def _not_met(tried: JudgedRun, verdict: Verdict) -> Phrase:
     return Phrase(
         "lesson-cli-not-met",
         robot=tried.attempt.robot,
@@ -158,25 +165,27 @@ def _not_met(tried: Tried, verdict: Verdict) -> Phrase:
     )
 
 
-def _wrong(opened: OpenLesson, wrong: Wrong, wanted: Sequence[Attempt], follow: Follow) -> Result:
+def _wrong(
+    opened: OpenLesson, wrong: Wrong, wanted: Sequence[Attempt], follow: Follow
+) -> ProgramCheck:
     """Try a wrong program with its usual robot: in the world as it is, and where that passes."""
     usual = _usual(wanted)
     source = opened.text(f"teacher/wrong/{wrong.program}")
     try:
         tried = _tried(opened, wrong.step, (source, wrong.program), usual, follow)
     except ProgramError as error:
-        return Result("wrong", wrong.step, wrong.program, 0, len(usual), (error.phrase,))
+        return ProgramCheck("wrong", wrong.step, wrong.program, 0, len(usual), (error.phrase,))
     failing = sorted(
         (one for one in tried if _fails(one, wrong.check)), key=lambda one: one.attempt.variant
     )
     if not failing:
         problem = Phrase("lesson-cli-not-caught", check=wrong.check)
-        return Result("wrong", wrong.step, wrong.program, 0, len(usual), (problem,))
+        return ProgramCheck("wrong", wrong.step, wrong.program, 0, len(usual), (problem,))
     problems = _hint_problems(opened, wrong, source, failing[0])
-    return Result("wrong", wrong.step, wrong.program, len(failing), len(usual), problems)
+    return ProgramCheck("wrong", wrong.step, wrong.program, len(failing), len(usual), problems)
 
 
-def _fails(tried: Tried, name: str) -> bool:
+def _fails(tried: JudgedRun, name: str) -> bool:
     return any(
         one.state == "failed" and name in (one.check.name, one.check.__struct_config__.tag)
         for one in tried.verdicts
@@ -184,7 +193,7 @@ def _fails(tried: Tried, name: str) -> bool:
 
 
 def _hint_problems(
-    opened: OpenLesson, wrong: Wrong, source: str, tried: Tried
+    opened: OpenLesson, wrong: Wrong, source: str, tried: JudgedRun
 ) -> tuple[Phrase, ...]:
     tree = read_program(source, wrong.program).tree
     rules = tuple(one.rule for one in hints_for(opened, wrong.step, tree, tried))
@@ -194,7 +203,9 @@ def _hint_problems(
     return (Phrase("lesson-cli-other-hint", wanted=wrong.hint, found=found),)
 
 
-def hints_for(opened: OpenLesson, number: int, program: Program, tried: Tried) -> tuple[Hint, ...]:
+def hints_for(
+    opened: OpenLesson, number: int, program: Program, tried: JudgedRun
+) -> tuple[Hint, ...]:
     """The hints for the first attempt of a program that fails, the best first.
 
     Args:

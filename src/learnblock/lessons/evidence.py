@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 from learnblock.lessons.trace_lines import Line, TraceLines, kind_of
 from learnblock.running.report import Report
+from learnblock.running.result import RunResult
 from learnblock.runtime.trace import Collision
 
 _LARGEST_NUMBER = 1e9
@@ -209,29 +210,14 @@ class Collector(RawIOBase):
         return Evidence(self._lines.with_more(collided), report, now, robot)
 
 
-def evidence_of(trace: bytes, report: Report) -> Evidence:
-    """The facts about one robot's finished run.
-
-    Args:
-        trace: its trace.
-        report: its report.
-    """
-    return team_evidence(trace, {"": report}, "")
-
-
-def team_evidence(trace: bytes, reports: Mapping[str, Report], robot: str) -> Evidence:
-    """The facts about the finished run of several robots.
-
-    Args:
-        trace: its trace.
-        reports: the robots' reports, by their names.
-        robot: the name of the robot that is looked at.
-    """
+def evidence_of(result: RunResult) -> Evidence:
+    """The facts about a finished run."""
     collector = Collector()
-    collector.write(trace)
+    collector.write(result.trace)
+    reports = result.team or {result.robot: result.report}
     collisions = {name: report.collisions for name, report in reports.items()}
-    own = reports[robot]
-    return replace(collector.evidence(own.time, own, collisions, robot), team=reports)
+    seen = collector.evidence(result.report.time, result.report, collisions, result.robot)
+    return replace(seen, team=reports)
 
 
 def _line(robot: str, collision: Collision) -> Line:

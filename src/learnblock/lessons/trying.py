@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from functools import cached_property
 from io import BytesIO
 from pathlib import Path
 from threading import Lock
@@ -10,50 +11,55 @@ from threading import Lock
 from learnblock import robots as known_robots
 from learnblock import running
 from learnblock.errors import LearnBlockError
-from learnblock.lessons.evidence import Evidence, evidence_of, team_evidence
+from learnblock.lessons.evidence import Evidence, evidence_of
 from learnblock.lessons.expert import Experts
 from learnblock.lessons.judging import Verdict, judge
 from learnblock.lessons.lesson import Partner
 from learnblock.lessons.opened import OWN_ROBOT, OpenLesson
-from learnblock.running import Options, Report, Source
+from learnblock.running import Options, Source
 from learnblock.running.batch import Batch
 from learnblock.running.job import Job
+from learnblock.running.result import RunResult
 from learnblock.running.team import Member, TeamRun
 from learnblock.runtime.ending import How
 from learnblock.runtime.limits import Limits
+from learnblock.simulator import WorldDescription
 
 
 @dataclass(frozen=True, slots=True)
 class Attempt:
-    """A robot and a variant of the world in which a program is tried; 0 is the world as it is."""
+    """What a program is tried in.
+
+    Args:
+        robot: the robot.
+        variant: the variant of the world; 0 is the world as it is.
+        seed: the seed of all noise.
+    """
 
     robot: str
     variant: int
+    seed: int = 0
 
 
 @dataclass(frozen=True, slots=True)
-class Tried:
-    """The result of an attempt.
+class JudgedRun:
+    """The run of an attempt, and what the checks say of it.
 
     Args:
         attempt: the robot and the variant.
+        result: what came of the run.
+        evidence: what is known of it.
         verdicts: what the checks say.
-        evidence: what is known of the run.
-        report: the report of the pupil's robot.
-        trace: the trace of the run.
-        isolated: whether the program ran in a process of its own.
     """
 
     attempt: Attempt
-    verdicts: tuple[Verdict, ...]
+    result: RunResult
     evidence: Evidence
-    report: Report
-    trace: bytes
-    isolated: bool = True
+    verdicts: tuple[Verdict, ...]
 
 
 class StopSwitch:
-    """Ends the runs of a trial at once; it may be used from any thread, and before they begin."""
+    """Ends runs at once; it may be used from any thread, and before they begin."""
 
     def __init__(self) -> None:
         self._lock = Lock()
@@ -120,7 +126,7 @@ def try_step(
     filename: str = "program.bt",
     at_once: int | None = None,
     switch: StopSwitch | None = None,
-) -> Iterator[Tried]:
+) -> Iterator[JudgedRun]:
     """Try a program; yield the results as they come. A run that was stopped has none.
 
     Args:
@@ -138,85 +144,104 @@ def try_step(
         LearnBlockError: a run could not be made, which is not the program's fault.
     """
     written = read_program(source, filename)
-    described = opened.step(step)
-    world = opened.described_world(step)
-    with opened.world_file(step) as file:
-        trial = Trial(opened, step, written, file, switch or StopSwitch())
-        made = trial.teams(wanted, limits) if described.partners else None
-        for attempt, evidence, trace, isolated in made or trial.batch(wanted, limits, at_once):
-            verdicts = judge(described, written.tree, evidence, world, Experts(opened))
-            assert evidence.report is not None  # noqa: S101 - the run is over
-            yield Tried(attempt, verdicts, evidence, evidence.report, trace, isolated)
-
-
-#: An attempt, what is known of its run, its trace, and whether the program was isolated.
-Made = tuple[Attempt, Evidence, bytes, bool]
+    with opened.world_file(step) as world:
+        runs = StepRuns(opened, step, written, world, limits or Limits(), switch or StopSwitch())
+        for attempt, result in runs.results(wanted, at_once):
+            yield runs.judged(attempt, result)
 
 
 @dataclass(frozen=True)
-class Trial:
-    """A program that is tried in a step.
+class StepRuns:
+    """The runs of a program in a step.
 
     Args:
         opened: the lesson.
         step: the number of the step.
         source: the program.
         world: the name or the path of the world: see `OpenLesson.world_file`.
-        switch: ends its runs.
+        limits: the resources that each program may use.
+        switch: ends the runs.
     """
 
     opened: OpenLesson
     step: int
     source: Source
     world: str | None
+    limits: Limits = Limits()  # noqa: RUF009 - it is frozen
     switch: StopSwitch = field(default_factory=StopSwitch)
+
+    def results(
+        self, wanted: Sequence[Attempt], at_once: int | None = None
+    ) -> Iterator[tuple[Attempt, RunResult]]:
+        """Make the runs of attempts, and yield each with its result, as they end.
+
+        Args:
+            wanted: the attempts.
+            at_once: how many runs are made at the same time.
+
+        Raises:
+            LearnBlockError: a run could not be made, which is not the program's fault.
+        """
+        has_partners = bool(self.opened.step(self.step).partners)
+        return self._teams(wanted) if has_partners else self._batch(wanted, at_once)
+
+    def judged(self, attempt: Attempt, result: RunResult) -> JudgedRun:
+        """What the checks say of the run of an attempt."""
+        step, evidence = self.opened.step(self.step), evidence_of(result)
+        experts = Experts(self.opened)
+        verdicts = judge(step, self.source.tree, evidence, self._described_world, experts)
+        return JudgedRun(attempt, result, evidence, verdicts)
+
+    @cached_property
+    def _described_world(self) -> WorldDescription | None:
+        return self.opened.described_world(self.step)
 
     def job(self, attempt: Attempt) -> Job:
         """The run of an attempt."""
         robot = known_robots.find(attempt.robot)
         program = running.program(self.source, robot)
-        return Job(program, robot, self.options(attempt), with_trace=True)
+        return Job(program, robot, self._options(attempt), with_trace=True, limits=self.limits)
 
-    def options(self, attempt: Attempt) -> Options:
+    def _options(self, attempt: Attempt) -> Options:
         """How an attempt is run."""
         return Options(
             world=self.world,
-            seed=0,
+            seed=attempt.seed,
             pace="free",
             seconds=self.opened.step(self.step).seconds,
             variant=attempt.variant,
         )
 
-    def members(self, attempt: Attempt) -> list[Member]:
+    def _members(self, attempt: Attempt) -> list[Member]:
         """The robots of an attempt: the pupil's, and the partners."""
         partners = self.opened.step(self.step).partners
         return [_member(OWN_ROBOT, self.source, attempt.robot), *map(self._partner, partners)]
 
-    def batch(
-        self, wanted: Sequence[Attempt], limits: Limits | None, at_once: int | None
-    ) -> Iterator[Made]:
+    def _batch(
+        self, wanted: Sequence[Attempt], at_once: int | None
+    ) -> Iterator[tuple[Attempt, RunResult]]:
         """Make the runs of attempts with one robot, many at once."""
-        batch = Batch([*map(self.job, wanted)], at_once, limits=limits)
+        batch = Batch([*map(self.job, wanted)], at_once)
         with self.switch.ends(batch.stop):
-            for result in batch.results():
+            for number, result in batch.results():
                 if result.lost:
                     raise LearnBlockError("run-lost", reason=result.lost)
-                evidence = evidence_of(result.trace, result.report)
-                yield wanted[result.job], evidence, result.trace, result.isolated
+                yield wanted[number], result
 
-    def teams(self, wanted: Sequence[Attempt], limits: Limits | None) -> Iterator[Made]:
+    def _teams(self, wanted: Sequence[Attempt]) -> Iterator[tuple[Attempt, RunResult]]:
         """Make the runs of attempts with partners, one after the other."""
         for attempt in wanted:
             if self.switch.is_stopped:
                 return
             file = BytesIO()
-            run = TeamRun(self.members(attempt), self.options(attempt), trace=file, limits=limits)
+            members, options = self._members(attempt), self._options(attempt)
+            run = TeamRun(members, options, trace=file, limits=self.limits)
             with self.switch.ends(run.stop):
                 reports = {member.name: report for member, report in run.run().robots}
-            if reports[OWN_ROBOT].ended == How.STOPPED:
+            own = reports[OWN_ROBOT]
+            if own.ended == How.STOPPED:
                 return
-            trace = file.getvalue()
-            yield attempt, team_evidence(trace, reports, OWN_ROBOT), trace, True
+            yield attempt, RunResult(own, file.getvalue(), robot=OWN_ROBOT, team=reports)
 
     def _partner(self, partner: Partner) -> Member:
         text = self.opened.program(partner.program)

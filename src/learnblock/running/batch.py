@@ -13,20 +13,20 @@ import subprocess
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import msgspec
 
 from learnblock.i18n import Phrase
 from learnblock.running import warm
-from learnblock.running.job import Job, Order
+from learnblock.running.job import Job, packed
 from learnblock.running.program_run import ProgramRun
 from learnblock.running.report import Report
+from learnblock.running.result import RunResult, unpacked
 from learnblock.runtime import process_group
 from learnblock.runtime.claims import is_sayable
 from learnblock.runtime.containment.environment import harmless
 from learnblock.runtime.ending import How
-from learnblock.runtime.limits import Limits
 from learnblock.runtime.validation import refused
 from learnblock.storage.home import home
 
@@ -44,32 +44,12 @@ _OF_RUNS = (
 CAN_FORK = sys.platform == "linux"
 
 
-@dataclass(frozen=True, slots=True)
-class JobResult:
-    """The result of a run.
-
-    Args:
-        job: the index of its job.
-        report: its report, with what it printed.
-        isolated: whether the program ran in a process of its own.
-        trace: its trace, if the job wants it.
-        lost: why the run could not be made, which is not its program's fault; "" if it was made.
-    """
-
-    job: int
-    report: Report
-    isolated: bool
-    trace: bytes = b""
-    lost: str = ""
-
-
 class Batch:
     """Runs to be made.
 
     Args:
         jobs: the runs.
         at_once: how many are made at the same time; by default one for each processor.
-        limits: the resources that each program may use.
         kept: the process that forks the runs, kept for further batches; it ends if this batch is
             stopped. Without it, or if it has ended, the batch starts one and ends it.
     """
@@ -79,21 +59,20 @@ class Batch:
         jobs: Sequence[Job],
         at_once: int | None = None,
         *,
-        limits: Limits | None = None,
         kept: "WarmProcess | None" = None,
     ) -> None:
         self.jobs = tuple(jobs)
-        self._limits = limits or Limits()
         self._at_once = at_once or processors()
         self._kept = kept
         self._warm: WarmProcess | None = None
         self._here: ProgramRun | None = None
         self._is_stopped = False
 
-    def results(self) -> Iterator[JobResult]:
-        """Make the runs; yield their results as they end. A run that was stopped has none.
+    def results(self) -> Iterator[tuple[int, RunResult]]:
+        """Make the runs; yield the number of each with its result, as they end.
 
-        A run whose process dies is made once more; see `JobResult.lost`.
+        A run that was stopped has none. One whose process dies is made once more; see
+        `RunResult.lost`.
 
         Raises:
             LearnBlockError: a world or a variant is not possible.
@@ -111,7 +90,7 @@ class Batch:
         if self._here:
             self._here.stop()
 
-    def _one_by_one(self) -> Iterator[JobResult]:
+    def _one_by_one(self) -> Iterator[tuple[int, RunResult]]:
         for number, job in enumerate(self.jobs):
             watcher = warm.Prints(job.keys)
             trace = warm.trace_of(job)
@@ -121,29 +100,31 @@ class Batch:
                 job.options,
                 watcher=watcher,
                 trace=trace,
-                limits=self._limits,
+                limits=job.limits,
             )
             report = replace(self._here.run(), output=watcher.text)
             if self._is_stopped:
                 return
             written = trace.getvalue() if trace else b""
-            yield JobResult(number, report, isolated=True, trace=written)
+            yield number, RunResult(report, written)
 
-    def _forked(self) -> Iterator[JobResult]:
+    def _forked(self) -> Iterator[tuple[int, RunResult]]:
         left = [*range(len(self.jobs))]
         for kept in (self._kept, None):
             if kept and not kept.is_running:
                 continue
-            for result in self._made_by(kept, left):
-                left.remove(result.job)
+            for number, result in self._made_by(kept, left):
+                left.remove(number)
                 if result.report.ended != How.STOPPED:
-                    yield result
+                    yield number, result
             if self._is_stopped or not left:
                 return
         for number in left:
-            yield _result(number, msgspec.msgpack.encode(warm.lost(_PROCESS_ENDED)), isolated=True)
+            yield number, warm.lost(_PROCESS_ENDED)
 
-    def _made_by(self, kept: "WarmProcess | None", numbers: Sequence[int]) -> Iterator[JobResult]:
+    def _made_by(
+        self, kept: "WarmProcess | None", numbers: Sequence[int]
+    ) -> Iterator[tuple[int, RunResult]]:
         """Make some of the runs; fewer have a result if the process that forks them dies."""
         numbers = tuple(numbers)
         process = self._warm = kept or WarmProcess()
@@ -152,10 +133,10 @@ class Batch:
         try:
             if self._is_stopped:
                 return
-            process.send(Order(jobs, self._at_once, self._limits).packed())
+            process.send(packed(jobs, self._at_once))
             for index, isolated, data in self._received(process, len(numbers)):
                 made += 1
-                yield _result(numbers[index], data, isolated=isolated)
+                yield numbers[index], _result(data, isolated=isolated)
         finally:
             # One that was left in the middle of a batch can't be given another.
             if kept is None or self._is_stopped or made < len(numbers):
@@ -187,10 +168,10 @@ class WarmProcess:
         """Whether it can make runs."""
         return self._process.poll() is None
 
-    def send(self, order: bytes) -> None:
-        """Send the runs to be made; those of the order before are finished."""
+    def send(self, jobs: bytes) -> None:
+        """Send the runs to be made, `packed`; those that were sent before are finished."""
         with suppress(BrokenPipeError, ConnectionResetError):
-            self._connection.sendall(len(order).to_bytes(8) + order)
+            self._connection.sendall(len(jobs).to_bytes(8) + jobs)
 
     def read(self, length: int) -> bytes:
         """Read from the results; fewer bytes at their end."""
@@ -246,21 +227,19 @@ def _start(handle: int) -> "subprocess.Popen[bytes]":
     )
 
 
-def _result(number: int, data: bytes, *, isolated: bool) -> JobResult:
+def _result(data: bytes, *, isolated: bool) -> RunResult:
     """The result that a child has sent; a program that was not isolated may have had a part."""
     try:
-        sent = msgspec.msgpack.decode(data, type=warm.Sent)
+        sent = unpacked(data)
         How(sent.report.ended)
     except (msgspec.MsgspecError, ValueError):
-        return JobResult(number, _failed(How.KILLED, Phrase("run-link-closed")), isolated=True)
-    if not is_sayable(sent.message):
+        return RunResult(_failed(How.KILLED, Phrase("run-link-closed")))
+    message = sent.report.message
+    if message is not None and not is_sayable(message):
         reason = refused("an error that is not known").phrase
-        return JobResult(number, _failed(How.ERROR, reason), isolated=isolated)
-    report = sent.report
-    if report.error is not None:
-        report = replace(report, error={**report.error, "message": sent.message})
+        return RunResult(_failed(How.ERROR, reason), isolated=isolated)
     # Only a host that no program shares can say that a run is lost.
-    return JobResult(number, report, isolated, sent.trace, sent.lost if isolated else "")
+    return RunResult(sent.report, sent.trace, isolated, sent.lost if isolated else "")
 
 
 def _failed(how: How, message: Phrase) -> Report:

@@ -1,5 +1,6 @@
-"""A run of a batch, and how the batch sends its runs to the process that makes them."""
+"""A run that is asked for, and how a batch sends its runs to the process that makes them."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -23,6 +24,7 @@ class Job:
         robot: the robot to run it on.
         options: the options of the run.
         keys: the keys that are pressed during the run.
+        limits: the resources that the program may use.
         with_trace: whether its trace is wanted.
         isolated: whether the program gets a process of its own, even if it is plain.
     """
@@ -31,32 +33,25 @@ class Job:
     robot: RobotEntry
     options: Options
     keys: RecordedKeys | None = None
+    limits: Limits = Limits()  # noqa: RUF009 - it is frozen
     with_trace: bool = False
     isolated: bool = False
 
 
-class Order(msgspec.Struct, frozen=True, array_like=True):
-    """What a batch wants.
+def packed(jobs: Sequence[Job], at_once: int) -> bytes:
+    """Jobs as bytes, without the trees of the programs, which no run needs.
 
     Args:
         jobs: the runs.
         at_once: how many are made at the same time.
-        limits: the resources that each program may use.
     """
-
-    jobs: tuple[Job, ...]
-    at_once: int
-    limits: Limits
-
-    def packed(self) -> bytes:
-        """The order as bytes, without the trees of the programs, which no run needs."""
-        lean = msgspec.structs.replace(self, jobs=tuple(map(_without_tree, self.jobs)))
-        return msgspec.msgpack.encode(lean, enc_hook=_encoded)
+    lean = tuple(map(_without_tree, jobs))
+    return msgspec.msgpack.encode((lean, at_once), enc_hook=_encoded)
 
 
-def unpacked(data: bytes) -> Order:
-    """The order from bytes."""
-    return msgspec.msgpack.decode(data, type=Order, dec_hook=_decoded)
+def unpacked(data: bytes) -> tuple[tuple[Job, ...], int]:
+    """The jobs from bytes, and how many are made at the same time."""
+    return msgspec.msgpack.decode(data, type=tuple[tuple[Job, ...], int], dec_hook=_decoded)
 
 
 def _without_tree(job: Job) -> Job:

@@ -44,6 +44,11 @@ class Report:
     output: str = ""
     error: Mapping[str, object] | None = None
 
+    @property
+    def message(self) -> Phrase | None:
+        """What went wrong, or None."""
+        return self.error["message"] if self.error else None  # type: ignore[return-value]
+
 
 def report(program: Program, run: Run, trace_sha256: str) -> Report:
     """Report a run that has ended.

@@ -12,7 +12,7 @@ import socket
 import struct
 import sys
 from collections import deque
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from importlib import import_module
 from io import BytesIO
@@ -22,15 +22,14 @@ from time import monotonic, process_time
 from types import FrameType
 from typing import NoReturn
 
-import msgspec
-
 from learnblock import skills
 from learnblock.i18n import Phrase
-from learnblock.running.job import Job, Order, unpacked
+from learnblock.running.job import Job, unpacked
 from learnblock.running.plain import is_plain
 from learnblock.running.program_run import ProgramRun
 from learnblock.running.recorded_keys import RecordedKeys
 from learnblock.running.report import Report
+from learnblock.running.result import RunResult, packed
 from learnblock.runtime.claims import NOT_CONTAINED
 from learnblock.runtime.containment import kernel
 from learnblock.runtime.containment.fence import contain_host
@@ -70,24 +69,6 @@ _PRELOADED = (
     "learnblock.simulator.templates",
     "platformdirs.unix",
 )
-
-
-class Sent(msgspec.Struct, array_like=True):
-    """What a child sends.
-
-    Args:
-        report: the report; the message of its error is extra, because it has a type of its own.
-        message: the message of the report's error.
-        isolated: whether the program ran in a process of its own.
-        trace: the trace, if it is wanted.
-        lost: why the run could not be made; "" if it was.
-    """
-
-    report: Report
-    message: Phrase
-    isolated: bool
-    trace: bytes = b""
-    lost: str = ""
 
 
 class Prints(Watcher):
@@ -144,13 +125,13 @@ def main() -> None:
     cv2.setNumThreads(1)
     with connection.makefile("rb") as stream:
         while length := stream.read(8):
-            order = unpacked(stream.read(int.from_bytes(length)))
-            for job in order.jobs:
+            jobs, at_once = unpacked(stream.read(int.from_bytes(length)))
+            for job in jobs:
                 job.robot.load()
             if not gc.get_freeze_count():
                 # A child that collected what we have loaded would copy all of it.
                 gc.freeze()
-            runs = _Warm(connection, order)
+            runs = _Warm(connection, jobs, at_once)
             try:
                 runs.run()
             except (BrokenPipeError, ConnectionResetError):
@@ -181,18 +162,16 @@ class _Warm:
 
     Args:
         connection: where results are sent.
-        order: the runs.
+        jobs: the runs.
+        at_once: how many are made at the same time.
     """
 
-    def __init__(self, connection: socket.socket, order: Order) -> None:
+    def __init__(self, connection: socket.socket, jobs: Sequence[Job], at_once: int) -> None:
         self._connection = connection
-        self._limits = order.limits
-        self._jobs = order.jobs
-        self._at_once = order.at_once
+        self._jobs = jobs
+        self._at_once = at_once
         #: The runs to be made: the index of each job, and whether its program is isolated.
-        self._waiting = deque(
-            (number, not _is_shared(job)) for number, job in enumerate(order.jobs)
-        )
+        self._waiting = deque((number, not _is_shared(job)) for number, job in enumerate(jobs))
         #: The runs that are being made, by the end of the pipe at which their results arrive.
         self._children: dict[int, _Child] = {}
         #: The runs whose child died once: the index of each job, and whether it was isolated.
@@ -228,7 +207,7 @@ class _Warm:
             # Neither the results of others nor what is sent to our caller are its business.
             for handle in (ours, *self._children, self._connection.fileno()):
                 os.close(handle)
-            _be_child(self._jobs[number], self._limits, theirs, isolated=isolated)
+            _be_child(self._jobs[number], theirs, isolated=isolated)
         os.close(theirs)
         self._children[ours] = _Child(number, process, isolated)
 
@@ -257,7 +236,7 @@ class _Warm:
             # It did not let its host run, or took too much: see how it ends in its own process.
             self._waiting.appendleft((child.job, True))
         else:
-            self._send(child, msgspec.msgpack.encode(lost(_cause(status, child.received))))
+            self._send(child, packed(lost(_cause(status, child.received))))
 
     def _deserves_another(self, child: _Child, status: int) -> bool:
         """Whether a run is made again as it was, because its program may not be to blame."""
@@ -273,14 +252,15 @@ class _Warm:
         self._connection.sendall(head + result)
 
 
-def lost(reason: str) -> Sent:
+def lost(reason: str) -> RunResult:
     """The result of a run that could not be made.
 
     Args:
         reason: why, in the words of an exception or of the system.
     """
-    report = Report(ended=How.KILLED, error={"message": "", "file": "", "line": 0, "text": ""})
-    return Sent(report, Phrase("run-lost", reason=reason), isolated=True, lost=reason)
+    message = Phrase("run-lost", reason=reason)
+    report = Report(ended=How.KILLED, error={"message": message, "file": "", "line": 0, "text": ""})
+    return RunResult(report, lost=reason)
 
 
 def _cause(status: int, said: bytes | bytearray) -> str:
@@ -290,14 +270,13 @@ def _cause(status: int, said: bytes | bytearray) -> str:
     return signal.strsignal(-status) or str(status) if status < 0 else f"status {status}"
 
 
-def _be_child(job: Job, limits: Limits, handle: int, *, isolated: bool) -> NoReturn:
+def _be_child(job: Job, handle: int, *, isolated: bool) -> NoReturn:
     """Make a run in this process, send its result, and end."""
     status = 1
     try:
         kernel.die_with_parent(signal.SIGKILL)
         signal.signal(signal.SIGTERM, signal.SIG_DFL)
-        sent = _isolated(job, limits) if isolated else _together(job, limits)
-        _write(handle, msgspec.msgpack.encode(sent))
+        _write(handle, packed(_isolated(job) if isolated else _together(job)))
         status = 0
     except Exception as error:  # noqa: BLE001 - our mistake, or the system's: see `_Warm._finish`
         _write(handle, f"{type(error).__name__}: {error}".encode()[:_LONGEST_CAUSE])
@@ -312,37 +291,41 @@ def _write(handle: int, data: bytes) -> None:
         pipe.write(data)
 
 
-def _isolated(job: Job, limits: Limits) -> Sent:
+def _isolated(job: Job) -> RunResult:
     """The run of a program in a process of its own."""
 
     def prepare(run: ProgramRun) -> None:
         signal.signal(signal.SIGTERM, lambda *_: run.stop())
 
-    sent = _made(job, limits, ProcessWorker, prepare)
-    if _has_begun(sent):
-        return sent
-    again = _made(job, limits, ProcessWorker, prepare)
-    if again.message.code == NOT_CONTAINED:
-        return lost(str(again.message))
+    result = _made(job, ProcessWorker, prepare)
+    if _has_begun(result.report):
+        return result
+    again = _made(job, ProcessWorker, prepare)
+    if _is_not_contained(again.report):
+        return lost(str(again.report.message))
     return again
 
 
-def _has_begun(sent: Sent) -> bool:
+def _has_begun(report: Report) -> bool:
     """Whether a program had its chance: a busy computer may end its process at the start."""
-    died_at_once = sent.report.ended == How.KILLED and sent.report.time == 0
-    return not died_at_once and sent.message.code != NOT_CONTAINED
+    died_at_once = report.ended == How.KILLED and report.time == 0
+    return not died_at_once and not _is_not_contained(report)
 
 
-def _together(job: Job, limits: Limits) -> Sent:
+def _is_not_contained(report: Report) -> bool:
+    return report.message is not None and report.message.code == NOT_CONTAINED
+
+
+def _together(job: Job) -> RunResult:
     """The run of a plain program in this process."""
-    contain_host(limits, job.options.world)
+    contain_host(job.limits, job.options.world)
     workers: list[InlineWorker] = []
 
     def worker() -> InlineWorker:
         workers.append(InlineWorker())
         return workers[0]
 
-    return _made(job, limits, worker, lambda _: _end_if_silent(limits, workers))
+    return _made(job, worker, lambda _: _end_if_silent(job.limits, workers))
 
 
 def _end_if_silent(limits: Limits, workers: list[InlineWorker]) -> None:
@@ -363,12 +346,9 @@ def _end_if_silent(limits: Limits, workers: list[InlineWorker]) -> None:
 
 
 def _made(
-    job: Job,
-    limits: Limits,
-    worker: Callable[[], Worker],
-    prepare: Callable[[ProgramRun], object],
-) -> Sent:
-    """Make a run, and return what is sent."""
+    job: Job, worker: Callable[[], Worker], prepare: Callable[[ProgramRun], object]
+) -> RunResult:
+    """Make a run."""
     prints, trace = Prints(job.keys), trace_of(job)
     run = ProgramRun(
         job.program,
@@ -376,17 +356,13 @@ def _made(
         job.options,
         trace=trace,
         watcher=prints,
-        limits=limits,
+        limits=job.limits,
         worker=worker,
     )
     prepare(run)
     report = replace(run.run(), output=prints.text)
-    message = Phrase("")
-    if report.error is not None:
-        message = report.error["message"]  # type: ignore[assignment] # see `Report`
-        report = replace(report, error={**report.error, "message": ""})
-    isolated = worker is ProcessWorker
-    return Sent(report, message, isolated, trace.getvalue() if trace else b"")
+    written = trace.getvalue() if trace else b""
+    return RunResult(report, written, isolated=worker is ProcessWorker)
 
 
 if __name__ == "__main__":

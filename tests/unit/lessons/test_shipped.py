@@ -13,7 +13,7 @@ from learnblock.lessons.hints.guess import Hint
 from learnblock.lessons.lesson import HintRule
 from learnblock.lessons.reading import OpenLesson, shipped
 from learnblock.lessons.texts import in_language
-from learnblock.lessons.trying import Attempt, Tried, attempts, read_program
+from learnblock.lessons.trying import Attempt, JudgedRun, attempts, read_program
 from learnblock.running.batch import WarmProcess
 from lesson_tries import read_once as opened
 from lesson_tries import tried
@@ -84,7 +84,7 @@ def tries(lesson: OpenLesson) -> Iterator[tuple[int, str, list[Attempt]]]:
         yield step, source, list(wanted)
 
 
-def unmet(tried: Tried) -> list[str]:
+def unmet(tried: JudgedRun) -> list[str]:
     return [
         f"{tried.attempt}: {verdict.check}: {verdict.state} {verdict.reason}"
         for verdict in tried.verdicts
@@ -92,7 +92,7 @@ def unmet(tried: Tried) -> list[str]:
     ]
 
 
-def failed_checks(tried: Tried) -> set[str]:
+def failed_checks(tried: JudgedRun) -> set[str]:
     """The names and kinds of the checks that fail."""
     checks = [one.check for one in tried.verdicts if one.state == "failed"]
     kinds = {str(check.__struct_config__.tag) for check in checks}

@@ -46,27 +46,27 @@ def test_a_solution_passes_in_each_attempt():
 
 def test_an_attempt_has_the_trace_whose_hash_is_in_its_report():
     (tried,) = try_step(opened(), 1, SQUARE, [Attempt("sim-ebo", 0)])
-    assert hashlib.sha256(tried.trace).hexdigest() == tried.report.trace_sha256
-    assert b"collision" not in tried.trace
+    assert hashlib.sha256(tried.result.trace).hexdigest() == tried.result.report.trace_sha256
+    assert b"collision" not in tried.result.trace
 
 
 def test_collisions_are_evidence():
     main = MAIN.replace('kind = "goals"', 'kind = "never"\nwhat = { event = "collision" }')
     (tried,) = try_step(opened(main), 1, BUMPING, [Attempt("sim-ebo", 0)])
     assert tried.verdicts[0].state == "failed"
-    assert tried.verdicts[0].at == tried.report.collisions[0].time
+    assert tried.verdicts[0].at == tried.result.report.collisions[0].time
 
 
 def test_a_run_ends_after_the_seconds_of_the_step():
     main = MAIN.replace('world = "square"', 'world = "square"\nseconds = 2')
     (tried,) = try_step(opened(main), 1, SQUARE, [Attempt("sim-ebo", 0)])
-    assert (tried.report.ended, tried.report.time) == ("time limit", 2.0)
+    assert (tried.result.report.ended, tried.result.report.time) == ("time limit", 2.0)
 
 
 def test_a_lessons_own_world_is_used():
     world = '[[goal.reach]]\nname = "mine"\nx = 200\ny = 0\n[[start]]\nx = 0\ny = 0\n'
     (tried,) = try_step(opened(worlds__square_toml=world), 1, SQUARE, [Attempt("sim-ebo", 0)])
-    assert [goal.name for goal in tried.report.goals] == ["mine"]
+    assert [goal.name for goal in tried.result.report.goals] == ["mine"]
 
 
 def test_partners_are_in_the_world_and_checks_can_look_at_them():

@@ -36,10 +36,11 @@ from learnblock.lessons.lesson import Lesson, Step
 from learnblock.lessons.opened import EXPERTS, OpenLesson
 from learnblock.lessons.reading import for_pupils
 from learnblock.lessons.texts import Title, in_language
-from learnblock.lessons.trying import Attempt, Trial
+from learnblock.lessons.trying import Attempt, StepRuns
 from learnblock.running import Report, Source
-from learnblock.running.batch import CAN_FORK, Batch, JobResult, WarmProcess
+from learnblock.running.batch import CAN_FORK, Batch, WarmProcess
 from learnblock.running.job import Job
+from learnblock.running.result import RunResult
 from learnblock.runtime.ending import How
 from learnblock.runtime.limits import MEGABYTE, Limits
 from learnblock.simulator import WorldDescription
@@ -76,7 +77,7 @@ class Lean(msgspec.Struct, frozen=True, array_like=True):
 
 
 @dataclass(frozen=True, slots=True)
-class Order:
+class Piece:
     """A piece to be made: plain values, which every executor can send.
 
     Args:
@@ -86,9 +87,7 @@ class Order:
         text: the program.
         is_python: whether it is Python.
         tags: the numbers of tags, by name, that it uses.
-        robot: the robot.
-        variant: the variant of the world.
-        seed: the seed of all noise.
+        attempt: the robot, the variant of the world and the seed.
         usual: the usual robot among those that are tried.
         manner: how the program is run.
         limits: the resources that the program may use.
@@ -100,9 +99,7 @@ class Order:
     text: str
     is_python: bool
     tags: tuple[tuple[str, int], ...]
-    robot: str
-    variant: int
-    seed: int
+    attempt: Attempt
     usual: str
     manner: Manner
     limits: Limits
@@ -122,7 +119,7 @@ def packed_lesson(opened: OpenLesson, step: int) -> bytes:
     return msgspec.msgpack.encode(Lean(opened.name, opened.lesson, needed), order="deterministic")
 
 
-def run_piece(order: Order) -> bytes:
+def run_piece(piece: Piece) -> bytes:
     """Make a piece; return its `Result`, packed.
 
     Raises:
@@ -130,37 +127,37 @@ def run_piece(order: Order) -> bytes:
         NotRunError: the run could not be made.
     """
     here = version()
-    if here != order.version:
-        raise LearnBlockError("grade-other-version", here=here, there=order.version)
+    if here != piece.version:
+        raise LearnBlockError("grade-other-version", here=here, there=piece.version)
     try:
-        source = _source(order.text, order.is_python)
-        return packed(_made(order, source))
+        source = _source(piece.text, piece.is_python)
+        return packed(_made(piece, source))
     except FileError as error:
         return packed(Result(ended="refused", reason=in_each_language(error.phrase)))
 
 
-def _made(order: Order, source: Source) -> Result:
-    mistake = _mistake(order.text, order.is_python, order.robot)
+def _made(piece: Piece, source: Source) -> Result:
+    mistake = _mistake(piece.text, piece.is_python, piece.attempt.robot)
     if mistake is not None:
         return Result(ended="refused", reason=in_each_language(mistake))
-    return _Piece(order, _lesson(order.lesson), source).result()
+    return _PieceRun(piece, _lesson(piece.lesson), source).result()
 
 
 @dataclass(frozen=True)
-class _Piece:
-    order: Order
+class _PieceRun:
+    piece: Piece
     opened: OpenLesson
     source: Source
 
     def result(self) -> Result:
         """Run the program, and judge what it did."""
-        with self.opened.world_file(self.order.step) as world:
-            trial = Trial(self.opened, self.order.step, self.source, world)
+        with self.opened.world_file(self.piece.step) as world:
+            runs = StepRuns(self.opened, self.piece.step, self.source, world, self.piece.limits)
             if self._step.partners:
-                return self._in_team(trial)
-            made = self._job(trial)
-            first = self._run(replace(made, isolated=self.order.manner == "isolated"))
-            if self.order.manner != "compared" or first.isolated:
+                return self._in_team(runs)
+            made = self._job(runs)
+            first = self._run(replace(made, isolated=self.piece.manner == "isolated"))
+            if self.piece.manner != "compared" or first.isolated:
                 return self._of(first, "isolated" if first.isolated else "shared")
             apart = self._run(replace(made, isolated=True))
         same = apart.report == first.report
@@ -168,43 +165,36 @@ class _Piece:
 
     @property
     def _step(self) -> Step:
-        return self.opened.step(self.order.step)
+        return self.opened.step(self.piece.step)
 
-    @property
-    def _attempt(self) -> Attempt:
-        return Attempt(self.order.robot, self.order.variant)
+    def _job(self, runs: StepRuns) -> Job:
+        made = runs.job(self.piece.attempt)
+        program = replace(made.program, folder="", tags=dict(self.piece.tags))
+        return replace(made, program=program)
 
-    def _job(self, trial: Trial) -> Job:
-        made = trial.job(self._attempt)
-        program = replace(made.program, folder="", tags=dict(self.order.tags))
-        options = replace(made.options, seed=self.order.seed)
-        return replace(made, program=program, options=options)
-
-    def _run(self, made: Job) -> JobResult:
+    def _run(self, made: Job) -> RunResult:
         """Make one run, in a process that is kept for the next one."""
-        limits = self.order.limits
-        [result] = _forked(made, limits) if CAN_FORK else Batch([made], limits=limits).results()
+        [(_, result)] = _forked(made) if CAN_FORK else Batch([made]).results()
         if result.lost:
             raise NotRunError("run-lost", reason=result.lost)
         return result
 
-    def _in_team(self, trial: Trial) -> Result:
+    def _in_team(self, runs: StepRuns) -> Result:
         """The result of a step with partners, where every program has a process of its own."""
-        [(_, evidence, _, _)] = trial.teams([self._attempt], self.order.limits)
-        return self._judged(evidence, "isolated")
+        [(_, result)] = runs.results([self.piece.attempt])
+        return self._judged(result, "isolated")
 
-    def _of(self, made: JobResult, checked: Checked) -> Result:
+    def _of(self, made: RunResult, checked: Checked) -> Result:
         if len(made.trace) > LONGEST_TRACE:
             reason = in_each_language(
                 Phrase("grade-trace-too-long", limit=LONGEST_TRACE // MEGABYTE)
             )
             return Result(ended=How.KILLED, checked=checked, reason=reason)
-        return self._judged(evidence_of(made.trace, made.report), checked)
+        return self._judged(made, checked)
 
-    def _judged(self, evidence: Evidence, checked: Checked) -> Result:
-        report = evidence.report
-        assert report is not None  # noqa: S101 - the run is over
-        world = _world(self.order.lesson, self.order.step)
+    def _judged(self, made: RunResult, checked: Checked) -> Result:
+        report, evidence = made.report, evidence_of(made)
+        world = _world(self.piece.lesson, self.piece.step)
         verdicts = judge(self._step, self.source.tree, evidence, world, Experts(self.opened))
         return Result(
             checks=tuple(map(_check_result, verdicts)),
@@ -221,8 +211,8 @@ class _Piece:
         self, verdicts: Sequence[Verdict], evidence: Evidence, world: WorldDescription | None
     ) -> tuple[HintResult, ...]:
         elsewhere = Elsewhere(
-            is_variant=self.order.variant > 0,
-            is_other_robot=self.order.robot != self.order.usual,
+            is_variant=self.piece.attempt.variant > 0,
+            is_other_robot=self.piece.attempt.robot != self.piece.usual,
             passes_usually=True,
         )
         tree = self.source.tree
@@ -233,14 +223,14 @@ class _Piece:
         )
 
 
-def _forked(made: Job, limits: Limits) -> list[JobResult]:
+def _forked(made: Job) -> list[tuple[int, RunResult]]:
     idle = _idle()
     try:
         kept = idle.get_nowait()
     except Empty:
         kept = WarmProcess()
     try:
-        return [*Batch([made], 1, limits=limits, kept=kept).results()]
+        return [*Batch([made], 1, kept=kept).results()]
     finally:
         if kept.is_running:
             idle.put(kept)

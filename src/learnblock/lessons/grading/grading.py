@@ -13,13 +13,14 @@ from learnblock.lessons.grading.executing import (
     ABOUT_OTHERS,
     MOST_HINTS,
     NotRunError,
-    Order,
+    Piece,
     run_piece,
 )
 from learnblock.lessons.grading.executors import TRIES, OpenWorkers, Workers
 from learnblock.lessons.grading.journal import Journal
-from learnblock.lessons.grading.plan import Plan, Try
+from learnblock.lessons.grading.plan import Plan
 from learnblock.lessons.grading.values import DIFFERS, HandedIn, Result, unpacked
+from learnblock.lessons.trying import Attempt
 
 #: Seconds between two looks at whether the grading is to be stopped.
 WATCHING = 0.2
@@ -40,7 +41,7 @@ class Row:
     """
 
     handed_in: HandedIn
-    attempt: Try
+    attempt: Attempt
     result: Result | None
     failure: Phrase | None = None
 
@@ -116,12 +117,12 @@ class Grading:
         """The rows of one pupil, with all hints that may fit."""
         if one.reason is not None:
             untried = Result(ended=one.absence or "unreadable", reason=in_each_language(one.reason))
-            yield from (Row(one, attempt, untried) for attempt in self.plan.tries)
+            yield from (Row(one, attempt, untried) for attempt in self.plan.attempts)
             return
-        shared = self._found(self.plan.orders(one))
+        shared = self._found(self.plan.pieces(one))
         # One that was compared was isolated, too, and says that it differed.
         apart = self._found(self.plan.isolated(one)) if self._is_doubtful(one) else shared
-        for attempt, first, second in zip(self.plan.tries, shared, apart, strict=True):
+        for attempt, first, second in zip(self.plan.attempts, shared, apart, strict=True):
             result, failure = first if _differs(first[0]) else second
             yield Row(one, attempt, result, failure)
 
@@ -133,8 +134,8 @@ class Grading:
         pairs = zip(checks, result.checks, strict=True)
         return all(found.state == "met" or check.optional for check, found in pairs)
 
-    def _make(self, keyed: Iterable[tuple[str, Order]], opened: OpenWorkers) -> Iterator[Progress]:
-        missing = {key: order for key, order in keyed if key not in self._journal}
+    def _make(self, keyed: Iterable[tuple[str, Piece]], opened: OpenWorkers) -> Iterator[Progress]:
+        missing = {key: piece for key, piece in keyed if key not in self._journal}
         self._total += len(missing)
         for _ in range(TRIES):
             if self._is_stopped or not missing:
@@ -148,13 +149,13 @@ class Grading:
                 return
         raise LearnBlockError("grade-workers-lost")
 
-    def _made_by(self, workers: Workers, missing: Mapping[str, Order]) -> Iterator[Progress]:
+    def _made_by(self, workers: Workers, missing: Mapping[str, Piece]) -> Iterator[Progress]:
         ahead = iter(missing.items())
         making: dict[Future[bytes], str] = {}
         while True:
             free = 0 if self._is_stopped else workers.most - len(making)
-            for key, order in islice(ahead, free):
-                making[workers.executor.submit(run_piece, order)] = key
+            for key, piece in islice(ahead, free):
+                making[workers.executor.submit(run_piece, piece)] = key
             if not making:
                 return
             for future in wait(making, WATCHING, FIRST_COMPLETED).done:
@@ -174,11 +175,11 @@ class Grading:
             self._failures[key] = Phrase(f"{type(error).__name__}: {error}")
         self._done += 1
 
-    def _planned(self) -> Iterator[tuple[str, Order]]:
+    def _planned(self) -> Iterator[tuple[str, Piece]]:
         for one in self._readable():
-            yield from self.plan.orders(one)
+            yield from self.plan.pieces(one)
 
-    def _doubtful(self) -> Iterator[tuple[str, Order]]:
+    def _doubtful(self) -> Iterator[tuple[str, Piece]]:
         """The pieces of programs whose shared runs differed from isolated ones."""
         for one in self._readable():
             if self._is_doubtful(one):
@@ -188,12 +189,12 @@ class Grading:
         return (one for one in self.plan.handed_in if one.reason is None)
 
     def _is_doubtful(self, one: HandedIn) -> bool:
-        keyed = self.plan.orders(one)
-        compared = (key for key, order in keyed if order.manner == "compared")
+        keyed = self.plan.pieces(one)
+        compared = (key for key, piece in keyed if piece.manner == "compared")
         return any(_differs(self._result(key)) for key in compared)
 
     def _found(
-        self, keyed: Iterable[tuple[str, Order]]
+        self, keyed: Iterable[tuple[str, Piece]]
     ) -> list[tuple[Result | None, Phrase | None]]:
         """The results of pieces, or why they could not be made."""
         return [(self._result(key), self._failures.get(key)) for key, _ in keyed]

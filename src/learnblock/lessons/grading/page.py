@@ -91,8 +91,8 @@ class Page:
         yield tag("h1", escaped(title))
         absent = sum(bool(one.absence) for one in self._plan.handed_in)
         count = len(self._plan.handed_in) - absent
-        tries = len(self._plan.tries)
-        facts = self._escaped("grade-page-facts", programs=count, tries=tries)
+        attempts = len(self._plan.attempts)
+        facts = self._escaped("grade-page-facts", programs=count, tries=attempts)
         missing = self._escaped("grade-page-absent", count=absent) if absent else ""
         yield tag("p", facts, " " * bool(absent), missing)
         yield tag("p", self._escaped("grade-page-no-mark"), class_="note")
@@ -129,7 +129,7 @@ class Page:
     @cached_property
     def _pictures(self) -> Pictures | None:
         world = self._plan.opened.described_world(self._plan.step)
-        return Pictures(world, tuple(one.variant for one in self._plan.tries)) if world else None
+        return Pictures(world, tuple(one.variant for one in self._plan.attempts)) if world else None
 
     @cached_property
     def _summaries(self) -> list[_Summary]:
@@ -339,8 +339,8 @@ class Page:
         return tag("li", self._in_language(hint.because), levels)
 
     def _command(self, one: HandedIn) -> str:
-        robots = dict.fromkeys(attempt.robot for attempt in self._plan.tries)
-        variants = len(self._plan.tries) // max(len(robots), 1) - 1
+        robots = dict.fromkeys(attempt.robot for attempt in self._plan.attempts)
+        variants = len(self._plan.attempts) // max(len(robots), 1) - 1
         return command_line(
             "learnblock", "grade", one.file, "--lesson", self._lesson,
             "--step", self._plan.step, "--robots", ",".join(robots),

@@ -8,7 +8,7 @@ import numpy as np
 
 from learnblock.errors import WorldError
 from learnblock.lessons.grading.html import tag
-from learnblock.lessons.grading.plan import Try
+from learnblock.lessons.trying import Attempt
 from learnblock.simulator import WorldDescription, make_variant
 from learnblock.simulator.picture import plan
 from learnblock.simulator.picture.svg import element
@@ -48,7 +48,7 @@ class Pictures:
         )
         return tag("svg", *symbols, width=0, height=0, class_="worlds", aria_hidden="true")
 
-    def picture(self, attempt: Try, path: Sequence[tuple[int, int]], title: str) -> str:
+    def picture(self, attempt: Attempt, path: Sequence[tuple[int, int]], title: str) -> str:
         """A way in its world, in which it begins at a ring and ends at a dot."""
         points = self.view.all(path)
         parts = [tag("title", title), tag("use", href=f"#{_name(attempt.variant)}")]

@@ -9,7 +9,7 @@ from functools import cached_property
 import msgspec
 
 from learnblock.errors import WorldError
-from learnblock.lessons.grading.executing import Order, packed_lesson
+from learnblock.lessons.grading.executing import Piece, packed_lesson
 from learnblock.lessons.grading.values import HandedIn, Manner
 from learnblock.lessons.opened import OpenLesson
 from learnblock.lessons.trying import Attempt
@@ -19,31 +19,16 @@ from learnblock.simulator import make_variant
 #: The share of a program's pieces that are run again in isolation; at least one of them is.
 SAMPLE = 0.05
 #: Changes when the results of pieces mean something else.
-FORMAT = 2
+FORMAT = 3
 
 
-@dataclass(frozen=True, slots=True)
-class Try:
-    """What a program is tried in.
-
-    Args:
-        robot: the robot.
-        variant: the variant of the world.
-        seed: the seed of all noise.
-    """
-
-    robot: str
-    variant: int
-    seed: int
-
-
-def tries(opened: OpenLesson, step: int, attempts: Sequence[Attempt]) -> tuple[Try, ...]:
-    """What programs are tried in: where a world has no variants, with other noise instead."""
-    varies = _varies(opened, step)
-    return tuple(
-        Try(one.robot, one.variant if varies else 0, 0 if varies else one.variant)
-        for one in attempts
-    )
+def graded_attempts(
+    opened: OpenLesson, step: int, attempts: Sequence[Attempt]
+) -> tuple[Attempt, ...]:
+    """The attempts of a grading: where a world has no variants, with other noise instead."""
+    if _varies(opened, step):
+        return tuple(attempts)
+    return tuple(Attempt(attempt.robot, 0, seed=attempt.variant) for attempt in attempts)
 
 
 def _varies(opened: OpenLesson, step: int) -> bool:
@@ -65,7 +50,7 @@ class Plan:
         opened: the lesson.
         step: the number of the step.
         handed_in: what was handed in, in the order of the table.
-        tries: what each program is tried in.
+        attempts: what each program is tried in.
         version: of LearnBlock.
         limits: the resources that each program may use.
     """
@@ -73,7 +58,7 @@ class Plan:
     opened: OpenLesson
     step: int
     handed_in: tuple[HandedIn, ...]
-    tries: tuple[Try, ...]
+    attempts: tuple[Attempt, ...]
     version: str
     limits: Limits = Limits()  # noqa: RUF009 - it is frozen
 
@@ -82,23 +67,23 @@ class Plan:
         """The lesson, as every piece gets it."""
         return packed_lesson(self.opened, self.step)
 
-    def orders(self, one: HandedIn) -> Iterator[tuple[str, Order]]:
+    def pieces(self, one: HandedIn) -> Iterator[tuple[str, Piece]]:
         """The pieces of a program, each with its key."""
-        plain = [self._order(one, attempt, "shared") for attempt in self.tries]
-        compared = self._sample([self.key(order) for order in plain])
-        for index, order in enumerate(plain):
-            chosen = replace(order, manner="compared") if index in compared else order
+        plain = [self._piece(one, attempt, "shared") for attempt in self.attempts]
+        compared = self._sample([self.key(piece) for piece in plain])
+        for index, piece in enumerate(plain):
+            chosen = replace(piece, manner="compared") if index in compared else piece
             yield self.key(chosen), chosen
 
-    def isolated(self, one: HandedIn) -> Iterator[tuple[str, Order]]:
+    def isolated(self, one: HandedIn) -> Iterator[tuple[str, Piece]]:
         """The pieces of a program that can't be trusted to share a process."""
-        for attempt in self.tries:
-            order = self._order(one, attempt, "isolated")
-            yield self.key(order), order
+        for attempt in self.attempts:
+            piece = self._piece(one, attempt, "isolated")
+            yield self.key(piece), piece
 
-    def key(self, order: Order) -> str:
+    def key(self, piece: Piece) -> str:
         """What identifies a piece and its result; the pupil's name is no part of it."""
-        rest = replace(order, lesson=self._lesson_hash)
+        rest = replace(piece, lesson=self._lesson_hash)
         return hashlib.sha256(msgspec.msgpack.encode((FORMAT, rest))).hexdigest()[:32]
 
     @cached_property
@@ -110,18 +95,16 @@ class Plan:
         count = max(1, math.ceil(SAMPLE * len(keys)))
         return frozenset(sorted(range(len(keys)), key=keys.__getitem__)[:count])
 
-    def _order(self, one: HandedIn, attempt: Try, manner: Manner) -> Order:
-        return Order(
+    def _piece(self, one: HandedIn, attempt: Attempt, manner: Manner) -> Piece:
+        return Piece(
             version=self.version,
             lesson=self.lesson,
             step=self.step,
             text=one.text,
             is_python=one.is_python,
             tags=tuple(sorted(one.tags.items())),
-            robot=attempt.robot,
-            variant=attempt.variant,
-            seed=attempt.seed,
-            usual=self.tries[0].robot,
+            attempt=attempt,
+            usual=self.attempts[0].robot,
             manner=manner,
             limits=self.limits,
         )

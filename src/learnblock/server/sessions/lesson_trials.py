@@ -10,9 +10,9 @@ from msgspec.structs import replace
 
 from learnblock.errors import LearnBlockError, phrase_of
 from learnblock.i18n import Phrase
-from learnblock.lessons.checking import Follow, Result, check_lesson, count_attempts
+from learnblock.lessons.checking import Follow, ProgramCheck, check_lesson, count_attempts
 from learnblock.lessons.opened import OpenLesson
-from learnblock.lessons.trying import Attempt, StopSwitch, Tried, try_step
+from learnblock.lessons.trying import Attempt, JudgedRun, StopSwitch, try_step
 from learnblock.server import messages
 
 Send = Callable[[messages.ToPage], object]
@@ -103,13 +103,13 @@ class LessonCheck(_Trial[messages.LessonChecked]):
         switch, loop = self._switch, asyncio.get_running_loop()
 
         def run() -> None:
-            tries = try_step(opened, step, source, attempts, switch=switch)
-            assert isinstance(tries, Generator)  # noqa: S101 - so that it can be given up
-            with closing(tries):
-                for tried in tries:
+            runs = try_step(opened, step, source, attempts, switch=switch)
+            assert isinstance(runs, Generator)  # noqa: S101 - so that it can be given up
+            with closing(runs):
+                for judged in runs:
                     if switch.is_stopped:
                         break
-                    loop.call_soon_threadsafe(self._tried, switch, tried)
+                    loop.call_soon_threadsafe(self._judged, switch, judged)
 
         problem = None
         try:
@@ -125,11 +125,11 @@ class LessonCheck(_Trial[messages.LessonChecked]):
             await on_passed()
         self._tell(replace(self.told, running=False, everywhere=everywhere, problem=problem))
 
-    def _tried(self, switch: StopSwitch, tried: Tried) -> None:
+    def _judged(self, switch: StopSwitch, judged: JudgedRun) -> None:
         if switch.is_stopped:
             return
-        wanted = (tried.attempt.robot, tried.attempt.variant)
-        missed = [one for one in tried.verdicts if not one.check.optional and one.state != "met"]
+        wanted = (judged.attempt.robot, judged.attempt.variant)
+        missed = [one for one in judged.verdicts if not one.check.optional and one.state != "met"]
         reasons = tuple(one.reason or Phrase("server-lesson-not-met") for one in missed)
         result = messages.LessonAttempt(*wanted, passed=not missed, reasons=reasons[:3])
         attempts = tuple(
@@ -160,7 +160,7 @@ class LessonTrial(_Trial[messages.LessonTried]):
     async def _run(self, opened: OpenLesson) -> None:
         switch, loop = self._switch, asyncio.get_running_loop()
 
-        def watch(_: Tried) -> None:
+        def watch(_: JudgedRun) -> None:
             loop.call_soon_threadsafe(self._attempted)
 
         def run() -> None:
@@ -180,7 +180,7 @@ class LessonTrial(_Trial[messages.LessonTried]):
     def _attempted(self) -> None:
         self._tell(replace(self.told, done=self.told.done + 1))
 
-    def _finished(self, result: Result) -> None:
+    def _finished(self, result: ProgramCheck) -> None:
         program = messages.TriedProgram(
             result.kind, result.step, result.right, result.attempts, result.problems
         )

@@ -37,8 +37,8 @@ LIMITS = Limits(silence=1.0)
 
 def graded(text):
     [one] = handed_in(eve=text)
-    [(_, order)] = plan((one,), limits=LIMITS).orders(one)
-    return unpacked(run_piece(replace(order, manner="shared")))
+    [(_, piece)] = plan((one,), limits=LIMITS).pieces(one)
+    return unpacked(run_piece(replace(piece, manner="shared")))
 
 
 @pytest.fixture(scope="module")
@@ -78,7 +78,7 @@ def test_a_program_finds_nothing_that_tells_grading_from_a_run(monkeypatch, tmp_
     result = graded(python)
     program = Program("program.py", python, python)
     options = Options(world="square", seed=0, variant=0, seconds=5, pace="free")
-    [alone] = Batch([Job(program, robots.find("sim-ebo"), options)]).results()
+    [(_, alone)] = Batch([Job(program, robots.find("sim-ebo"), options)]).results()
     assert result.ended == "finished"
     # The trace has what it printed.
     assert result.trace_sha256 == alone.report.trace_sha256

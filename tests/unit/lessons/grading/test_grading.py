@@ -21,7 +21,7 @@ from learnblock.lessons.grading.executors import Workers
 from learnblock.lessons.grading.grading import Grading
 from learnblock.lessons.grading.journal import opened_journal
 from learnblock.lessons.grading.output import PAGE, TABLE, write_results
-from learnblock.lessons.grading.plan import Plan, Try
+from learnblock.lessons.grading.plan import Plan
 from learnblock.lessons.grading.values import (
     DIFFERS,
     CheckResult,
@@ -30,6 +30,7 @@ from learnblock.lessons.grading.values import (
     Result,
     packed,
 )
+from learnblock.lessons.trying import Attempt
 
 CLASS = handed_in(ana=GOOD, bo=SHORT)
 
@@ -37,15 +38,15 @@ CLASS = handed_in(ana=GOOD, bo=SHORT)
 class Fake(Executor):
     """Makes pieces at once, as `piece` says."""
 
-    def __init__(self, piece):
-        self.piece = piece
-        self.orders = []
+    def __init__(self, make):
+        self.make = make
+        self.pieces = []
 
-    def submit(self, function, order, /):
-        self.orders.append(order)
+    def submit(self, function, piece, /):
+        self.pieces.append(piece)
         future = Future()
         try:
-            future.set_result(self.piece(order))
+            future.set_result(self.make(piece))
         except (BrokenExecutor, NotRunError, ZeroDivisionError) as error:
             future.set_exception(error)
         return future
@@ -55,8 +56,8 @@ class Fake(Executor):
         yield Workers(self, 4)
 
 
-def finished(order):
-    return packed(Result(ended="finished", seconds=order.seed, checked="shared"))
+def finished(piece):
+    return packed(Result(ended="finished", seconds=piece.attempt.seed, checked="shared"))
 
 
 @pytest.fixture
@@ -70,7 +71,7 @@ def test_what_is_finished_is_not_made_again(journal):
     first, second = Fake(finished), Fake(finished)
     assert [one.done for one in Grading(wanted, journal).run(first.opened)] == [1, 2, 3, 4, 5, 6]
     assert [*Grading(wanted, journal).run(second.opened)] == []
-    assert len(first.orders) == 6
+    assert len(first.pieces) == 6
     rows = [(one.handed_in.pupil, one.attempt.seed) for one in Grading(wanted, journal).rows()]
     assert rows == [(name, seed) for name in ("ana", "bo") for seed in range(3)]
 
@@ -86,24 +87,24 @@ def test_a_stopped_grading_goes_on_where_it_was(journal):
     missing = [one for one in grading.rows() if one.result is None]
     assert 0 < len(missing) < 20
     list(Grading(wanted, journal).run(second.opened))
-    assert len(first.orders) + len(second.orders) == 20
+    assert len(first.pieces) + len(second.pieces) == 20
 
 
 def test_of_each_program_at_least_one_piece_is_compared(journal):
     fake = Fake(finished)
     list(Grading(plan(CLASS, seeds=40), journal).run(fake.opened))
-    compared = [one.text for one in fake.orders if one.manner == "compared"]
+    compared = [one.text for one in fake.pieces if one.manner == "compared"]
     assert sorted(compared) == sorted([GOOD] * 2 + [SHORT] * 2)
 
 
 def test_a_program_whose_runs_differ_is_isolated_in_all_of_them(journal):
-    def piece(order):
-        if order.text == SHORT and order.manner == "compared":
+    def make(piece):
+        if piece.text == SHORT and piece.manner == "compared":
             return packed(Result(ended="finished", checked=DIFFERS))
-        checked = "isolated" if order.manner == "isolated" else "shared"
+        checked = "isolated" if piece.manner == "isolated" else "shared"
         return packed(Result(ended="finished", checked=checked))
 
-    fake = Fake(piece)
+    fake = Fake(make)
     grading = Grading(plan(CLASS, seeds=3), journal)
     list(grading.run(fake.opened))
     by_pupil = {"ana": [], "bo": []}
@@ -116,32 +117,32 @@ def test_a_program_whose_runs_differ_is_isolated_in_all_of_them(journal):
 def test_lost_workers_are_replaced(journal):
     lost = [BrokenExecutor("gone")]
 
-    def piece(order):
+    def make(piece):
         if lost:
             raise lost.pop()
-        return finished(order)
+        return finished(piece)
 
     grading = Grading(plan(CLASS, seeds=2), journal)
-    list(grading.run(Fake(piece).opened))
+    list(grading.run(Fake(make).opened))
     assert all(row.result for row in grading.rows())
 
 
 def test_workers_that_are_lost_again_and_again_end_the_grading(journal):
-    def piece(order):
+    def make(piece):
         raise BrokenExecutor("gone")
 
     with pytest.raises(LearnBlockError, match="lost again and again"):
-        list(Grading(plan(CLASS), journal).run(Fake(piece).opened))
+        list(Grading(plan(CLASS), journal).run(Fake(make).opened))
 
 
 def test_a_mistake_of_ours_is_reported_at_its_program_and_ends_no_other(journal):
-    def piece(order):
-        if order.text == SHORT:
+    def make(piece):
+        if piece.text == SHORT:
             raise ZeroDivisionError("oh")
-        return finished(order)
+        return finished(piece)
 
     grading = Grading(plan(CLASS), journal)
-    list(grading.run(Fake(piece).opened))
+    list(grading.run(Fake(make).opened))
     assert [bool(row.result) for row in grading.rows()] == [True, False]
     assert [str(row.failure) for row in grading.rows()] == ["None", "ZeroDivisionError: oh"]
 
@@ -149,13 +150,13 @@ def test_a_mistake_of_ours_is_reported_at_its_program_and_ends_no_other(journal)
 def test_a_run_that_cannot_be_made_is_told_from_one_that_fails_and_made_again_later(
     journal, tmp_path
 ):
-    def piece(order):
-        if order.text == SHORT:
+    def make(piece):
+        if piece.text == SHORT:
             raise NotRunError("run-lost", reason="Killed")
-        return finished(order)
+        return finished(piece)
 
     grading = Grading(plan(CLASS), journal)
-    list(grading.run(Fake(piece).opened))
+    list(grading.run(Fake(make).opened))
     write_results(grading, tmp_path, "en", lesson="drive")
     lost = (tmp_path / TABLE).read_text().splitlines()[2]
     assert lost == "bo,1,sim-ebo,0,0,,,,,not run,,,"
@@ -198,8 +199,8 @@ def hints_in(journal, program, *attempts):
     """The rules of the hints for a program, by attempt."""
     text = LESSON.replace('"square"', '"parking"').partition("[[step.check]]")[0] + PLACE
     opened = lesson(text.replace('["sim-ebo"]', '["sim-ebo", "sim-thymio"]'))
-    tries = tuple(Try(robot, variant, 0) for robot, variant in attempts)
-    wanted = Plan(opened, 1, handed_in(ana=program), tries, version("learnblock-studio"))
+    tried = tuple(Attempt(*attempt) for attempt in attempts)
+    wanted = Plan(opened, 1, handed_in(ana=program), tried, version("learnblock-studio"))
     grading = Grading(wanted, journal)
     list(grading.run(Fake(run_piece).opened))
     return [[hint.rule for hint in row.result.hints] for row in grading.rows()]
@@ -231,13 +232,15 @@ def test_a_program_that_works_nowhere_does_not_get_that_hint(journal):
 def hinted(rules, *, passes):
     """A piece whose usual attempt passes or not, and whose other one gets these hints."""
 
-    def piece(order):
-        states = ("met", "met", "failed") if passes and not order.variant else ("failed",) * 3
-        found = tuple(HintResult(rule, ()) for rule in rules) if order.variant else ()
+    def make(piece):
+        states = (
+            ("met", "met", "failed") if passes and not piece.attempt.variant else ("failed",) * 3
+        )
+        found = tuple(HintResult(rule, ()) for rule in rules) if piece.attempt.variant else ()
         checks = tuple(map(CheckResult, states))
         return packed(Result(ended="finished", checks=checks, hints=found))
 
-    return piece
+    return make
 
 
 @pytest.mark.parametrize("about_others", sorted(ABOUT_OTHERS))
@@ -245,8 +248,8 @@ def test_a_hint_about_other_attempts_needs_one_that_meets_all_that_is_not_option
     tmp_path, about_others
 ):
     rules = ["hint-a", about_others, "hint-b", "hint-c"]
-    tries = (Try("sim-ebo", 0, 0), Try("sim-ebo", 1, 0))
-    wanted = replace(plan(CLASS[:1]), tries=tries)
+    attempts = (Attempt("sim-ebo", 0), Attempt("sim-ebo", 1))
+    wanted = replace(plan(CLASS[:1]), attempts=attempts)
     found = []
     for passes in (True, False):
         with opened_journal(tmp_path / str(passes)) as journal:
@@ -258,14 +261,14 @@ def test_a_hint_about_other_attempts_needs_one_that_meets_all_that_is_not_option
 
 
 def test_a_hint_about_other_attempts_is_left_out_while_the_usual_one_is_not_finished(journal):
-    def piece(order):
-        if order.variant == 0:
+    def make(piece):
+        if piece.attempt.variant == 0:
             raise NotRunError("run-lost", reason="Killed")
-        return hinted([ONLY_HERE], passes=True)(order)
+        return hinted([ONLY_HERE], passes=True)(piece)
 
-    tries = (Try("sim-ebo", 0, 0), Try("sim-ebo", 1, 0))
-    grading = Grading(replace(plan(CLASS[:1]), tries=tries), journal)
-    list(grading.run(Fake(piece).opened))
+    attempts = (Attempt("sim-ebo", 0), Attempt("sim-ebo", 1))
+    grading = Grading(replace(plan(CLASS[:1]), attempts=attempts), journal)
+    list(grading.run(Fake(make).opened))
     [usual, variant] = grading.rows()
     assert usual.result is None
     assert variant.result.hints == ()
@@ -274,14 +277,14 @@ def test_a_hint_about_other_attempts_is_left_out_while_the_usual_one_is_not_fini
 def test_the_name_of_a_pupil_changes_no_result():
     one, other = handed_in(ana=GOOD, zoe=GOOD)
     wanted = plan((one, other))
-    assert [*wanted.orders(one)] == [*wanted.orders(other)]
+    assert [*wanted.pieces(one)] == [*wanted.pieces(other)]
 
 
 def test_another_lesson_program_or_version_is_another_piece():
     wanted = plan(CLASS)
-    keys = {key for one in CLASS for key, _ in wanted.orders(one)}
+    keys = {key for one in CLASS for key, _ in wanted.pieces(one)}
     other_lesson = plan(CLASS, opened=lesson(LESSON.replace("at_least = 100", "at_least = 99")))
     other_version = replace(wanted, version="0")
     for plan_ in (other_lesson, other_version):
-        keys |= {key for one in CLASS for key, _ in plan_.orders(one)}
+        keys |= {key for one in CLASS for key, _ in plan_.pieces(one)}
     assert len(keys) == 6

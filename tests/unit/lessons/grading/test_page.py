@@ -46,7 +46,7 @@ def page(tmp_path):
         with opened_journal(tmp_path) as journal:
             wanted = plan(programs)
             for one in programs:
-                for key, _ in wanted.orders(one):
+                for key, _ in wanted.pieces(one):
                     journal.add(key, packed(result))
             file = StringIO()
             Page(Grading(wanted, journal), language, "drive").write(file)

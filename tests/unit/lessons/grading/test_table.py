@@ -6,9 +6,9 @@ import pytest
 
 from gradings import handed_in, lesson
 from learnblock.lessons.grading.grading import Row
-from learnblock.lessons.grading.plan import Try
 from learnblock.lessons.grading.table import stars, write_table
 from learnblock.lessons.grading.values import CheckResult, HandedIn, Result, packed, unpacked
+from learnblock.lessons.trying import Attempt
 
 CHECKS = lesson().step(1).check
 DONE = Result(
@@ -28,7 +28,7 @@ def table(*rows):
 
 def test_a_row_says_what_each_check_says_and_how_it_was_checked():
     [ana] = handed_in(ana="")
-    head, row = table(Row(ana, Try("sim-ebo", 2, 0), DONE))
+    head, row = table(Row(ana, Attempt("sim-ebo", 2, 0), DONE))
     assert head == (
         "pupil,step,robot,variant,seed,1 drives,2 ends,3 prints,"
         "stars,ended,seconds,trace_sha256,checked"
@@ -38,19 +38,21 @@ def test_a_row_says_what_each_check_says_and_how_it_was_checked():
 
 def test_what_is_not_finished_is_no_failure():
     [ana] = handed_in(ana="")
-    assert table(Row(ana, Try("sim-ebo", 0, 0), None))[1] == "ana,1,sim-ebo,0,0,,,,,not finished,,,"
+    assert (
+        table(Row(ana, Attempt("sim-ebo", 0), None))[1] == "ana,1,sim-ebo,0,0,,,,,not finished,,,"
+    )
 
 
 def test_a_pupil_without_a_program_has_failed_nothing():
     eva = HandedIn("eva", "eva", absence="not begun")
-    [_, row] = table(Row(eva, Try("sim-ebo", 0, 0), Result(ended="not begun")))
+    [_, row] = table(Row(eva, Attempt("sim-ebo", 0), Result(ended="not begun")))
     assert row == "eva,1,sim-ebo,0,0,,,,,not begun,,,"
 
 
 @pytest.mark.parametrize("name", ["=1+1", "+1", "-1", "@SUM(A1)", "\t=1"])
 def test_no_name_is_a_formula(name):
     pupil = HandedIn(name, "x.bt")
-    assert table(Row(pupil, Try("sim-ebo", 0, 0), DONE))[1].startswith(f"'{name}")
+    assert table(Row(pupil, Attempt("sim-ebo", 0), DONE))[1].startswith(f"'{name}")
 
 
 @pytest.mark.parametrize(

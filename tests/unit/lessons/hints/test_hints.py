@@ -11,6 +11,7 @@ from learnblock.lessons.hints import Elsewhere, Hint, gives_away, hints
 from learnblock.lessons.hints.ranking import WEIGHTS
 from learnblock.lessons.judging import judge
 from learnblock.lessons.lesson import HintRule, Step
+from learnblock.running.result import RunResult
 from learnblock.simulator import load_world
 from runs import run_file
 
@@ -33,7 +34,7 @@ def found(tmp_path):
         file.write_text(source)
         step = Step(title="a", phase="make", text="b", world=world, check=wanted, **more)
         run = run_file(file, "sim-thymio", world=world, seconds=seconds)
-        tree, evidence = parse(source), evidence_of(run.trace, run.report)
+        tree, evidence = parse(source), evidence_of(RunResult(run.report, run.trace))
         drawn = load_world(world)
         verdicts = judge(step, tree, evidence, drawn)
         return hints(step, tree, verdicts, evidence, world=drawn, elsewhere=elsewhere)

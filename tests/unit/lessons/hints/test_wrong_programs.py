@@ -12,6 +12,7 @@ from learnblock.lessons.hints import gives_away, hints
 from learnblock.lessons.judging import Verdict, judge
 from learnblock.lessons.lesson import Step
 from learnblock.lessons.mutants import mutants
+from learnblock.running.result import RunResult
 from places import ROOT
 from runs import run_file
 
@@ -35,7 +36,7 @@ def hints_of(tmp_path, case):
     file.write_text(case.program)
     robot = case.lesson.robots(1)[0]
     run = run_file(file, robot, world=step.world, seconds=step.seconds)
-    tree, evidence = parse(case.program), evidence_of(run.trace, run.report)
+    tree, evidence = parse(case.program), evidence_of(RunResult(run.report, run.trace))
     return hints(step, tree, judge(step, tree, evidence, world), evidence, world=world)
 
 
@@ -53,7 +54,7 @@ def test_hints_for_mutants_are_whole_and_keep_the_solution_secret(tmp_path, name
         file = tmp_path / "mutant.bt"
         file.write_text(mutant.source)
         run = run_file(file, "sim-thymio", world="line", seconds=3)
-        tree, evidence = parse(mutant.source), evidence_of(run.trace, run.report)
+        tree, evidence = parse(mutant.source), evidence_of(RunResult(run.report, run.trace))
         found = hints(step, tree, judge(step, tree, evidence, None), evidence)
         assert found
         for one in found:
