@@ -379,7 +379,7 @@ class Player:
         self._playing = self._asked = None
         # Whatever fails, as without memory: it is over, and the page shows that.
         with ExitStack() as ending:
-            self._ended = messages.Ended("error", Phrase("play-lost"), tried=playing.is_trial)
+            self._ended = messages.Ended("error", Phrase("play-lost"), tried=playing.is_call)
             # The last one first.
             ending.callback(playing.over.set)
             ending.callback(self._note_end)
@@ -409,7 +409,7 @@ class Player:
             return
         if isinstance(report, Exception):
             report = Phrase("play-not-started", reason=phrase_of(report))
-        self._ended = messages.Ended("error", report, tried=playing.is_trial)
+        self._ended = messages.Ended("error", report, tried=playing.is_call)
 
     def _send_end(self) -> None:
         if self._ended:

@@ -19,9 +19,9 @@ from learnblock.runtime.program import Program
 from learnblock.runtime.trace import Recorder, TraceSink
 from learnblock.server import messages
 from learnblock.server.runs.escalation import escalate_async
+from learnblock.server.runs.function_call import FunctionCall
 from learnblock.server.runs.looking import Looking
 from learnblock.server.runs.memory import give_back_memory
-from learnblock.server.runs.trial import Trial
 from learnblock.server.runs.watcher import RunWatcher
 from learnblock.storage import skill_files
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from learnblock.server.runs.player import Player
 
 #: A program, or a function that the user tries.
-Played = Document | Trial
+Played = Document | FunctionCall
 #: Runs programs to their ends and reports them.
 Play = Callable[[Sequence["Playing"]], None]
 
@@ -112,8 +112,8 @@ class Playing:
         return messages.RunningLine(line, self.played.block_at(line))
 
     @property
-    def is_trial(self) -> bool:
-        return isinstance(self.played, Trial)
+    def is_call(self) -> bool:
+        return isinstance(self.played, FunctionCall)
 
     @property
     def is_real(self) -> bool:
@@ -163,7 +163,7 @@ class Playing:
             block=self.played.block_at(line) if line else None,
             custom_block=custom_block,
             custom_line=custom_line,
-            tried=self.is_trial,
+            tried=self.is_call,
             time=report.time,
             distance=report.distance,
             goals=tuple(
@@ -177,7 +177,7 @@ class Playing:
 
     def _own_place(self, within: Any, line: int) -> tuple[str, int]:
         """The custom block in which an error happened, and the line of its source."""
-        if isinstance(self.played, Trial) and (custom_line := self.played.custom_line(line)):
+        if isinstance(self.played, FunctionCall) and (custom_line := self.played.custom_line(line)):
             return self.played.name, custom_line
         if within and Path(within["file"]) in skill_files.own_files():
             return Path(within["file"]).stem, within["line"]

@@ -16,9 +16,9 @@ from learnblock.running import Options, may_use_network
 from learnblock.running.job import Job
 from learnblock.runtime.trace import TraceSink
 from learnblock.server import messages
+from learnblock.server.runs.function_call import FunctionCall
 from learnblock.server.runs.playing import Played, prepared
 from learnblock.server.runs.together import Participant, play_together, staged
-from learnblock.server.runs.trial import Trial
 
 if TYPE_CHECKING:
     from learnblock.server.runs.player import Player
@@ -147,11 +147,11 @@ class Runs:
         ]
         await play_together(participants, trace)
 
-    async def try_out(self, part: "Part", player: "Player", trial: Trial) -> None:
+    async def try_out(self, part: "Part", player: "Player", call: FunctionCall) -> None:
         """Run a single function on one of the robots instead of the programs."""
         await self.stop()
-        job = await self._job(part, player, trial)
-        await player.run(prepared(trial, job, player))
+        job = await self._job(part, player, call)
+        await player.run(prepared(call, job, player))
 
     async def stop(self) -> None:
         """Stop all programs and robots, and return once they have stopped."""
