@@ -28,7 +28,7 @@ def results(tmp_path):
     with opened_journal(tmp_path) as journal:
         wanted = plan(handed_in(ana=GOOD, bo=GOOD, cy=SHORT))
         for one in wanted.handed_in:
-            for key, _ in wanted.orders(one):
+            for key, _ in wanted.pieces(one):
                 journal.add(key, packed(MISSED))
         write_results(Grading(wanted, journal), tmp_path, "en", lesson="drive")
     return (tmp_path / "results.html").as_uri()

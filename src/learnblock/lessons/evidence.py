@@ -4,9 +4,8 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from io import RawIOBase
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from learnblock.lessons.trace_lines import Line, TraceLines, kind_of
 from learnblock.running.report import Report
@@ -174,22 +173,18 @@ class Evidence:
         return found
 
 
-class Collector(RawIOBase):
-    """A file for the trace of a run that shows what has happened so far.
+class Collector:
+    """Takes the lines of a run's trace, and shows what has happened so far.
 
     It is written in one thread, and may be looked at from another.
     """
 
     def __init__(self) -> None:
-        super().__init__()
         self._lines = TraceLines()
 
-    def writable(self) -> bool:
-        return True
-
-    def write(self, data: Any, /) -> int:
-        self._lines.write(bytes(data))
-        return len(data)
+    def write(self, lines: bytes, /) -> None:
+        """Add lines as a recorder writes them."""
+        self._lines.write(lines)
 
     def evidence(
         self,

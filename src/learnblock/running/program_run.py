@@ -4,7 +4,7 @@ from collections.abc import Callable, Collection
 from contextlib import nullcontext
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING, Any, BinaryIO
+from typing import TYPE_CHECKING, Any
 
 import msgspec
 
@@ -25,7 +25,7 @@ from learnblock.runtime.process import ProcessWorker, Worker, one_processor
 from learnblock.runtime.program import Program
 from learnblock.runtime.run import Run
 from learnblock.runtime.standby import Standby
-from learnblock.runtime.trace import Recorder, Trace, record
+from learnblock.runtime.trace import Recorder, Trace, TraceSink, record
 from learnblock.runtime.values import plain
 from learnblock.runtime.watcher import Watcher
 
@@ -81,7 +81,7 @@ class ProgramRun:
         program: the program to run.
         robot: the robot to run it on.
         options: the options of the run.
-        trace: the file for the trace; None for no file.
+        trace: takes the lines of the trace, such as a file; None for none.
         watcher: receives events as they happen.
         limits: the resources that the program may use.
         worker: creates the worker that runs the program; a process by default.
@@ -99,7 +99,7 @@ class ProgramRun:
         robot: RobotEntry,
         options: Options | None = None,
         *,
-        trace: BinaryIO | None = None,
+        trace: TraceSink | None = None,
         watcher: Watcher | None = None,
         limits: Limits | None = None,
         worker: Callable[[], Worker] = ProcessWorker,

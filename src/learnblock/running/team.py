@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial, reduce
 from operator import or_
-from typing import TYPE_CHECKING, Any, BinaryIO
+from typing import TYPE_CHECKING, Any
 
 import msgspec
 
@@ -25,7 +25,7 @@ from learnblock.runtime.post import Post
 from learnblock.runtime.process import ProcessWorker, Worker
 from learnblock.runtime.program import Program
 from learnblock.runtime.run import Run
-from learnblock.runtime.trace import MemberTrace, Recorder, Trace, record
+from learnblock.runtime.trace import MemberTrace, Recorder, Trace, TraceSink, record
 from learnblock.runtime.values import plain
 from learnblock.runtime.watcher import Watcher
 
@@ -82,7 +82,7 @@ class TeamRun:
     Args:
         members: the robots, in the order in which they take turns.
         options: the options of the run; ``network`` is left to the members.
-        trace: the file for the trace; None for no file.
+        trace: takes the lines of the trace, such as a file; None for none.
         watch: creates what receives the events of a member.
         debug: creates what pauses a member's program; None for no pauses.
         monitored: whether the robots have monitors, for a page.
@@ -102,7 +102,7 @@ class TeamRun:
         members: Sequence[Member],
         options: Options,
         *,
-        trace: BinaryIO | None = None,
+        trace: TraceSink | None = None,
         watch: Callable[[Member], Watcher] = lambda _: Watcher(),
         debug: Callable[[Member], Debugger | None] = lambda _: None,
         monitored: bool = False,

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache, partial
 from inspect import isroutine
-from typing import Any, BinaryIO
+from typing import Any, Protocol
 
 import msgspec
 
@@ -37,15 +37,21 @@ MOST_COLLISIONS = 1000
 _encode = msgspec.json.Encoder(enc_hook=plain).encode
 
 
+class TraceSink(Protocol):
+    """Takes the lines of a trace as they are written: a file, or what looks at the run."""
+
+    def write(self, lines: bytes, /) -> object: ...
+
+
 class Trace:
     """Lines of JSON, written and hashed as events happen.
 
     Args:
-        file: the file to write to, if any.
+        file: where the lines are written to, if anywhere.
         log: the log of the run, if there is one; it keeps the same lines.
     """
 
-    def __init__(self, file: BinaryIO | None = None, log: RunLog | None = None) -> None:
+    def __init__(self, file: TraceSink | None = None, log: RunLog | None = None) -> None:
         self._file = file
         self.log = log
         self._hash = hashlib.sha256()

@@ -7,7 +7,7 @@ from learnblock.extensions import custom_blocks
 from learnblock.extensions.custom_blocks import Checked, CustomBlock, Problem
 from learnblock.server import messages
 from learnblock.server.pages.page import Handlers, Page
-from learnblock.server.runs.trial import trial
+from learnblock.server.runs.function_call import function_call
 
 HANDLERS = Handlers()
 
@@ -38,7 +38,7 @@ async def _save(page: Page, message: messages.SaveCustomBlock) -> None:
 @HANDLERS.add
 async def _try(page: Page, message: messages.TryCustomBlock) -> None:
     made = await to_thread.run_sync(
-        trial, message.name, message.source, message.function, message.arguments
+        function_call, message.name, message.source, message.function, message.arguments
     )
     with page.sessions.starting(page.session):
         async with page.sessions.connections.reserved(page, page.session.robots):

@@ -20,7 +20,7 @@ from learnblock.server.runs.console import Console, Voice, message_of
 from learnblock.server.runs.kept import OpenedRun
 from learnblock.server.runs.keyboard import Keyboard
 from learnblock.server.runs.looking import Looking
-from learnblock.server.runs.playing import Played, Playing, Setting, prepared
+from learnblock.server.runs.playing import Playing
 from learnblock.server.runs.reporter import Reporter
 from learnblock.server.runs.viewers import Viewer, Viewers
 
@@ -200,9 +200,8 @@ class Player:
         """The pose at which the user placed the robot; None if it was not placed."""
         return self._monitor.start if self._monitor else None
 
-    async def run(self, played: Played, setting: Setting, *, paused: bool) -> None:
+    async def run(self, playing: Playing) -> None:
         """Run a program from the beginning; if it can't begin, the pages read why."""
-        playing = prepared(played, setting, self, self.voice, paused=paused)
         try:
             await self.begin(playing)
             playing.start()
@@ -380,7 +379,7 @@ class Player:
         self._playing = self._asked = None
         # Whatever fails, as without memory: it is over, and the page shows that.
         with ExitStack() as ending:
-            self._ended = messages.Ended("error", Phrase("play-lost"), tried=playing.is_trial)
+            self._ended = messages.Ended("error", Phrase("play-lost"), tried=playing.is_call)
             # The last one first.
             ending.callback(playing.over.set)
             ending.callback(self._note_end)
@@ -410,7 +409,7 @@ class Player:
             return
         if isinstance(report, Exception):
             report = Phrase("play-not-started", reason=phrase_of(report))
-        self._ended = messages.Ended("error", report, tried=playing.is_trial)
+        self._ended = messages.Ended("error", report, tried=playing.is_call)
 
     def _send_end(self) -> None:
         if self._ended:

@@ -2,29 +2,26 @@
 
 import asyncio
 import threading
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Collection, Iterable, Sequence
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, BinaryIO, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 from weakref import ref
 
-from learnblock.devices import Pose
 from learnblock.monitor.monitor import GoalNow
 from learnblock.project.document.document import Document
-from learnblock.robots import RobotEntry
-from learnblock.running import Options, ProgramRun, Report
+from learnblock.running import ProgramRun, Report
+from learnblock.running.job import Job
 from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.escalation import PATIENCE, Patience
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.program import Program
-from learnblock.runtime.trace import Recorder
+from learnblock.runtime.trace import Recorder, TraceSink
 from learnblock.server import messages
-from learnblock.server.runs.console import Voice
 from learnblock.server.runs.escalation import escalate_async
+from learnblock.server.runs.function_call import FunctionCall
 from learnblock.server.runs.looking import Looking
 from learnblock.server.runs.memory import give_back_memory
-from learnblock.server.runs.trial import Trial
 from learnblock.server.runs.watcher import RunWatcher
 from learnblock.storage import skill_files
 
@@ -33,40 +30,9 @@ if TYPE_CHECKING:
     from learnblock.server.runs.player import Player
 
 #: A program, or a function that the user tries.
-Played = Document | Trial
-#: The seed of the command line, so that the same run can be repeated there.
-SEED = 0
+Played = Document | FunctionCall
 #: Runs programs to their ends and reports them.
 Play = Callable[[Sequence["Playing"]], None]
-
-
-@dataclass(frozen=True, slots=True)
-class Setting:
-    """The setting of a run.
-
-    Args:
-        name: the name of the program.
-        robot: the robot.
-        world: the world of a simulated robot.
-        start: the pose at which the user placed the robot; None for the world's own start.
-        breakpoints: the blocks before which it pauses.
-        variant: the number of the world's variant; 0 is the world as it is drawn.
-        network: whether the user's settings allow it the network.
-        tags: the numbers of tags that the project uses instead of the user's.
-        trace: what takes the trace; None for no file.
-        seconds: the limit of the run, in the robot's time; None for none.
-    """
-
-    name: str
-    robot: RobotEntry
-    world: str
-    start: Pose | None
-    breakpoints: tuple[str, ...]
-    variant: int = 0
-    network: bool = False
-    tags: Mapping[str, int] = field(default_factory=dict)
-    trace: BinaryIO | None = None
-    seconds: float | None = None
 
 
 class Controlled(Protocol):
@@ -146,8 +112,8 @@ class Playing:
         return messages.RunningLine(line, self.played.block_at(line))
 
     @property
-    def is_trial(self) -> bool:
-        return isinstance(self.played, Trial)
+    def is_call(self) -> bool:
+        return isinstance(self.played, FunctionCall)
 
     @property
     def is_real(self) -> bool:
@@ -197,7 +163,7 @@ class Playing:
             block=self.played.block_at(line) if line else None,
             custom_block=custom_block,
             custom_line=custom_line,
-            tried=self.is_trial,
+            tried=self.is_call,
             time=report.time,
             distance=report.distance,
             goals=tuple(
@@ -211,7 +177,7 @@ class Playing:
 
     def _own_place(self, within: Any, line: int) -> tuple[str, int]:
         """The custom block in which an error happened, and the line of its source."""
-        if isinstance(self.played, Trial) and (custom_line := self.played.custom_line(line)):
+        if isinstance(self.played, FunctionCall) and (custom_line := self.played.custom_line(line)):
             return self.played.name, custom_line
         if within and Path(within["file"]) in skill_files.own_files():
             return Path(within["file"]).stem, within["line"]
@@ -256,38 +222,32 @@ def _followed(handed: list[Callable[[], None]], runs: Sequence[ref[Controlled]])
 
 def prepared(
     played: Played,
-    setting: Setting,
+    job: Job,
     player: "Player",
-    voice: Voice,
     *,
-    paused: bool,
+    breakpoints: Iterable[str] = (),
+    trace: TraceSink | None = None,
+    paused: bool = False,
 ) -> Playing:
     """Prepare a run.
 
     Args:
         played: a program without errors.
-        setting: the robot and the world.
+        job: its run.
         player: receives the reports of the run.
-        voice: takes the output.
+        breakpoints: the blocks before which it pauses.
+        trace: takes the lines of the trace; None for nothing.
         paused: pause before the first line.
     """
-    watcher = RunWatcher(player, voice)
-    program = replace(played.program(setting.name), tags=setting.tags)
-    log = RunLog(program)
+    watcher = RunWatcher(player, player.voice)
+    log = RunLog(job.program)
     run = ProgramRun(
-        program,
-        setting.robot,
-        Options(
-            world=setting.world,
-            seed=SEED,
-            variant=setting.variant,
-            start=setting.start,
-            network=setting.network,
-            seconds=setting.seconds,
-        ),
-        trace=setting.trace,
+        job.program,
+        job.robot,
+        job.options,
+        trace=trace,
         watcher=watcher,
-        debugger=Debugger(lines(played, setting.breakpoints), paused=paused),
+        debugger=Debugger(lines(played, breakpoints), paused=paused),
         log=log,
         lacking=played.lacking,
         monitored=True,

@@ -5,22 +5,16 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from learnblock.running import Options, Report
+from learnblock.running import Report
+from learnblock.running.job import Job
 from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.program import Program
 from learnblock.runtime.status import State
+from learnblock.runtime.trace import TraceSink
 from learnblock.server.runs.looking import Looking
 from learnblock.server.runs.player import Player
-from learnblock.server.runs.playing import (
-    SEED,
-    Played,
-    Playing,
-    Setting,
-    follow,
-    lines,
-    looking_at,
-)
+from learnblock.server.runs.playing import Played, Playing, follow, lines, looking_at
 from learnblock.server.runs.watcher import RunWatcher
 
 if TYPE_CHECKING:
@@ -162,23 +156,26 @@ class Participant:
 
     Args:
         player: follows its program.
+        name: its name in the run.
         played: its program.
-        setting: its setting; all have the same world.
+        job: its run, if it were alone; all have the same world.
+        breakpoints: the blocks before which its program pauses.
         paused: whether to pause before the first line.
     """
 
     player: Player
+    name: str
     played: Played
-    setting: Setting
+    job: Job
+    breakpoints: tuple[str, ...] = ()
     paused: bool = False
 
     def member(self) -> "Member":
         """The robot, as the run needs it."""
         from learnblock.running.team import Member  # noqa: PLC0415 - as above
 
-        setting = self.setting
-        program = replace(self.played.program(setting.name), tags=setting.tags)
-        return Member(setting.name, program, setting.robot, setting.network, setting.start)
+        job, options = self.job, self.job.options
+        return Member(self.name, job.program, job.robot, options.network, options.start)
 
     def looking(self, log: RunLog) -> Looking:
         """Looks back at the run of this robot."""
@@ -186,31 +183,32 @@ class Participant:
 
     def debugger(self) -> Debugger:
         """What pauses the program."""
-        return Debugger(lines(self.played, self.setting.breakpoints), paused=self.paused)
+        return Debugger(lines(self.played, self.breakpoints), paused=self.paused)
 
 
-async def play_together(participants: Sequence[Participant]) -> None:
+async def play_together(
+    participants: Sequence[Participant], trace: TraceSink | None = None
+) -> None:
     """Run programs in one world from the beginning; if they can't begin, the pages read why.
 
     Args:
         participants: the robots, in the order in which they take turns.
+        trace: takes the lines of the trace; None for nothing.
 
     Raises:
         LearnBlockError: there is no room for all robots.
     """
     from learnblock.running.team import TeamRun  # noqa: PLC0415 - as above
 
-    watchers = {
-        participant.setting.name: MemberWatcher(participant.player) for participant in participants
-    }
-    debuggers = {participant.setting.name: participant.debugger() for participant in participants}
-    shared = participants[0].setting
+    watchers = {participant.name: MemberWatcher(participant.player) for participant in participants}
+    debuggers = {participant.name: participant.debugger() for participant in participants}
+    shared = replace(participants[0].job.options, start=None, network=False)
     members = [participant.member() for participant in participants]
     logs = {member.name: RunLog(member.program) for member in members}
     team = TeamRun(
         members,
-        Options(world=shared.world, seed=SEED, variant=shared.variant, seconds=shared.seconds),
-        trace=shared.trace,
+        shared,
+        trace=trace,
         watch=lambda member: watchers[member.name],
         debug=lambda member: debuggers[member.name],
         monitored=True,

@@ -2,12 +2,13 @@
 
 import dataclasses
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, BinaryIO, cast
+from typing import TYPE_CHECKING
 
 from anyio import to_thread
 from msgspec.structs import replace
 
 from learnblock.errors import LearnBlockError
+from learnblock.lessons.evidence import Collector
 from learnblock.lessons.expert import Experts
 from learnblock.lessons.judging import Verdict, judge
 from learnblock.lessons.lesson import Step
@@ -185,13 +186,13 @@ class Coach:
 
     # Runs.
 
-    def watch(self) -> tuple[BinaryIO, float]:
+    def watch(self) -> tuple[Collector, float]:
         """Begin to judge a run that is about to start: what takes its trace, and its limit in s."""
         self._forget_run()
         self._judge = RunJudge(
             self._opened, self.number, self._pupil.parts, self._experts, self._told
         )
-        return cast("BinaryIO", self._judge.collector), self.step.seconds
+        return self._judge.collector, self.step.seconds
 
     def ended(self) -> None:
         """Judge the run, whose programs have all ended."""

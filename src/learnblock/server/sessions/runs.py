@@ -12,16 +12,22 @@ from learnblock.errors import LearnBlockError
 from learnblock.project.files.folder import ProjectFolder
 from learnblock.project.files.history import PastRun
 from learnblock.robots import RobotEntry
-from learnblock.running import may_use_network
+from learnblock.running import Options, may_use_network
+from learnblock.running.job import Job
+from learnblock.runtime.trace import TraceSink
 from learnblock.server import messages
-from learnblock.server.runs.playing import Setting
+from learnblock.server.runs.function_call import FunctionCall
+from learnblock.server.runs.playing import Played, prepared
 from learnblock.server.runs.together import Participant, play_together, staged
-from learnblock.server.runs.trial import Trial
 
 if TYPE_CHECKING:
     from learnblock.server.runs.player import Player
     from learnblock.server.sessions.part import Part
     from learnblock.server.sessions.session import Session
+
+
+#: The seed of the command line, so that the same run can be repeated there.
+SEED = 0
 
 
 class Runs:
@@ -101,31 +107,51 @@ class Runs:
         await self.stop()
         self._endings.clear()
         self._last_run = (time(), await self._project.archive.keep_version("run"))
-        settings = [await self._setting(part, member) for part, member in self._robots]
+        jobs = [await self._job(part, member, part.document) for part, member in self._robots]
+        trace = None
         if coach := self._project.coach:
             trace, seconds = coach.watch()
-            settings[0] = replace(settings[0], trace=trace, seconds=seconds)
+            jobs[0] = replace(jobs[0], options=replace(jobs[0].options, seconds=seconds))
         try:
-            await self._start(player, settings, paused=paused)
+            await self._start(jobs, trace, player if paused else None)
         except Exception:
             if coach:
                 coach.ended()
             raise
 
-    async def _start(self, player: "Player", settings: Sequence[Setting], *, paused: bool) -> None:
-        if len(settings) == 1:
-            await player.run(self._parts[0].document, settings[0], paused=paused)
+    async def _start(
+        self, jobs: Sequence[Job], trace: TraceSink | None, paused: "Player | None"
+    ) -> None:
+        if len(jobs) == 1:
+            [(part, player)] = self._robots
+            playing = prepared(
+                part.document,
+                jobs[0],
+                player,
+                breakpoints=part.breakpoints,
+                trace=trace,
+                paused=player is paused,
+            )
+            await player.run(playing)
             return
         participants = [
-            Participant(member, part.document, setting, paused and member is player)
-            for (part, member), setting in zip(self._robots, settings, strict=True)
+            Participant(
+                player,
+                part.name_of(player),
+                part.document,
+                job,
+                part.breakpoints,
+                paused=player is paused,
+            )
+            for (part, player), job in zip(self._robots, jobs, strict=True)
         ]
-        await play_together(participants)
+        await play_together(participants, trace)
 
-    async def try_out(self, part: "Part", player: "Player", trial: Trial) -> None:
+    async def try_out(self, part: "Part", player: "Player", call: FunctionCall) -> None:
         """Run a single function on one of the robots instead of the programs."""
         await self.stop()
-        await player.run(trial, await self._setting(part, player), paused=False)
+        job = await self._job(part, player, call)
+        await player.run(prepared(call, job, player))
 
     async def stop(self) -> None:
         """Stop all programs and robots, and return once they have stopped."""
@@ -189,19 +215,18 @@ class Runs:
                 raise
             raise LearnBlockError("tabs-error", name=part.name, problem=error.phrase) from None
 
-    async def _setting(self, part: "Part", player: "Player") -> Setting:
+    async def _job(self, part: "Part", player: "Player", played: Played) -> Job:
         file = self._folder.file(self._project.name)
         self._network = await to_thread.run_sync(may_use_network, file)
-        return Setting(
-            self._name(part, player),
-            part.robot,
-            self._project.world,
-            player.start,
-            part.breakpoints,
+        program = played.program(self._name(part, player))
+        options = Options(
+            world=self._project.world,
+            seed=SEED,
             variant=self._project.variant,
+            start=player.start,
             network=self._network,
-            tags=self._project.tags,
         )
+        return Job(replace(program, tags=self._project.tags), part.robot, options)
 
     def _name(self, part: "Part", player: "Player") -> str:
         """The name of a robot in a run; one that is alone has that of the project."""

@@ -18,7 +18,7 @@ _robot = _Robot()
 
 
 @dataclass(frozen=True)
-class Trial:
+class FunctionCall:
     """A call of a function of a custom block.
 
     Args:
@@ -57,7 +57,9 @@ class Trial:
         return python_line if python_line <= len(self.source.split("\n")) else 0
 
 
-def trial(name: str, source: str, function: str, arguments: Sequence[object]) -> Trial:
+def function_call(
+    name: str, source: str, function: str, arguments: Sequence[object]
+) -> FunctionCall:
     """Create a program that tries a function.
 
     Args:
@@ -78,7 +80,7 @@ def trial(name: str, source: str, function: str, arguments: Sequence[object]) ->
         raise UnknownNameError("function", function, known)
     called = f"_robot.{chosen.name}({', '.join(map(_written, _checked(chosen, arguments)))})"
     call = f"print({called})" if chosen.answers else called
-    return Trial(name or "block", source, tuple(known), call)
+    return FunctionCall(name or "block", source, tuple(known), call)
 
 
 def _checked(function: Signature, arguments: Sequence[object]) -> Sequence[object]:
