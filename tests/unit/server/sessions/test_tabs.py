@@ -380,6 +380,13 @@ def test_two_pages_edit_different_robots_of_a_project(server, page):
         assert show(other, name)["blocktext"] == FAILING
 
 
+def replace_whole(file, text):
+    """Change a file as another program, so that no half of it is ever read."""
+    part = file.parent.parent / "part"
+    part.write_text(text, "utf-8")
+    part.replace(file)
+
+
 @pytest.mark.parametrize("periods", [WATCHING])
 def test_what_another_program_changes_is_taken_in_for_each_robot(projects, page):
     name = duo(page, DRIVING, WAITING)
@@ -388,13 +395,13 @@ def test_what_another_program_changes_is_taken_in_for_each_robot(projects, page)
     changed = WAITING.replace("got", "taken")
     file["others"][0]["blocktext"] = changed.split("\n")
     file["others"].append({"name": "third", "robot": "sim-ebo", "blocktext": DRIVING.split("\n")})
-    (projects / "program.learnblock").write_text(json.dumps(file), "utf-8")
+    replace_whole(projects / "program.learnblock", json.dumps(file))
     page.hear("Document", blocktext=changed)
     page.hear("TakenIn")
     page.hear("Saved")
     assert [tab["name"] for tab in page.last["Tabs"]["tabs"]] == ["program", name, "third"]
     file["others"] = []
-    (projects / "program.learnblock").write_text(json.dumps(file), "utf-8")
+    replace_whole(projects / "program.learnblock", json.dumps(file))
     assert page.hear("TabOpened")["tab"] in ("", "program")
     page.hear("TakenIn")
     assert "tabs" not in page.last["Tabs"]
