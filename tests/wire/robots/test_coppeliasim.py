@@ -19,6 +19,7 @@ from learnblock.emulators.coppeliasim import Emulator
 from learnblock.emulators.twin import Twin
 from learnblock.errors import LearnBlockError, RobotConnectionError
 from learnblock.i18n import Phrase
+from learnblock.installation import add_on
 from learnblock.robots import settings as user_settings
 from learnblock.robots.coppeliasim import Robot, Settings
 from learnblock.robots.coppeliasim.named_parts import Axle
@@ -396,8 +397,9 @@ def test_a_connection_leaves_the_names_of_the_users_program_alone(place, monkeyp
 
 def test_without_the_vendors_client_the_error_names_the_package(monkeypatch):
     monkeypatch.setitem(sys.modules, "coppeliasim_zmqremoteapi_client", None)
-    with pytest.raises(LearnBlockError, match=r"pip install 'learnblock-studio\[coppeliasim\]'"):
+    with pytest.raises(LearnBlockError, match="needs an add-on") as caught:
         Robot()
+    assert str(caught.value).endswith(add_on("coppeliasim"))
 
 
 # The command line.

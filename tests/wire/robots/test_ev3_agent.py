@@ -57,7 +57,7 @@ class FakeBrick:
 
 def test_the_brick_executes_the_clients_commands():
     brick = FakeBrick()
-    guard = agent.Guard(brick, lambda: None, agent.Clock())
+    guard = agent.Guard(brick, lambda: None, agent.BrickClock())
     for word in (Drive(10.5, -20), Tone(440, 100), Say("é 名"), Look()):
         assert lines.answer(guard.answer(lines.spoken(word).decode()), "there").state is not None
     guard.close()
@@ -79,7 +79,7 @@ def test_the_brick_executes_the_clients_commands():
     )
 )
 def test_the_agent_answers_every_line_with_a_state_or_an_error(line):
-    guard = agent.Guard(FakeBrick(), lambda: None, agent.Clock())
+    guard = agent.Guard(FakeBrick(), lambda: None, agent.BrickClock())
     try:
         assert set(json.loads(guard.answer(line))) in (
             {"error", "values"},

@@ -78,9 +78,20 @@ def cluster(address: str) -> Iterator[Workers]:
             )
         except (OSError, ValueError) as error:
             raise LearnBlockError("grade-no-scheduler", address=address) from error
-        # Closing it cancels what is still being made.
-        with client:
+        try:
             yield Workers(_Cluster(client), AHEAD * _threads(client, address))
+        finally:
+            _close(client)
+
+
+def _close(client: Any) -> None:
+    """Close a client, which cancels what is still being made."""
+    try:
+        client.close()
+    except RuntimeError:
+        # It was connecting to a lost scheduler again, and fails to since it is closed.
+        if client.status != "closed":
+            raise
 
 
 def _threads(client: Any, address: str) -> int:
