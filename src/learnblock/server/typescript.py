@@ -124,7 +124,7 @@ def _max_length(kind: inspect.Type) -> int | None:
 
 
 def _constant(name: str, kind: Any, value: Any) -> str:
-    """What page and server have in common and never changes."""
+    """The constants that page and server share."""
     written = json.format(json.encode(value)).decode()
     return f"\nexport const {name}: {_written(inspect.type_info(kind))} = {written};\n"
 

@@ -40,7 +40,7 @@ def table(robot: str) -> Table[Any]:
 
 
 def described(settings: Table[Any]) -> Iterator[Setting]:
-    """Describe every setting of a table with its current value.
+    """Describe every setting in a table with its current value.
 
     Raises:
         SettingsError: the user's file is invalid.

@@ -49,7 +49,7 @@ class FunctionCall:
         del block
 
     def lacking(self, equipment: frozenset[str]) -> None:
-        """Return None: what the source needs is its author's to find out."""
+        """Return None: the author of the source finds out what it needs."""
         del equipment
 
     def custom_line(self, python_line: int) -> int:

@@ -215,7 +215,7 @@ def play_one(playings: Sequence[Playing]) -> None:
 
 
 def _followed(handed: list[Callable[[], None]], runs: Sequence[ref[Controlled]]) -> None:
-    # Taken out, because a thread keeps its arguments, and so would keep the world of the run.
+    # Removed, because a thread keeps its arguments, and would keep the world of the run.
     handed.pop()()
     give_back_memory(lambda: not any(run() for run in runs))
 

@@ -37,16 +37,16 @@ if TYPE_CHECKING:
 
 
 class Coach:
-    """A project's lesson: its step, and what its pages are told about their program.
+    """A project's lesson: its step, and the reports to its pages about their program.
 
     Its methods run in the event loop; a caller that changes something must hold the project's
     `turn`.
 
     Args:
         pupil: the project.
-        opened: the lesson, without what only the teacher has.
-        progress: how far the project has come.
-        keep: returns where that is kept, by the name of the project.
+        opened: the lesson, without the teacher's part.
+        progress: the progress of the project.
+        keep: returns where the progress is kept, by the name of the project.
     """
 
     def __init__(
@@ -148,7 +148,7 @@ class Coach:
         """Choose a robot of the step, and a variant of its world.
 
         Raises:
-            LearnBlockError: the step is not meant for this robot, or a program runs.
+            LearnBlockError: the step does not support this robot, or a program runs.
         """
         if robot not in self._opened.robots(self.number):
             raise LearnBlockError("server-lesson-other-robot", robot=robot)
@@ -187,7 +187,7 @@ class Coach:
     # Runs.
 
     def watch(self) -> tuple[Collector, float]:
-        """Begin to judge a run that is about to start: what takes its trace, and its limit in s."""
+        """Begin to judge a run that is about to start; return its collector and its limit in s."""
         self._forget_run()
         self._judge = RunJudge(
             self._opened, self.number, self._pupil.parts, self._experts, self._told
@@ -200,7 +200,7 @@ class Coach:
             self._judge.ended()
 
     async def _told(self, looked: Looked, *, live: bool) -> None:
-        """Tell the pages what became of the checks; after the run, its stars are earned."""
+        """Send the pages the results of the checks; after the run, its stars are earned."""
         self._looked = looked
         earned = 0 if live else await self._earn(stars_of(looked.verdicts))
         self._pupil.viewers.send(
@@ -225,7 +225,7 @@ class Coach:
         """Begin to check the program on all variants and robots.
 
         Raises:
-            LearnBlockError: the program has errors, or a check goes on.
+            LearnBlockError: the program has errors, or a check is running.
         """
         document = self._pupil.parts[0].document
         document.require_no_errors()
@@ -340,7 +340,7 @@ class Coach:
         self._pupil.viewers.send(self._shown())
 
     def _tell_steps(self) -> None:
-        """Tell the pages which stars are earned."""
+        """Send the pages the earned stars."""
         verdicts = self._looked.verdicts if self._looked else ()
         steps = view.steps(self._opened, self._progress)
         self._pupil.viewers.send(
@@ -374,7 +374,7 @@ class Coach:
         self._looked = None
 
     def _forget_run(self) -> None:
-        """Forget the last run but for what was seen of it."""
+        """Forget the last run, except for what was seen of it."""
         self._check.stop()
         if self._judge:
             self._judge.forget()

@@ -1,4 +1,4 @@
-"""Tries programs of a lesson in the background, while the user goes on working."""
+"""Tries programs of a lesson in the background, while the user keeps working."""
 
 import asyncio
 from collections.abc import Awaitable, Callable, Generator, Sequence
@@ -24,14 +24,14 @@ class _Trial(Generic[Told]):
 
     Args:
         send: sends a message to the pages.
-        told: what they know before the first trial.
+        told: what was sent to them before the first trial.
     """
 
     def __init__(self, send: Send, told: Told) -> None:
         self._send = send
         self._task: asyncio.Task[None] | None = None
         self._switch = StopSwitch()
-        #: What the pages have been told last.
+        #: The last message to the pages.
         self.told: Told = told
 
     def stop(self) -> None:
