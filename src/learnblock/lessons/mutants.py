@@ -101,17 +101,17 @@ def mutants(source: str, seed: int = 0) -> Iterator[Mutant]:
     rng = random.Random(seed)  # noqa: S311 - an order, not a secret
     program = parse(source)
     seen = {format_program(program)}
-    found = list(_new(program, "", seen))
-    if len(found) < LEAST:
-        again = list(found)
+    programs = list(_new(program, "", seen))
+    if len(programs) < LEAST:
+        again = list(programs)
         rng.shuffle(again)
         for mutant in again[:_CHANGED_AGAIN]:
-            found += islice(_new(parse(mutant.source), f"{mutant.what}; ", seen), LEAST)
-        first, more = found[: len(again)], found[len(again) :]
+            programs += islice(_new(parse(mutant.source), f"{mutant.what}; ", seen), LEAST)
+        first, more = programs[: len(again)], programs[len(again) :]
         rng.shuffle(more)
-        found = first + more[: LEAST - len(first)]
-    rng.shuffle(found)
-    yield from found
+        programs = first + more[: LEAST - len(first)]
+    rng.shuffle(programs)
+    yield from programs
 
 
 def _new(program: Program, before: str, seen: set[str]) -> Iterator[Mutant]:

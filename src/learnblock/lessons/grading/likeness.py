@@ -121,9 +121,11 @@ def alike(prints: Sequence[Print | None], given: Print | None = None, most: int 
         if fingerprint is not None and (given is None or fingerprint.renamed != given.renamed):
             kinds[fingerprint.renamed].append(index)
     same = [pair for indexes in kinds.values() for pair in _same(indexes, prints)]
-    known = given.parts if given else frozenset()
+    given_parts = given.parts if given else frozenset()
     firsts = [indexes[0] for indexes in kinds.values()]
-    owns = {index: fingerprint.parts - known for index in firsts if (fingerprint := prints[index])}
+    owns = {
+        index: fingerprint.parts - given_parts for index in firsts if (fingerprint := prints[index])
+    }
     likely, total = _likely({i: own for i, own in owns.items() if len(own) >= FEWEST}, most)
     order = ("same", "renamed", "alike")
     pairs = sorted(
