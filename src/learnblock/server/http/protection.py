@@ -76,8 +76,8 @@ class Protection:
         proxy_sends_token: bool = False,
     ) -> "Protection":
         """Allow the computer's own names besides `hosts`."""
-        known = frozenset(map(str.lower, (*LOCAL_HOSTS, *hosts)))
-        return cls(token, known, frozenset(map(str.lower, origins)), proxy_sends_token)
+        names = frozenset(map(str.lower, (*LOCAL_HOSTS, *hosts)))
+        return cls(token, names, frozenset(map(str.lower, origins)), proxy_sends_token)
 
     def admits(self, request: HTTPConnection) -> bool:
         """Whether a request is allowed at all."""

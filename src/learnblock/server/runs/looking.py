@@ -91,14 +91,14 @@ class Looking:
                 way(history.recorded),
             )
 
-    def past(self, asked: messages.LookBack) -> messages.Past:
+    def past(self, request: messages.LookBack) -> messages.Past:
         """The run at a place, or at the one before or after it."""
         with self._turn():
-            history, moments = self._now(asked.time)
-            place = self._place(asked)
-            found = self._go(asked, place) if asked.step else place
+            history, moments = self._now(request.time)
+            place = self._place(request)
+            found = self._go(request, place) if request.step else place
             tick, event = found or place
-            time = min(asked.time, history.end) if found == place else round(tick * TICK, 3)
+            time = min(request.time, history.end) if found == place else round(tick * TICK, 3)
             moment = moments.at(time, event)
             is_whole = event == history.at(time)
             line = moment.line if is_whole else self._steps.line_at((tick, event))
@@ -260,11 +260,11 @@ class Looking:
     def _world_of(self, recorded: "Recorded") -> "WorldAgain | None":
         """The world of what has been read; if more was added, the same world continues."""
         before, lines = self._history, recorded.lines
-        known = len(before.recorded.lines) if before else 0
-        is_longer = before and known and lines[known - 1] == before.recorded.lines[-1]
+        count = len(before.recorded.lines) if before else 0
+        is_longer = before and count and lines[count - 1] == before.recorded.lines[-1]
         # The lines of the other robots of a team are known at its end only.
         if is_longer and self._world and not recorded.team:
-            self._world.extend(lines[known:])
+            self._world.extend(lines[count:])
             return self._world
         return _world_again(recorded)
 
@@ -289,24 +289,24 @@ class Looking:
     def _block(self, line: int) -> str | None:
         return self._line_blocks[line - 1] if 1 <= line <= len(self._line_blocks) else None
 
-    def _place(self, asked: messages.LookBack) -> "Place":
+    def _place(self, request: messages.LookBack) -> "Place":
         history = self._known
-        tick, last = self._steps.at(min(asked.time, history.end))
-        return tick, last if asked.event is None else min(asked.event, last)
+        tick, last = self._steps.at(min(request.time, history.end))
+        return tick, last if request.event is None else min(request.event, last)
 
-    def _go(self, asked: messages.LookBack, place: "Place") -> "Place | None":
+    def _go(self, request: messages.LookBack, place: "Place") -> "Place | None":
         from learnblock.why.steps import START, To  # noqa: PLC0415 - as above
 
-        to = To(asked.to)
-        subject: str | frozenset[int] = asked.subject
+        to = To(request.to)
+        subject: str | frozenset[int] = request.subject
         if to is To.RUN:
             lines = enumerate(self._line_blocks, 1)
-            subject = frozenset(number for number, block in lines if block == asked.subject)
-        found = self._steps.go(asked.step, place, to, subject)
+            subject = frozenset(number for number, block in lines if block == request.subject)
+        found = self._steps.go(request.step, place, to, subject)
         if found or to not in (To.LINE, To.EVENT, To.TURN):
             return found
         # The run begins before the first line, and ends after the last one.
-        end = START if asked.step < 0 else self._steps.at(self._known.end)
+        end = START if request.step < 0 else self._steps.at(self._known.end)
         return None if end == place else end
 
     def _values(self, event: int, line: int) -> tuple[messages.ValueThere, ...]:
