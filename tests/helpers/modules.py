@@ -28,11 +28,6 @@ def name_of(file):
     return ".".join(parts).removesuffix(".__init__")
 
 
-def folder_of(module):
-    """Return the folder of the package that a module is in, or the module that is in none."""
-    return module.split(".")[1] if "." in module else module
-
-
 def imports_of(source, names):
     """Return those of some modules that a module imports, also in functions and only for types."""
     found = set()

@@ -129,13 +129,13 @@ def _listed(block: "CustomBlock") -> dict[str, object]:
 
 
 def _as_object(file: str, problem: "Problem") -> dict[str, object]:
-    one = problem.diagnostic
+    diagnostic = problem.diagnostic
     return {
         "file": file,
         "part": problem.part,
-        "line": one.line,
-        "column": one.column,
-        "severity": one.severity,
-        "code": one.code,
-        "message": str(one.message),
+        "line": diagnostic.line,
+        "column": diagnostic.column,
+        "severity": diagnostic.severity,
+        "code": diagnostic.code,
+        "message": str(diagnostic.message),
     }

@@ -171,7 +171,7 @@ def try_command(
         tried.append(judged)
         if not as_json:
             _print_tried(judged)
-    tried.sort(key=lambda one: wanted.index(one.attempt))
+    tried.sort(key=lambda judged: wanted.index(judged.attempt))
     failed = next((judged for judged in tried if not is_done(judged.verdicts)), None)
     given: tuple[Hint, ...] = ()
     if hints and failed:

@@ -34,7 +34,7 @@ def folder_files(folder: Path) -> dict[str, bytes]:
         LessonError: it has files that no lesson has, too many, or too large ones.
         OSError: they cannot be read.
     """
-    found: dict[str, bytes] = {}
+    files: dict[str, bytes] = {}
     total = 0
     for path in _paths(folder, folder.name):
         name = path.relative_to(folder).as_posix()
@@ -42,8 +42,8 @@ def folder_files(folder: Path) -> dict[str, bytes]:
         size = path.stat().st_size
         total += size
         _check_size(folder.name, name, size, total)
-        found[name] = path.read_bytes()
-    return found
+        files[name] = path.read_bytes()
+    return files
 
 
 def received_files(name: str, files: Mapping[str, bytes]) -> dict[str, bytes]:
@@ -52,14 +52,14 @@ def received_files(name: str, files: Mapping[str, bytes]) -> dict[str, bytes]:
     Raises:
         LessonError: it has files that no lesson has, too many, or too large ones.
     """
-    found = {path: data for path, data in files.items() if not IGNORED.search(path)}
-    _check_count(name, len(found))
+    lesson_files = {path: data for path, data in files.items() if not IGNORED.search(path)}
+    _check_count(name, len(lesson_files))
     total = 0
-    for path, data in found.items():
+    for path, data in lesson_files.items():
         _check_name(name, path)
         total += len(data)
         _check_size(name, path, len(data), total)
-    return found
+    return lesson_files
 
 
 def unzipped(filename: str, content: bytes) -> dict[str, bytes]:
@@ -82,10 +82,10 @@ def unzipped(filename: str, content: bytes) -> dict[str, bytes]:
     )
     files = archive.unzipped(filename, content, rules)
     outer = _outer_folder([*files])
-    found = {path.removeprefix(outer): data for path, data in files.items()}
-    for path in found:
+    lesson_files = {path.removeprefix(outer): data for path, data in files.items()}
+    for path in lesson_files:
         _check_name(filename, path)
-    return found
+    return lesson_files
 
 
 def _paths(folder: Path, name: str) -> Iterator[Path]:

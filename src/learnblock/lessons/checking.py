@@ -111,7 +111,7 @@ def count_attempts(opened: OpenLesson) -> int:
     if opened.teacher is None:
         return 0
     solved = (attempts(opened, int(number)) for number in opened.teacher.solutions)
-    wrong = (_usual(attempts(opened, one.step)) for one in opened.teacher.wrong)
+    wrong = (_usual(attempts(opened, program.step)) for program in opened.teacher.wrong)
     return sum(map(len, solved)) + sum(map(len, wrong))
 
 
@@ -123,10 +123,10 @@ def _solution(
         tried = _tried(opened, step, (source, file), wanted, follow)
     except ProgramError as error:
         return ProgramCheck("solution", step, file, 0, len(wanted), (error.phrase,))
-    tried.sort(key=lambda one: wanted.index(one.attempt))
-    failed = [(one, verdict) for one in tried for verdict in one.verdicts if not _is_met(verdict)]
-    right = sum(all(map(_is_met, one.verdicts)) for one in tried)
-    problems = tuple(_not_met(one, verdict) for one, verdict in failed[:_MOST_PROBLEMS])
+    tried.sort(key=lambda run: wanted.index(run.attempt))
+    failed = [(run, verdict) for run in tried for verdict in run.verdicts if not _is_met(verdict)]
+    right = sum(all(map(_is_met, run.verdicts)) for run in tried)
+    problems = tuple(_not_met(run, verdict) for run, verdict in failed[:_MOST_PROBLEMS])
     return ProgramCheck("solution", step, file, right, len(wanted), problems)
 
 
@@ -140,15 +140,15 @@ def _tried(
     """Try a program, given by its text and its file's name."""
     source, file = program
     tried = []
-    for one in try_step(opened, step, source, wanted, filename=file, switch=follow.switch):
-        follow.watch(one)
-        tried.append(one)
+    for run in try_step(opened, step, source, wanted, filename=file, switch=follow.switch):
+        follow.watch(run)
+        tried.append(run)
     return tried
 
 
 def _usual(wanted: Sequence[Attempt]) -> list[Attempt]:
     """The attempts with the usual robot."""
-    return [one for one in wanted if one.robot == wanted[0].robot]
+    return [attempt for attempt in wanted if attempt.robot == wanted[0].robot]
 
 
 def _is_met(verdict: Verdict) -> bool:
@@ -176,7 +176,7 @@ def _wrong(
     except ProgramError as error:
         return ProgramCheck("wrong", wrong.step, wrong.program, 0, len(usual), (error.phrase,))
     failing = sorted(
-        (one for one in tried if _fails(one, wrong.check)), key=lambda one: one.attempt.variant
+        (run for run in tried if _fails(run, wrong.check)), key=lambda run: run.attempt.variant
     )
     if not failing:
         problem = Phrase("lesson-cli-not-caught", check=wrong.check)
@@ -187,8 +187,9 @@ def _wrong(
 
 def _fails(tried: JudgedRun, name: str) -> bool:
     return any(
-        one.state == "failed" and name in (one.check.name, one.check.__struct_config__.tag)
-        for one in tried.verdicts
+        verdict.state == "failed"
+        and name in (verdict.check.name, verdict.check.__struct_config__.tag)
+        for verdict in tried.verdicts
     )
 
 
@@ -196,7 +197,7 @@ def _hint_problems(
     opened: OpenLesson, wrong: Wrong, source: str, tried: JudgedRun
 ) -> tuple[Phrase, ...]:
     tree = read_program(source, wrong.program).tree
-    rules = tuple(one.rule for one in hints_for(opened, wrong.step, tree, tried))
+    rules = tuple(hint.rule for hint in hints_for(opened, wrong.step, tree, tried))
     if rules[:1] == (wrong.hint,):
         return ()
     found = rules or (Phrase("lesson-cli-no-hint"),)

@@ -44,8 +44,8 @@ def draft(title: str, world: str, programs: Sequence[Drafted], blocks: str = "")
         step["blocks"] = blocks
     if others:
         step["partners"] = [
-            {"name": one.name, "robot": _simulated(one.robot), "program": _file(index)}
-            for index, one in enumerate(others)
+            {"name": partner.name, "robot": _simulated(partner.robot), "program": _file(index)}
+            for index, partner in enumerate(others)
         ]
     written = WrittenProgram(own.program)
     return EditedLesson(
@@ -59,7 +59,7 @@ def draft(title: str, world: str, programs: Sequence[Drafted], blocks: str = "")
             "step": [step],
         },
         steps=(EditedStep(program=written, solution=written),),
-        programs={_file(index): one.program for index, one in enumerate(others)},
+        programs={_file(index): partner.program for index, partner in enumerate(others)},
     )
 
 

@@ -175,12 +175,12 @@ def examine(edited: EditedLesson, name: str, saved: OpenLesson | None = None) ->
         yield from lesson_findings(OpenLesson(name, lesson, None, MappingProxyType(files)))
 
     try:
-        lesson, found = toml_source.examine(content, Lesson, check)
+        lesson, findings = toml_source.examine(content, Lesson, check)
     except LessonError as error:
         # A program has mistakes; the error names its file.
         place = _place(error.filename, content)
         return Examined(files, content, (Problem(place, _located(error)),))
-    problems = tuple(Problem(one.path, one.message) for one in found)
+    problems = tuple(Problem(finding.path, finding.message) for finding in findings)
     return Examined(files, content, problems or tuple(_wrong_solutions(edited)), lesson)
 
 
@@ -216,8 +216,8 @@ def copied(opened: OpenLesson, name: str) -> OpenLesson:
 
 
 def _copy_title(title: Title) -> dict[str, str]:
-    known = languages() if isinstance(title, str) else title
-    texts = {code: in_language(title, code)[:_LONGEST_COPIED] for code in known}
+    codes = languages() if isinstance(title, str) else title
+    texts = {code: in_language(title, code)[:_LONGEST_COPIED] for code in codes}
     return {
         code: translate(Phrase("lesson-copy-title", title=text), code)
         for code, text in texts.items()
@@ -230,10 +230,10 @@ def _copy_title(title: Title) -> dict[str, str]:
 def _plain(value: Any) -> Any:
     """Values without those that say nothing, such as None and empty lists."""
     if isinstance(value, dict):
-        given = {key: _plain(one) for key, one in value.items()}
-        return {key: one for key, one in given.items() if one is not None and one != []}
+        items = {key: _plain(item) for key, item in value.items()}
+        return {key: item for key, item in items.items() if item is not None and item != []}
     if isinstance(value, list | tuple):
-        return [_plain(one) for one in value]
+        return [_plain(item) for item in value]
     return value
 
 
@@ -244,15 +244,15 @@ def _programs(opened: OpenLesson) -> list[PurePosixPath]:
 def _named_programs(content: Mapping[str, Any]) -> Iterator[tuple[str, KeyPath]]:
     """The programs of puzzles and of partners, and where they are named."""
     for index, step in enumerate(_tables(content.get("step"))):
-        for partner, one in enumerate(_tables(step.get("partners"))):
-            yield str(one.get("program")), ("step", index, "partners", partner, "program")
+        for partner, table in enumerate(_tables(step.get("partners"))):
+            yield str(table.get("program")), ("step", index, "partners", partner, "program")
         for puzzle in _tables([step.get("puzzle")]):
             yield str(puzzle.get("program")), ("step", index, "puzzle", "program")
 
 
 def _tables(value: object) -> list[dict[str, Any]]:
     """The tables in a list; none if a page sent something else."""
-    return [one for one in value if isinstance(one, dict)] if isinstance(value, list) else []
+    return [item for item in value if isinstance(item, dict)] if isinstance(value, list) else []
 
 
 def _written(file: str, text: str) -> WrittenProgram:
@@ -324,7 +324,7 @@ def _teachers_files(edited: EditedLesson, saved: OpenLesson | None) -> dict[str,
             middle = "" if code == ENGLISH else f".{code}"
             files[f"teacher/notes{middle}.md"] = text.encode()
     teacher = {"solutions": solutions, "wrong": _wrong_programs(edited, saved)}
-    files[TEACHER] = tomli_w.dumps({key: one for key, one in teacher.items() if one}).encode()
+    files[TEACHER] = tomli_w.dumps({key: value for key, value in teacher.items() if value}).encode()
     return files
 
 
@@ -333,8 +333,10 @@ def _wrong_programs(edited: EditedLesson, saved: OpenLesson | None) -> list[dict
     if saved is None or saved.teacher is None:
         return []
     moved = {step.before: number for number, step in enumerate(edited.steps, 1) if step.before}
-    wrong = [to_builtins(one) for one in saved.teacher.wrong]
-    return [{**one, "step": moved[one["step"]]} for one in wrong if one["step"] in moved]
+    wrong = [to_builtins(program) for program in saved.teacher.wrong]
+    return [
+        {**program, "step": moved[program["step"]]} for program in wrong if program["step"] in moved
+    ]
 
 
 # Mistakes.
@@ -346,7 +348,9 @@ def _too_long(edited: EditedLesson) -> Phrase | None:
     if size > limit:
         return Phrase("file-too-many-bytes", size=size, limit=limit)
     written = [program for step in edited.steps for program in (step.program, step.solution)]
-    length = sum(len(one.text) for one in written if one) + sum(map(len, edited.programs.values()))
+    length = sum(len(program.text) for program in written if program) + sum(
+        map(len, edited.programs.values())
+    )
     if length > LONGEST_PROGRAMS:
         return Phrase("lesson-edit-too-long", length=length, limit=LONGEST_PROGRAMS)
     return None
@@ -355,14 +359,14 @@ def _too_long(edited: EditedLesson) -> Phrase | None:
 def _blank_texts(value: object, path: KeyPath) -> Iterator[Problem]:
     """The places where a text is missing in all languages."""
     if isinstance(value, dict):
-        for key, one in value.items():
-            if (key in _TEXTS and _is_blank(one)) or (key in _LISTS and _has_blanks(one)):
+        for key, item in value.items():
+            if (key in _TEXTS and _is_blank(item)) or (key in _LISTS and _has_blanks(item)):
                 yield Problem((*path, key), Phrase("lesson-edit-no-text"))
             else:
-                yield from _blank_texts(one, (*path, key))
+                yield from _blank_texts(item, (*path, key))
     elif isinstance(value, list):
-        for index, one in enumerate(value):
-            yield from _blank_texts(one, (*path, index))
+        for index, item in enumerate(value):
+            yield from _blank_texts(item, (*path, index))
 
 
 def _is_blank(text: object) -> bool:

@@ -68,11 +68,11 @@ class Evidence:
     @cached_property
     def path(self) -> Sequence[Placed]:
         """Where the robot was in its world, every 0.1 s, and at the end; none of a real robot."""
-        seen = [Placed(moment, *line["pose"]) for moment, line in self._of("pose")]
+        places = [Placed(moment, *line["pose"]) for moment, line in self._of("pose")]
         # A real robot only knows where it is from its start.
-        if seen and self.report and self.report.pose:
-            seen.append(Placed(Moment(self.report.time, len(self.lines)), *self.report.pose))
-        return seen
+        if places and self.report and self.report.pose:
+            places.append(Placed(Moment(self.report.time, len(self.lines)), *self.report.pose))
+        return places
 
     @cached_property
     def distance(self) -> float:
@@ -165,12 +165,12 @@ class Evidence:
         ]
 
     def _goals(self, state: str) -> Mapping[str, Moment]:
-        found: dict[str, Moment] = {}
+        moments: dict[str, Moment] = {}
         for order, time, line in self.trace.of_kind("goal"):
             # Whichever robot it was: they are the world's.
             if line.get("state") == state and _is_named(line["goal"]):
-                found.setdefault(line["goal"], Moment(time, order))
-        return found
+                moments.setdefault(line["goal"], Moment(time, order))
+        return moments
 
 
 class Collector:
@@ -201,7 +201,11 @@ class Collector:
             collisions: those of recorders, by the robot's name; a single robot has none: "".
             robot: the name of the robot, among several.
         """
-        collided = [_line(name, one) for name, some in (collisions or {}).items() for one in some]
+        collided = [
+            _line(name, collision)
+            for name, bumps in (collisions or {}).items()
+            for collision in bumps
+        ]
         return Evidence(self._lines.with_more(collided), report, now, robot)
 
 
@@ -211,8 +215,8 @@ def evidence_of(result: RunResult) -> Evidence:
     collector.write(result.trace)
     reports = result.team or {result.robot: result.report}
     collisions = {name: report.collisions for name, report in reports.items()}
-    seen = collector.evidence(result.report.time, result.report, collisions, result.robot)
-    return replace(seen, team=reports)
+    evidence = collector.evidence(result.report.time, result.report, collisions, result.robot)
+    return replace(evidence, team=reports)
 
 
 def _line(robot: str, collision: Collision) -> Line:

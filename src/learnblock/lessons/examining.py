@@ -67,8 +67,8 @@ def teacher_findings(opened: OpenLesson, teacher: Teacher) -> Iterator[Finding]:
     for index, wrong in enumerate(teacher.wrong):
         yield from _missing(opened, ("wrong", index, "program"), f"teacher/wrong/{wrong.program}")
         if wrong.step > len(steps):
-            known = map(str, range(1, len(steps) + 1))
-            yield _unknown(("wrong", index, "step"), "lesson-step", str(wrong.step), known)
+            numbers = map(str, range(1, len(steps) + 1))
+            yield _unknown(("wrong", index, "step"), "lesson-step", str(wrong.step), numbers)
             continue
         step = steps[wrong.step - 1]
         if wrong.check not in check_names(step):
@@ -127,9 +127,9 @@ class _StepExamination:
     def _blocks(self) -> Iterator[Finding]:
         blocks = self._step.blocks
         if isinstance(blocks, str):
-            known = [*block_sets.BUILT_IN, *(one.name for one in block_sets.own()[0])]
-            if blocks not in known:
-                yield _unknown(("blocks",), "block-set", blocks, known)
+            names = [*block_sets.BUILT_IN, *(block_set.name for block_set in block_sets.own()[0])]
+            if blocks not in names:
+                yield _unknown(("blocks",), "block-set", blocks, names)
             return
         skills = all_configurations()
         for index, block in enumerate(blocks or ()):
@@ -140,11 +140,13 @@ class _StepExamination:
 
     def _texts(self) -> Iterator[Finding]:
         text = self._step.text
-        for one in [text] if isinstance(text, str) else text.values():
-            for picture in _PICTURE.findall(one):
+        for translation in [text] if isinstance(text, str) else text.values():
+            for picture in _PICTURE.findall(translation):
                 yield from _missing(self._opened, ("text",), f"pictures/{picture}")
         texts = [text] if isinstance(text, str) else text.values()
-        drawn = dict.fromkeys(blocks for one in texts for blocks in drawn_blocks(one))
+        drawn = dict.fromkeys(
+            blocks for translation in texts for blocks in drawn_blocks(translation)
+        )
         # The page draws no more of a step.
         for blocks in islice(drawn, MOST_DRAWINGS):
             yield from _unreadable(blocks)
@@ -168,10 +170,10 @@ class _StepExamination:
 
     def _world_and_checks(self) -> Iterator[Finding]:
         name = self._opened.world(self._number)
-        known = {*self._opened.own_worlds, *known_worlds()}
-        if name is not None and name not in known:
+        worlds = {*self._opened.own_worlds, *known_worlds()}
+        if name is not None and name not in worlds:
             if self._step.world is not None:
-                yield _unknown(("world",), "world", name, sorted(known))
+                yield _unknown(("world",), "world", name, sorted(worlds))
             return
         world = self._opened.described_world(self._number)
         for index, check in enumerate(self._step.check):
@@ -225,9 +227,9 @@ def _event(path: KeyPath, event: Event, world: WorldDescription | None) -> Itera
 
 
 def _skill(path: KeyPath, name: str) -> Iterator[Finding]:
-    known = all_configurations()
-    if name not in known:
-        yield _unknown(path, "skill", name, known)
+    skills = all_configurations()
+    if name not in skills:
+        yield _unknown(path, "skill", name, skills)
 
 
 def _unknown_robots(path: KeyPath, names: Iterable[str]) -> Iterator[Finding]:
@@ -268,7 +270,7 @@ def _check_programs(opened: OpenLesson, folder: str) -> None:
         try:
             program_tree(opened, path)
         except LessonError as error:
-            if {one.code for one in error.diagnostics} != {"empty-block"}:
+            if {diagnostic.code for diagnostic in error.diagnostics} != {"empty-block"}:
                 raise
 
 
@@ -286,8 +288,8 @@ def _check_experts(opened: OpenLesson) -> None:
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
         line = error.lineno or 0 if isinstance(error, SyntaxError) else 0
         message = Phrase("file-not-python", reason=str(error))
-        found = [Diagnostic("not-python", message, line)]
-        raise LessonError(f"{opened.name}/{EXPERTS}", found, text) from None
+        diagnostics = [Diagnostic("not-python", message, line)]
+        raise LessonError(f"{opened.name}/{EXPERTS}", diagnostics, text) from None
 
 
 def _functions(opened: OpenLesson) -> tuple[str, ...]:

@@ -103,10 +103,10 @@ def _run(task: bytes, seconds: float) -> bytes:
     scratch = Scratch()
     try:
         # In a file, whose size is limited: a pipe could be written to without end.
-        with TemporaryFile() as given, TemporaryFile() as written:
-            given.write(task)
-            given.seek(0)
-            status = _wait(_start(given, written, environment(scratch.path)), seconds)
+        with TemporaryFile() as task_file, TemporaryFile() as written:
+            task_file.write(task)
+            task_file.seek(0)
+            status = _wait(_start(task_file, written, environment(scratch.path)), seconds)
             written.seek(0)
             return written.read(_LARGEST_ANSWER) if status == 0 else b""
     finally:
@@ -114,13 +114,13 @@ def _run(task: bytes, seconds: float) -> bytes:
 
 
 def _start(
-    given: BinaryIO, written: BinaryIO, variables: Mapping[str, str]
+    task_file: BinaryIO, written: BinaryIO, variables: Mapping[str, str]
 ) -> "subprocess.Popen[bytes]":
     return subprocess.Popen(  # noqa: S603 - our own interpreter and module
         # -P: as for programs.
         [sys.executable, "-P", "-m", expert_child.__name__],
         env=variables,
-        stdin=given,
+        stdin=task_file,
         stdout=written,
         stderr=subprocess.DEVNULL,
         start_new_session=True,
@@ -143,7 +143,9 @@ def _plain(evidence: Evidence) -> dict[str, Any]:
         "ended": report.ended if report else "",
         "time": evidence.now,
         "distance": evidence.distance,
-        "path": [[one.moment.time, one.x, one.y, one.heading] for one in evidence.path],
+        "path": [
+            [placed.moment.time, placed.x, placed.y, placed.heading] for placed in evidence.path
+        ],
         "goals": {name: moment.time for name, moment in evidence.reached.items()},
         "failed": {name: moment.time for name, moment in evidence.failed.items()},
         "prints": _pairs(evidence.prints),
@@ -156,4 +158,4 @@ def _plain(evidence: Evidence) -> dict[str, Any]:
 
 
 def _pairs(noted: Sequence[Noted]) -> list[tuple[float, str]]:
-    return [(one.moment.time, one.text) for one in noted]
+    return [(note.moment.time, note.text) for note in noted]

@@ -27,15 +27,15 @@ def _answer(source: str, function: str, run: SimpleNamespace) -> dict[str, Any]:
     try:
         names: dict[str, Any] = {"__name__": "checks"}
         exec(compile(source, "checks.py", "exec", dont_inherit=True), names)  # noqa: S102 - contained
-        found = names[function](run)
+        verdict = names[function](run)
     except BaseException as error:  # noqa: BLE001 - with any error, the check is not met
         return {"met": False, "error": f"{type(error).__name__}: {error}"[:300]}
-    if isinstance(found, str):
-        return {"met": False, "reason": found}
-    if isinstance(found, dict):
-        texts = {str(key): str(value) for key, value in found.items()}
+    if isinstance(verdict, str):
+        return {"met": False, "reason": verdict}
+    if isinstance(verdict, dict):
+        texts = {str(key): str(value) for key, value in verdict.items()}
         return {"met": False, "reason": texts}
-    return {"met": found is True}
+    return {"met": verdict is True}
 
 
 if __name__ == "__main__":

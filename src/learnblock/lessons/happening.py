@@ -36,9 +36,9 @@ def fits(text: str, pattern: str) -> bool:
     return _expression(pattern).fullmatch(_plain(text)) is not None
 
 
-def heading_between(one: float, other: float) -> float:
+def heading_between(before: float, after: float) -> float:
     """The degrees from one heading to another, from -180 to 180."""
-    return (other - one + 180) % 360 - 180
+    return (after - before + 180) % 360 - 180
 
 
 def _plain(text: str) -> str:

@@ -91,15 +91,15 @@ def judge(
     """
     judgement = _Judgement(step, program, evidence, world, experts)
     return tuple(
-        Verdict(check, index, found.state, found.at, found.reason)
+        Verdict(check, index, finding.state, finding.at, finding.reason)
         for index, check in enumerate(step.check)
-        for found in [judgement.finding(check)]
+        for finding in [judgement.finding(check)]
     )
 
 
 def is_done(verdicts: Sequence[Verdict]) -> bool:
     """Whether a step is done: all checks that are not optional are met."""
-    return all(one.state == "met" for one in verdicts if not one.check.optional)
+    return all(verdict.state == "met" for verdict in verdicts if not verdict.check.optional)
 
 
 @dataclass(frozen=True)
@@ -152,8 +152,12 @@ class _Run:
         """Whether nothing counts any more that happens from now on."""
         return self.has_ended or (within is not None and self.now > within)
 
-    def in_time(self, found: Sequence[Moment], within: float | None) -> Sequence[Moment]:
-        return found if within is None else [one for one in found if one.time <= within + _ROUNDING]
+    def in_time(self, occurrences: Sequence[Moment], within: float | None) -> Sequence[Moment]:
+        return (
+            occurrences
+            if within is None
+            else [moment for moment in occurrences if moment.time <= within + _ROUNDING]
+        )
 
 
 def _met(at: float | None) -> Finding:
@@ -207,17 +211,17 @@ def _goals(run: _Run) -> Sequence[str]:
 
 
 def _happens(check: Happens, run: _Run) -> Finding:
-    found = run.in_time(moments(check.what, run.evidence), check.within)
-    if check.at_most is not None and len(found) > check.at_most:
-        at, most = found[check.at_most].time, times_words(check.at_most)
+    occurrences = run.in_time(moments(check.what, run.evidence), check.within)
+    if check.at_most is not None and len(occurrences) > check.at_most:
+        at, most = occurrences[check.at_most].time, times_words(check.at_most)
         return _failed(at, "lesson-too-often", event=event_words(check.what, "past"), most=most)
-    if len(found) >= check.at_least and check.at_most is None:
-        return _met(found[check.at_least - 1].time if check.at_least else 0.0)
+    if len(occurrences) >= check.at_least and check.at_most is None:
+        return _met(occurrences[check.at_least - 1].time if check.at_least else 0.0)
     if not run.is_over(check.within):
         return _OPEN
-    if len(found) >= check.at_least:
+    if len(occurrences) >= check.at_least:
         return _met(run.now)
-    return _too_seldom(check, run, len(found))
+    return _too_seldom(check, run, len(occurrences))
 
 
 def _too_seldom(check: Happens, run: _Run, count: int) -> Finding:
@@ -233,9 +237,9 @@ def _too_seldom(check: Happens, run: _Run, count: int) -> Finding:
 
 
 def _never(check: Never, run: _Run) -> Finding:
-    found = moments(check.what, run.evidence)
-    if found:
-        at = found[0].time
+    occurrences = moments(check.what, run.evidence)
+    if occurrences:
+        at = occurrences[0].time
         event = event_words(check.what, "past")
         return _failed(at, "lesson-happened", event=event, at=_seconds(at))
     return _met(run.now) if run.has_ended else _OPEN
@@ -245,8 +249,10 @@ def _in_order(check: InOrder, run: _Run) -> Finding:
     #: When the events so far can have happened one after the other.
     so_far: Sequence[Moment] = ()
     for number, event in enumerate(check.events):
-        found = moments(event, run.evidence)
-        fitting = [one for one in found if not number or _follows(one, so_far, check.within)]
+        occurrences = moments(event, run.evidence)
+        fitting = [
+            moment for moment in occurrences if not number or _follows(moment, so_far, check.within)
+        ]
         if not fitting:
             # The events before it may happen again.
             return _out_of_order(check, run, number, so_far) if run.has_ended else _OPEN
@@ -273,25 +279,29 @@ def _out_of_order(check: InOrder, run: _Run, number: int, before: Sequence[Momen
     if number == 0:
         return _failed(run.now, "lesson-not-happened", event=missing)
     last = event_words(check.events[number - 1])
-    found = moments(event, run.evidence)
-    waits = [(waited, one.time) for one in found if (waited := _waited(one, before)) is not None]
+    occurrences = moments(event, run.evidence)
+    waits = [
+        (waited, moment.time)
+        for moment in occurrences
+        if (waited := _waited(moment, before)) is not None
+    ]
     if waits and check.within is not None:
         waited, at = min(waits)
         times = {"waited": _seconds(waited), "within": _seconds(check.within)}
         return _failed(at, "lesson-order-late", event=event_words(event), before=last, **times)
-    if not found:
+    if not occurrences:
         return _failed(run.now, "lesson-order-missing", event=missing, before=last)
     return _failed(run.now, "lesson-order-before", event=event_words(event), before=last)
 
 
 def _on_line(check: StaysOnLine, run: _Run) -> Finding:
     lines = run.world.line if run.world else ()
-    line = next((one for one in lines if one.name == check.line), None)
+    line = next((line for line in lines if line.name == check.line), None)
     if line is None:
         return _failed(None, "lesson-no-line", line=check.line) if run.has_ended else _OPEN
     middle = line.polyline()
     path = run.evidence.path
-    is_on = [middle.nearest(one.x, one.y)[0] <= check.distance for one in path]
+    is_on = [middle.nearest(placed.x, placed.y)[0] <= check.distance for placed in path]
     if True not in is_on:
         return _failed(run.now, "lesson-line-never") if run.has_ended else _OPEN
     first = is_on.index(True)

@@ -101,17 +101,17 @@ def mutants(source: str, seed: int = 0) -> Iterator[Mutant]:
     rng = random.Random(seed)  # noqa: S311 - an order, not a secret
     program = parse(source)
     seen = {format_program(program)}
-    found = list(_new(program, "", seen))
-    if len(found) < LEAST:
-        again = list(found)
+    programs = list(_new(program, "", seen))
+    if len(programs) < LEAST:
+        again = list(programs)
         rng.shuffle(again)
-        for one in again[:_CHANGED_AGAIN]:
-            found += islice(_new(parse(one.source), f"{one.what}; ", seen), LEAST)
-        first, more = found[: len(again)], found[len(again) :]
+        for mutant in again[:_CHANGED_AGAIN]:
+            programs += islice(_new(parse(mutant.source), f"{mutant.what}; ", seen), LEAST)
+        first, more = programs[: len(again)], programs[len(again) :]
         rng.shuffle(more)
-        found = first + more[: LEAST - len(first)]
-    rng.shuffle(found)
-    yield from found
+        programs = first + more[: LEAST - len(first)]
+    rng.shuffle(programs)
+    yield from programs
 
 
 def _new(program: Program, before: str, seen: set[str]) -> Iterator[Mutant]:
@@ -208,14 +208,14 @@ def _constant(node: Constant) -> Iterator[tuple[Any, str]]:
 
 
 def _skill_call(node: SkillCall) -> Iterator[tuple[Any, str]]:
-    known = builtin()
-    for one, other in _CONFUSED:
-        for wrong, right in ((one, other), (other, one)):
+    skills = builtin()
+    for first, second in _CONFUSED:
+        for wrong, right in ((first, second), (second, first)):
             name = node.name.replace(right, wrong)
-            if name != node.name and name in known and _fits(node, known[name]):
+            if name != node.name and name in skills and _fits(node, skills[name]):
                 yield replace(node, name=name), f"{name} instead of {node.name}"
-    if node.name in known:
-        yield from _given(node, known[node.name])
+    if node.name in skills:
+        yield from _given(node, skills[node.name])
     if len(node.arguments) > 1:
         swapped = (node.arguments[1], node.arguments[0], *node.arguments[2:])
         yield replace(node, arguments=swapped), "arguments swapped"
@@ -370,7 +370,7 @@ def _moved(sequence: Sequence, index: int) -> Iterator[tuple[tuple[Any, ...], in
     if after and not isinstance(after[0], SILENT):
         inner = replace(loop, body=(*loop.body, after[0]))
         yield (*before, inner, *after[1:]), index, "next statement in the loop"
-    inner_only = (*before, *(one for one in loop.body if not isinstance(one, Break | Continue)))
+    inner_only = (*before, *(node for node in loop.body if not isinstance(node, Break | Continue)))
     yield (*inner_only, *after), index, "loop missing"
 
 
@@ -379,7 +379,7 @@ def _wrapped(sequence: Sequence) -> Iterator[tuple[tuple[Any, ...], int, str]]:
     if not statements or not isinstance(sequence.owner, Main | When):
         return
     yield (Repeat(Number("2"), statements),), 0, "everything twice"
-    if not any(isinstance(one, While) and one.is_endless for one in statements):
+    if not any(isinstance(node, While) and node.is_endless for node in statements):
         yield (While(Constant(value=True), statements),), 0, "everything forever"
     for index in range(1, len(statements)):
         if not isinstance(statements[index - 1], SILENT):

@@ -48,8 +48,8 @@ class OpenLesson:
             UnknownNameError: there is no such step.
         """
         if not 1 <= number <= len(self.lesson.step):
-            known = map(str, range(1, len(self.lesson.step) + 1))
-            raise UnknownNameError("lesson-step", str(number), known)
+            numbers = map(str, range(1, len(self.lesson.step) + 1))
+            raise UnknownNameError("lesson-step", str(number), numbers)
         return self.lesson.step[number - 1]
 
     def text(self, path: str) -> str:
@@ -79,7 +79,11 @@ class OpenLesson:
 
     def world(self, step: int) -> str | None:
         """The name of a step's world; without one of its own that of the step before."""
-        named = (one.world for one in reversed(self.lesson.step[:step]) if one.world is not None)
+        named = (
+            earlier.world
+            for earlier in reversed(self.lesson.step[:step])
+            if earlier.world is not None
+        )
         return next(named, None)
 
     def robots(self, step: int) -> tuple[str, ...]:
@@ -88,7 +92,11 @@ class OpenLesson:
 
     def blocks(self, step: int) -> str | tuple[str, ...] | None:
         """The blocks shown in a step: a block set, or blocks; None for all blocks."""
-        named = (one.blocks for one in reversed(self.lesson.step[:step]) if one.blocks is not None)
+        named = (
+            earlier.blocks
+            for earlier in reversed(self.lesson.step[:step])
+            if earlier.blocks is not None
+        )
         return next(named, None)
 
     @cached_property

@@ -39,10 +39,10 @@ def pieces(source: str) -> Order:
     except ProgramError:
         text = source
     lines = [line.strip() for line in text.split("\n")]
-    kept = [line for line in lines if line and not line.startswith("#")]
-    if kept and kept[0] == "main:" and sum(line.startswith(_TOP) for line in kept) == 1:
-        kept = kept[1:]
-    return _without_implied_ends(kept)
+    needed = [line for line in lines if line and not line.startswith("#")]
+    if needed and needed[0] == "main:" and sum(line.startswith(_TOP) for line in needed) == 1:
+        needed = needed[1:]
+    return _without_implied_ends(needed)
 
 
 def right_orders(opened: OpenLesson, puzzle: Puzzle) -> tuple[Order, ...]:
@@ -58,12 +58,12 @@ def right_orders(opened: OpenLesson, puzzle: Puzzle) -> tuple[Order, ...]:
 def judge(given: Sequence[str], orders: Sequence[Order]) -> Judged:
     """Judge an order of pieces by those that are right."""
     order = _without_implied_ends(given)
-    return Judged(order in orders, max(_shared(order, one) for one in orders))
+    return Judged(order in orders, max(_shared(order, right) for right in orders))
 
 
-def has_same_pieces(one: Order, other: Order) -> bool:
+def has_same_pieces(first: Order, second: Order) -> bool:
     """Whether two orders have the same pieces; an ``end`` may be needed in one of them only."""
-    return sorted(_without_ends(one)) == sorted(_without_ends(other))
+    return sorted(_without_ends(first)) == sorted(_without_ends(second))
 
 
 def _without_implied_ends(lines: Sequence[str]) -> Order:
@@ -80,7 +80,7 @@ def _without_ends(order: Order) -> Iterator[str]:
     return (line for line in order if line != _END)
 
 
-def _shared(one: Order, other: Order) -> int:
-    pairs = zip(one, other, strict=False)
+def _shared(order: Order, right: Order) -> int:
+    pairs = zip(order, right, strict=False)
     differing = (at for at, (first, second) in enumerate(pairs) if first != second)
-    return next(differing, min(len(one), len(other)))
+    return next(differing, min(len(order), len(right)))

@@ -67,7 +67,7 @@ def _substituted(node: Any, changes: Mapping[int, Any]) -> Any:
         return node
     if id(node) in changes:
         return changes[id(node)]
-    parts = {one.name: getattr(node, one.name) for one in fields(node)}
+    parts = {field.name: getattr(node, field.name) for field in fields(node)}
     return replace(node, **{key: _substituted(part, changes) for key, part in parts.items()})
 
 
@@ -82,15 +82,15 @@ def _putter(place: Place, name: str) -> Callable[[tuple[Any, ...]], Program]:
 
 def _places(node: Any, put: Callable[[Any], Program]) -> Iterator[Place]:
     yield Place(node, put)
-    for one in fields(node):
-        value = getattr(node, one.name)
+    for field in fields(node):
+        value = getattr(node, field.name)
         # The span of a node is a tuple of numbers.
         if isinstance(value, tuple):
             for index, part in enumerate(value):
                 if is_dataclass(part):
-                    yield from _places(part, _part_putter(node, put, one.name, index))
+                    yield from _places(part, _part_putter(node, put, field.name, index))
         elif is_dataclass(value):
-            yield from _places(value, _field_putter(node, put, one.name))
+            yield from _places(value, _field_putter(node, put, field.name))
 
 
 def _field_putter(node: Any, put: Callable[[Any], Program], name: str) -> Callable[[Any], Program]:

@@ -80,12 +80,12 @@ def swaps(source: str) -> Iterator[tuple[Kind, Mutant]]:
                 yield kind, Mutant(changed, what)
 
 
-def _exchanged(one: Any, other: Any) -> _Changes:
-    return {id(one): other, id(other): one}
+def _exchanged(first: Any, second: Any) -> _Changes:
+    return {id(first): second, id(second): first}
 
 
-def _lines(one: Any, other: Any) -> str:
-    return f"line {one.span.line} and {other.span.line}"
+def _lines(first: Any, second: Any) -> str:
+    return f"line {first.span.line} and {second.span.line}"
 
 
 def _nodes(program: Program) -> list[Any]:
@@ -100,8 +100,8 @@ def _shown(program: Program) -> Iterator[tuple[_Changes, str]]:
     calls = [node.call for node in nodes if isinstance(node, Perform) and _shows(node.call)]
     texts = [node for node in nodes if isinstance(node, String | FString)]
     for kind, found in (("shown things", calls), ("texts", texts)):
-        for one, other in combinations(found, 2):
-            yield _exchanged(one, other), f"{_lines(one, other)}: {kind} swapped"
+        for first, second in combinations(found, 2):
+            yield _exchanged(first, second), f"{_lines(first, second)}: {kind} swapped"
 
 
 def _shows(call: Call | SkillCall) -> bool:
@@ -138,8 +138,8 @@ def _negated(value: Any) -> Any:
 
 
 def _other_side(name: str) -> str | None:
-    for one, other in _SIDES:
-        for here, there in ((one, other), (other, one)):
+    for first, second in _SIDES:
+        for here, there in ((first, second), (second, first)):
             if here in name and (new := name.replace(here, there)) in builtin():
                 return new
     return None
@@ -166,12 +166,12 @@ def _commands(program: Program) -> set[int]:
 
 def _orders(program: Program) -> Iterator[tuple[_Changes, str]]:
     for sequence in sequences(program):
-        found = [one for one in sequence.statements if not isinstance(one, SILENT)]
-        for one, other in combinations(found, 2):
-            yield _exchanged(one, other), f"{_lines(one, other)}: statements swapped"
+        nodes = [node for node in sequence.statements if not isinstance(node, SILENT)]
+        for first, second in combinations(nodes, 2):
+            yield _exchanged(first, second), f"{_lines(first, second)}: statements swapped"
     calls = [node for node in _nodes(program) if isinstance(node, Perform)]
-    for one, other in combinations(calls, 2):
-        yield _exchanged(one, other), f"{_lines(one, other)}: commands swapped"
+    for first, second in combinations(calls, 2):
+        yield _exchanged(first, second), f"{_lines(first, second)}: commands swapped"
 
 
 # What it does in which case.
@@ -190,12 +190,12 @@ def _halves(program: Program) -> Iterator[tuple[_Changes, str]]:
 
 
 def _bodies(halves: Sequence[Any]) -> Iterator[tuple[_Changes, str]]:
-    for one, other in combinations(halves, 2):
+    for first, second in combinations(halves, 2):
         changes = {
-            id(one): replace(one, body=other.body),
-            id(other): replace(other, body=one.body),
+            id(first): replace(first, body=second.body),
+            id(second): replace(second, body=first.body),
         }
-        yield changes, f"{_lines(one, other)}: what is inside swapped"
+        yield changes, f"{_lines(first, second)}: what is inside swapped"
 
 
 def _negations(nodes: Sequence[Any]) -> Iterator[tuple[_Changes, str]]:
@@ -212,8 +212,8 @@ def _negations(nodes: Sequence[Any]) -> Iterator[tuple[_Changes, str]]:
 def _limits(program: Program) -> Iterator[tuple[_Changes, str]]:
     for node in _nodes(program):
         # An `if` is among the nodes with each of its branches.
-        asked = () if isinstance(node, If) else conditions(node)
-        parts = (part for limit in (*asked, *bounds(node)) for part in within(limit))
+        own_conditions = () if isinstance(node, If) else conditions(node)
+        parts = (part for limit in (*own_conditions, *bounds(node)) for part in within(limit))
         for part in parts:
             for new, how in _other_limits(part):
                 yield {id(part): new}, f"line {node.span.line}: {how}"

@@ -75,7 +75,7 @@ def _solved(opened: OpenLesson, number: int) -> SolvedStep:
     if teacher is None:
         return SolvedStep(number, step, "", ())
     file, text = teacher.solutions.get(str(number), ""), opened.solution(number)
-    wrong = (_wrong(opened, step, one) for one in teacher.wrong if one.step == number)
+    wrong = (_wrong(opened, step, program) for program in teacher.wrong if program.step == number)
     return SolvedStep(number, step, _blocktext(file, text or ""), tuple(wrong))
 
 
@@ -88,7 +88,7 @@ def _wrong(opened: OpenLesson, step: Step, wrong: Wrong) -> WrongProgram:
 
 def _check(step: Step, name: str) -> Phrase | Title:
     """A check by its name or kind, in the lesson's words or in ours."""
-    fitting = (one for one in step.check if name in (one.name, one.__struct_config__.tag))
+    fitting = (check for check in step.check if name in (check.name, check.__struct_config__.tag))
     check = next(fitting, None)
     if check is None:
         return name

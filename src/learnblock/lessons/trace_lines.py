@@ -99,7 +99,7 @@ class TraceLines(Sequence[Line]):
     def _numbers(self, kind: str) -> Iterable[int]:
         wanted = {id(about) for about in self._steps.values() if kind_of(about) == kind}
         if not wanted:
-            return (one for one in self._others if kind_of(self._abouts[one]) == kind)
+            return (number for number in self._others if kind_of(self._abouts[number]) == kind)
         return (
             number
             for number, about in enumerate(self._abouts)

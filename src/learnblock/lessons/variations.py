@@ -92,11 +92,11 @@ def variations(source: str, seed: int = 0) -> Iterator[Variation]:
     seen = {format_program(parse(source))}
     round_: list[Variation] = [Variation(source, "")]
     while round_:
-        found = [new for one in round_ for new in _new(one, seen)]
-        rng.shuffle(found)
-        yield from found
+        others = [new for variation in round_ for new in _new(variation, seen)]
+        rng.shuffle(others)
+        yield from others
         # Every further round makes some hundred from each: a few go on.
-        round_ = found[:20]
+        round_ = others[:20]
 
 
 def _new(before: Variation, seen: set[str]) -> Iterator[Variation]:
@@ -163,11 +163,11 @@ def _number_in_variable(program: Program) -> Iterator[_Change]:
 
 
 def _imports(program: Program) -> tuple[Any, ...]:
-    return tuple(one for one in program.items if type(one).__name__ in {"Import", "Setup"})
+    return tuple(item for item in program.items if type(item).__name__ in {"Import", "Setup"})
 
 
 def _rest(program: Program) -> tuple[Any, ...]:
-    return tuple(one for one in program.items if type(one).__name__ not in {"Import", "Setup"})
+    return tuple(item for item in program.items if type(item).__name__ not in {"Import", "Setup"})
 
 
 # Events.
@@ -187,10 +187,10 @@ def _as_events(program: Program) -> Iterator[_Change]:
     earlier: tuple[Expression, ...] = ()
     whens = []
     for number, (condition, body) in enumerate(cases, 1):
-        parts = [_opposite(one) for one in earlier]
+        parts = [_opposite(former) for former in earlier]
         if number < len(cases):
             parts.append(condition)
-        state = reduce(lambda one, other: Binary("and", one, other), parts)
+        state = reduce(lambda left, right: Binary("and", left, right), parts)
         whens.append(When(_new_name(program, f"case_{number}"), state, (*body, *after)))
         earlier = (*earlier, condition)
     start = (When("start", None, tuple(before)),) if before else ()
@@ -229,7 +229,7 @@ def _unused_in(node: Repeat, start: str) -> str:
 
 
 def _leaves_or_goes_on(body: tuple[Any, ...]) -> bool:
-    return any(isinstance(one, Break | Continue | Return) for one in statements(body))
+    return any(isinstance(node, Break | Continue | Return) for node in statements(body))
 
 
 def _if(node: If) -> Iterator[_Change]:
@@ -343,8 +343,8 @@ def _counting(node: Repeat) -> tuple[Any, ...]:
 def _extracted(program: Program, sequence: Sequence) -> Iterator[_Change]:
     """Two statements as a function of their own."""
     name = _new_name(program, "part_")
-    found: Any = sequence.statements
-    for index, pair in enumerate(pairwise(found)):
+    body: Any = sequence.statements
+    for index, pair in enumerate(pairwise(body)):
         if _is_local(pair):
             continue
         before, after = sequence.statements[:index], sequence.statements[index + 2 :]
@@ -358,5 +358,5 @@ def _is_local(pair: tuple[Any, ...]) -> bool:
     """Whether statements mean something else in a function: jumps, and what belongs to the top."""
     inner = list(statements(pair))
     return _leaves_or_goes_on(tuple(inner)) or any(
-        isinstance(one, Def | When | ForEach | ForRange | Comment) for one in inner
+        isinstance(node, Def | When | ForEach | ForRange | Comment) for node in inner
     )

@@ -80,11 +80,11 @@ def find(name: str) -> RobotEntry:
     """
     if name in _OURS and not _only_simulated():
         return _our_own(name)
-    known = entries()
-    for entry in known.values():
+    robots = entries()
+    for entry in robots.values():
         if name in (entry.name, entry.module):
             return entry
-    raise UnknownNameError("robot", name, known)
+    raise UnknownNameError("robot", name, robots)
 
 
 def connect(name: str, **arguments: Any) -> Client:

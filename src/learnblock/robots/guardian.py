@@ -8,8 +8,8 @@ driver ends, or gives no sign of life for half a second:
     self.guardian.check()                                    in `check_link`, and before driving
     self.guardian.dismiss()                                  in `disconnect`, after the motors stop
 
-A guardian that has stopped the motors ends. A driver that wakes up again is told by `check`: its
-run ends with an error, because where the robot stands is not where the program expects it.
+A guardian that has stopped the motors ends. A driver that wakes up again gets an error from
+`check`, which ends its run, because the robot is not where the program expects it.
 """
 
 import os
@@ -36,17 +36,17 @@ from learnblock.timing import MONOTONIC, Deadline, SteadyClock
 TRIES_FOR, PAUSE = 5.0, 0.1
 #: Seconds between two signs of life of a driver.
 PERIOD = 0.1
-#: The guardian waits for signs of life in steps of so many seconds, and stops the motors after so
-#: many steps without any: half a second. A step counts as one however long it took, so that a
-#: guardian that was frozen itself, as by a suspended computer, hears its driver first.
+#: The guardian waits for signs of life in steps of this length (in s), and stops the motors after
+#: this many steps without any: half a second. A step counts as one, no matter how long it took, so
+#: that a guardian that was frozen itself, as by a suspended computer, hears its driver first.
 STEP, SILENT_STEPS = 0.05, 10
-#: As many for a driver that computes: the thread that gives the signs of life may have to wait for
-#: the others. A driver that is stuck for so long is no better than a frozen one.
+#: The same for a driver that computes: the thread that gives the signs of life may have to wait for
+#: the others. A driver that is stuck for this long counts as frozen.
 BUSY_STEPS = 40
 #: Seconds to wait for the thread that gives the signs of life.
 PATIENCE = 1.0
 
-#: Waits so many seconds for signs of life; None if there are none, b"" if the driver has ended.
+#: Waits this many seconds for signs of life; None if there are none, b"" if the driver has ended.
 Hear = Callable[[float], bytes | None]
 
 
@@ -106,7 +106,7 @@ class Guardian:
 
 
 class SignsOfLife:
-    """A thread that tells a guardian ten times a second that its driver lives.
+    """A thread that signals a guardian ten times a second that its driver is alive.
 
     Args:
         pipe: leads to the guardian.
@@ -202,9 +202,9 @@ def _hearing(stream: int) -> Hear:
 
 
 def is_busy(process: int) -> bool:
-    """Whether a thread of a process computes or could; False where the system doesn't tell.
+    """Whether a thread of a process computes or could; False where the system doesn't report it.
 
-    A process that was stopped has none, nor has one that waits for its memory to be swapped in.
+    A stopped process has no such thread, and neither has one that waits for swapped memory.
     """
     try:
         states = [file.read_text() for file in Path(f"/proc/{process}/task").glob("*/stat")]
@@ -217,7 +217,7 @@ def is_busy(process: int) -> bool:
 
 def _guard(module: str) -> bool:
     """Wait until the driver is silent, then stop the motors; return whether they were stopped."""
-    # Ctrl-C is meant for the program; the guardian starts working when the program ends.
+    # Ctrl-C is for the program; the guardian starts working when the program ends.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     robot: Any = robots.find(module).load()
     # Unbuffered, so that nothing is read ahead of the signs of life.

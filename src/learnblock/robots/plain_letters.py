@@ -6,7 +6,7 @@ _LEFT_OUT = {ord("¡"): "", ord("¿"): ""}
 
 
 def in_ascii(text: str) -> str:
-    """The text without accents; letters that have no like in ASCII become question marks.
+    """The text without accents; letters without an equivalent in ASCII become question marks.
 
     >>> in_ascii("¿Dónde estás, 名?")
     'Donde estas, ??'

@@ -42,7 +42,7 @@ SerialPort = Annotated[
 Baud = Annotated[int, Meta(ge=300, le=4_000_000, description="robot-setting-baud")]
 #: The limit in characters of the name that a user gives a robot.
 LONGEST_NAME = 40
-#: What the user calls the robot, such as ``Ada``.
+#: The name given by the user, such as ``Ada``.
 GivenName = Annotated[str, Meta(max_length=LONGEST_NAME, description="robot-setting-name")]
 Length = Annotated[float, Meta(ge=1, le=1000, description="robot-setting-length")]
 Speed = Annotated[float, Meta(ge=1, le=5000, description="robot-setting-speed")]
@@ -91,7 +91,7 @@ def describe(robot: str, kind: type[RobotSettings]) -> Iterator[Described]:
 
 
 def given_names() -> dict[str, str]:
-    """What the user calls robots, by their ids; read without their drivers, which load slowly."""
+    """The names given by the user, by robot id; read without the drivers, which load slowly."""
     try:
         whole = tomllib.loads(file().read_text("utf-8"))
     except (OSError, ValueError, RecursionError):

@@ -110,10 +110,10 @@ class Batch:
 
     def _forked(self) -> Iterator[tuple[int, RunResult]]:
         left = [*range(len(self.jobs))]
-        for kept in (self._kept, None):
-            if kept and not kept.is_running:
+        for process in (self._kept, None):
+            if process and not process.is_running:
                 continue
-            for number, result in self._made_by(kept, left):
+            for number, result in self._made_by(process, left):
                 left.remove(number)
                 if result.report.ended != How.STOPPED:
                     yield number, result
@@ -129,17 +129,17 @@ class Batch:
         numbers = tuple(numbers)
         process = self._warm = kept or WarmProcess()
         jobs = tuple(self.jobs[number] for number in numbers)
-        made = 0
+        received = 0
         try:
             if self._is_stopped:
                 return
             process.send(packed(jobs, self._at_once))
             for index, isolated, data in self._received(process, len(numbers)):
-                made += 1
+                received += 1
                 yield numbers[index], _result(data, isolated=isolated)
         finally:
             # One that was left in the middle of a batch can't be given another.
-            if kept is None or self._is_stopped or made < len(numbers):
+            if kept is None or self._is_stopped or received < len(numbers):
                 process.end()
 
     def _received(self, process: "WarmProcess", count: int) -> Iterator[tuple[int, bool, bytes]]:

@@ -19,7 +19,7 @@ def example(name: str) -> Path:
         UnknownNameError: there is no example with this name.
     """
     folder = examples_folder()
-    known = {path.relative_to(folder).as_posix(): path for path in folder.rglob("*.*")}
-    if name in known:
-        return known[name]
-    raise UnknownNameError("example", name, known)
+    paths = {path.relative_to(folder).as_posix(): path for path in folder.rglob("*.*")}
+    if name in paths:
+        return paths[name]
+    raise UnknownNameError("example", name, paths)

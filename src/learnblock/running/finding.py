@@ -25,8 +25,8 @@ USED: Table[UsedRobots] = Table(("robots_used",), "the robots used before", Used
 
 def real_robots() -> dict[str, RobotEntry]:
     """The robots that can be found and connected, by name."""
-    known = {name: one for name, one in entries().items() if one.simulated is not True}
-    return {name: one for name, one in known.items() if real_kind(one)}
+    unsimulated = {name: entry for name, entry in entries().items() if entry.simulated is not True}
+    return {name: entry for name, entry in unsimulated.items() if real_kind(entry)}
 
 
 def real_kind(entry: RobotEntry) -> type[RealRobot[Any]] | None:
@@ -84,4 +84,4 @@ def remember(entry: RobotEntry) -> None:
 
 
 def _others(now: UsedRobots, name: str) -> tuple[str, ...]:
-    return tuple(one for one in now.names if one != name)
+    return tuple(other for other in now.names if other != name)

@@ -67,9 +67,9 @@ def move_network(program: Path, target: Path) -> None:
     """
 
     def moved(allowed: tuple[str, ...]) -> tuple[str, ...]:
-        kept = _without(program, allowed)
-        name = () if kept == allowed else (str(target.resolve()),)
-        return (*_without(target, kept), *name)
+        others = _without(program, allowed)
+        name = () if others == allowed else (str(target.resolve()),)
+        return (*_without(target, others), *name)
 
     _replace(moved)
 

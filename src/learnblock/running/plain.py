@@ -51,9 +51,9 @@ class _Inspection:
         self._nodes = [*ast.walk(tree)]
         self._own = _defined(self._nodes)
         #: Where robot and modules may be named: before a dot, and where the robot is created.
-        self._owners = {id(one.value) for one in self._nodes if isinstance(one, ast.Attribute)}
-        creations = (one for one in self._nodes if _creates_robot(one))
-        self._creations = {id(part) for one in creations for part in ast.walk(one)}
+        self._owners = {id(node.value) for node in self._nodes if isinstance(node, ast.Attribute)}
+        creations = (node for node in self._nodes if _creates_robot(node))
+        self._creations = {id(part) for creation in creations for part in ast.walk(creation)}
 
     def passes(self) -> bool:
         reserved = {_ROBOT, "Robot", *MODULES}
@@ -79,21 +79,21 @@ class _Inspection:
     def _allows_call(self, call: ast.Call) -> bool:
         if not isinstance(call.func, ast.Name):
             return isinstance(call.func, ast.Attribute)
-        return call.func.id in self._own or {one.arg for one in call.keywords} <= _KEYWORDS
+        return call.func.id in self._own or {keyword.arg for keyword in call.keywords} <= _KEYWORDS
 
 
 def _defined(nodes: list[ast.AST]) -> set[str]:
     """The names that a program gives to its variables, parameters and functions."""
-    found = set()
+    defined = set()
     for node in nodes:
         match node:
             case ast.FunctionDef(name=name) | ast.arg(arg=name):
-                found.add(name)
+                defined.add(name)
             case ast.Name(id=name, ctx=ast.Store()) if name != _ROBOT:
-                found.add(name)
+                defined.add(name)
             case ast.Global(names=names):
-                found.update(names)
-    return found
+                defined.update(names)
+    return defined
 
 
 def _creates_robot(node: ast.AST) -> bool:
@@ -109,7 +109,7 @@ def _creates_robot(node: ast.AST) -> bool:
 
 def _imports_robot(node: ast.ImportFrom) -> bool:
     """Whether this is ``from learnblock.robots.sim_ebo import Robot``."""
-    [*names] = ((one.name, one.asname) for one in node.names)
+    [*names] = ((alias.name, alias.asname) for alias in node.names)
     is_robots = _ROBOT_MODULE.fullmatch(node.module or "") is not None
     return node.level == 0 and is_robots and names == [("Robot", None)]
 
@@ -131,14 +131,14 @@ def _attributes(owner: ast.expr) -> frozenset[str]:
 @cache
 def _functions() -> dict[str, frozenset[str]]:
     """The functions of each module that the language uses, and the methods under ""."""
-    found: dict[str, set[str]] = {name: set() for name in ("", *MODULES)}
+    functions: dict[str, set[str]] = {name: set() for name in ("", *MODULES)}
     for template in TEMPLATES.values():
         for node in ast.walk(template.pattern):
             if isinstance(node, ast.Attribute):
                 owner = node.value
                 is_module = isinstance(owner, ast.Name) and owner.id in MODULES
-                found[owner.id if is_module else ""].add(node.attr)  # type: ignore[attr-defined]
-    return {name: frozenset(attributes) for name, attributes in found.items()}
+                functions[owner.id if is_module else ""].add(node.attr)  # type: ignore[attr-defined]
+    return {name: frozenset(attributes) for name, attributes in functions.items()}
 
 
 #: What to look at in the other nodes.
@@ -153,7 +153,9 @@ _LOOKS: Mapping[type[ast.AST], Callable[[Any], bool]] = {
     ast.FunctionDef: lambda node: _is_visible(node.name) and node.returns is None,
     ast.arg: lambda node: _is_visible(node.arg) and node.annotation is None,
     ast.keyword: lambda node: node.arg is not None,
-    ast.Import: lambda node: all(one.name in MODULES and one.asname is None for one in node.names),
+    ast.Import: lambda node: all(
+        alias.name in MODULES and alias.asname is None for alias in node.names
+    ),
     ast.ImportFrom: _imports_robot,
     # A part of an import, which is checked as a whole.
     ast.alias: lambda _: True,

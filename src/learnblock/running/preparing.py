@@ -44,8 +44,12 @@ def check(source: Source, robot: RobotEntry | None = None) -> list[Diagnostic]:
 
 def lacking(source: Source, equipment: frozenset[str]) -> Phrase | None:
     """What a robot lacks for a program, once it is connected and its equipment is known."""
-    found = _checked(source, equipment)
-    errors = (one for one in found if one.code == "missing-device" and one.severity == "error")
+    diagnostics = _checked(source, equipment)
+    errors = (
+        diagnostic
+        for diagnostic in diagnostics
+        if diagnostic.code == "missing-device" and diagnostic.severity == "error"
+    )
     first = next(errors, None)
     if first is None:
         return None
@@ -106,7 +110,7 @@ def _verdict(demanded: tuple[Demand, ...], robot: RobotEntry) -> Verdict | Phras
 def _skills(source: Source) -> Configurations:
     """The skills that a program can use."""
     beside = installed_libraries.blocks_beside(_folder(source), source.libraries)
-    named = {one.name: one for one in beside}
+    named = {block.name: block for block in beside}
     return all_configurations().extended({**named, **builtin()})
 
 
@@ -116,11 +120,11 @@ def _folder(source: Source) -> Path:
 
 def _importable(source: Source, skills: Configurations) -> Importable:
     """The modules that Python can import; a library is `learnblock.libraries.NAME` there."""
-    found = installed_libraries.importable(_folder(source), source.imports)
+    importable = installed_libraries.importable(_folder(source), source.imports)
     plain = source.imports - source.libraries
-    packages = {one for one in plain if find_spec(one.partition(".")[0]) is not None}
+    packages = {module for module in plain if find_spec(module.partition(".")[0]) is not None}
     functions = _functions(source, skills)
-    return Importable(found.libraries - plain, found.files | packages, functions)
+    return Importable(importable.libraries - plain, importable.files | packages, functions)
 
 
 def _functions(source: Source, skills: Configurations) -> dict[str, BlockConfiguration]:

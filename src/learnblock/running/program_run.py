@@ -64,14 +64,14 @@ class Options:
     @property
     def wishes(self) -> dict[str, Any]:
         """The options for simulated robots only."""
-        given = {
+        options = {
             "world": self.world,
             "seed": self.seed,
             "pace": self.pace,
             "variant": self.variant,
             "start": self.start,
         }
-        return {name: value for name, value in given.items() if value is not None}
+        return {name: value for name, value in options.items() if value is not None}
 
 
 class ProgramRun:

@@ -70,7 +70,9 @@ def read_keys_of(path: Path, robots: Sequence[str]) -> dict[str, RecordedKeys]:
         if line.robot is not None and line.robot not in robots:
             raise _invalid(path, number, UnknownNameError("robot", line.robot, robots).phrase)
         lines.append(line)
-    return {name: _recorded(one for one in lines if one.robot in {None, name}) for name in robots}
+    return {
+        name: _recorded(line for line in lines if line.robot in {None, name}) for name in robots
+    }
 
 
 def _recorded(lines: Iterable[_Line]) -> RecordedKeys:

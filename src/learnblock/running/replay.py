@@ -47,7 +47,7 @@ class Replay:
     def differs_at(self) -> float:
         """The time in s of the first difference; infinite if there is none."""
         pairs = zip_longest(self.recorded, self.repeated)
-        different = ((one or other) for one, other in pairs if one != other)
+        different = ((recorded or repeated) for recorded, repeated in pairs if recorded != repeated)
         return next((float(seen[2]) for seen in different if seen), math.inf)
 
 

@@ -37,20 +37,20 @@ class Source:
     @property
     def imports(self) -> frozenset[str]:
         """The libraries and files that it imports."""
-        return frozenset(one.module for one in self.tree.items if isinstance(one, Import))
+        return frozenset(item.module for item in self.tree.items if isinstance(item, Import))
 
     @property
     def libraries(self) -> frozenset[str]:
         """The imports whose skills become skills of the robot: in Block-Text, all imports."""
         if not self.is_python:
             return self.imports
-        return frozenset(one for one in self.imports if f"{PACKAGE}.{one} import" in self.text)
+        return frozenset(name for name in self.imports if f"{PACKAGE}.{name} import" in self.text)
 
     @property
     def robot(self) -> str | None:
         """The module of the robot that a Python file imports; None for Block-Text."""
-        found = _ROBOT_IMPORT.search(self.text) if self.is_python else None
-        return found[1] if found else None
+        match = _ROBOT_IMPORT.search(self.text) if self.is_python else None
+        return match[1] if match else None
 
 
 def read(path: Path) -> Source:

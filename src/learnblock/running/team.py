@@ -130,7 +130,7 @@ class TeamRun:
         self._monitors: dict[str, Monitor] = {}
         self._runs: dict[str, Run] = {}
         post = Post(len(self.members))
-        self._boxes = {one.name: post.box(index) for index, one in enumerate(self.members)}
+        self._boxes = {member.name: post.box(index) for index, member in enumerate(self.members)}
         # Simulated robots take turns in one world; a real one does not wait for others.
         groups = [twins, *([member] for member in members if not member.twin)]
         self._hosts = [self._make_host(group) for group in groups if group]

@@ -143,7 +143,7 @@ def main() -> None:
 
 def _skill_modules() -> Iterator[str]:
     """Our skills; those of the user's folder are loaded where they are contained."""
-    return (one.name for one in iter_modules(skills.__path__, f"{skills.__name__}."))
+    return (module.name for module in iter_modules(skills.__path__, f"{skills.__name__}."))
 
 
 def _is_shared(job: Job) -> bool:
@@ -263,10 +263,10 @@ def lost(reason: str) -> RunResult:
     return RunResult(report, lost=reason)
 
 
-def _cause(status: int, said: bytes | bytearray) -> str:
+def _cause(status: int, output: bytes | bytearray) -> str:
     """Why a child ended early: what it said, or its signal."""
     if status == _FAILED:
-        return said.decode(errors="replace")
+        return output.decode(errors="replace")
     return signal.strsignal(-status) or str(status) if status < 0 else f"status {status}"
 
 

@@ -71,7 +71,7 @@ def create_app(
         periods: how long an open project waits to be saved, and to be closed.
         read_only: why nothing may be written; None if it may.
         for_others: whether other computers can connect.
-        for_one: whether all pages are one person's, on whatever device.
+        for_one: whether all pages belong to one person, on any device.
     """
     protection = Protection.of(token, hosts, origins, proxy_sends_token=proxy_sends_token)
     lobby = _LateLobby(folder, periods, read_only, for_others=for_others, for_one=for_one)

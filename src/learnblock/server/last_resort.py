@@ -24,7 +24,7 @@ class Deadlines:
 
     Args:
         ending: from the request to the end; then it saves everything and ends at once.
-        saving: for that.
+        saving: for saving everything.
     """
 
     ending: float = 15.0
@@ -88,7 +88,7 @@ class LastResort:
             self._end(1)
 
     def _requested(self, seconds: float) -> bool:
-        """Wait for a request; return whether one has come within so many seconds."""
+        """Wait for a request; return whether one has arrived within this many seconds."""
         try:
             self._requests.get(timeout=seconds)
         except Empty:

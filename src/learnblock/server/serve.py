@@ -63,7 +63,7 @@ class Service:
         project: the project to open.
         new_token: whether the address gets a new token, with which only new pages open.
         access: the right to write to the folder.
-        for_one: whether all pages are one person's, on whatever device.
+        for_one: whether all pages belong to one person, on any device.
         deadlines: how long its end may take.
         announce: shows the user the page's address.
     """
@@ -90,7 +90,7 @@ class Service:
 
     @property
     def is_for_one(self) -> bool:
-        """Whether all pages are one person's: a hub starts a LearnBlock for each of its users."""
+        """Whether all pages belong to one person: a hub starts a LearnBlock for each user."""
         return self.for_one or self.proxy_sends_token
 
     @property
@@ -100,7 +100,7 @@ class Service:
 
     @property
     def is_reached_directly(self) -> bool:
-        """Whether other computers connect themselves: a proxy's connections are everybody's."""
+        """Whether other computers connect directly: a proxy's connections serve all its users."""
         return self.is_for_others and not self._is_behind_proxy
 
     @property
@@ -267,7 +267,7 @@ def _server(
 
 
 def _person(protection: Protection, headers: Headers) -> str:
-    """Who sends these headers: with the token everybody is one person, "" without it."""
+    """Who sends these headers: everyone with the token counts as one person; "" without it."""
     request = HTTPConnection({"type": "http", "headers": list(headers), "query_string": b""})
     subprotocols = request.headers.get("sec-websocket-protocol", "").split(", ")
     knows = protection.knows(offered_token(subprotocols)) or protection.trusts(request)
@@ -275,7 +275,7 @@ def _person(protection: Protection, headers: Headers) -> str:
 
 
 def _warn(service: Service) -> None:
-    """Say what does not contain the programs that users of other computers will run here."""
+    """Report which limits are missing for programs that users of other computers run here."""
     from learnblock.runtime.containment.survey import survey  # noqa: PLC0415 - for a class only
 
     if free := tuple(finding.name for finding in survey() if not finding.contained):
@@ -298,12 +298,12 @@ def configured(
     loop: str = "asyncio",
     **others: Any,
 ) -> uvicorn.Config:
-    """Uvicorn's settings for an application of ours.
+    """Uvicorn's settings for one of our applications.
 
     Args:
         app: the application.
         connections: counts the connections that wait for their browser; None if none are counted.
-        identify: finds out whose a request is.
+        identify: finds out who sent a request.
         loop: the event loop, as uvicorn names it.
         others: more settings of uvicorn.
     """
@@ -320,7 +320,7 @@ def configured(
         access_log=False,
         server_header=False,
         timeout_graceful_shutdown=_FAREWELL,
-        # So many are accepted at a time, before those that have come are read.
+        # This many are accepted at a time, before the accepted ones are read.
         backlog=_BACKLOG,
         **others,
     )

@@ -124,7 +124,7 @@ def _max_length(kind: inspect.Type) -> int | None:
 
 
 def _constant(name: str, kind: Any, value: Any) -> str:
-    """What page and server have in common and never changes."""
+    """The constants that page and server share."""
     written = json.format(json.encode(value)).decode()
     return f"\nexport const {name}: {_written(inspect.type_info(kind))} = {written};\n"
 
@@ -140,10 +140,10 @@ def _structs(kinds: Any) -> list[inspect.StructType]:
     while ahead:
         kind = ahead.pop()
         if isinstance(kind, inspect.StructType):
-            known = structs.get(kind.cls.__name__)
-            if known and known.cls is not kind.cls:
-                raise TypeError(f"{known.cls} and {kind.cls} have the same name")
-            if known:
+            struct = structs.get(kind.cls.__name__)
+            if struct and struct.cls is not kind.cls:
+                raise TypeError(f"{struct.cls} and {kind.cls} have the same name")
+            if struct:
                 continue
             structs[kind.cls.__name__] = kind
         ahead += _parts(kind)

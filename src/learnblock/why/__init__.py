@@ -3,7 +3,7 @@
     >>> from learnblock import why
     >>> history = why.History(why.read("square.why"))  # doctest: +SKIP
 
-A log is made by `learnblock.runtime.log`, which the page and ``learnblock run --why FILE`` do.
+`learnblock.runtime.log` writes logs, for the page and for ``learnblock run --why FILE``.
 """
 
 from learnblock.why.history import Frame, History, SkillUse

@@ -1,4 +1,4 @@
-"""What the robot did or did not do: the statements that made it do so, or would have."""
+"""What the robot did or did not do: the statements that caused it, or would have."""
 
 from collections.abc import Iterable
 from typing import Any
@@ -22,15 +22,15 @@ from learnblock.why.wording import (
     thing_phrase,
 )
 
-#: The time of what is asked about may be so many seconds off: people round it.
+#: The time in a question may be this many seconds off: people round it.
 ABOUT = 0.06
-#: So long before a moment, in s, a statement counts as run at it.
+#: A statement that ran this long before a moment, in s, counts as run at it.
 LONG_AGO = 1.0
-#: A command that another replaces within so many seconds had no effect.
+#: A command that another one replaces within this many seconds had no effect.
 _SOON = 0.15
-#: A pause of so many s may be too long.
+#: A pause of this many seconds may be too long.
 _LONG_PAUSE = 5.0
-#: With more sentences than this, what was before is too far away.
+#: With more sentences than this, earlier events are too far away.
 _FEW = 2
 
 
@@ -56,7 +56,7 @@ class Actions:
         self._causes = causes
         self._waits = waits
         self._omissions = omissions
-        #: The first event of the time that is asked about.
+        #: The first event of the time in question.
         self.first = 0 if self._start is None else max(0, self._history.at(self._start - ABOUT) + 1)
 
     def is_moment(self, time: float | None) -> bool:
@@ -64,12 +64,12 @@ class Actions:
         return time is not None and self._start is None
 
     def in_span(self, event: int) -> bool:
-        """Whether what an event began happened in the time that is asked about, if only in part."""
+        """Whether what an event began happened in the time in question, at least in part."""
         use = self._history.skills.get(event)
         return event >= self.first or (use is not None and not 0 <= use.ended < self.first)
 
     def not_happened(self, until: int, time: float | None) -> None:
-        """Tell that what is asked about had not happened."""
+        """Tell that the subject of the question had not happened."""
         at = round(self._history.end if time is None else min(time, self._history.end), 2)
         if self._start is None:
             self._draft.say_of_line("why-not-happened", 0, until, time=at)
@@ -87,7 +87,7 @@ class Actions:
         return max(0, self._history.at(max(0.0, time - LONG_AGO)))
 
     def results(self, numbers: Iterable[int], until: int) -> list[int]:
-        """The runs of some calls up to an event, in order, also of one that still lasts."""
+        """The runs of some calls up to an event, in order, including one that still lasts."""
         history = self._history
         ran = {
             event
@@ -108,7 +108,7 @@ class Actions:
     # It did.
 
     def moved(self, command: int, until: int) -> None:
-        """Tell why the wheels were told to move so."""
+        """Tell why the wheels got such a command."""
         use = self.say_moved(command)
         if use is None:
             return
@@ -116,18 +116,18 @@ class Actions:
         if use.name == "slow_down":
             self._slowed(use)
         if self._position.waiting(until) > command:
-            # Nothing else was told since, because the program still waits for something.
+            # There was no other command since, because the program still waits for something.
             self._waits.busy(until)
         self._long_pause(command, until)
         self._tell_causes_of(use, call)
         self._after(use, call)
         self._not_stopped(use, until)
         if self._position.running(until) not in (None, use):
-            # Nothing else was told since, because the program did something else.
+            # There was no other command since, because the program did something else.
             self._waits.busy(until)
 
     def say_moved(self, command: int) -> SkillUse | None:
-        """Tell which line told the wheels to move so; the skill that it used, None if none did."""
+        """Tell which line gave the wheels such a command; return its skill, None if none did."""
         use, command = self._history.own_use(command), self._commands.first_alike(command)
         motion = movement_phrase(self._commands.movement(command))
         if use is None:
@@ -199,7 +199,7 @@ class Actions:
             self._draft.say("why-never-stopped", function, name=name)
 
     def _after(self, use: SkillUse, call: int) -> None:
-        """Tell for how long the statement before lasted: it decides about the time."""
+        """Tell how long the statement before lasted: it determines the time."""
         before = self._position.lasted_before(use, call)
         if before is not None and len(self._draft) <= _FEW:
             self._after_pause(before)
@@ -239,7 +239,7 @@ class Actions:
     # It did not.
 
     def not_moved(self, name: str, until: int, time: float | None) -> None:
-        """Tell why the robot did not move so."""
+        """Tell why the robot did not make a movement."""
         fitting = [
             number
             for number, node in enumerate(self._history.nodes)
@@ -248,7 +248,7 @@ class Actions:
         self.not_done(fitting, "", until, time, movement_name=name)
 
     def not_moving(self, until: int, time: float | None) -> None:
-        """Tell why no line had told the robot to move."""
+        """Tell why no line had commanded the robot to move."""
         moving = [
             number
             for number, node in enumerate(self._history.nodes)
@@ -290,11 +290,11 @@ class Actions:
                 self._omissions.tell(number, until)
 
     def _did_before(self, number: int, last: int, until: int) -> None:
-        """Tell of a run long ago, and why there was no other since."""
+        """Tell when a statement last ran, long ago, and why it did not run again."""
         if self.without_effect(last):
             return
         if self._start is not None:
-            # That it ran before is not what was asked.
+            # An earlier run does not answer the question.
             self._omissions.tell(number, until, self.first)
             return
         self._say_it_did(number, last, until)
@@ -315,11 +315,11 @@ class Actions:
             self.moved(last, until)
         self._waits.busy(until)
         if name == STAND:
-            # Anything else that it could have done instead would do.
+            # Another movement would have done as well.
             self.not_prevented(until)
 
     def nearest_first(self, numbers: list[int], until: int) -> list[int]:
-        """Statements whose own condition was asked last come first."""
+        """Sort statements: those with the condition that was asked last come first."""
 
         def last_decision(number: int) -> int:
             control = self._history.nodes[number].control
@@ -339,7 +339,7 @@ class Actions:
             self._causes.tell(event)
 
     def _say_it_did(self, number: int, event: int, until: int) -> None:
-        """Tell when a statement ran: from its begin, if it took time."""
+        """Tell when a statement ran: from its beginning, if it took time."""
         history, use = self._history, self._history.skills.get(event)
         if use is None or self._position.end(use) - history.time(use.begun) < _SOON:
             self._draft.say("why-it-did", number, event, lasted="no")
@@ -371,7 +371,7 @@ class Actions:
         if not use or not mine:
             return 0
         first = history.events[mine[-1]]
-        # What comes in the same moment replaced it as well, but nothing later did.
+        # A command of the same moment replaced it as well, but no later one did.
         last = history.at(history.time(until))
         for index in range(mine[-1] + 1, last + 1):
             other = history.events[index]
@@ -411,7 +411,7 @@ class Actions:
     # Other things.
 
     def bumped(self, line: dict[str, Any], until: int) -> None:
-        """Tell what the robot was told to do when it bumped into something."""
+        """Tell the robot's command when it bumped into something."""
         event = max(0, self._history.at(line.get("t", 0.0)))
         thing = str(line["bump"])
         last = self._commands.last(event)
@@ -423,7 +423,7 @@ class Actions:
         self.not_prevented(event)
 
     def not_prevented(self, event: int) -> None:
-        """Tell why the robot was not told to stop or to go elsewhere."""
+        """Tell why there was no command to stop or to go elsewhere."""
         others = [
             number
             for number, node in enumerate(self._history.nodes)

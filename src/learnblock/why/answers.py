@@ -70,7 +70,7 @@ class _Answering:
         self._commands = inquiry.commands
         self._draft = inquiry.draft
         self._since = inquiry.since
-        # Each knows only those above it.
+        # Each one uses only those above it.
         self._variables = VariableFacts(inquiry)
         self._causes = Causes(inquiry)
         self._run_end = RunEnd(inquiry, causes=self._causes)
@@ -101,7 +101,7 @@ class _Answering:
             return
         until = len(history.events) - 1
         if question.time is not None:
-            # What the robot does at a moment does not depend on what it is told right after.
+            # The robot's movement at a moment does not depend on a command right after it.
             about = 0.0 if question.ask is Ask.NOW else ABOUT
             until = max(0, history.at(question.time + about))
         _ANSWERS[question.ask](self, question.subject, until, question.time)
@@ -120,7 +120,7 @@ class _Answering:
             self._actions.not_done(self._skills(name), name, until, time)
 
     def _ran(self, numbers: list[int], until: int, time: float | None) -> bool:
-        """Tell why statements ran; each of them if no moment is meant. False if none ran."""
+        """Tell why statements ran; each of them if no moment is given. False if none ran."""
         ran = [
             event for event in self._actions.results(numbers, until) if self._actions.in_span(event)
         ]
@@ -308,7 +308,7 @@ class _Answering:
         self._now("", until, None)
 
     def _goals(self, name: str) -> list[dict[str, Any]]:
-        """The goals of the run; while it goes on, the named one as it is now."""
+        """The goals of the run; during the run, the named one in its current state."""
         recorded = self._history.recorded
         if goals := recorded.ending.get("goals"):
             return list(goals)

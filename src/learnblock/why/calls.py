@@ -1,4 +1,4 @@
-"""The call graph of a run: what called what, how often, and for how long in the robot's time.
+"""The call graph of a run: the calls, their number, and their duration in the robot's time.
 
 It has the layers of the paper's figure 8: the program, its functions, the skills, the generic
 client, the device interfaces, and the driver's own functions. Only the last one differs between
@@ -65,8 +65,8 @@ class Edge:
     """The calls of one function by another.
 
     Args:
-        caller: the one.
-        callee: the other.
+        caller: the calling function.
+        callee: the called function.
         count: their number.
         seconds: the robot's time spent in them.
         share: that, as a part of the whole span, from 0 to 1.
@@ -257,7 +257,7 @@ def _access(kind: str, function: str) -> str:
 
 
 def _of_robot(function: str, robot: str) -> str:
-    """The name of a driver's function among those of all robots, such as ``ev3._drive``.
+    """The name of a driver's function, unique among all robots, such as ``ev3._drive``.
 
     Every driver has a class `Robot`, and every twin a `RobotBody`: only the robot tells whose
     function it is. A class of another name is the driver's own.

@@ -12,11 +12,11 @@ from learnblock.why.inquiry import Inquiry
 from learnblock.why.unused import NotUsed
 from learnblock.why.wording import value_phrase
 
-#: How far an event's causes are from it: those of less cost are told first.
+#: How far an event's causes are from it: those with a lower cost are told first.
 _DATA, _CONTROL, _RETURNED, _CALLED, _LOOP_BEFORE, _OBVIOUS = 1.0, 1.2, 0.5, 1.1, 1.6, 2.5
-#: What ended the changes of a variable is nearer than the value it had before them.
+#: The end of a variable's changes is nearer than the value before them.
 _ENDED, _BEFORE = 0.02, 1.05
-#: What a sensor measured is more obvious than what the program reckoned.
+#: A sensor's reading is more obvious than a computed value.
 _MEASURED = 0.3
 #: In place of a variable, for a loop that has none.
 _LOOP = "repeat"
@@ -26,7 +26,7 @@ _SAME = "same"
 _UNUSED = "unused"
 #: In place of a variable, for a `for` loop that is over.
 _OVER = "over"
-#: So many causes are looked at for one answer.
+#: The most causes that are examined for one answer.
 _MOST = 40
 
 
@@ -61,7 +61,7 @@ class Causes:
         self.finish()
 
     def tell_unfinished(self, call: int, begun: int) -> None:
-        """Tell why a call is running that has not ended yet: nothing says so but its condition.
+        """Tell why a call that has not ended yet is running: only its condition shows it.
 
         Args:
             call: its node.
@@ -172,7 +172,7 @@ class Causes:
 
         Args:
             turn: the event that began its last turn.
-            cost: how far that is from what is asked about.
+            cost: how far that is from the subject of the question.
         """
         self._wait(turn, _OVER, cost)
 
@@ -247,12 +247,12 @@ class Causes:
             self._not_deactivated(cause, event, node)
         else:
             if not self._draft.has("why-given", self._history.line(self._number(cause))):
-                # Who gave it something also called it.
+                # The code that passed an argument also made the call.
                 self._say("why-called", cause, name=node.name)
             self._add_causes(cause, cost + 0.1, ())
 
     def _not_deactivated(self, cause: int, event: int, node: Node) -> None:
-        """What could have switched a `when` off is a cause as well."""
+        """A statement that could have switched a `when` off is a cause as well."""
         if self._history.op(cause) == Op.CONDITION:
             return
         for number, other in enumerate(self._history.nodes):
@@ -281,7 +281,7 @@ class Causes:
         self._add_causes(call, cost, reads)
 
     def _tell_written(self, event: int, node: Node, name: str, cost: float) -> None:
-        # Where exactness matters, it matters here, too.
+        # If exactness matters there, it matters here too.
         count = ALL if self._draft.has("why-decimals", 0) else FEW
         value = value_phrase(self._history.value(event), count)
         if name in node.writes:
@@ -297,7 +297,7 @@ class Causes:
         self._add_causes(event, cost, None)
 
     def _add_unused(self, event: int, name: str, cost: float) -> None:
-        """Add what was set instead of a variable that only one line sets: an unused name."""
+        """Add a variable that was set by mistake instead of this one: a name that is never read."""
         if sum(name in node.writes for node in self._history.nodes) == 1:
             for write in self._not_used.instead_of(event, name):
                 self._wait(write, _UNUSED, cost + _DATA)
@@ -341,7 +341,7 @@ class Causes:
                 self._add_returned(part, cost)
 
     def returned(self, result: int) -> None:
-        """Add what an own function gave back, to be told when `finish` is called."""
+        """Add the result of one of the program's functions, to be told when `finish` is called."""
         self._add_returned(result, 0.0)
 
     def _add_returned(self, result: int, cost: float) -> None:
@@ -360,13 +360,13 @@ class Causes:
             self._last_of(frame, result)
 
     def _last_of(self, frame: Frame, result: int) -> None:
-        """Tell what a function did last instead of giving something back."""
+        """Tell what a function did last instead of returning a value."""
         history = self._history
         for index in range(result - 1, frame.entered, -1):
             if history.frames[index] is not frame:
                 continue
             if history.op(index) == Op.CONDITION:
-                # It decided that nothing more was done.
+                # It decided that nothing else was done.
                 self._wait(index, "", _RETURNED)
                 return
             if history.op(index) in (Op.RESULT, Op.WRITE):
@@ -407,7 +407,7 @@ class Causes:
             self.loop_over(loop, cost)
 
     def _took_time(self, turn: int) -> bool:
-        """Whether the turns of a `for` loop decided when the program came to what is behind it."""
+        """Whether the turns of a `for` loop decided when the program reached the next statement."""
         first = self._history.time(self._slices.first_turn(turn))
         return self._history.time(self._over(turn)) > first
 

@@ -1,4 +1,4 @@
-"""Two runs compared: where they parted, and why."""
+"""Compares two runs: where they parted, and why."""
 
 from collections import Counter
 from collections.abc import Iterator
@@ -17,11 +17,11 @@ from learnblock.why.slices import Slices
 
 #: Noise changes readings in every run; what counts is the first decision that it changes.
 _DECISIONS = frozenset({Op.CONDITION, Op.TURN})
-#: The most that two runs are followed: minutes of a loop that decides all the time.
+#: The most steps for which two runs are followed: minutes of a loop that decides all the time.
 MOST_STEPS = 3_000_000
 #: The most edits that are named.
 MOST_EDITS = 3
-#: What may differ about two runs, by its name in the first line of the trace.
+#: The causes of a difference between two runs, by their names in the first line of the trace.
 _CAUSES = {"robot": "why-cause-robot", "world": "why-cause-world", "seed": "why-cause-seed"}
 #: What a person did to the robot during a run, by the name of its line in the log.
 _BY_HAND = ("placed", "handled", "keys")
@@ -119,7 +119,7 @@ def _parting(first: History, second: History, *, acts: bool) -> Parting | None:
 
 
 def _apart(mine: _Step, theirs: _Step) -> bool:
-    """Whether two steps were at different times, as far as that is known exactly."""
+    """Whether two steps were at different times, as far as these are known exactly."""
     return mine.ticks != theirs.ticks and not (mine.counted or theirs.counted)
 
 

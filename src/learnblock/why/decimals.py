@@ -1,11 +1,11 @@
-"""How many decimals a number needs, so that a sentence about a condition reads true."""
+"""How many decimals a number needs, so that a sentence about a condition is correct."""
 
 import ast
 import operator
 from collections.abc import Callable, Mapping
 from typing import Any
 
-#: So many decimals are shown if they are enough.
+#: The number of decimals if they are enough.
 FEW = 2
 #: In place of a count, for numbers as they are.
 ALL = 17
@@ -33,12 +33,12 @@ class _UnknownError(Exception):
 
 
 def decimals(condition: str, values: Mapping[str, Any], *, was_true: bool) -> int:
-    """How many decimals of some values make a condition come out as it did.
+    """How many decimals of some values give a condition the result that it had.
 
     Args:
         condition: an expression of the program, in Python.
         values: of its parts, by their text.
-        was_true: whether it was.
+        was_true: whether the condition was true.
     """
     tree = _parsed(condition)
     if tree is None or not any(isinstance(value, float) for value in values.values()):
@@ -67,7 +67,7 @@ def _parsed(condition: str) -> ast.expr | None:
 
 
 def rounded(value: float, count: int) -> float:
-    """A number with so many decimals."""
+    """A number with this many decimals."""
     return value if count >= ALL else round(value, count)
 
 
@@ -99,7 +99,7 @@ def _value(node: ast.expr, values: Mapping[str, Any]) -> Any:
 
 
 def _joined(parts: list[ast.expr], values: Mapping[str, Any], *, is_or: bool) -> bool:
-    # What was not asked has no value: the answer was known before.
+    # An operand that was not evaluated has no value: the result was known before.
     for part in parts:
         if bool(_value(part, values)) == is_or:
             return is_or

@@ -1,4 +1,4 @@
-"""What a real robot's way says about its calibration: how much too far it drives and turns."""
+"""Checks a real robot's calibration by its way: how much too far it drives and turns."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -11,16 +11,16 @@ from learnblock.why.ways import Way
 
 #: Smaller differences are those of wires and of noise, not of wheels.
 NOTICEABLE = 0.02
-#: Over less way or turning than that nothing can be said: mm, and degrees.
+#: The shortest way and the smallest turn that give a result: mm, and degrees.
 LEAST_WAY, LEAST_TURN = 150.0, 90.0
-#: A straight part of the way must be so long for a distance sensor to measure it, mm, and may turn
-#: no further, degrees.
+#: The minimum length of a straight part that a distance sensor can measure, mm, and its maximum
+#: turn, degrees.
 _APPROACH, _STRAIGHT = 50.0, 5.0
-#: What is in front must come as much closer as the twin drives, or it is something else.
+#: The object in front must come as much closer as the twin drives; otherwise it is another one.
 _SQUARELY = 0.15
-#: Fewer readings of it are only noise.
+#: The minimum number of readings of it; fewer are only noise.
 _LEAST_READINGS = 5
-#: What a distance sensor says must be as certain as this, by how much its readings scatter.
+#: The maximum scatter of a distance sensor's readings.
 _SURE = NOTICEABLE / 2
 #: Less counts as standing still: mm or degrees.
 _STILL = 0.5
@@ -28,10 +28,10 @@ _STILL = 0.5
 
 @dataclass(frozen=True, slots=True)
 class Ratio:
-    """How much of what its twin did the real robot did.
+    """The real robot's movement as a share of its twin's.
 
     Args:
-        ratio: 1 if it did the same, 1.04 if it did 4 % more.
+        ratio: 1 if it did the same, 1.04 for 4 % more.
         sensor: what measured it: ``odometry``, ``gyroscope`` or ``distance``.
         of: what the twin did in all: mm or degrees.
     """
@@ -47,18 +47,18 @@ class Ratio:
 
     @property
     def is_noticeable(self) -> bool:
-        """Whether it is more than wires and noise make up."""
+        """Whether it is more than wires and noise can explain."""
         return abs(self.ratio - 1) >= NOTICEABLE
 
 
 @dataclass(frozen=True)
 class Drift:
-    """How far a real robot drives and turns, compared with what it was told.
+    """How far a real robot drives and turns, compared with its commands.
 
     Args:
-        counted_way: how far it drove by its own report, of what its twin drove; None if that is not
+        counted_way: how far it drove by its own report, compared with its twin; None if that is not
             known, or if it was too little.
-        counted_turn: how far it turned by its own report, of what its twin turned.
+        counted_turn: how far it turned by its own report, compared with its twin.
         way: how far it really drove: of what its wheels counted if settings of ours are in that,
             otherwise of what its twin drove. None if nothing measured it.
         turn: how far it really turned, likewise.
@@ -81,7 +81,7 @@ def drift(prediction: Prediction) -> Drift:
     counted_turn = _ratio(_turns(prediction, prediction.real, legs), "odometry", LEAST_TURN)
     calibrated = prediction.recorded.robot.get("calibration")
     if not calibrated:
-        # What it reports is its true way, as far as it knows it: no setting of ours is in it.
+        # Its report is its true way, as far as it knows: none of our settings is in it.
         turn = _ratio(_turns(prediction, prediction.headings, legs), "gyroscope", LEAST_TURN)
         return Drift(counted_way, counted_turn, counted_way, turn or counted_turn, {}, {})
     way = _approach(prediction, legs)
@@ -194,14 +194,14 @@ def _slope(pairs: list[tuple[float, float]]) -> float | None:
 
 
 def _closer(prediction: Prediction, first: float, last: float) -> Iterator[tuple[float, float]]:
-    """What the robot had in front of it, and how far its wheels had rolled by then."""
+    """The distance in front of the robot, and how far its wheels had rolled by then."""
     for time, real, _ in prediction.distances:
         if first <= time - prediction.delay <= last:
             yield real, prediction.real.travel(first + prediction.delay, time)
 
 
 def _seen(prediction: Prediction, first: float, last: float) -> list[tuple[float, float]]:
-    """What both had in front of them between two times of the twin."""
+    """The distances in front of both between two times of the twin."""
     return [
         (real, twin)
         for time, real, twin in prediction.distances

@@ -7,9 +7,9 @@ from difflib import SequenceMatcher
 
 from learnblock.runtime.program import Program
 
-#: The longest programs whose lines are compared; of longer ones, line by line.
+#: The most lines for a comparison line by line, and for one that counts frequent lines too.
 MOST_LINES, FEW_LINES = 10_000, 1000
-#: The most characters of a line that are told.
+#: The maximum number of characters shown of a line.
 LONGEST = 80
 _ROBOT_IMPORT = re.compile(r"^from [\w.]+ import Robot\b")
 
@@ -42,9 +42,9 @@ def edits(first_program: Program, second_program: Program) -> tuple[Edit, ...]:
 
 
 def line_pairs(first_program: Program, second_program: Program) -> dict[int, int]:
-    """For each line of the first program's Python, the line of the second one that it became.
+    """For each line of the first program's Python, its new line in the second one.
 
-    An edited line is paired with what it became.
+    An edited line is paired with its new version.
     """
     before, after = _lines(first_program.python), _lines(second_program.python)
     pairs: dict[int, int] = {}
@@ -78,11 +78,11 @@ def _edits(before: Sequence[str], after: Sequence[str]) -> Iterator[Edit]:
 def _changes(
     before: Sequence[str], after: Sequence[str], *, whole: bool
 ) -> Iterator[tuple[str, int, int, int, int]]:
-    """The parts of two texts: what became of which lines; without equal ones unless `whole`."""
+    """The corresponding parts of two texts, without equal ones unless `whole`."""
     if max(len(before), len(after)) > MOST_LINES:
         if whole or list(before) != list(after):
             yield "replace", 0, len(before), 0, len(after)
         return
-    # Lines that occur often, such as "end", are no junk in a short program, but slow in a long one.
+    # Frequent lines, such as "end", are relevant in a short program, but slow in a long one.
     matcher = SequenceMatcher(None, before, after, autojunk=len(after) > FEW_LINES)
     yield from (part for part in matcher.get_opcodes() if whole or part[0] != "equal")

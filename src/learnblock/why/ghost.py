@@ -1,4 +1,4 @@
-"""Says where a real robot left its twin's way, and what that means for its settings."""
+"""Reports where a real robot left its twin's way, and what that means for its settings."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -7,9 +7,9 @@ from learnblock.i18n import Phrase
 from learnblock.why.drift import Drift, Ratio
 from learnblock.why.prediction import EMPTY, Prediction
 
-#: A sensor that differs by so many mm, and by such a part of what it should measure, is wrong.
+#: A sensor is wrong if it differs by this many mm, and by this share of the correct distance.
 _WRONG, _WRONG_PART = 50.0, 0.15
-#: So many readings in a row must differ: a thing may be seen a moment earlier or later.
+#: This many readings in a row must differ: a thing may be seen a moment earlier or later.
 _IN_A_ROW = 5
 
 
@@ -27,12 +27,12 @@ class Finding:
 
 
 def findings(prediction: Prediction, drift: Drift) -> tuple[Finding, ...]:
-    """What the comparison of a real robot with its twin says, most important first."""
+    """The results of comparing a real robot with its twin, most important first."""
     return (*_parting(prediction), *_drift(drift), *_sensor(prediction, drift))
 
 
 def unrecorded(prediction: Prediction, drift: Drift) -> tuple[Phrase, ...]:
-    """What the log does not have, so that it can't be compared."""
+    """The data missing from the log, which can't be compared."""
     return tuple(_unrecorded(prediction, drift))
 
 
@@ -85,7 +85,7 @@ def _phrase(code: str, ratio: Ratio, **more: str) -> Phrase:
 
 
 def _sensor(prediction: Prediction, drift: Drift) -> Iterator[Finding]:
-    """A sensor that measures something else where the robot was where it should be."""
+    """A sensor with a different reading while the robot was at the right place."""
     if prediction.parting or drift.better or prediction.world == EMPTY:
         return
     row: list[tuple[float, float, float]] = []

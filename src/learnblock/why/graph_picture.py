@@ -9,9 +9,9 @@ from learnblock.why.calls_beside import CallsBeside
 
 #: Sizes in pixels: of a box, of the space around it and of the text in it.
 BOX, HEIGHT, SPACE, ROW, TEXT, SMALL = 172, 44, 18, 104, 12, 10
-#: Passes in which each row is put in the order of what calls it.
+#: The number of passes that sort each row by its callers.
 SWEEPS = 4
-#: As in the paper's figure 8: from little to much of the time.
+#: As in the paper's figure 8: from a small to a large share of the time.
 COLOURS = ("#d9dce3", "#b9d3f5", "#8fb4ef", "#b39ae6", "#e88fd0")
 _FULL = 0.5
 #: The most characters of a name that fit into a box.
@@ -102,7 +102,7 @@ def _graph(
 
 
 def _rows(calls: Calls) -> dict[Layer, list[Called]]:
-    """The functions by row, each near what calls it, so that few lines cross."""
+    """The functions by row, each near its callers, so that few lines cross."""
     rows: dict[Layer, list[Called]] = defaultdict(list)
     for node in calls.nodes:
         rows[node.called.layer].append(node.called)
@@ -119,7 +119,7 @@ def _order(rows: dict[Layer, list[Called]]) -> dict[Called, float]:
 
 
 def _middle(calls: Calls, order: dict[Called, float], called: Called) -> float:
-    """How far to the right what calls a function is, on average."""
+    """How far to the right the callers of a function are, on average."""
     above = [order[edge.caller] for edge in calls.edges if edge.callee == called]
     return sum(above) / len(above) if above else order[called]
 

@@ -1,4 +1,4 @@
-"""What a program did, in order, and what made it do so."""
+"""What a program did, in order, and why."""
 
 from bisect import bisect_right
 from collections import defaultdict
@@ -58,7 +58,7 @@ class SkillUse:
     ended: int = -1
     #: The node of its call in the program; -1 if the program has not called it itself.
     node: int = -1
-    #: The event that says what it returned; -1 while it lasts.
+    #: The event with its result; -1 while it lasts.
     result: int = -1
     commands: list[int] = field(default_factory=list)
     readings: list[int] = field(default_factory=list)
@@ -103,9 +103,9 @@ class History:
         #: By `when`: the calls that switched it on or off.
         self.switches: dict[str, list[int]] = defaultdict(list)
         self.gaps: list[int] = []
-        #: By name, the events that say what a variable holds or that it is gone, but not why.
+        #: By name, the events that report the value or the end of a variable, but not why.
         self.tellings: dict[str, list[int]] = defaultdict(list)
-        #: By the identity of a list, the events that say what it contains.
+        #: By the identity of a list, the events that report its content.
         self.contents: dict[int, list[int]] = defaultdict(list)
         self._locals: dict[int, frozenset[str]] = {}
         #: How often each event happened: more than once in turns of a loop that were alike.
@@ -146,7 +146,7 @@ class History:
         return round(self.ticks[event] * TICK, 3)
 
     def op(self, event: int) -> int:
-        """What an event says, an `Op`."""
+        """The kind of an event, an `Op`."""
         return self.events[event][0]  # type: ignore[no-any-return] # checked when it was read
 
     def number(self, event: int) -> int:
@@ -154,7 +154,7 @@ class History:
         return self.events[event][1]  # type: ignore[no-any-return] # as above
 
     def value(self, event: int) -> Any:
-        """The value that an event tells, such as whether a condition was true, or a reading."""
+        """The value in an event, such as whether a condition was true, or a reading."""
         return self.events[event][2]
 
     def device(self, event: int) -> str:
@@ -207,8 +207,8 @@ class History:
 class _Reading:
     """One pass over the events of a log.
 
-    The log may lack events: of what a program did too often at one moment, and of what was given
-    up because it was full. So the frames are those that the events themselves name.
+    The log may lack events: those that were too frequent at one moment, and those that were
+    dropped because it was full. So the frames are those that the events themselves name.
     """
 
     def __init__(self, history: History) -> None:
@@ -249,7 +249,7 @@ class _Reading:
             taker(self, index, event)
 
     def _find_frame(self, function: int) -> None:
-        """Go to the call of a function, if the log does not say how the program came there."""
+        """Enter the call of a function, if the log does not contain the way to it."""
         stack = self._stack
         if stack[-1].node == function:
             return
@@ -287,7 +287,7 @@ class _Reading:
         self._history.contents[event[1]].append(index)
 
     def _variables(self, index: int, event: Event) -> None:
-        """Take a call's variables, and with them that it goes on at this depth."""
+        """Process a call's variables, which also show that it continues at this depth."""
         _, depth, line, pairs, _, is_innermost = event
         frame = self._frame_at(depth, line, index)
         if is_innermost:

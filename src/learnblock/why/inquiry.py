@@ -1,4 +1,4 @@
-"""What is known to answer one question about a run."""
+"""The data for answering one question about a run."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -14,15 +14,15 @@ from learnblock.why.wheel_commands import WheelCommands
 
 @dataclass(frozen=True)
 class Inquiry:
-    """One question about a run: what is known of the run, and the answer so far.
+    """One question about a run: the data about the run, and the answer so far.
 
     Args:
         slices: of the run.
         readings: of the run.
         unused: of the run.
         draft: the answer so far; nothing is told twice.
-        time: the moment that is asked about, or the end of the time, in s; None for the whole run.
-        since: the start of the time that is asked about, in s; None for a moment or the whole run.
+        time: the moment in question, or the end of the time, in s; None for the whole run.
+        since: the start of the time in question, in s; None for a moment or the whole run.
     """
 
     slices: Slices

@@ -1,4 +1,4 @@
-"""What a plain sentence asks for, by what its words mean."""
+"""Interprets a plain sentence by the meaning of its words."""
 
 import re
 from collections.abc import Callable, Iterable
@@ -22,7 +22,7 @@ _DEVICES: tuple[tuple[Concept, str], ...] = (
 )
 #: Words that mean nothing but a device.
 _ONLY_DEVICES = (Concept.LAMP, Concept.SOUND, Concept.SCREEN, Concept.PEN)
-#: What the devices are called that see something.
+#: The names of the devices that see something.
 _SENSES: dict[Concept, tuple[str, ...]] = {
     Concept.WALL: ("obstacle-", "DistanceSensors"),
     Concept.TRACK: ("black-line", "red-line", "blue-line", "ground-line"),
@@ -42,7 +42,7 @@ _MOTIONS = frozenset(
         Concept.STOP,
     }
 )
-#: Where what is asked about ends, and the circumstances begin.
+#: Where the subject ends and the circumstances begin.
 _CIRCUMSTANCES = re.compile(
     r",|\b(?:before|when|while|whenever|although|though|because|but|instead|if|after it|until it"
     r"|cuando|mientras|aunque|pero|si|antes de|despues de|en vez de|en lugar de|hasta que)\b"
@@ -56,7 +56,7 @@ class Meaning:
 
     ask: Ask
     subject: str = ""
-    #: Whether the first time is meant.
+    #: Whether the question is about the first time.
     is_first: bool = False
 
 
@@ -89,12 +89,12 @@ class SentenceReader:
             meaning for _, meaning in meanings if meaning and meaning is not Concept.FILLER
         ]
         self._known = frozenset(self.concepts)
-        #: The words that LearnBlock does not know.
+        #: The unknown words.
         self.unknown = [word for word, meaning in meanings if meaning is None]
         self.is_negative = Concept.NOT in self._known
 
     def meaning(self) -> Meaning | None:
-        """What is asked for; None if the words do not say it."""
+        """The question; None if the words do not contain it."""
         for find in (
             self._nothing,
             self._error,
@@ -193,7 +193,7 @@ class SentenceReader:
         return None
 
     def _devices(self) -> list[tuple[Concept, str]]:
-        """The devices that the words name; a face to drive to or look for is none."""
+        """The devices that the words name; a face to drive to or look for does not count."""
         moves = self._has(*_MOTIONS, Concept.SEARCH, Concept.SEE, Concept.LEAVE, Concept.FOLLOW)
         return [
             (device, p)
@@ -250,7 +250,7 @@ class SentenceReader:
         return Meaning(Ask.NOT_MOVEMENT if is_missing else Ask.MOVEMENT, name)
 
     def _not_moving(self) -> Meaning:
-        """It did not move: the robot stands, or it does something else."""
+        """It did not move: the robot stands still, or it does something else."""
         moves = any("pose" in line for line in self._history.recorded.lines[1:])
         is_driven = any(
             node.name in ("move_straight", "drive_distance") for node in self._history.nodes
@@ -276,7 +276,7 @@ class SentenceReader:
         if not sides:
             return "" if self._has(Concept.TURN) or is_curve else None
         if not self._has(Concept.TURN, Concept.CURVE, Concept.MOVE) and self._has(Concept.WALL):
-            # A sensor of that side is meant.
+            # The word belongs to a sensor on that side.
             return None
         return f"{'curve' if is_curve else 'spin'}-{sides[0].value}"
 

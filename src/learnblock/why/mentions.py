@@ -1,4 +1,4 @@
-"""What of a program the words of a question mention: printed texts, values, names."""
+"""Finds what the words of a question mention of a program: printed texts, values, names."""
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
@@ -8,7 +8,7 @@ from learnblock.runtime.log.nodes import Kind, Node
 from learnblock.why.history import History
 from learnblock.why.vocabulary import Concept, concept, plain
 
-#: So many letters are the root of a word.
+#: The number of letters in the root of a word.
 _ROOT = 4
 _WORD = re.compile(r"[^\W_]+")
 _CAMEL = re.compile(r"(?<=[a-z0-9])(?=[A-Z])")
@@ -97,7 +97,7 @@ def variable_with(history: History, tokens: Sequence[str]) -> str | None:
 
 
 def when_with(history: History, tokens: Sequence[str]) -> str | None:
-    """The `when` whose name is like a word of a question, such as searching and search."""
+    """The `when` with a name like a word of a question, such as searching and search."""
     for node in history.nodes:
         if node.is_when and any(_is_akin(token, plain(node.name)) for token in tokens):
             return node.name

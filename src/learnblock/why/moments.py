@@ -1,4 +1,4 @@
-"""A moment of a run: where the program was, what its variables held, what had happened so far."""
+"""A moment of a run: the place in the program, its variables, and what had happened so far."""
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -16,7 +16,7 @@ from learnblock.why.shapes import identities
 
 #: Kinds of marks, by the name of their line in the log.
 _MARKS = {"goal": "goal", "bump": "bump", "print": "print", "send": "message", "placed": "placed"}
-#: The snapshot of the robot, which is no variable to look at.
+#: The snapshot of the robot, which isn't shown as a variable.
 _ROBOT = {"is": RemoteRobot.__name__}
 
 
@@ -74,9 +74,9 @@ class Moments:
         self._ran_at = [time for time, _ in self.ran]
         printed = [(line["t"], line["print"]) for line in lines if "print" in line]
         self._printed_at = [time for time, _ in printed]
-        #: How many characters there are behind so many prints.
+        #: The number of characters printed, by the number of prints.
         self._characters = [0, *accumulate(len(text) + 1 for _, text in printed)]
-        #: Variables that only hold the robot, which are none to look at.
+        #: Variables that only hold the robot, which aren't shown.
         self.robots = frozenset(
             name
             for name, writes in history.writes.items()
@@ -184,7 +184,7 @@ class Moments:
         return _Place(event, tuple(turns))
 
     def _frame_after(self, event: int) -> Frame | None:
-        """The call of a function that goes on behind an event; None for the program itself."""
+        """The call of a function that continues after an event; None for the program itself."""
         if event < 0:
             return None
         frame = self._history.frames[event]
@@ -203,14 +203,14 @@ class Moments:
                 yield name, shown(value)
 
     def _tellings(self, place: "_Place", frame: Frame | None, name: str) -> Iterator[int]:
-        """The events that tell a variable of a call, the last one first."""
+        """The events with a variable of a call, the last one first."""
         tellings = self._tellings_of(name)
         if frame is None:
             return place.latest(tellings.shared)
         return (event for event in place.latest(tellings.all) if self._owner(event, name) is frame)
 
     def _tellings_of(self, name: str) -> "_Tellings":
-        """The events that tell a variable, in order."""
+        """The events with a variable, in order."""
         if name not in self._by_name:
             history = self._history
             tellings = sorted((*history.writes.get(name, ()), *history.tellings.get(name, ())))
@@ -224,7 +224,7 @@ class Moments:
         return frame.entered if frame else -1
 
     def _owner(self, event: int, name: str) -> Frame | None:
-        """The call whose variable an event tells; None for the program's."""
+        """The call that owns the variable in an event; None for the program's."""
         history = self._history
         frame = _function(history.frames[event])
         if frame is None or history.op(event) == Op.VARIABLES:
@@ -233,7 +233,7 @@ class Moments:
         return frame if is_own or name in history.locals_of(frame.node) else None
 
     def _held(self, place: "_Place", event: int, name: str) -> Any:
-        """What a variable holds that an event has told; a list may have changed since."""
+        """The value of a variable in an event; a list may have changed since."""
         identity = _identity(self._history, event, name)
         if not identity or identity not in self._history.contents:
             return written(self._history, event, name)
@@ -260,7 +260,7 @@ class Moments:
 
 @dataclass(frozen=True, slots=True)
 class _Tellings:
-    """The events that tell what a variable holds, in order.
+    """The events with the values of a variable, in order.
 
     Args:
         all: those of every variable of this name.
@@ -325,7 +325,7 @@ def written(history: History, event: int, name: str) -> Any:
 
 
 def _identity(history: History, event: int, name: str) -> int:
-    """The identity of the list that an event says a variable holds; 0 if it holds none."""
+    """The identity of the list in a variable, by an event; 0 if it holds none."""
     event_told, of_each = history.events[event], identities(history.events[event])
     if not of_each:
         return 0
@@ -338,7 +338,7 @@ def _identity(history: History, event: int, name: str) -> int:
 
 
 def _contents(telling: Event, identity: int) -> Any:
-    """What a list contains, by an event that says it."""
+    """The content of a list, by an event."""
     if telling[0] == Op.CONTENTS:
         return telling[2]
     index = list(identities(telling)).index(identity)

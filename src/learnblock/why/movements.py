@@ -1,4 +1,4 @@
-"""Why the robot moved as it did, or did not."""
+"""Why the robot moved, or did not."""
 
 from bisect import bisect_right
 from math import dist
@@ -39,7 +39,7 @@ class Movements:
         self._whole_run = whole_run
 
     def why(self, name: str, until: int, time: float | None) -> None:
-        """Tell why the robot moved so."""
+        """Tell why the robot made a movement."""
         name = name if name in MOVEMENTS else ""
         wanted = self._told_to(name, until, time)
         soon = self._about_to(name, until)
@@ -61,7 +61,7 @@ class Movements:
     def _told_to(self, name: str, until: int, time: float | None) -> int:
         """The last command of a movement up to an event; -1 if there was none.
 
-        What was in force at the very moment is meant rather than what came right after it.
+        The command in force at that moment counts rather than one right after it.
         """
         exact = self._commands.last(until if time is None else self._history.at(time))
         if exact >= 0 and name in self._commands.names(exact):
@@ -120,7 +120,7 @@ class Movements:
         return end >= 0 and time - self._history.time(end) > LONG_AGO
 
     def _stands(self, until: int, time: float | None) -> bool:
-        """Tell why the robot stands still though no command says so; False if it does not."""
+        """Tell why the robot stands still without a command to; False if there is no reason."""
         if self._commands.last(until) < 0:
             self._actions.not_moving(until, time)
             return True
@@ -144,10 +144,10 @@ class Movements:
         return bumps[-1] if bumps and is_still else None
 
     def why_not(self, name: str, until: int, time: float | None) -> None:
-        """Tell why the robot did not move so."""
+        """Tell why the robot did not make a movement."""
         name = name if name in MOVEMENTS else ""
         stood = any(STAND in self._commands.names(command) for command in self._commands.all)
         if name == STAND and time is None and stood:
-            # It did stop, more than once perhaps: but it went on.
+            # It did stop, perhaps more than once, but it continued.
             self._whole_run.not_end(until)
         self._actions.not_moved(name, until, time)

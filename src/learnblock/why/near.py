@@ -1,4 +1,4 @@
-"""The questions that are most like one that was not understood."""
+"""The questions most similar to one that was not understood."""
 
 from dataclasses import replace
 from difflib import SequenceMatcher
@@ -9,7 +9,7 @@ from learnblock.why.history import History
 from learnblock.why.questions import Ask, Question, questions
 from learnblock.why.vocabulary import Concept, concept, corrected, plain, words
 
-#: So many questions are offered.
+#: The number of questions offered.
 _OFFERED = 3
 _VAGUE = frozenset({None, Concept.FILLER, Concept.NOT})
 #: A word in common counts more than letters in common.
@@ -17,7 +17,7 @@ _OF_LETTERS = 0.5
 
 
 def nearest(text: str, history: History) -> tuple[Question, ...]:
-    """The three questions about a run that are most like a text."""
+    """The three questions about a run most similar to a text."""
     question_words = [corrected(word) for word in words(plain(text))]
     meant = {concept(word) for word in question_words} - _VAGUE
     written = " ".join(question_words)

@@ -1,4 +1,4 @@
-"""Why a statement was not reached: what let the program go elsewhere, or held it up."""
+"""Why a statement was not reached: what led the program elsewhere, or held it up."""
 
 from collections import Counter
 
@@ -12,11 +12,11 @@ from learnblock.why.run_end import RunEnd
 from learnblock.why.waits import Waits
 from learnblock.why.wording import movement_phrase
 
-#: So many statements are looked at that had to be reached before.
+#: The number of statements examined that had to be reached before.
 _DEEPEST = 8
-#: With more sentences, what the robot did meanwhile is no news.
+#: With more sentences, the robot's actions during that time add nothing.
 _ENOUGH = 2
-#: A condition of a `when` that has not been asked for so long, in s, was held up.
+#: A condition of a `when` that has not been asked for this long, in s, was held up.
 _LONG_UNASKED = 1.0
 #: The `when` that runs once.
 _START = "start"
@@ -88,7 +88,7 @@ class Omissions:
             self._never_right(number, node, control, decisions, until)
 
     def _skipped(self, number: int, decisions: list[int], turn: int, until: int) -> bool:
-        """Tell what left out a statement in the last turn of its loop, if something did."""
+        """Tell what skipped a statement in the last turn of its loop, if something did."""
         later = (event for event in decisions if event > turn)
         end = next(later, until)
         if self._history.events_of(number, turn, end):
@@ -145,7 +145,7 @@ class Omissions:
         self._held_up(loop, over, until)
 
     def _passed(self, loop: int, since: int, until: int) -> bool:
-        """Whether the program came to what is behind a loop, between two events."""
+        """Whether the program reached the statement after a loop, between two events."""
         node = self._history.nodes[loop]
         return any(
             self._history.events_of(number, since, until)
@@ -195,7 +195,7 @@ class Omissions:
                 self._started(function, until)
 
     def _meanwhile(self, event: int) -> None:
-        """What the robot did decides what its sensors see: tell it behind everything else."""
+        """The robot's actions decide what its sensors see: tell them after everything else."""
         asks = any(self._history.skills.get(part) for part in self._slices.parts(event))
         if not asks or len(self._draft) > _ENOUGH:
             return
@@ -391,7 +391,7 @@ class Omissions:
         return loop >= 0
 
     def _say_loop(self, code: str, loop: int, until: int, **values: str) -> None:
-        """Tell of a loop that was still going on, and what kept it going."""
+        """Tell which loop was still running, and what kept it running."""
         decisions = self._history.events_of(loop, 0, until)
         last = decisions[-1]
         is_endless = self._history.nodes[loop].text == "True"

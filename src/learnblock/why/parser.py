@@ -38,10 +38,10 @@ _VARIABLES = re.compile(
     r"^(?:variable|value of|value|valor de|valor|la variable|the value of"
     r"|cambio|tiene|vale|valia)\s+"
 )
-#: What a program calls the state of a `when`, and for how long it has been active.
+#: The names in programs for the state of a `when`, and for how long it has been active.
 _STATES = re.compile(r"^(?:state|time)_")
 _QUOTES = re.compile(r"[\"'“”«»]")
-#: Behind a name that is also a word, as in "drive backwards", these make it a name.
+#: After a name that is also a word, as in "drive backwards", these make it a name.
 _ABOUT_WHEN = re.compile(r"^(?:active|run|ran|running|activo|activa|start\w*|happen\w*)\b")
 _NEGATED = {
     Ask.MOVEMENT: Ask.NOT_MOVEMENT,
@@ -56,13 +56,13 @@ def parse(text: str, history: History) -> Question:
     """The question that a text asks about a run.
 
     Raises:
-        LearnBlockError: it asks for nothing that the run knows.
+        LearnBlockError: it does not match anything in the run.
     """
     return _Parsing(text, history).question()
 
 
 class _Parsing:
-    """One question on its way from text."""
+    """Parses one question."""
 
     def __init__(self, text: str, history: History) -> None:
         self._text = text
@@ -70,7 +70,7 @@ class _Parsing:
         written = plain(text)
         self._span, self._without_time = take_span(written)
         if self._span == Span():
-            # Perhaps there is a slip in "between".
+            # Perhaps there is a typo in "between".
             corrected_text = " ".join(map(self._corrected, written.split()))
             span, without = take_span(corrected_text)
             if span != Span():
@@ -109,7 +109,7 @@ class _Parsing:
     def _signed(self, ask: Ask, subject: str) -> Question:
         return self._about(_NEGATED.get(ask, ask) if self._is_negative else ask, subject)
 
-    # In set words.
+    # In fixed words.
 
     def _listed(self) -> Question | None:
         """A question in the words of the lists."""
@@ -134,7 +134,7 @@ class _Parsing:
         stated = _VARIABLES.match(self._rest)
         parts = [_VARIABLES.sub("", self._rest), *self._rest.split()[:3]]
         whens = {plain(node.name): node.name for node in self._history.nodes if node.is_when}
-        # Python's own names have an underscore behind them.
+        # Python's own names end with an underscore.
         written = [name for name in self._history.writes if name not in ("_", "robot")]
         names = {plain(name.removesuffix("_")): name for name in written}
         names |= {plain(name): name for name in written}
@@ -194,7 +194,7 @@ class _Parsing:
         return self._signed(Ask.PRINT, self._rest[verb.end() :]) if verb else None
 
     def _texts(self) -> Iterator[str]:
-        """What the lines that print say, and what they printed."""
+        """The texts in the lines that print, and what they printed."""
         yield from (plain(node.text) for node in mentions.prints(self._history))
         yield from map(plain, self._printed)
 
@@ -204,14 +204,14 @@ class _Parsing:
         return frozenset(str(line["print"]) for line in lines if "print" in line)
 
     def _is_said(self, text: str) -> bool:
-        """Whether the program says a text aloud or shows it, and prints no such text."""
+        """Whether the program speaks or shows a text, and prints no such text."""
         if not text or any(plain(text) in printed for printed in self._texts()):
             return False
         is_elsewhere = any(plain(text) in plain(node.text) for node in self._calls())
         return is_elsewhere or bool(_SAYS.match(self._rest) and self._reader.skills())
 
     def _goal_by_name(self) -> Question | None:
-        """A goal by its name alone, or behind the word for goal."""
+        """A goal by its name alone, or after the word for goal."""
         rest = " ".join(_GOALS.sub(" ", self._rest).split())
         for goal in self._history.recorded.ending.get("goals") or ():
             name = str(goal["name"])
@@ -259,7 +259,7 @@ class _Parsing:
 
     @cached_property
     def _program_words(self) -> frozenset[str]:
-        """What the program calls things: its names, its texts, and the words of its blocks."""
+        """The program's vocabulary: its names, its texts, and the words of its blocks."""
         names = {*mentions.words_of(" ".join(self._history.writes))}
         for node in self._history.nodes:
             names |= mentions.words_of(f"{node.name} {node.text if node.kind is Kind.CALL else ''}")
@@ -316,7 +316,7 @@ class _Parsing:
         return self._about(Ask.PRINT, mentions.print_with(self._history, wanted) or "")
 
     def _mentioned(self) -> Question | None:
-        """What of the program the words mention."""
+        """The parts of the program that the words mention."""
         reader = self._reader
         name = mentions.variable_with(self._history, reader.tokens)
         if name is not None:

@@ -11,7 +11,7 @@ from learnblock.why.slices import Slices
 
 #: A skill that takes longer, in s, holds a program up.
 LONG = 0.3
-#: So many events back, a question of `wait until` is the present one.
+#: A question of `wait until` within this many events counts as the current one.
 _RECENT = 50
 _OF_STATEMENTS = frozenset({Op.CONDITION, Op.TURN, Op.RESULT, Op.WRITE, Op.CALLS, Op.REPEATED})
 
@@ -28,7 +28,7 @@ class Position:
         self._slices = slices
 
     def jump_before(self, number: int, frame: Frame | None, since: int, until: int) -> int:
-        """The `break`, `continue` or `return` between two events that left out a statement.
+        """The `break`, `continue` or `return` between two events that skipped a statement.
 
         Args:
             number: the node of the statement.
@@ -81,9 +81,9 @@ class Position:
         return -1
 
     def over(self, turn: int, until: int) -> int:
-        """The last event in a `for` loop that was over; -1 if it was still going on.
+        """The last event in a `for` loop that was over; -1 if it was still running.
 
-        Nothing in a log says that such a loop is over but what the program does next.
+        A log does not report the end of such a loop; only the program's next step shows it.
 
         Args:
             turn: the event that began its last turn.
@@ -141,7 +141,7 @@ class Position:
         return self._history.value(decision) is not False
 
     def running(self, until: int) -> SkillUse | None:
-        """The skill that a program was in for long at an event; None if it was in none."""
+        """The skill in which a program had been for long at an event; None if there was none."""
         for use in self._history.uses_back_from(until):
             if self.is_over(use) and use.ended <= until:
                 return None
@@ -152,7 +152,7 @@ class Position:
     def lasted_before(self, use: SkillUse, call: int) -> SkillUse | None:
         """The use of a skill that ended when another began, and took time; None if none did.
 
-        Only one ahead of the other in the same block: it decides when the other one begins.
+        Only one before the other in the same block: it decides when the other one begins.
         """
         nodes = self._history.nodes
         for before in self._history.uses_back_from(use.begun - 1):
@@ -199,7 +199,7 @@ class Position:
         return node.line <= line <= node.end
 
     def _is_likely(self, number: int, use: SkillUse) -> bool:
-        """Whether the condition of a call was right when a skill began."""
+        """Whether the condition of a call held when a skill began."""
         history, node = self._history, self._history.nodes[number]
         if node.control < 0:
             ran = any(event < use.begun for event in history.of_node.get(number, ()))
@@ -208,7 +208,7 @@ class Position:
         return decision >= 0 and self.took(decision, node)
 
     def took(self, decision: int, node: Node) -> bool:
-        """Whether a condition or loop turned out so that a statement in it ran."""
+        """Whether a condition or loop had the result with which a statement in it runs."""
         event = self._history.events[decision]
         return event[0] == Op.TURN or bool(event[2] == node.branch)
 

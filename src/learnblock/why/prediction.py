@@ -1,7 +1,7 @@
-"""Where a real robot went elsewhere than its twin, which obeyed the same commands.
+"""Where a real robot left the way of its twin, which executed the same commands.
 
-The twin drives exactly as told. So what differs is the real robot's: its wheels, its floor, a
-sensor, or a world that is not as drawn.
+The twin drives exactly as commanded. So any difference comes from the real robot: its wheels, its
+floor, a sensor, or a world that is not as drawn.
 """
 
 import math
@@ -23,7 +23,7 @@ from learnblock.why.world_again import NAME, WorldAgain, without_extra_camera
 #: The twin's world if none was chosen.
 EMPTY = "empty"
 #: How far a robot may be from its twin's way: mm, and degrees. A command that is a tenth of a
-#: second late, as on a busy radio, makes up as much at 300 mm/s or 100 degrees/s.
+#: second late, as on a busy radio, explains as much at 300 mm/s or 100 degrees/s.
 FAR, ASKEW = 30.0, 10.0
 #: A wire delays commands and answers, and not always equally: s.
 LONGEST_DELAY, JITTER = 0.6, 0.1
@@ -64,8 +64,8 @@ class Prediction:
         real: the way that the real robot reported, from the twin's start; empty if it reports none.
         headings: what its gyroscope measured; empty without one.
         twin: the way of its twin.
-        distances: of each time, the mm to what the real robot and its twin had in front of them.
-        delay: by how much the real robot was later, in s.
+        distances: for each time, the distances in mm in front of the real robot and its twin.
+        delay: the delay of the real robot, in s.
         parting: where they parted; None if they did not.
     """
 
@@ -134,7 +134,7 @@ def _moves_only(recorded: Recorded) -> Recorded:
 
 
 def _run(again: WorldAgain, end: float) -> tuple[Way, dict[int, float]]:
-    """The way of the twin, and the mm to what it had in front of it, by the number of readings."""
+    """The way of the twin, and the distances in mm in front of it, by the number of readings."""
     poses: list[tuple[float, Pose]] = []
     fronts: dict[int, float] = {}
     every = round(_READINGS / _POSES)
@@ -155,7 +155,7 @@ def _distances(robot: SimulatedRobot) -> Mapping[str, Any]:
 
 
 def _front(distances: Mapping[str, Any]) -> float | None:
-    """The mm to what is in front; None if that is out of reach."""
+    """The distance in front in mm; None if it is out of range."""
     nearest = min(distances.get("front") or [NOTHING_SEEN])
     return None if nearest >= NOTHING_SEEN else float(nearest)
 
@@ -169,7 +169,7 @@ def _pairs(recorded: Recorded, fronts: Mapping[int, float]) -> Iterator[tuple[fl
 
 
 def _delay(real: Way, twin: Way) -> float:
-    """How much later than told the real robot moved: with it, their speeds agree best."""
+    """The delay of the real robot's movements with which both speeds agree best."""
     if len(real.times) < 2:
         return 0.0
     delays = [step * _DELAY_STEP for step in range(round(LONGEST_DELAY / _DELAY_STEP) + 1)]

@@ -20,16 +20,16 @@ from learnblock.why.wording import (
     thing_phrase,
 )
 
-#: Skills that do nothing that could be seen or heard.
+#: Skills without a visible or audible effect.
 _UNSEEN = frozenset({"run", "activate", "deactivate", "Robot", "wait_until", "when", "when_start"})
-#: A line that ran longer ago than so many seconds might as well have run again.
+#: A line that ran longer ago than this many seconds could have run again.
 _LONG_AGO = 1.0
 
 
 class Ask(StrEnum):
     """The kinds of questions."""
 
-    #: Why did the robot move so? The subject is a movement.
+    #: Why did the robot move this way? The subject is a movement.
     MOVEMENT = "movement"
     NOT_MOVEMENT = "not-movement"
     #: Why was a skill used? The subject is its name.
@@ -45,7 +45,7 @@ class Ask(StrEnum):
     NOT_WHEN = "not-when"
     LINE = "line"
     NOT_LINE = "not-line"
-    #: Why has a variable its value?
+    #: Why does a variable have its value?
     VALUE = "value"
     #: Why was a goal not reached?
     GOAL = "goal"
@@ -59,7 +59,7 @@ class Ask(StrEnum):
     NOT_END = "not-end"
     #: Why did nothing happen?
     NOTHING = "nothing"
-    #: Why did the robot go on with a movement for so long? The subject is the movement.
+    #: Why did the robot continue a movement for so long? The subject is the movement.
     LONG = "long"
     #: Why is the robot so slow or fast? The subject is ``slow`` or ``fast``.
     SPEED = "speed"
@@ -101,7 +101,7 @@ _CODES = {
 }
 
 
-#: Of those that need no subject.
+#: Those that need no subject.
 _CODES_OF_ANY = {
     Ask.PRINT: "why-ask-print-any",
     Ask.NOT_PRINT: "why-ask-not-print-any",
@@ -109,7 +109,7 @@ _CODES_OF_ANY = {
     Ask.REACHED: "why-ask-reached-any",
     Ask.BUMP: "why-ask-bump-any",
 }
-#: Of those whose subject may be a text instead of a line.
+#: Those with a subject that may be a text instead of a line.
 _CODES_OF_TEXT = {Ask.PRINT: "why-ask-print-text", Ask.NOT_PRINT: "why-ask-not-print-text"}
 
 
@@ -120,8 +120,8 @@ class Question:
     Args:
         ask: its kind.
         subject: what it is about: a movement, a skill, a name, a line's number, a text.
-        time: the moment, in s, or the end of the time that is meant; None for the whole run.
-        since: the start of the time that is meant, in s; None for a moment or the whole run.
+        time: the moment, in s, or the end of the time in question; None for the whole run.
+        since: the start of the time in question, in s; None for a moment or the whole run.
     """
 
     ask: Ask
@@ -203,7 +203,7 @@ def questions_about_moment(history: History, time: float) -> tuple[Question, ...
 
 
 def with_values(history: History, question: Question) -> Question:
-    """A question whose skill is said with the values of its call."""
+    """A question that names its skill with the values of its call."""
     for candidate in _skills(history):
         if (candidate.ask, candidate.subject) == (question.ask, question.subject):
             return replace(question, skill=candidate.skill)
@@ -211,12 +211,12 @@ def with_values(history: History, question: Question) -> Question:
 
 
 def _at_first(history: History) -> str:
-    """The movement before the first command: none that could be asked about without wheels."""
+    """The movement before the first command; without wheels there is none to ask about."""
     return STAND if any(_possible(history)) else ""
 
 
 def askable(history: History) -> Iterator[Question]:
-    """All questions that a list can have, without times, but for those about printed texts."""
+    """All questions for a list, without times, except those about printed texts."""
     yield from (replace(question, time=None) for question in questions(history))
     subjects: dict[tuple[Ask, Ask], Iterable[str]] = {
         (Ask.MOVEMENT, Ask.NOT_MOVEMENT): MOVEMENTS,
@@ -344,7 +344,7 @@ def _goals(history: History) -> Iterator[Question]:
 
 
 def _endings(history: History) -> Iterator[Question]:
-    """Why it ended; of a run that goes on, or that was stopped, why it did not."""
+    """Why it ended; for a run in progress or a stopped one, why it did not."""
     ended = history.recorded.ending.get("ended")
     if ended:
         yield Question(Ask.END, "", round(history.end, 2))

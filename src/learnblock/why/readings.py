@@ -1,4 +1,4 @@
-"""What a question of the program was answered, and from which reading of a sensor."""
+"""The answers to the program's questions, and the sensor readings behind them."""
 
 from collections import defaultdict
 from collections.abc import Iterable
@@ -14,7 +14,7 @@ from learnblock.why.slices import Slices
 from learnblock.why.things import thing_at
 from learnblock.why.wording import answer_phrase, blocks, skill_phrase, unpacked, value_phrase
 
-#: Millimetres from which on a sensor sees nothing.
+#: The distance in mm at which a sensor sees nothing any more.
 FAR = 1999
 #: Percent below which the floor is dark.
 _DARK = 50
@@ -49,7 +49,7 @@ class Readings:
         return tuple(facts.values())
 
     def summary(self, event: int) -> Value:
-        """The facts of a condition behind a colon; "" if there are none."""
+        """The facts of a condition after a colon; "" if there are none."""
         facts = self.facts(event)
         return Phrase("why-facts", facts=tuple(map(_shown, facts))) if facts else ""
 
@@ -59,7 +59,7 @@ class Readings:
         return is_exact and self._decimals(event) > FEW
 
     def _decimals(self, event: int) -> int:
-        """How many decimals the operands of a condition need, so that it reads as it came out."""
+        """How many decimals the operands of a condition need, so that they match its result."""
         history, outcome = self._history, self._history.value(event)
         if history.op(event) != Op.CONDITION or not isinstance(outcome, bool):
             return FEW
@@ -85,7 +85,7 @@ class Readings:
         return None
 
     def answered(self, use: SkillUse, result: int, count: int = FEW) -> Phrase:
-        """What a skill answered, in words, with so many decimals."""
+        """The answer of a skill in words, with this many decimals."""
         value = self._history.value(result)
         if use.missing:
             device = need_phrase(use.missing[0])
@@ -244,12 +244,12 @@ def _on(side: str) -> Phrase:
 
 
 def _exact(mm: float, limit: float | None) -> float:
-    """A distance in whole millimetres, or as exact as is needed beside its limit."""
+    """A distance in whole millimetres, or as exact as a comparison with its limit needs."""
     return round(mm) if limit is None else _apart(mm, limit, 0, is_more=mm > limit)
 
 
 def _apart(value: float, limit: float, count: int, *, is_more: bool) -> float:
-    """A number with at least so many decimals, and enough to be on its side of a limit."""
+    """A number with at least this many decimals, and enough to be on its side of a limit."""
     for more in range(count, _MOST_DECIMALS):
         shown = round(value, more)
         if (shown > limit) == is_more and (shown == limit) == (value == limit):

@@ -19,7 +19,7 @@ from learnblock.runtime.program import Program
 LARGEST = 128 * 1024 * 1024
 #: The most bytes that are read from one, unpacked; ours have a third of that, and their program.
 MOST_UNPACKED = 96 * 1024 * 1024
-#: What the program's own steps are called in a trace.
+#: The name of the program's own steps in a trace.
 _STEPS = frozenset({"line", "call", "repeated"})
 
 
@@ -41,7 +41,7 @@ class Recorded:
 
     Args:
         program: the program that ran.
-        nodes: its places that the log speaks of.
+        nodes: its places that occur in the log.
         batches: what it did: each batch begins with its time.
         lines: the lines of the trace, and collisions, in order of time.
         ending: the report of the run, as plain data; empty while it runs, and if it was cut off.
@@ -98,7 +98,7 @@ class Recorded:
     def ran(self) -> tuple[tuple[float, int], ...]:
         """When a line of the program's Python ran, in s, and which one, in order.
 
-        Of turns that were counted, the first and the last.
+        Of counted turns, the first and the last.
         """
         return tuple(_ran(self.lines))
 
@@ -115,7 +115,7 @@ class Recorded:
 
 
 def read(path: Path | str) -> Recorded:
-    """The log in a file, up to where it is whole.
+    """The log in a file, up to its first damaged part.
 
     Raises:
         OSError: the file cannot be read.

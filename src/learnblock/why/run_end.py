@@ -9,7 +9,7 @@ from learnblock.why.causes import Causes
 from learnblock.why.history import History
 from learnblock.why.inquiry import Inquiry
 
-#: The time of what is asked about may be so many seconds off: people round it.
+#: The time in a question may be this many seconds off: people round it.
 _ABOUT = 0.06
 _ENDS = {
     "finished": "why-finished",
@@ -33,7 +33,7 @@ class RunEnd:
         self._time = inquiry.time
 
     def is_over(self, until: int) -> bool:
-        """Whether the run was over at an event, and at the moment that is asked about.
+        """Whether the run was over at an event, and at the moment in question.
 
         The last event may be long before the end: it began a wait.
         """
@@ -42,7 +42,7 @@ class RunEnd:
         return is_late and until >= len(history.events) - 1
 
     def moment(self, until: int) -> float:
-        """The time that is meant by an event, in s: what is asked about, or the end of the run.
+        """The time of an event in a question, in s: the moment in question, or the end of the run.
 
         The last event before may be long ago: it began a wait, or turns of a loop that were alike.
         """
@@ -61,7 +61,7 @@ class RunEnd:
         line = error.get("line") or 0
         message: Value = _phrase(error.get("message"))
         if isinstance(message, Phrase):
-            # What it means, without Python's own words.
+            # Its meaning, without Python's own words.
             message = message.values.get("meaning", message)
         self._draft.say_of_line("why-failed", line, last, message=message)
         if last >= 0:

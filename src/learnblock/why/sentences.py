@@ -1,13 +1,13 @@
-"""Answers: sentences of one fact each, with the line and the moment each of them speaks of."""
+"""Answers: sentences of one fact each, with the line and the moment that it is about."""
 
 from dataclasses import dataclass
 
 from learnblock.i18n import Phrase, Value, translate
 from learnblock.why.history import History
 
-#: So many sentences come first; the others are behind "more".
+#: The number of sentences that come first; the others are under "more".
 FIRST = 4
-#: So many sentences of a part come before those of the next.
+#: The number of sentences of a part that come before those of the next.
 _HEAD = 2
 
 
@@ -34,7 +34,7 @@ class Answer:
 
     Args:
         sentences: the most important ones, at most `FIRST`.
-        more: those behind them.
+        more: the others.
     """
 
     sentences: tuple[Sentence, ...]

@@ -1,4 +1,4 @@
-"""The shapes of the events of a log: which of them have a node, and what the others tell."""
+"""The shapes of the events of a log: which of them have a node, and the content of the others."""
 
 from collections.abc import Sequence
 
@@ -20,7 +20,7 @@ OF_NODES = frozenset(
         Op.GONE,
     }
 )
-#: What follows the operation in other events.
+#: The values after the operation in other events.
 _SHAPES: dict[int, tuple[type, ...]] = {
     Op.SKILL: (str, list),
     Op.SKILL_END: (str,),
@@ -36,14 +36,14 @@ _SHAPES: dict[int, tuple[type, ...]] = {
 
 
 def require_event(event: Event, nodes: int) -> None:
-    """Check what others rely on: the file may be damaged or forged.
+    """Check the shape of an event: the file may be damaged or forged.
 
     Args:
         event: one of a log.
         nodes: how many nodes its program has.
 
     Raises:
-        ValueError: it is no event of this program.
+        ValueError: it isn't an event of this program.
     """
     if event[0] in OF_NODES:
         number = event[1]

@@ -10,11 +10,11 @@ from learnblock.runtime.log.nodes import LOOPS, Kind
 from learnblock.why.history import Frame, History
 from learnblock.why.scopes import globals_by_line
 
-#: What is before the statement or condition that is looked at, and no part of it.
+#: Nodes before the statement or condition, which are not part of it.
 _STATEMENTS = frozenset({Op.CONDITION, Op.WRITE, Op.TURN, Op.ENTER, Op.JUMP, Op.RESULT})
 #: A statement such as ``x += 1``.
 _CHANGES = re.compile(r"\w+\s*(?:\+|-|\*{1,2}|/{1,2}|%)=")
-#: So many events before a condition are searched for its operands.
+#: The number of events before a condition that are searched for its operands.
 _FAR = 4000
 
 
@@ -34,7 +34,7 @@ class Slices:
         self._of_list: dict[int, list[int]] = defaultdict(list)
         #: The events that turn the camera.
         self.of_camera: list[int] = []
-        #: The events that tell the wheels what to do.
+        #: The commands to the wheels.
         self.of_base = list(movements(history))
         for index, event in enumerate(history.events):
             if event[0] == Op.WRITE and event[3]:
@@ -68,7 +68,7 @@ class Slices:
         return [parts[number] for number in sorted(parts)]
 
     def _is_part(self, part: int, number: int, last: int) -> bool:
-        """Whether a node is in another one's expression, and not in the block behind it."""
+        """Whether a node is in another one's expression, and not in the block after it."""
         return number < part <= last and not self.is_inside(part, number)
 
     def reads(self, number: int) -> tuple[str, ...]:
@@ -112,7 +112,7 @@ class Slices:
         return after[-1] if after else -1
 
     def aliased(self, write: int, name: str) -> int:
-        """The write by which another name came to mean the same list as `name`; -1 if none."""
+        """The write that made `name` another name of a list; -1 if none."""
         _, _, _, identity, *_ = self.history.events[write]
         for index in reversed(self._of_list[identity]):
             node = self.history.node(index)
@@ -132,7 +132,7 @@ class Slices:
         return -1
 
     def called(self, result: int) -> Frame | None:
-        """The call of an own function that ended with this result; None if it was none."""
+        """The call of one of the program's functions with this result; None if there was none."""
         history = self.history
         if not result or history.op(result - 1) != Op.LEAVE:
             return None
@@ -140,7 +140,7 @@ class Slices:
         return frame if history.nodes[frame.node].name == history.node(result).name else None
 
     def is_local(self, name: str, function: int) -> bool:
-        """Whether a name in a function is another one than outside it."""
+        """Whether a name in a function is a different variable than outside it."""
         return function >= 0 and name in self._local_names[function]
 
     def _find_local_names(self) -> dict[int, set[str]]:
@@ -167,11 +167,11 @@ class Slices:
         return self.history.causes[event]
 
     def loops_ended(self, event: int) -> Iterator[int]:
-        """The last turns of the loops ahead of an event's statement, nearest first."""
+        """The last turns of the loops before an event's statement, nearest first."""
         return self.loops_before(self.history.number(event), event)
 
     def loops_before(self, number: int, event: int) -> Iterator[int]:
-        """The last turns, up to an event, of the loops ahead of a statement in its block."""
+        """The last turns, up to an event, of the loops before a statement in its block."""
         history, node = self.history, self.history.nodes[number]
         for before in range(number - 1, -1, -1):
             ahead = history.nodes[before]
@@ -186,7 +186,7 @@ class Slices:
                 yield from self._loops_in(ended)
 
     def _loops_in(self, result: int) -> Iterator[int]:
-        """The last turns of the loops of an own function, by the result of its call."""
+        """The last turns of the loops in one of the program's functions, by its result."""
         history, frame = self.history, self.called(result)
         if frame is None:
             return
@@ -223,7 +223,7 @@ class Slices:
         return [index for index in mine if history.frames[index] is frame]
 
     def _loop_began(self, number: int, event: int) -> int:
-        """The event ahead of a turn that let its program come to the loop; -1 for its start."""
+        """The event before a turn that led the program to the loop; -1 for its start."""
         history, frame = self.history, self.history.frames[event]
         outer = history.nodes[number].control
         if outer < 0:
@@ -280,7 +280,7 @@ class Slices:
 
 
 def movements(history: History) -> Iterator[int]:
-    """The events that tell the wheels what to do."""
+    """The commands to the wheels."""
     for index, event in enumerate(history.events):
         if event[0] == Op.COMMAND and event[2] == "move" and event[1].startswith("Base"):
             args = event[3]

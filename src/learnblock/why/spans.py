@@ -22,7 +22,7 @@ _AT = (
     r"(?:\b(?:at|by|until|around|about|t|en|a los|a las|hasta|sobre|hacia|a)\b|@|=)"
     r"\s*(?:t ?= ?|about |el )?"
 )
-#: A number alone could be anything else but behind "at", as the last word or with a unit.
+#: A number is a time only after "at", as the last word or with a unit.
 _MOMENT = re.compile(rf"{_AT}{_NUMBER}(?:{_UNIT}|\s*$)|^at {_NUMBER}\b")
 
 
@@ -31,7 +31,7 @@ class Span:
     """The part of a run that a question is about.
 
     Args:
-        time: its end, or the moment that is meant, in s; None for the end of the run.
+        time: its end, or the moment in question, in s; None for the end of the run.
         since: its start, in s; None for a moment, or the whole run.
     """
 

@@ -15,7 +15,7 @@ from learnblock.why.wording import (
     movement,
 )
 
-#: What skills do to the wheels; of the others their arguments decide.
+#: The effect of skills on the wheels; for the others their arguments decide.
 _FIXED = {
     "move_straight": FORWARD,
     "move_left": CURVE_LEFT,
@@ -33,7 +33,7 @@ _FIXED = {
 
 
 def may_do(node: Node, name: str) -> bool:
-    """Whether a call could make the robot move so."""
+    """Whether a call could cause a movement, given by its name."""
     if _turns_either_way(node):
         return not name or name.startswith("spin")
     movement_name = movement_of(node)
@@ -45,7 +45,7 @@ def may_do(node: Node, name: str) -> bool:
 
 
 def _turns_either_way(node: Node) -> bool:
-    """Whether only a value decides to which side a call makes the robot turn."""
+    """Whether only a value decides the side to which a call turns the robot."""
     is_unknown = node.name == "turn" and not _numbers(node.text) and "(" in node.text
     return node.name == "set_orientation" or (is_unknown and not node.text.endswith("()"))
 
@@ -65,7 +65,7 @@ def movement_of(node: Node) -> str | None:
 
 
 def written_values(text: str) -> list[Any]:
-    """The arguments of a call as they are written: plain values, and other expressions as text."""
+    """The arguments of a call as written: plain values, and other expressions as text."""
     try:
         call = ast.parse(text, mode="eval").body
     except (SyntaxError, ValueError):

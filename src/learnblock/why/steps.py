@@ -1,4 +1,4 @@
-"""Where one can go in a run: from line to line, turn to turn, mark to mark, change to change.
+"""The places to go to in a run: from line to line, turn to turn, mark to mark, change to change.
 
 Much may happen at one moment, so a place in a run is a moment together with the last event that
 has happened there.
@@ -23,12 +23,12 @@ START: Place = (0, -1)
 _BETWEEN = frozenset({Op.ENTER, Op.LEAVE})
 #: Events that only say how the log was kept.
 _UNSEEN = frozenset({Op.REPEATED, Op.GAP})
-#: Events that one can step to.
+#: The events to step to.
 _STEPS = OF_NODES - _BETWEEN
 
 
 class To(StrEnum):
-    """What one can go to."""
+    """The kinds of places to go to."""
 
     TIME = "time"
     LINE = "line"
@@ -40,7 +40,7 @@ class To(StrEnum):
 
 
 class Steps:
-    """The places of a run that one can go to.
+    """The places in a run to go to.
 
     Args:
         history: the run.
@@ -115,7 +115,7 @@ class Steps:
         return sorted(ran.items())
 
     def _without_events(self) -> Iterator[tuple[Place, int]]:
-        """The lines at moments of which the log tells nothing else.
+        """The lines at moments for which the log contains nothing else.
 
         Turns of a loop that were alike have no events of their own.
         """
@@ -126,7 +126,7 @@ class Steps:
                 yield place, line
 
     def _by_event(self) -> Iterator[tuple[Place, int]]:
-        """The lines of which events tell.
+        """The lines in the events.
 
         Each is at the last of its events in the moment in which it begins: then a condition has
         been decided, a variable has been written, and a long wait has begun.
@@ -156,7 +156,7 @@ class Steps:
         event = history.events[index]
         use = history.skills.get(index)
         if event[0] == Op.SKILL and use and not use.within:
-            # A call that has not returned yet does not tell its node.
+            # A call that has not returned yet has no node in the log.
             is_known = use.node >= 0
             line = history.nodes[use.node].line if is_known else 0
             return line or self._moments.line_at(history.time(index))

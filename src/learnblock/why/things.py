@@ -12,7 +12,7 @@ from learnblock.why.world_again import WorldAgain
 
 #: Finds the thing that a distance sensor looked at, by its side and the time in s.
 Seen = Callable[[str, float], str | None]
-#: In a sentence whose thing is not known yet.
+#: A placeholder in a sentence for a thing that is not known yet.
 _UNKNOWN = "why-thing-at"
 
 
@@ -35,7 +35,7 @@ def seen_in_run(recorded: Recorded) -> Seen | None:
 
 
 def with_things(answer: Answer, seen: Seen | None) -> Answer:
-    """An answer whose sentences name the things that sensors looked at."""
+    """An answer with sentences that name the things that sensors looked at."""
     wanted = {
         sight for sentence in (*answer.sentences, *answer.more) for sight in _in(sentence.phrase)
     }

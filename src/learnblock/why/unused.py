@@ -1,4 +1,4 @@
-"""What a program works out and then does not use: often what it meant to use instead."""
+"""Values that a program computes and does not use: often it uses another one by mistake."""
 
 from bisect import bisect_right
 from collections import defaultdict
@@ -15,9 +15,9 @@ from learnblock.why.sentences import Draft
 from learnblock.why.slices import Slices
 from learnblock.why.wording import value_phrase
 
-#: How similar names have to be for one to be a slip of the other.
+#: How similar names have to be for one to be a typo of the other.
 _ALIKE = 0.75
-#: So many runs of a call are looked at.
+#: The number of runs of a call that are examined.
 _SOME = 8
 #: Kinds of nodes that do not use what they contain.
 _NO_USE = frozenset({Kind.FUNCTION, *LOOPS})
@@ -35,9 +35,9 @@ class Unused:
         self._slices = slices
 
     def instead_of(self, write: int, name: str) -> Iterator[int]:
-        """The last writes of variables that no line reads, which may have been meant for another.
+        """The last writes of variables that no line reads, perhaps by mistake for another one.
 
-        A variable that only counts is right: one can look at it on the page.
+        A variable that only counts is fine: the page shows it.
 
         Args:
             write: of the other variable.
@@ -87,7 +87,7 @@ class Unused:
     def own_of_functions(self, name: str, after: int) -> Iterator[int]:
         """The last writes, later than an event, of what a function has for itself alone.
 
-        Only of functions that set it without ever reading it: they meant the other variable.
+        Only of functions that set it without ever reading it: a mistake for the other variable.
         """
         for number in self._own.get(name, ()):
             last = self._history.of_node.get(number, [-1])[-1]
@@ -95,7 +95,7 @@ class Unused:
                 yield last
 
     def results(self, name: str, after: int) -> Iterator[int]:
-        """The results, later than an event, of own functions given a variable, that were lost."""
+        """The unused results, later than an event, of the program's functions with a variable."""
         history = self._history
         for call in self._lost.get(name, ()):
             events = history.of_node.get(call, [])
@@ -106,7 +106,7 @@ class Unused:
                     break
 
     def is_used(self, call: int) -> bool:
-        """Whether the result of a call goes into something, such as a variable."""
+        """Whether the result of a call is used, for example stored in a variable."""
         return any(
             index < call <= node.last and node.kind not in _NO_USE
             for index, node in enumerate(self._history.nodes)
@@ -125,7 +125,7 @@ class Unused:
 
     @cached_property
     def _lost(self) -> dict[str, list[int]]:
-        """By name: the calls of own functions given a variable, whose result goes nowhere."""
+        """By name: the calls of the program's functions with a variable and an unused result."""
         calls: dict[str, list[int]] = defaultdict(list)
         for number, node in enumerate(self._history.nodes):
             if node.kind is Kind.CALL and not node.base and not self.is_used(number):
@@ -135,7 +135,7 @@ class Unused:
 
     @cached_property
     def _read(self) -> frozenset[str]:
-        """The variables that some line reads for more than changing them."""
+        """The variables that a line reads for more than changing them."""
         nodes = self._history.nodes
         read: set[str] = set()
         changed: frozenset[str] = frozenset()
@@ -152,7 +152,7 @@ class Unused:
 
 
 class NotUsed:
-    """Tells what a program worked out and did not use.
+    """Tells which values a program computed and did not use.
 
     Args:
         unused: finds it.
@@ -166,7 +166,7 @@ class NotUsed:
         self._draft = draft
 
     def instead_of(self, write: int, name: str) -> Iterator[int]:
-        """The last writes of variables that no line reads, which may have been meant for another.
+        """The last writes of variables that no line reads, perhaps by mistake for another one.
 
         Args:
             write: of the other variable.
@@ -175,7 +175,7 @@ class NotUsed:
         return self._unused.instead_of(write, name)
 
     def is_used(self, call: int) -> bool:
-        """Whether the result of a call goes into something, such as a variable."""
+        """Whether the result of a call is used, for example stored in a variable."""
         return self._unused.is_used(call)
 
     def tell_never_read(self, write: int) -> None:
@@ -184,7 +184,7 @@ class NotUsed:
         self._say("why-never-read", write, name=node.writes[0])
 
     def tell_not_changed(self, name: str, since: int) -> None:
-        """Tell what was meant to change a variable since an event, and did not."""
+        """Tell what should have changed a variable since an event, and did not."""
         history = self._history
         for write in self._unused.own_of_functions(name, since):
             function = history.nodes[history.node(write).function].name

@@ -1,4 +1,4 @@
-"""The values of variables beside the lines of a program, at a place in its run."""
+"""The values of variables next to the lines of a program, at a place in its run."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -8,16 +8,16 @@ from learnblock.runtime.log.nodes import Kind
 from learnblock.why.history import Frame, History
 from learnblock.why.moments import Moments, shown, written
 
-#: How far back in the log the beginning of a line is looked for.
+#: How far back in the log the beginning of a line is searched.
 _FARTHEST = 500
 _PROGRAM = Frame(-1)
-#: Events that say where the program was.
+#: Events that contain the program's position.
 _PLACED = frozenset({Op.CONDITION, Op.OPERAND, Op.RESULT, Op.WRITE, Op.TURN, Op.CALLS, Op.RETURN})
 
 
 @dataclass(frozen=True, slots=True)
 class ValueThere:
-    """A value beside a line.
+    """A value next to a line.
 
     Args:
         line: the line of the program's Python.
@@ -31,10 +31,10 @@ class ValueThere:
 
 
 def values_there(history: History, moments: Moments, event: int, line: int) -> list[ValueThere]:
-    """The values beside the lines, after an event.
+    """The values next to the lines, after an event.
 
-    Beside the line that ran, they are those that it has read and written, and whether its condition
-    was true. Every other variable is beside the line that gave it its value.
+    Next to the line that ran are the values that it has read and written, and whether its condition
+    was true. Every other variable is next to the line that gave it its value.
 
     Args:
         history: the run.
@@ -101,13 +101,13 @@ class _There:
         if write < 0:
             return
         node, value = self._history.node(write), self._value(write, name)
-        # What everybody can read there need not be said again.
+        # A value that is written there need not be repeated.
         is_plain = node.kind is Kind.ASSIGN and node.text == f"{name} = {value}"
         if node.line != self._line and not is_plain and name not in self._moments.robots:
             yield ValueThere(node.line, name, value)
 
     def _last_write(self, name: str) -> int:
-        """The event that gave a variable the value that the function that runs sees."""
+        """The event that gave a variable its value in the running function."""
         own = self._frame.entered if self._frame.node >= 0 else -1
         last = self._moments.last_write(name, self._event, own) if own >= 0 else -1
         return last if last >= 0 else self._moments.last_write(name, self._event, -1)

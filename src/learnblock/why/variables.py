@@ -1,4 +1,4 @@
-"""What else there is to tell of a variable than what set it."""
+"""More facts about a variable than the statement that set it."""
 
 from learnblock.runtime.log.nodes import Kind
 from learnblock.why.history import History
@@ -18,7 +18,7 @@ class VariableFacts:
         self._draft = inquiry.draft
 
     def others(self, name: str, event: int) -> None:
-        """Tell of variables of functions that only share their name with this one."""
+        """Tell which variables of functions only share their name with this one."""
         history = self._history
         frame = history.frames[event] if event >= 0 else None
         for number, node in enumerate(history.nodes):

@@ -1,7 +1,7 @@
 """Logs from elsewhere: read with limits, and checked before anything shows them.
 
 A log is data, and nothing in it is run. But a damaged or hostile one could unpack to any size, or
-make what reads it fail or work for hours, so all of that is tried once, here.
+make its readers fail or work for hours, so all of that is tried once, here.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -18,7 +18,7 @@ from learnblock.why.moments import Moments
 from learnblock.why.recorded import Recorded
 from learnblock.why.world_again import WorldAgain
 
-#: The largest file, in bytes; ours have 32 MiB and what was last added.
+#: The largest file, in bytes; ours have 32 MiB and the last addition.
 LARGEST = 40 * 1024 * 1024
 #: The most bytes that it may unpack to.
 MOST_DATA = 192 * 1024 * 1024
@@ -89,7 +89,7 @@ def history_of(data: bytes) -> History:
 
 @contextmanager
 def _refusing() -> Iterator[None]:
-    """Refuse a log, whatever a hostile one makes what reads it do."""
+    """Refuse a log for any error that a hostile one may cause in its readers."""
     try:
         yield
     except LearnBlockError:
@@ -153,7 +153,7 @@ def _runs_again(recorded: Recorded, end: float, now: Callable[[], float]) -> boo
     """
     world = recorded.robot.get("world")
     if isinstance(world, dict) and _OF_PATHS & set(str(world.get("name", ""))):
-        # It would be looked for there.
+        # A path would be opened on this computer.
         raise LearnBlockError("log-not-a-log")
     try:
         again = WorldAgain(recorded)

@@ -64,7 +64,7 @@ class Concept(StrEnum):
     CAMERA = "camera"
     PEN = "pen"
     COLOUR = "colour"
-    #: No more than a part of a sentence.
+    #: Only a part of a sentence.
     FILLER = "filler"
 
 
@@ -194,7 +194,7 @@ _WORDS: dict[Concept, str] = {
     ),
 }
 
-#: Words that mean something else together, in the order in which they are looked for.
+#: Words that mean something else together, in the order of the search.
 _TOGETHER: tuple[tuple[str, str], ...] = (
     (r"\b(?:i )?(?:dont|do not|cant|cannot) (?:know|understand|get|see) (?=why|what)", ""),
     (r"\bno (?:se|entiendo|comprendo|veo) (?=por que|porque|que)", ""),
@@ -249,7 +249,7 @@ _MADE_WORDS = {"firsttime": Concept.FIRST, "longtime": Concept.LONG, "oncemore":
 
 #: Shorter words are taken as they are written.
 _SHORTEST_SLIP = 4
-#: Of a word that begins like a known one, if it has a slip as well.
+#: The same for a word that begins like a known one, and has a typo as well.
 _LONGEST_END = 4
 #: How similar a word has to be to one that is known.
 _ALIKE = 0.8
@@ -282,11 +282,11 @@ def concept(word: str) -> Concept | None:
 
 
 def corrected(word: str, others: Collection[str] = ()) -> str:
-    """An unknown word without its slip, if it is like a known one.
+    """An unknown word without its typo, if it is similar to a known one.
 
     Args:
         word: as it was written.
-        others: what else is known, such as names of the program.
+        others: other known words, such as names of the program.
     """
     if len(word) < _SHORTEST_SLIP or not word.isalpha():
         return word
@@ -309,7 +309,7 @@ def corrected(word: str, others: Collection[str] = ()) -> str:
 
 
 def _is_nearly_whole(word: str) -> bool:
-    """Whether little is left of a word behind a beginning that is known."""
+    """Whether little is left of a word after a known beginning."""
     _, stems = _table()
     return any(
         word[:size] in stems for size in range(max(3, len(word) - _LONGEST_END), len(word) + 1)
@@ -317,7 +317,7 @@ def _is_nearly_whole(word: str) -> bool:
 
 
 def _slips(word: str) -> Iterator[str]:
-    """What a word could have been without a letter, with another one, or with two the other way."""
+    """The candidates for a word with an extra letter, a missing one, or two swapped ones."""
     parts = [(word[:index], word[index:]) for index in range(len(word) + 1)]
     yield from (left + right[1] + right[0] + right[2:] for left, right in parts if len(right) > 1)
     yield from (left + right[1:] for left, right in parts if right)
@@ -325,7 +325,7 @@ def _slips(word: str) -> Iterator[str]:
 
 
 def _exchanged(word: str) -> Iterator[str]:
-    """What a word could have been before a letter was exchanged; a short one is another word."""
+    """The candidates for a word with one letter replaced; a short one is another word."""
     for index in range(len(word)) if len(word) > _SHORTEST_SLIP else ():
         yield from (word[:index] + letter + word[index + 1 :] for letter in ascii_lowercase)
 

@@ -5,7 +5,7 @@ from learnblock.why.causes import Causes
 from learnblock.why.history import History, SkillUse
 from learnblock.why.inquiry import Inquiry
 
-#: So many of the last decisions are searched for the smallest distance.
+#: The number of last decisions that are searched for the smallest distance.
 _RECENT = 400
 
 

@@ -9,13 +9,13 @@ from typing import Any
 
 from learnblock.devices import Pose
 
-#: A device is read at least so often, s: a value that is kept later has not changed until then.
+#: A device is read at least this often, s: a value recorded later has not changed until then.
 _PERIOD = 0.15
 
 
 @dataclass(frozen=True)
 class Way:
-    """Poses in order of time, whose headings have no jumps.
+    """Poses in order of time, with headings without jumps.
 
     Args:
         times: in s.
@@ -27,7 +27,7 @@ class Way:
 
     @classmethod
     def of(cls, poses: Iterable[tuple[float, Pose]]) -> "Way":
-        """The way through some poses, whose headings may jump by full turns."""
+        """The way through some poses, with headings that may jump by full turns."""
         times: list[float] = []
         unwound: list[Pose] = []
         for time, (x, y, heading) in poses:
@@ -42,7 +42,7 @@ class Way:
         return cls(tuple(times), tuple(unwound))
 
     def at(self, time: float) -> Pose:
-        """The pose at a time; before the first and behind the last one, that one."""
+        """The pose at a time; the first or last one outside of the recorded time."""
         index = bisect_right(self.times, time)
         if index in (0, len(self.times)):
             return self.poses[min(index, len(self.poses) - 1)]
@@ -102,7 +102,7 @@ def turned(lines: Iterable[Mapping[str, Any]]) -> Way:
         if line.get("device") == "Gyroscope" and line.get("do") == "reset":
             zero, last, reset_at = zero + last, 0.0, line["t"]
         elif _is_of_gyroscope(line) and line["t"] - reset_at >= _PERIOD:
-            # A reading just behind a reset may have been made before it.
+            # A reading just after a reset may have been made before it.
             last = float(line["value"])
             headings.append((line["t"], (0.0, 0.0, zero + last)))
     return Way.of(headings)

@@ -38,7 +38,7 @@ class WheelCommands:
         return (name, name.replace("curve", "spin"), *(("",) if "-" in name else ()))
 
     def is_main(self, command: int) -> bool:
-        """Whether a command is what its skill is for: a turn begins and ends with a stop."""
+        """Whether a command is the purpose of its skill: a turn begins and ends with a stop."""
         use = self._history.own_use(command)
         if use is None or self.movement(command) != STAND:
             return True

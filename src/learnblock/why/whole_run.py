@@ -19,11 +19,11 @@ from learnblock.why.wording import STAND, blocks
 #: Skills that wait, or only begin or end something.
 _QUIET = frozenset({"sleep", "wait_until", "activate", "deactivate", "Robot", "run", "when"})
 _QUIET_STARTS = ("reset_", "look_", "when")
-#: A floor that is darker, in percent, is none.
+#: A floor that is darker than this, in percent, counts as missing.
 _NO_FLOOR = 5
 #: Pauses that take a smaller part of a run do not make it slow.
 _MUCH = 0.2
-#: So many s before an event, what the program did led to it.
+#: The actions of this many seconds before an event led to it.
 _BEFORE = 0.03
 _LINE_NEEDS = ("black-line", "red-line", "blue-line", "ground-line")
 
@@ -93,7 +93,7 @@ class WholeRun:
         return True
 
     def came_to_end(self, last: int) -> None:
-        """Tell what let a finished program come to its end: the loops ahead of its last line."""
+        """Tell what led a finished program to its end: the loops before its last line."""
         if self._history.recorded.ending.get("ended") != "finished":
             return
         for event in range(last, -1, -1):
@@ -103,13 +103,13 @@ class WholeRun:
                 return
 
     def say_commands(self, first: int, until: int) -> None:
-        """Tell what the wheels were told between two events."""
+        """Tell the commands to the wheels between two events."""
         for command, _ in self._in_force(first, until):
             if self._commands.is_main(command):
                 self._actions.say_moved(command)
 
     def _of_events(self, until: int) -> None:
-        """A program with events goes on as long as one of them can run."""
+        """A program with events runs as long as one of them can run."""
         history = self._history
         whens = [number for number, node in enumerate(history.nodes) if node.is_when]
         ran = [(history.last_of(history.of_node.get(when, []), until), when) for when in whens]
@@ -277,7 +277,7 @@ class WholeRun:
             self._actions.moved(last, until)
 
     def fall(self, until: int) -> None:
-        """Tell what the robot was told when there was no floor any more."""
+        """Tell the robot's command when it lost the floor."""
         history = self._history
         gone = next((i for i in range(until + 1) if self._is_without_floor(i)), -1)
         event = history.at(max(0.0, history.time(gone) - _BEFORE)) if gone >= 0 else until

@@ -35,7 +35,7 @@ _NUMBERED = frozenset({"tag", "face"})
 _CREEPING, _STEERING = 1.0, 1.0
 
 
-#: Numbers with more decimals would be cut.
+#: Numbers with more decimals would be shortened.
 _FORMATTED = 3
 
 
@@ -62,7 +62,7 @@ def movement_phrase(name: str) -> Phrase:
 
 
 def skill_phrase(name: str, args: list[Any] | None = None) -> Value:
-    """A skill as its block says it; the name itself if there is no block.
+    """A skill in the words of its block; the name itself if there is no block.
 
     Args:
         name: of the skill.
@@ -92,13 +92,13 @@ def thing_phrase(name: str) -> Phrase:
 
 
 def value_phrase(value: Any, decimals: int = FEW) -> Value:
-    """A snapshot of a value as a reader of the program knows it, with so many decimals."""
+    """A snapshot of a value as a reader of the program knows it, with this many decimals."""
     if value is None:
         return Phrase(_ANSWER_CODES[value])
     if isinstance(value, bool):
         return str(value)
     if isinstance(value, float):
-        # A number of many decimals is written as in the program.
+        # A number with many decimals is written as in the program.
         shown = rounded(value, decimals)
         return shown if decimals <= _FORMATTED else repr(shown)
     if isinstance(value, int):
@@ -109,7 +109,7 @@ def value_phrase(value: Any, decimals: int = FEW) -> Value:
 
 
 def answer_phrase(value: Any, decimals: int = FEW) -> Value:
-    """A snapshot of what a skill answered: yes or no rather than a value of the program."""
+    """A snapshot of a skill's answer: yes or no rather than a value of the program."""
     is_yes_or_no = value is None or isinstance(value, bool)
     return Phrase(_ANSWER_CODES[value]) if is_yes_or_no else value_phrase(value, decimals)
 

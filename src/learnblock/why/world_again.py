@@ -1,4 +1,4 @@
-"""The world of a run, run again from its commands, which shows any moment of it exactly.
+"""Runs the world of a run again from its commands, to show any moment of it exactly.
 
 A simulated world depends on its description, its seed and the commands to its robot, and on nothing
 else. So the log needs neither poses nor pictures: they are what the world shows when it runs again.
@@ -37,7 +37,7 @@ class WorldAgain:
         lines: the first of its lines; all by default.
 
     Raises:
-        LearnBlockError: it is not; only what was recorded can be shown then.
+        LearnBlockError: it is not; then only the recorded data can be shown.
     """
 
     def __init__(
@@ -51,9 +51,9 @@ class WorldAgain:
         #: The step at which each line takes effect.
         self._steps: list[int] = []
         self._shown = self._begin()
-        #: Worlds as they were, from which it goes on, in order of time.
+        #: Copies of earlier worlds, from which it continues, in order of time.
         self._kept: list[_Kept] = []
-        #: The world that finds what to keep.
+        #: The world that runs ahead to find copies to keep.
         self._leader: _Run | None = None
         self.extend(recorded.team or recorded.lines if lines is None else lines)
 
@@ -66,7 +66,7 @@ class WorldAgain:
         """Add what has happened since.
 
         Args:
-            lines: of the log, in order of time, behind those that it already has.
+            lines: of the log, in order of time, after those that it already has.
 
         Raises:
             LearnBlockError: the run is too long.
@@ -79,7 +79,7 @@ class WorldAgain:
         self._steps.extend(map(_step, new))
         if self._steps[-1] * TICK > LONGEST:
             raise LearnBlockError("log-too-long", most=LONGEST)
-        # A world that is already behind them has missed them.
+        # A world that is already past them has missed them.
         self._kept = [world for world in self._kept if world.step < first]
         if self._leader and self._leader.step >= first:
             self._leader = None
@@ -95,10 +95,10 @@ class WorldAgain:
         return best.robot
 
     def prepare(self) -> bool:
-        """Keep the world at one more moment, so that seeking needs not begin at the start.
+        """Keep the world at one more moment, so that seeking need not begin at the start.
 
-        A copy of a world lacks what its physics remembers of contacts. So it is kept only if it
-        goes on exactly as the world itself, up to the next moment.
+        A copy of a world lacks the contacts that its physics remembers. So it is kept only if it
+        continues exactly as the world itself, up to the next moment.
 
         Returns:
             whether there is more to prepare.
@@ -118,7 +118,7 @@ class WorldAgain:
         return True
 
     def _before(self, step: int, *others: "_Run") -> "_Run":
-        """A run of the world that can go on to a step: the nearest, or one from the start."""
+        """A run of the world that can continue to a step: the nearest, or one from the start."""
         shown = [run for run in others if run.step <= step]
         index = bisect_right(self._kept, step, key=lambda world: world.step) - 1
         state = self._kept[index] if index >= 0 else None
@@ -142,12 +142,12 @@ class WorldAgain:
 
 @dataclass(frozen=True)
 class _Kept:
-    """A world as it was.
+    """A copy of an earlier world.
 
     Args:
         step: the number of its steps.
         done: the number of lines that had taken effect.
-        world: a copy that does not go on itself.
+        world: a copy that does not advance itself.
     """
 
     step: int
@@ -184,11 +184,11 @@ class _Run:
 
     @property
     def state(self) -> object:
-        """What decides how it goes on."""
+        """The state that decides how it continues."""
         return self.simulation.world.state
 
     def within(self, world: World, done: int) -> "_Run":
-        """The same robots in another world, when so many lines have taken effect in it."""
+        """The same robots in another world, in which this many lines have taken effect."""
         simulation = Simulation(world)
         team = [
             type(robot)(simulation=simulation, start=robot.start, name=robot.name)
@@ -249,7 +249,7 @@ def _kind(robot: Mapping[str, Any]) -> type[SimulatedRobot]:
 
 
 def without_extra_camera(kind: type[SimulatedRobot]) -> type[SimulatedRobot]:
-    """The same robot, but one that leaves this computer's camera off: it is only shown."""
+    """The same robot, but with this computer's camera off: it is only shown."""
     # It finds its description next to its module.
     changes = {"has_extra_camera": False, "__module__": kind.__module__}
     return type(kind.__name__, (kind,), changes)

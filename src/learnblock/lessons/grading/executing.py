@@ -155,11 +155,11 @@ class _PieceRun:
             runs = StepRuns(self.opened, self.piece.step, self.source, world, self.piece.limits)
             if self._step.partners:
                 return self._in_team(runs)
-            made = self._job(runs)
-            first = self._run(replace(made, isolated=self.piece.manner == "isolated"))
+            job = self._job(runs)
+            first = self._run(replace(job, isolated=self.piece.manner == "isolated"))
             if self.piece.manner != "compared" or first.isolated:
                 return self._of(first, "isolated" if first.isolated else "shared")
-            apart = self._run(replace(made, isolated=True))
+            apart = self._run(replace(job, isolated=True))
         same = apart.report == first.report
         return self._of(apart, "shared, same isolated" if same else DIFFERS)
 
@@ -168,13 +168,13 @@ class _PieceRun:
         return self.opened.step(self.piece.step)
 
     def _job(self, runs: StepRuns) -> Job:
-        made = runs.job(self.piece.attempt)
-        program = replace(made.program, folder="", tags=dict(self.piece.tags))
-        return replace(made, program=program)
+        job = runs.job(self.piece.attempt)
+        program = replace(job.program, folder="", tags=dict(self.piece.tags))
+        return replace(job, program=program)
 
-    def _run(self, made: Job) -> RunResult:
+    def _run(self, job: Job) -> RunResult:
         """Make one run, in a process that is kept for the next one."""
-        [(_, result)] = _forked(made) if CAN_FORK else Batch([made]).results()
+        [(_, result)] = _forked(job) if CAN_FORK else Batch([job]).results()
         if result.lost:
             raise NotRunError("run-lost", reason=result.lost)
         return result
@@ -184,16 +184,16 @@ class _PieceRun:
         [(_, result)] = runs.results([self.piece.attempt])
         return self._judged(result, "isolated")
 
-    def _of(self, made: RunResult, checked: Checked) -> Result:
-        if len(made.trace) > LONGEST_TRACE:
+    def _of(self, run: RunResult, checked: Checked) -> Result:
+        if len(run.trace) > LONGEST_TRACE:
             reason = in_each_language(
                 Phrase("grade-trace-too-long", limit=LONGEST_TRACE // MEGABYTE)
             )
             return Result(ended=How.KILLED, checked=checked, reason=reason)
-        return self._judged(made, checked)
+        return self._judged(run, checked)
 
-    def _judged(self, made: RunResult, checked: Checked) -> Result:
-        report, evidence = made.report, evidence_of(made)
+    def _judged(self, run: RunResult, checked: Checked) -> Result:
+        report, evidence = run.report, evidence_of(run)
         world = _world(self.piece.lesson, self.piece.step)
         verdicts = judge(self._step, self.source.tree, evidence, world, Experts(self.opened))
         return Result(
@@ -202,7 +202,7 @@ class _PieceRun:
             seconds=round(report.time, 3),
             trace_sha256="" if report.ended in _INEXACT else report.trace_sha256,
             checked=checked,
-            path=thinned([(one.x, one.y) for one in evidence.path]),
+            path=thinned([(placed.x, placed.y) for placed in evidence.path]),
             hints=self._hints(verdicts, evidence, world),
             reason=_reason(report),
         )
@@ -216,24 +216,24 @@ class _PieceRun:
             passes_usually=True,
         )
         tree = self.source.tree
-        found = hints(self._step, tree, verdicts, evidence, world=world, elsewhere=elsewhere)
+        fitting = hints(self._step, tree, verdicts, evidence, world=world, elsewhere=elsewhere)
         return tuple(
-            HintResult(one.rule, tuple(map(_in_all, one.levels)), _in_all(one.because))
-            for one in found[: MOST_HINTS + 1]
+            HintResult(hint.rule, tuple(map(_in_all, hint.levels)), _in_all(hint.because))
+            for hint in fitting[: MOST_HINTS + 1]
         )
 
 
-def _forked(made: Job) -> list[tuple[int, RunResult]]:
+def _forked(job: Job) -> list[tuple[int, RunResult]]:
     idle = _idle()
     try:
-        kept = idle.get_nowait()
+        process = idle.get_nowait()
     except Empty:
-        kept = WarmProcess()
+        process = WarmProcess()
     try:
-        return [*Batch([made], 1, kept=kept).results()]
+        return [*Batch([job], 1, kept=process).results()]
     finally:
-        if kept.is_running:
-            idle.put(kept)
+        if process.is_running:
+            idle.put(process)
 
 
 @cache
@@ -259,8 +259,10 @@ def _source(text: str, is_python: bool) -> Source:  # noqa: FBT001 - as it is se
 @lru_cache(maxsize=64)
 def _mistake(text: str, is_python: bool, robot: str) -> Phrase | None:  # noqa: FBT001 - as above
     """Why a program can't run on a robot; None if it can."""
-    found = running.check(_source(text, is_python), robots.find(robot))
-    return next((one.message for one in found if one.severity == "error"), None)
+    diagnostics = running.check(_source(text, is_python), robots.find(robot))
+    return next(
+        (diagnostic.message for diagnostic in diagnostics if diagnostic.severity == "error"), None
+    )
 
 
 @lru_cache(maxsize=4)

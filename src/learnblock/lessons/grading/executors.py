@@ -120,8 +120,8 @@ class _Cluster(Executor):
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **options: Any) -> Future[Any]:
         """Have a function called by a worker."""
-        made = self._made(fn, args, options)
-        return asyncio.run_coroutine_threadsafe(made, self._client.loop.asyncio_loop)
+        call = self._made(fn, args, options)
+        return asyncio.run_coroutine_threadsafe(call, self._client.loop.asyncio_loop)
 
     async def _made(self, function: Callable[..., Any], args: Any, options: Any) -> Any:
         piece = None

@@ -103,28 +103,32 @@ class Grading:
 
     def rows(self) -> Iterator[Row]:
         """The rows of the table, in the order of the plan."""
-        for one in self.plan.handed_in:
-            yield from self.rows_of(one)
+        for handed_in in self.plan.handed_in:
+            yield from self.rows_of(handed_in)
 
-    def rows_of(self, one: HandedIn) -> Iterator[Row]:
+    def rows_of(self, handed_in: HandedIn) -> Iterator[Row]:
         """The rows of one pupil."""
-        rows = [*self._rows_of(one)]
+        rows = [*self._rows_of(handed_in)]
         passes = bool(rows) and self._passes(rows[0].result)
         for row in rows:
             yield row if row.result is None else replace(row, result=_fitting(row.result, passes))
 
-    def _rows_of(self, one: HandedIn) -> Iterator[Row]:
+    def _rows_of(self, handed_in: HandedIn) -> Iterator[Row]:
         """The rows of one pupil, with all hints that may fit."""
-        if one.reason is not None:
-            untried = Result(ended=one.absence or "unreadable", reason=in_each_language(one.reason))
-            yield from (Row(one, attempt, untried) for attempt in self.plan.attempts)
+        if handed_in.reason is not None:
+            untried = Result(
+                ended=handed_in.absence or "unreadable", reason=in_each_language(handed_in.reason)
+            )
+            yield from (Row(handed_in, attempt, untried) for attempt in self.plan.attempts)
             return
-        shared = self._found(self.plan.pieces(one))
+        shared = self._found(self.plan.pieces(handed_in))
         # One that was compared was isolated, too, and says that it differed.
-        apart = self._found(self.plan.isolated(one)) if self._is_doubtful(one) else shared
+        apart = (
+            self._found(self.plan.isolated(handed_in)) if self._is_doubtful(handed_in) else shared
+        )
         for attempt, first, second in zip(self.plan.attempts, shared, apart, strict=True):
             result, failure = first if _differs(first[0]) else second
-            yield Row(one, attempt, result, failure)
+            yield Row(handed_in, attempt, result, failure)
 
     def _passes(self, result: Result | None) -> bool:
         """Whether a run meets all checks that are not optional."""
@@ -132,7 +136,7 @@ class Grading:
         if result is None or len(result.checks) != len(checks):
             return False
         pairs = zip(checks, result.checks, strict=True)
-        return all(found.state == "met" or check.optional for check, found in pairs)
+        return all(outcome.state == "met" or check.optional for check, outcome in pairs)
 
     def _make(self, keyed: Iterable[tuple[str, Piece]], opened: OpenWorkers) -> Iterator[Progress]:
         missing = {key: piece for key, piece in keyed if key not in self._journal}
@@ -144,7 +148,7 @@ class Grading:
                 with opened() as workers:
                     yield from self._made_by(workers, missing)
             except _LOST:
-                missing = {key: one for key, one in missing.items() if key not in self._journal}
+                missing = {key: piece for key, piece in missing.items() if key not in self._journal}
             else:
                 return
         raise LearnBlockError("grade-workers-lost")
@@ -162,7 +166,7 @@ class Grading:
                 self._keep(making.pop(future), future)
                 yield Progress(self._done, self._total)
             if self._is_stopped:
-                making = {one: key for one, key in making.items() if not one.cancel()}
+                making = {future: key for future, key in making.items() if not future.cancel()}
 
     def _keep(self, key: str, future: Future[bytes]) -> None:
         try:
@@ -176,20 +180,20 @@ class Grading:
         self._done += 1
 
     def _planned(self) -> Iterator[tuple[str, Piece]]:
-        for one in self._readable():
-            yield from self.plan.pieces(one)
+        for handed_in in self._readable():
+            yield from self.plan.pieces(handed_in)
 
     def _doubtful(self) -> Iterator[tuple[str, Piece]]:
         """The pieces of programs whose shared runs differed from isolated ones."""
-        for one in self._readable():
-            if self._is_doubtful(one):
-                yield from self.plan.isolated(one)
+        for handed_in in self._readable():
+            if self._is_doubtful(handed_in):
+                yield from self.plan.isolated(handed_in)
 
     def _readable(self) -> Iterator[HandedIn]:
-        return (one for one in self.plan.handed_in if one.reason is None)
+        return (handed_in for handed_in in self.plan.handed_in if handed_in.reason is None)
 
-    def _is_doubtful(self, one: HandedIn) -> bool:
-        keyed = self.plan.pieces(one)
+    def _is_doubtful(self, handed_in: HandedIn) -> bool:
+        keyed = self.plan.pieces(handed_in)
         compared = (key for key, piece in keyed if piece.manner == "compared")
         return any(_differs(self._result(key)) for key in compared)
 
@@ -208,7 +212,7 @@ def _fitting(result: Result, passes_usually: bool) -> Result:  # noqa: FBT001 - 
     """A result with the hints that fit: some only for programs that pass in the first attempt."""
     if not result.hints:
         return result
-    fitting = [one for one in result.hints if passes_usually or one.rule not in ABOUT_OTHERS]
+    fitting = [hint for hint in result.hints if passes_usually or hint.rule not in ABOUT_OTHERS]
     return msgspec.structs.replace(result, hints=tuple(fitting[:MOST_HINTS]))
 
 

@@ -78,13 +78,13 @@ class _Reader:
         Raises:
             LearnBlockError: it is damaged or too large.
         """
-        found = unpacked(file, self._folder)
-        if left := found.left_out:
+        contents = unpacked(file, self._folder)
+        if left := contents.left_out:
             named = left[:_NAMED]
             self._report(
                 Phrase("grade-left-out", file=str(file), names=named, more=len(left) - len(named))
             )
-        return found.folder
+        return contents.folder
 
     def read_class(self, folder: Path) -> Iterator[HandedIn]:
         """What each pupil has in a folder."""
@@ -99,9 +99,9 @@ class _Reader:
         """The program of a file."""
         try:
             program = self._well_named(path)
-            with opened(program, self._report) as found:
-                source = found.source
-                tags = dict(found.tags)
+            with opened(program, self._report) as file:
+                source = file.source
+                tags = dict(file.tags)
         except FileError as error:
             return HandedIn(pupil, str(path), _text_of(path), reason=error.phrase)
         except LearnBlockError as error:
@@ -113,20 +113,20 @@ class _Reader:
     def _read_pupil(self, pupil: str, paths: Sequence[Path]) -> Iterator[HandedIn]:
         """What a pupil has handed in: each program, with its name if there are several."""
         try:
-            found = [program for path in paths for program in self._programs(path)]
+            programs = [program for path in paths for program in self._programs(path)]
         except LearnBlockError as error:
             yield HandedIn(pupil, str(paths[0]), reason=error.phrase)
             return
-        if not found:
+        if not programs:
             reason = Phrase("grade-no-program")
             yield HandedIn(pupil, str(paths[0]), reason=reason, absence="nothing handed in")
-        elif len(found) > MOST_PROGRAMS:
-            names = tuple(sorted(name for name, _ in found)[:_NAMED])
+        elif len(programs) > MOST_PROGRAMS:
+            names = tuple(sorted(name for name, _ in programs)[:_NAMED])
             reason = Phrase("grade-many-programs", files=names, most=MOST_PROGRAMS)
             yield HandedIn(pupil, str(paths[0]), reason=reason)
         else:
-            for name, program in sorted(found):
-                yield self.read(program, pupil if len(found) == 1 else f"{pupil} - {name}")
+            for name, program in sorted(programs):
+                yield self.read(program, pupil if len(programs) == 1 else f"{pupil} - {name}")
 
     def _programs(self, path: Path) -> Iterator[tuple[str, Path]]:
         """The programs in a folder, and in zips there, each with its path inside."""
@@ -141,7 +141,7 @@ class _Reader:
                 yield inside, file
             elif file.suffix.lower() == _ZIP:
                 folder = inside[: -len(_ZIP)]
-                yield from ((f"{folder}/{name}", found) for name, found in self._programs(file))
+                yield from ((f"{folder}/{name}", program) for name, program in self._programs(file))
 
     def _well_named(self, path: Path) -> Path:
         """A program, or a copy of it whose name ends as names of programs do."""
@@ -162,7 +162,7 @@ def _pupils(folder: Path) -> list[_Pupil]:
 
     Moodle names them ``Ana Gil_12_assignsubmission_file_``, Google Classroom ``Ana Gil - Square``.
     """
-    found: dict[tuple[str, str], _Pupil] = {}
+    pupils: dict[tuple[str, str], _Pupil] = {}
     for path in sorted(folder.iterdir()):
         if IGNORED.search(path.name):
             continue
@@ -179,8 +179,8 @@ def _pupils(folder: Path) -> list[_Pupil]:
             key, pupil = ("file", path.name), _Pupil(stem.partition(" - ")[0], stem)
         else:
             continue
-        found.setdefault(key, pupil).paths.append(path)
-    return list(found.values())
+        pupils.setdefault(key, pupil).paths.append(path)
+    return list(pupils.values())
 
 
 def _without_outer(folder: Path) -> Path:

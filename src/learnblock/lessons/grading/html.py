@@ -22,9 +22,9 @@ def tag(name: str, *inner: str, **attributes: object) -> str:
         inner: HTML inside it.
         attributes: values of its attributes, any text; `class_` is its class.
     """
-    given = "".join(
+    values = "".join(
         f' {key.rstrip("_").replace("_", "-")}="{escaped(value)}"'
         for key, value in attributes.items()
         if value is not None
     )
-    return f"<{name}{given}>{''.join(inner)}</{name}>"
+    return f"<{name}{values}>{''.join(inner)}</{name}>"

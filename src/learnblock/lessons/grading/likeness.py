@@ -117,20 +117,22 @@ def alike(prints: Sequence[Print | None], given: Print | None = None, most: int 
         most: how many pairs are listed at most.
     """
     kinds: dict[str, list[int]] = defaultdict(list)
-    for index, one in enumerate(prints):
-        if one is not None and (given is None or one.renamed != given.renamed):
-            kinds[one.renamed].append(index)
+    for index, fingerprint in enumerate(prints):
+        if fingerprint is not None and (given is None or fingerprint.renamed != given.renamed):
+            kinds[fingerprint.renamed].append(index)
     same = [pair for indexes in kinds.values() for pair in _same(indexes, prints)]
-    known = given.parts if given else frozenset()
+    given_parts = given.parts if given else frozenset()
     firsts = [indexes[0] for indexes in kinds.values()]
-    owns = {index: one.parts - known for index in firsts if (one := prints[index])}
+    owns = {
+        index: fingerprint.parts - given_parts for index in firsts if (fingerprint := prints[index])
+    }
     likely, total = _likely({i: own for i, own in owns.items() if len(own) >= FEWEST}, most)
     order = ("same", "renamed", "alike")
-    found = sorted(
+    pairs = sorted(
         [*same, *likely],
-        key=lambda one: (order.index(one.kind), -one.share, one.first, one.second),
+        key=lambda pair: (order.index(pair.kind), -pair.share, pair.first, pair.second),
     )
-    return Alike(tuple(found[:most]), len(same) + total)
+    return Alike(tuple(pairs[:most]), len(same) + total)
 
 
 def _same(indexes: Sequence[int], prints: Sequence[Print | None]) -> Iterator[Pair]:
@@ -156,7 +158,7 @@ def _likely(owns: Mapping[int, frozenset[int]], most: int) -> tuple[list[Pair], 
             share = round(float(shares[earlier]), 3)
             best.append(Pair(indexes[earlier], indexes[place], "alike", share))
         if len(best) > _KEPT * most:
-            best = sorted(best, key=lambda one: (-one.share, one.first, one.second))[:most]
+            best = sorted(best, key=lambda pair: (-pair.share, pair.first, pair.second))[:most]
             # It is compared with shares that are not rounded yet.
             enough = max(MUCH, best[-1].share - _ROUNDING)
     return best, total
@@ -215,11 +217,11 @@ def _tokens(value: object, names: Mapping[str, str]) -> Iterator[str]:
             yield from _python_tokens(value.text, names)
         case _ if is_dataclass(value) and not isinstance(value, type):
             yield type(value).__name__
-            for one in fields(value):
-                if one.name in _NAMES.get(type(value), ()):
-                    yield from _names_of(getattr(value, one.name), names)
-                elif one.compare and one.name != "comment":
-                    yield from _tokens(getattr(value, one.name), names)
+            for field in fields(value):
+                if field.name in _NAMES.get(type(value), ()):
+                    yield from _names_of(getattr(value, field.name), names)
+                elif field.compare and field.name != "comment":
+                    yield from _tokens(getattr(value, field.name), names)
         case tuple():
             for item in value:
                 yield from _tokens(item, names)
@@ -264,8 +266,8 @@ def _chosen(value: object) -> Iterator[str]:
         for item in value:
             yield from _chosen(item)
     elif is_dataclass(value) and not isinstance(value, type):
-        for one in fields(value):
-            yield from _chosen(getattr(value, one.name))
+        for field in fields(value):
+            yield from _chosen(getattr(value, field.name))
 
 
 def _python_names(text: str) -> Iterator[str]:

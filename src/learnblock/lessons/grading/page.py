@@ -89,7 +89,7 @@ class Page:
 
     def _parts(self, title: str) -> Iterator[str]:
         yield tag("h1", escaped(title))
-        absent = sum(bool(one.absence) for one in self._plan.handed_in)
+        absent = sum(bool(handed_in.absence) for handed_in in self._plan.handed_in)
         count = len(self._plan.handed_in) - absent
         attempts = len(self._plan.attempts)
         facts = self._escaped("grade-page-facts", programs=count, tries=attempts)
@@ -102,8 +102,8 @@ class Page:
         yield tag("h2", self._escaped("grade-page-pupils"))
         if self._pictures:
             yield self._pictures.worlds()
-        for index, one in enumerate(self._plan.handed_in):
-            yield self._pupil(index, one)
+        for index, handed_in in enumerate(self._plan.handed_in):
+            yield self._pupil(index, handed_in)
 
     def _text(self, code: str, /, **values: str | float) -> str:
         return translate(Phrase(code, **values), self._language)
@@ -124,34 +124,40 @@ class Page:
 
     @cached_property
     def _check_titles(self) -> list[str]:
-        return [escaped(title_of(one, self._language)) for one in self._checks]
+        return [escaped(title_of(check, self._language)) for check in self._checks]
 
     @cached_property
     def _pictures(self) -> Pictures | None:
         world = self._plan.opened.described_world(self._plan.step)
-        return Pictures(world, tuple(one.variant for one in self._plan.attempts)) if world else None
+        return (
+            Pictures(world, tuple(attempt.variant for attempt in self._plan.attempts))
+            if world
+            else None
+        )
 
     @cached_property
     def _summaries(self) -> list[_Summary]:
-        return [self._summary(one) for one in self._plan.handed_in]
+        return [self._summary(handed_in) for handed_in in self._plan.handed_in]
 
-    def _summary(self, one: HandedIn) -> _Summary:
-        results = [row.result for row in self._grading.rows_of(one) if row.result]
+    def _summary(self, handed_in: HandedIn) -> _Summary:
+        results = [row.result for row in self._grading.rows_of(handed_in) if row.result]
         places = range(len(self._checks))
-        if one.absence:
+        if handed_in.absence:
             reason = results[0].reason if results else {}
             return _Summary((0,) * len(places), 0, 0, (), None, reason)
         met = tuple(sum(_is_met(result, place) for result in results) for place in places)
         firsts = Counter(result.hints[0].rule for result in results if result.hints)
         often = max(firsts, key=lambda rule: (firsts[rule], rule), default=None)
-        found = (two.hints[0] for two in results if two.hints)
+        hints = (result.hints[0] for result in results if result.hints)
         return _Summary(
             met=met,
             finished=len(results),
             done=sum(stars(self._checks, result) > 0 for result in results),
             failing=tuple(place for place in places if met[place] < len(results)),
-            hint=next((hint for hint in found if hint.rule == often), None),
-            refused=next((two.reason for two in results if not two.checks and two.reason), {}),
+            hint=next((hint for hint in hints if hint.rule == often), None),
+            refused=next(
+                (result.reason for result in results if not result.checks and result.reason), {}
+            ),
         )
 
     def _overview(self) -> Iterator[str]:
@@ -163,24 +169,26 @@ class Page:
         ]
         heads.append(self._escaped("grade-page-first-hint"))
         rows = []
-        for index, (one, found) in enumerate(
+        for index, (handed_in, summary) in enumerate(
             zip(self._plan.handed_in, self._summaries, strict=True)
         ):
             name = self._link(index)
-            cells = [_count(number, found.finished) for number in found.met]
-            cells.append(_count(found.done, found.finished))
-            hint = self._in_language(found.hint.levels[0]) if found.hint else ""
-            remark = self._in_language(found.refused) or hint
-            cells.append(tag("td", remark, class_="open") if one.absence else tag("td", remark))
+            cells = [_count(number, summary.finished) for number in summary.met]
+            cells.append(_count(summary.done, summary.finished))
+            hint = self._in_language(summary.hint.levels[0]) if summary.hint else ""
+            remark = self._in_language(summary.refused) or hint
+            cells.append(
+                tag("td", remark, class_="open") if handed_in.absence else tag("td", remark)
+            )
             rows.append(tag("tr", tag("th", name, scope="row"), *cells))
         yield _table(self._text("grade-page-overview"), heads, rows)
 
     def _clusters(self) -> Iterator[str]:
         """Programs with the same failing checks and the same first hint."""
         groups: Mapping[tuple[tuple[int, ...], str], list[int]] = defaultdict(list)
-        for index, found in enumerate(self._summaries):
-            if found.failing:
-                groups[found.failing, found.hint.rule if found.hint else ""].append(index)
+        for index, summary in enumerate(self._summaries):
+            if summary.failing:
+                groups[summary.failing, summary.hint.rule if summary.hint else ""].append(index)
         several = [(key, group) for key, group in groups.items() if len(group) > 1]
         several.sort(key=lambda pair: (-len(pair[1]), pair[1]))
         yield tag("h2", self._escaped("grade-page-clusters"))
@@ -204,19 +212,19 @@ class Page:
     def _alike(self) -> Iterator[str]:
         yield tag("h2", self._escaped("grade-page-alike"))
         yield tag("p", self._escaped("grade-page-alike-note"))
-        found = alike([_print(one) for one in self._plan.handed_in], self._given)
-        if not found.pairs:
+        likeness = alike([_print(handed_in) for handed_in in self._plan.handed_in], self._given)
+        if not likeness.pairs:
             yield tag("p", self._escaped("grade-page-none-alike"))
-        for pair in found.pairs:
+        for pair in likeness.pairs:
             yield self._pair(pair)
-        if more := found.total - len(found.pairs):
+        if more := likeness.total - len(likeness.pairs):
             yield tag("p", self._escaped("grade-page-more-alike", count=more))
 
     @cached_property
     def _given(self) -> Print | None:
         """What pupils started with: their programs share it by right."""
         steps = self._plan.opened.lesson.step[: self._plan.step]
-        file = next((one.program for one in reversed(steps) if one.program), None)
+        file = next((step.program for step in reversed(steps) if step.program), None)
         if file is None:
             return None
         text = self._plan.opened.program(file)
@@ -236,36 +244,38 @@ class Page:
         summary = tag("summary", escaped(f"{first}, {second}"), ": ", what)
         return tag("details", summary, tag("div", *sides, class_="sides"), class_="pair")
 
-    def _pupil(self, index: int, one: HandedIn) -> str:
-        rows = [*self._grading.rows_of(one)]
-        found = self._summaries[index]
-        done = self._escaped("grade-page-done-in", done=found.done, tries=len(rows))
-        if one.absence:
-            summary = tag("summary", escaped(one.pupil), " · ", self._in_language(found.refused))
-            return tag("details", summary, id=f"pupil-{index}", class_="pupil open")
+    def _pupil(self, index: int, handed_in: HandedIn) -> str:
+        rows = [*self._grading.rows_of(handed_in)]
+        summary = self._summaries[index]
+        done = self._escaped("grade-page-done-in", done=summary.done, tries=len(rows))
+        if handed_in.absence:
+            heading = tag(
+                "summary", escaped(handed_in.pupil), " · ", self._in_language(summary.refused)
+            )
+            return tag("details", heading, id=f"pupil-{index}", class_="pupil open")
         parts = [
-            tag("summary", escaped(one.pupil), " · ", done),
+            tag("summary", escaped(handed_in.pupil), " · ", done),
             self._ways(rows),
-            "" if one.reason else self._runs(one.pupil, rows),
+            "" if handed_in.reason else self._runs(handed_in.pupil, rows),
             self._hints(rows),
-            *self._remarks(rows, found),
+            *self._remarks(rows, summary),
             tag(
                 "p",
                 self._escaped("grade-page-again"),
                 " ",
-                tag("code", escaped(self._command(one))),
+                tag("code", escaped(self._command(handed_in))),
             ),
             tag(
                 "details",
                 tag("summary", self._escaped("grade-page-program")),
-                tag("pre", escaped(one.text)),
+                tag("pre", escaped(handed_in.text)),
             ),
         ]
         return tag("details", *parts, id=f"pupil-{index}", class_="pupil", open="")
 
-    def _remarks(self, rows: Sequence[Row], found: _Summary) -> Iterator[str]:
-        if found.refused:
-            yield tag("p", self._in_language(found.refused), class_="failed")
+    def _remarks(self, rows: Sequence[Row], summary: _Summary) -> Iterator[str]:
+        if summary.refused:
+            yield tag("p", self._in_language(summary.refused), class_="failed")
         if any(row.result and row.result.checked == DIFFERS for row in rows):
             yield tag("p", self._escaped("grade-page-differs"), class_="failed")
         if failure := next((row.failure for row in rows if row.failure), None):
@@ -319,30 +329,30 @@ class Page:
     def _verdict(self, result: Result, place: int) -> str:
         if place >= len(result.checks):
             return tag("td", "–", class_="failed")
-        found = result.checks[place]
-        mark = {"met": "✓", "failed": "✗"}.get(found.state, "–")
-        reason = self._in_language(found.reason)
-        return tag("td", mark, " " + reason if reason else "", class_=found.state)
+        check = result.checks[place]
+        mark = {"met": "✓", "failed": "✗"}.get(check.state, "–")
+        reason = self._in_language(check.reason)
+        return tag("td", mark, " " + reason if reason else "", class_=check.state)
 
     def _hints(self, rows: Sequence[Row]) -> str:
-        found: dict[str, HintResult] = {}
+        hints: dict[str, HintResult] = {}
         for row in rows:
             for hint in row.result.hints if row.result else ():
-                found.setdefault(hint.rule, hint)
-        if not found:
+                hints.setdefault(hint.rule, hint)
+        if not hints:
             return ""
-        listed = (self._hint(hint) for hint in [*found.values()][:MOST_PICTURES])
+        listed = (self._hint(hint) for hint in [*hints.values()][:MOST_PICTURES])
         return tag("div", tag("h3", self._escaped("grade-page-hints")), tag("ul", *listed))
 
     def _hint(self, hint: HintResult) -> str:
-        levels = tag("ol", *(tag("li", self._in_language(one)) for one in hint.levels))
+        levels = tag("ol", *(tag("li", self._in_language(level)) for level in hint.levels))
         return tag("li", self._in_language(hint.because), levels)
 
-    def _command(self, one: HandedIn) -> str:
+    def _command(self, handed_in: HandedIn) -> str:
         robots = dict.fromkeys(attempt.robot for attempt in self._plan.attempts)
         variants = len(self._plan.attempts) // max(len(robots), 1) - 1
         return command_line(
-            "learnblock", "grade", one.file, "--lesson", self._lesson,
+            "learnblock", "grade", handed_in.file, "--lesson", self._lesson,
             "--step", self._plan.step, "--robots", ",".join(robots),
             "--variants", variants, "--out", "again",
         )  # fmt: skip
@@ -350,7 +360,7 @@ class Page:
 
 def _table(name: str, heads: Sequence[str], rows: Sequence[str]) -> str:
     """A table, which can be scrolled by keyboard alone where it is too wide."""
-    head = tag("thead", tag("tr", *(tag("th", one, scope="col") for one in heads)))
+    head = tag("thead", tag("tr", *(tag("th", head, scope="col") for head in heads)))
     table = tag("table", head, tag("tbody", *rows))
     return tag("div", table, class_="wide", role="group", aria_label=name, tabindex=0)
 
@@ -364,11 +374,11 @@ def _count(number: int, finished: int) -> str:
     return tag("td", f"{number}/{finished}" if finished else "–", class_=kind)
 
 
-def _print(one: HandedIn) -> Print | None:
-    if one.reason is not None or not one.text:
+def _print(handed_in: HandedIn) -> Print | None:
+    if handed_in.reason is not None or not handed_in.text:
         return None
-    notation = notations.from_python if one.is_python else notations.parse
+    notation = notations.from_python if handed_in.is_python else notations.parse
     try:
-        return print_of(notation(one.text, one.file))
+        return print_of(notation(handed_in.text, handed_in.file))
     except (FileError, RecursionError):
         return None

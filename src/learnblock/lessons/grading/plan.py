@@ -67,18 +67,18 @@ class Plan:
         """The lesson, as every piece gets it."""
         return packed_lesson(self.opened, self.step)
 
-    def pieces(self, one: HandedIn) -> Iterator[tuple[str, Piece]]:
+    def pieces(self, handed_in: HandedIn) -> Iterator[tuple[str, Piece]]:
         """The pieces of a program, each with its key."""
-        plain = [self._piece(one, attempt, "shared") for attempt in self.attempts]
+        plain = [self._piece(handed_in, attempt, "shared") for attempt in self.attempts]
         compared = self._sample([self.key(piece) for piece in plain])
         for index, piece in enumerate(plain):
             chosen = replace(piece, manner="compared") if index in compared else piece
             yield self.key(chosen), chosen
 
-    def isolated(self, one: HandedIn) -> Iterator[tuple[str, Piece]]:
+    def isolated(self, handed_in: HandedIn) -> Iterator[tuple[str, Piece]]:
         """The pieces of a program that can't be trusted to share a process."""
         for attempt in self.attempts:
-            piece = self._piece(one, attempt, "isolated")
+            piece = self._piece(handed_in, attempt, "isolated")
             yield self.key(piece), piece
 
     def key(self, piece: Piece) -> str:
@@ -95,14 +95,14 @@ class Plan:
         count = max(1, math.ceil(SAMPLE * len(keys)))
         return frozenset(sorted(range(len(keys)), key=keys.__getitem__)[:count])
 
-    def _piece(self, one: HandedIn, attempt: Attempt, manner: Manner) -> Piece:
+    def _piece(self, handed_in: HandedIn, attempt: Attempt, manner: Manner) -> Piece:
         return Piece(
             version=self.version,
             lesson=self.lesson,
             step=self.step,
-            text=one.text,
-            is_python=one.is_python,
-            tags=tuple(sorted(one.tags.items())),
+            text=handed_in.text,
+            is_python=handed_in.is_python,
+            tags=tuple(sorted(handed_in.tags.items())),
             attempt=attempt,
             usual=self.attempts[0].robot,
             manner=manner,

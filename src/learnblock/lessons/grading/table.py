@@ -29,20 +29,20 @@ def write_table(file: TextIO, step: int, checks: Sequence[Check], rows: Iterable
         attempt = row.attempt
         before = (row.handed_in.pupil, step, attempt.robot, attempt.variant, attempt.seed)
         cells = [*before, *_cells(row, checks)]
-        writer.writerow([harmless(one) if isinstance(one, str) else one for one in cells])
+        writer.writerow([harmless(cell) if isinstance(cell, str) else cell for cell in cells])
 
 
 def check_names(checks: Sequence[Check]) -> list[str]:
     """The headings of checks: each with its number, and its name or kind."""
     return [
-        f"{number} {one.name or one.__struct_config__.tag}"
-        for number, one in enumerate(checks, start=1)
+        f"{number} {check.name or check.__struct_config__.tag}"
+        for number, check in enumerate(checks, start=1)
     ]
 
 
 def stars(checks: Sequence[Check], result: Result) -> int:
     """One star for a step that is done, and one for each optional check that is met, too."""
-    met = [one.state == "met" for one in result.checks]
+    met = [check.state == "met" for check in result.checks]
     if len(met) < len(checks) or not checks:
         return 0
     required = [is_met for is_met, check in zip(met, checks, strict=True) if not check.optional]
@@ -61,7 +61,7 @@ def _cells(row: Row, checks: Sequence[Check]) -> list[str | int]:
         return [*[""] * len(checks), "", "not run" if row.failure else "not finished", "", "", ""]
     if row.handed_in.absence:
         return [*[""] * len(checks), "", row.handed_in.absence, "", "", ""]
-    states = [one.state for one in result.checks] or ["failed"] * len(checks)
+    states = [check.state for check in result.checks] or ["failed"] * len(checks)
     seconds = f"{result.seconds:.3f}"
     return [
         *states,

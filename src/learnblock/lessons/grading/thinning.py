@@ -16,7 +16,7 @@ def thinned(path: Sequence[tuple[float, float]]) -> tuple[tuple[int, int], ...]:
     if len(path) < 2:
         return tuple((round(x), round(y)) for x, y in path)
     points = np.array(path, np.float32)[:, None]
-    kept = np.asarray(cv2.approxPolyDP(points, TOLERANCE, closed=False)).reshape(-1, 2)
-    if len(kept) > MOST:
-        kept = kept[np.linspace(0, len(kept) - 1, MOST).round().astype(int)]
-    return tuple((round(x), round(y)) for x, y in kept.tolist())
+    corners = np.asarray(cv2.approxPolyDP(points, TOLERANCE, closed=False)).reshape(-1, 2)
+    if len(corners) > MOST:
+        corners = corners[np.linspace(0, len(corners) - 1, MOST).round().astype(int)]
+    return tuple((round(x), round(y)) for x, y in corners.tolist())

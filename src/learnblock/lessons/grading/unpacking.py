@@ -78,8 +78,8 @@ def program_name(name: str) -> str | None:
 
     It is ``square.bt`` for ``square.BT`` and ``square.bt.txt``, too.
     """
-    found = _PROGRAM.fullmatch(name.rstrip())
-    return found["stem"] + found["ending"].lower() if found else None
+    match = _PROGRAM.fullmatch(name.rstrip())
+    return match["stem"] + match["ending"].lower() if match else None
 
 
 def unpacked(file: Path, folder: Path) -> Unpacked:
@@ -213,17 +213,17 @@ def _parts(filename: str) -> list[str]:
 
     Without folders, Moodle puts a folder's name before the file's.
     """
-    found = [part for part in PurePosixPath(filename).parts if part not in {"/", "//"}]
-    if not found or ".." in found:
+    parts = [part for part in PurePosixPath(filename).parts if part not in {"/", "//"}]
+    if not parts or ".." in parts:
         return []
-    *outer, last = found
+    *outer, last = parts
     if (moodle := MOODLE.fullmatch(last)) and moodle["file"]:
         outer, last = [*outer, moodle["folder"]], moodle["file"]
     return [*map(_allowed, outer), _allowed(program_name(last) or last)]
 
 
 def _allowed(part: str) -> str:
-    ending = next((one for one in (*ENDINGS, _ZIP) if part.lower().endswith(one)), "")
+    ending = next((suffix for suffix in (*ENDINGS, _ZIP) if part.lower().endswith(suffix)), "")
     stem = _REFUSED.sub("_", part[: len(part) - len(ending)]).strip(" .")
-    kept = stem.encode(errors="replace")[:_LONGEST_NAME].decode(errors="ignore")
-    return (kept or "_") + part[len(part) - len(ending) :]
+    name = stem.encode(errors="replace")[:_LONGEST_NAME].decode(errors="ignore")
+    return (name or "_") + part[len(part) - len(ending) :]

@@ -46,14 +46,14 @@ def hints(
         elsewhere: how the program did in other attempts.
     """
     situation = Situation(step, program, verdicts, evidence, world, elsewhere)
-    found = [
+    guesses = [
         (verdict.index, guess)
         for verdict in situation.failed
         for rule in _RULES
         for guess in rule(situation, verdict)
     ]
-    best = ranked(found)
+    best = ranked(guesses)
     return (
-        *teachers(situation, found),
+        *teachers(situation, guesses),
         *(guess.hint(check) for check, guess in best),
     )

@@ -65,7 +65,7 @@ _LOOP_CONSTRUCTS = frozenset(("loop", "repeat", "forever"))
 
 def empty(situation: Situation, _: Verdict) -> Iterator[Guess]:
     """The program does nothing at all."""
-    if not any(isinstance(one, Perform | Assign | Activate) for one in situation.statements):
+    if not any(isinstance(node, Perform | Assign | Activate) for node in situation.statements):
         yield Guess("empty", sign="empty")
 
 
@@ -73,8 +73,8 @@ def empty_body(situation: Situation, _: Verdict) -> Iterator[Guess]:
     """A loop, a branch or a function has nothing in it."""
     for node in situation.statements:
         if isinstance(node, If):
-            found = [part for part in parts(node) if is_empty(part.body)]
-            for part in found:
+            empty_parts = [part for part in parts(node) if is_empty(part.body)]
+            for part in empty_parts:
                 yield Guess("empty-body", (part.span.line,), frozenset({"if"}), sign="empty")
         elif isinstance(node, Def | When) and is_empty(node.body):
             yield Guess("empty-body", (node.span.line,), frozenset({node.name}), sign="empty")
@@ -103,12 +103,12 @@ def _bodies(program: Program) -> Iterator[tuple[Item, ...]]:
 
 
 def _can_leave(body: Body) -> bool:
-    return any(isinstance(one, Break | Return) for one in statements(body))
+    return any(isinstance(node, Break | Return) for node in statements(body))
 
 
 def not_called(situation: Situation, _: Verdict) -> Iterator[Guess]:
     """A function is defined and never called."""
-    called = {call.name for one in situation.statements for call in calls_in(one, Call)}
+    called = {call.name for node in situation.statements for call in calls_in(node, Call)}
     for name, function in situation.program.functions.items():
         if name not in called:
             lines = (function.span.line,)
@@ -118,7 +118,7 @@ def not_called(situation: Situation, _: Verdict) -> Iterator[Guess]:
 
 def never_started(situation: Situation, _: Verdict) -> Iterator[Guess]:
     """A `when` has no condition, and nothing activates it."""
-    started = {one.name for one in situation.statements if isinstance(one, Activate)}
+    started = {node.name for node in situation.statements if isinstance(node, Activate)}
     for name, when in situation.program.whens.items():
         if when.condition is None and name != _START and name not in started:
             about = frozenset({name, "when"})
@@ -131,12 +131,16 @@ def checked_once(situation: Situation, _: Verdict) -> Iterator[Guess]:
     if situation.program.whens.keys() - {_START}:
         return
     main = situation.program.main.body if situation.program.main else ()
-    starts = [one.body for one in situation.program.whens.values()]
-    for node in (*situation.program.items, *main, *(one for body in starts for one in body)):
+    starts = [when.body for when in situation.program.whens.values()]
+    for node in (
+        *situation.program.items,
+        *main,
+        *(statement for body in starts for statement in body),
+    ):
         if isinstance(node, If):
-            asked = {call.name for one in node.branches for call in asked_in(one.condition)}
-            if asked & sensors():
-                about = frozenset(asked | {"if"})
+            skills = {call.name for branch in node.branches for call in asked_in(branch.condition)}
+            if skills & sensors():
+                about = frozenset(skills | {"if"})
                 yield Guess("checked-once", (node.span.line,), about, sign="no_loop")
 
 
@@ -147,8 +151,8 @@ def unchanged_variable(situation: Situation, _: Verdict) -> Iterator[Guess]:
         if condition is None or is_endless(loop) or _can_leave(loop.body):
             continue
         inner = list(within(condition))
-        names = {one.name for one in inner if isinstance(one, Name)}
-        asks = any(isinstance(one, SkillCall | Call) for one in inner)
+        names = {part.name for part in inner if isinstance(part, Name)}
+        asks = any(isinstance(part, SkillCall | Call) for part in inner)
         if names and not asks and not _is_state(names) and not _sets(situation, loop.body, names):
             name = min(names)
             about = frozenset({*names, "variable"})
@@ -172,15 +176,20 @@ def _sets(situation: Situation, body: Body, names: set[str]) -> bool:
     functions = situation.program.functions
     for node in statements(body):
         if isinstance(node, Assign) and any(
-            isinstance(one, Name) and one.name in names for one in within(node.target)
+            isinstance(part, Name) and part.name in names for part in within(node.target)
         ):
             return True
         for call in calls_in(node, Call):
             if call.name not in functions:
                 # Such as `append`, which changes a list.
-                if any(isinstance(one, Name) and one.name in names for one in call.arguments):
+                if any(
+                    isinstance(argument, Name) and argument.name in names
+                    for argument in call.arguments
+                ):
                     return True
-            elif any(isinstance(one, Assign) for one in statements(functions[call.name].body)):
+            elif any(
+                isinstance(statement, Assign) for statement in statements(functions[call.name].body)
+            ):
                 return True
     return False
 
@@ -189,20 +198,20 @@ def wrong_side(situation: Situation, _: Verdict) -> Iterator[Guess]:
     """A sensor on one side is answered by a movement to the wrong side."""
     for node in situation.statements:
         for condition, body in _reactions(node):
-            asked = [call.name for call in asked_in(condition) if side(call.name)]
+            skills = [call.name for call in asked_in(condition) if side(call.name)]
             turned = {_direction(call) for call in skills_in(body)} - {""}
-            if len(asked) != 1 or len(turned) != 1 or _is_negated(condition):
+            if len(skills) != 1 or len(turned) != 1 or _is_negated(condition):
                 continue
-            away = asked[0] in OBSTACLES
-            if (side(asked[0]) == turned.pop()) == away:
+            away = skills[0] in OBSTACLES
+            if (side(skills[0]) == turned.pop()) == away:
                 line = first_line(body)
-                about = frozenset({asked[0]})
+                about = frozenset({skills[0]})
                 yield Guess("wrong-side", (line,), about, sign="wrong_sign")
 
 
 def _reactions(node: Any) -> Iterator[tuple[Expression, Body]]:
     if isinstance(node, If):
-        yield from ((one.condition, one.body) for one in node.branches)
+        yield from ((branch.condition, branch.body) for branch in node.branches)
         return
     condition = condition_of(node)
     if condition is not None:
@@ -210,12 +219,12 @@ def _reactions(node: Any) -> Iterator[tuple[Expression, Body]]:
 
 
 def _is_negated(condition: Expression) -> bool:
-    return any(isinstance(one, Unary) and one.operator == "not" for one in within(condition))
+    return any(isinstance(part, Unary) and part.operator == "not" for part in within(condition))
 
 
 def _direction(call: SkillCall) -> str:
     """The side to which a skill turns the robot; "" for none or an unknown one."""
-    numbers = [number_of(one) for one in call.arguments]
+    numbers = [number_of(argument) for argument in call.arguments]
     if call.name in {"turn", "set_orientation"}:
         return _by_sign(numbers[0]) if numbers else ""
     if call.name in {"set_move", "drive_arc"}:
@@ -269,8 +278,8 @@ def _sees_obstacle(condition: Expression | None) -> bool | None:
     """Whether a condition holds in front of an obstacle; None if it asks something else."""
     match condition:
         case Unary(operator="not", operand=inner):
-            seen = _sees_obstacle(inner)
-            return None if seen is None else not seen
+            sees = _sees_obstacle(inner)
+            return None if sees is None else not sees
         case SkillCall(name="is_obstacle_free"):
             return False
         case SkillCall(name="is_front_obstacle" | "is_bumped"):
@@ -307,11 +316,11 @@ def impossible_condition(situation: Situation, _: Verdict) -> Iterator[Guess]:
     """Two comparisons of one value can never both hold, or one of them always does."""
     for node in situation.statements:
         for condition in conditions(node):
-            for one in within(condition):
-                if isinstance(one, Binary) and one.operator in {"and", "or"} and _clash(one):
-                    line = getattr(one.span, "line", 0) or node.span.line
-                    values = {"joined": one.operator}
-                    about = frozenset({"if", one.operator})
+            for part in within(condition):
+                if isinstance(part, Binary) and part.operator in {"and", "or"} and _clash(part):
+                    line = getattr(part.span, "line", 0) or node.span.line
+                    values = {"joined": part.operator}
+                    about = frozenset({"if", part.operator})
                     yield Guess("impossible-condition", (line,), about, values, "never_runs")
 
 
@@ -321,8 +330,8 @@ def _clash(node: Binary) -> bool:
     first, second = limits
     if first is None or second is None or first[0] != second[0]:
         return False
-    below = next((one for one in (first, second) if one[1] in {"<", "<="}), None)
-    above = next((one for one in (first, second) if one[1] in {">", ">="}), None)
+    below = next((limit for limit in (first, second) if limit[1] in {"<", "<="}), None)
+    above = next((limit for limit in (first, second) if limit[1] in {">", ">="}), None)
     if below is None or above is None:
         both_equal = first[1] == second[1]
         unequal = first[2] != second[2]
@@ -357,13 +366,13 @@ def message_name(situation: Situation, _: Verdict) -> Iterator[Guess]:
 
 
 def _messages(situation: Situation, skills: set[str]) -> dict[str, int]:
-    found: dict[str, int] = {}
+    lines: dict[str, int] = {}
     for node in situation.statements:
         for call in calls_in(node, SkillCall):
             first = call.arguments[0] if call.arguments else String("go")
             if call.name in skills and isinstance(first, String):
-                found.setdefault(first.value, node.span.line)
-    return found
+                lines.setdefault(first.value, node.span.line)
+    return lines
 
 
 def _sent_in_run(situation: Situation) -> Iterator[str]:
@@ -406,9 +415,9 @@ def _where_used(situation: Situation, check: Uses) -> tuple[int, ...]:
     kind: type[Any] = SkillCall if check.skill else Call
     name = check.skill or check.function
     lines = [
-        one.span.line
-        for one in situation.statements
-        for call in calls_in(one, kind)
+        node.span.line
+        for node in situation.statements
+        for call in calls_in(node, kind)
         if call.name == name
     ]
     return tuple(dict.fromkeys(lines))[:3] if name else ()
@@ -436,9 +445,9 @@ _A_LOOP = Phrase("hint-a-loop")
 def repeated_lines(situation: Situation) -> tuple[int, ...]:
     """The first lines of equal runs of statements that follow each other."""
     for body in _bodies(situation.program):
-        acting = (one for one in body if not isinstance(one, (*NOTHING, Def, When)))
+        acting = (node for node in body if not isinstance(node, (*NOTHING, Def, When)))
         plain = list(islice(acting, _MOST_COMPARED))
-        texts = [format_program(Program((one,))) for one in plain]
+        texts = [format_program(Program((node,))) for node in plain]
         for length in range(len(plain) // 2, 0, -1):
             for start in range(len(plain) - 2 * length + 1):
                 again = texts[start : start + length]
@@ -450,8 +459,8 @@ def repeated_lines(situation: Situation) -> tuple[int, ...]:
 
 def missing_sensor(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
     """The program asks no sensor at all, or none that sees lines where it should follow one."""
-    asked = situation.skills & sensors()
-    if isinstance(verdict.check, StaysOnLine) and not any(map(asks_line, asked)):
+    skills = situation.skills & sensors()
+    if isinstance(verdict.check, StaysOnLine) and not any(map(asks_line, skills)):
         values = {"what": Phrase("hint-a-line-sensor")}
         yield Guess("never-asks", (), frozenset({"line"}), values, "never_asks", 20)
 
@@ -460,8 +469,8 @@ def waitless_loop(situation: Situation, _: Verdict) -> Iterator[Guess]:
     """A loop drives, and no time passes in it."""
     for loop in situation.loops:
         drives = [call for call in skills_in(loop.body) if call.name in LASTING | STOPPING]
-        asked = (call for condition in conditions(loop) for call in asked_in(condition))
-        asks = any(call.name in sensors() for call in (*skills_in(loop.body), *asked))
+        calls = (call for condition in conditions(loop) for call in asked_in(condition))
+        asks = any(call.name in sensors() for call in (*skills_in(loop.body), *calls))
         if drives and not asks and not situation.waits(loop.body):
             about = frozenset({"loop", type(loop).__name__.lower()})
             yield Guess("loop-without-wait", (loop.span.line,), about, sign="loop_without_wait")

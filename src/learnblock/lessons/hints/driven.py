@@ -58,9 +58,9 @@ def places(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
     path = situation.evidence.path if situation.evidence else ()
     if not path or situation.ended == "error":
         return
-    found = _misdrive(situation, verdict, path)
-    if found is not None:
-        yield from _guess(situation, found)
+    misdrive = _misdrive(situation, verdict, path)
+    if misdrive is not None:
+        yield from _guess(situation, misdrive)
 
 
 def _misdrive(situation: Situation, verdict: Verdict, path: Sequence[Placed]) -> Misdrive | None:
@@ -72,8 +72,8 @@ def _misdrive(situation: Situation, verdict: Verdict, path: Sequence[Placed]) ->
         case InOrder(events=events):
             points = list(_first_places(events))
             if points:
-                places_ = [(one.x, one.y) for one in points]
-                return _tour(path, places_, min(one.radius for one in points))
+                places_ = [(point.x, point.y) for point in points]
+                return _tour(path, places_, min(point.radius for point in points))
         case Happens(what=At(x=x, y=y, radius=radius), at_least=1):
             return driving.through(path, (x, y), radius) or _tour(path, [(x, y)], radius)
     return None
@@ -153,19 +153,19 @@ def _reached(
     return best
 
 
-def _guess(situation: Situation, found: Misdrive) -> Iterator[Guess]:
-    rule, sign = _RULES[found.slip]
-    if found.slip == "missing":
+def _guess(situation: Situation, misdrive: Misdrive) -> Iterator[Guess]:
+    rule, sign = _RULES[misdrive.slip]
+    if misdrive.slip == "missing":
         yield _missing(situation)
         return
-    line = _line_at(situation, found.time)
+    line = _line_at(situation, misdrive.time)
     about = _about(situation, line)
-    sensor = None if found.turned else _ending_sensor(situation, about)
-    if sensor and found.slip in {"too-short", "too-long"}:
+    sensor = None if misdrive.turned else _ending_sensor(situation, about)
+    if sensor and misdrive.slip in {"too-short", "too-long"}:
         # The robot stops where a sensor tells it to.
         line, skill = sensor
         swaps = skill in OBSTACLES
-        rule, sign = _RULES[_OTHER[found.slip] if swaps else found.slip]
+        rule, sign = _RULES[_OTHER[misdrive.slip] if swaps else misdrive.slip]
         about = frozenset({skill})
         surely = 0
     else:
@@ -175,7 +175,7 @@ def _guess(situation: Situation, found: Misdrive) -> Iterator[Guess]:
 
 def _missing(situation: Situation) -> Guess:
     """The program ended before the next leg: after a loop, that has too few rounds."""
-    counted = [one for one in situation.loops if is_counted(one)]
+    counted = [loop for loop in situation.loops if is_counted(loop)]
     if counted:
         about = frozenset({"repeat", "loop"})
         return Guess("too-few-times", (counted[-1].span.line,), about, {}, "too_early", 5)
@@ -192,16 +192,16 @@ def _line_at(situation: Situation, time: float) -> int:
 
 def _line_before(situation: Situation, time: float) -> int:
     """The line whose command was the last to move the robot until a time."""
-    lines = [one.line for one in situation.calls if one.skill in DRIVING and one.time <= time]
+    lines = [call.line for call in situation.calls if call.skill in DRIVING and call.time <= time]
     return lines[-1] if lines else 0
 
 
 def _about(situation: Situation, line: int) -> frozenset[str]:
     return frozenset(
         call.name
-        for one in situation.statements
-        if one.span.line == line
-        for call in calls_in(one, SkillCall)
+        for node in situation.statements
+        if node.span.line == line
+        for call in calls_in(node, SkillCall)
     )
 
 
@@ -233,7 +233,7 @@ def _ending_conditions(situation: Situation) -> Iterator[tuple[int, Expression]]
         elif isinstance(node, When):
             parts = (node,)
         for part in parts:
-            if part.condition and any(one.name in OBSTACLES for one in asked_in(part.condition)):
+            if part.condition and any(call.name in OBSTACLES for call in asked_in(part.condition)):
                 yield part.span.line, part.condition
 
 
@@ -244,7 +244,9 @@ def turned(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
     path = situation.evidence.path
     real = _turned(path)
     wanted, tolerance = verdict.check.by, verdict.check.tolerance
-    first = next((one for one in situation.calls if one.skill in DRIVING and _is_turn(one)), None)
+    first = next(
+        (call for call in situation.calls if call.skill in DRIVING and _is_turn(call)), None
+    )
     lines = (first.line,) if first and first.line else ()
     about = frozenset({first.skill}) if first else frozenset[str]()
     if abs(real) <= tolerance:
@@ -285,12 +287,12 @@ def drove(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
     if not isinstance(verdict.check, Drives) or situation.evidence is None:
         return
     path = situation.evidence.path
-    first = next((one for one in situation.calls if one.skill in DRIVING), None)
+    first = next((call for call in situation.calls if call.skill in DRIVING), None)
     lines = (first.line,) if first and first.line else ()
     about = frozenset({first.skill}) if first else frozenset[str]()
     most = verdict.check.at_most
     if most is not None and situation.evidence.distance > most:
-        driven = [math.dist(one[1:3], other[1:3]) for one, other in pairwise(path)]
+        driven = [math.dist(before[1:3], after[1:3]) for before, after in pairwise(path)]
         yield _too_large(situation, _line_beyond(situation, driven, most), surely=-5)
     elif situation.evidence.distance >= 1:
         yield Guess("value-too-small", lines, about, sign="value_too_small", surely=-5)

@@ -82,7 +82,7 @@ class Misdrive:
 
 def legs(path: Sequence[Placed]) -> tuple[tuple[Leg, ...], float, float]:
     """The straight parts of a way; the degrees turned after the last, and when that turn began."""
-    found: list[Leg] = []
+    parts: list[Leg] = []
     turn, turned_at = 0.0, math.nan
     stood = 0.0
     current: list[Placed] = []
@@ -98,7 +98,7 @@ def legs(path: Sequence[Placed]) -> tuple[tuple[Leg, ...], float, float]:
             if straight or abs(turned) >= _TURNS or stood > _STANDS:
                 leg = _leg(current, turn, turned_at, forwards=forwards)
                 if leg:
-                    found.append(leg)
+                    parts.append(leg)
                     turn, turned_at = 0.0, math.nan
                 current = []
             else:
@@ -111,9 +111,9 @@ def legs(path: Sequence[Placed]) -> tuple[tuple[Leg, ...], float, float]:
             turned_at = before.moment.time if math.isnan(turned_at) else turned_at
             turn += turned
     if current and (leg := _leg(current, turn, turned_at, forwards=forwards)):
-        found.append(leg)
+        parts.append(leg)
         turn, turned_at = 0.0, math.nan
-    return tuple(found), turn, turned_at
+    return tuple(parts), turn, turned_at
 
 
 def _ahead(before: Placed, dx: float, dy: float) -> float:
@@ -241,20 +241,20 @@ def through(path: Sequence[Placed], target: tuple[float, float], radius: float) 
         return None
     for misdrive, changed in _fixes(driven):
         corners = pairwise(_corners(path[0], changed))
-        if any(_away(target, one, other) <= radius for one, other in corners):
+        if any(_away(target, start, end) <= radius for start, end in corners):
             return misdrive
     return None
 
 
 def _away(
-    point: tuple[float, float], one: tuple[float, float], other: tuple[float, float]
+    point: tuple[float, float], start: tuple[float, float], end: tuple[float, float]
 ) -> float:
     """The mm from a point to a straight part of a way."""
-    dx, dy = other[0] - one[0], other[1] - one[1]
+    dx, dy = end[0] - start[0], end[1] - start[1]
     square = dx * dx + dy * dy
-    along = ((point[0] - one[0]) * dx + (point[1] - one[1]) * dy) / square if square else 0.0
+    along = ((point[0] - start[0]) * dx + (point[1] - start[1]) * dy) / square if square else 0.0
     share = min(1.0, max(0.0, along))
-    return math.dist(point, (one[0] + share * dx, one[1] + share * dy))
+    return math.dist(point, (start[0] + share * dx, start[1] + share * dy))
 
 
 def _straight(start: Placed, driven: Sequence[Leg], target: tuple[float, float]) -> Misdrive | None:
@@ -283,10 +283,10 @@ def _fixes(driven: Sequence[Leg]) -> Iterator[tuple[Misdrive, Sequence[Leg]]]:
         changed = [replace(leg, turn=-leg.turn) for leg in driven]
         yield Misdrive("wrong-direction", first.turned_at, turned=True), changed
     yield Misdrive("wrong-sign", driven[0].time), [_backwards(leg) for leg in driven]
-    for one, other in combinations(range(min(len(driven), _SWAPPED)), 2):
-        swapped = _with(driven, one, replace(driven[one], length=driven[other].length))
-        swapped = _with(swapped, other, replace(driven[other], length=driven[one].length))
-        yield Misdrive("swapped", driven[one].time), swapped
+    for index, other in combinations(range(min(len(driven), _SWAPPED)), 2):
+        swapped = _with(driven, index, replace(driven[index], length=driven[other].length))
+        swapped = _with(swapped, other, replace(driven[other], length=driven[index].length))
+        yield Misdrive("swapped", driven[index].time), swapped
 
 
 def _with(driven: Sequence[Leg], index: int, leg: Leg) -> Sequence[Leg]:
@@ -334,7 +334,7 @@ def _scaled(
             choices.append((abs(math.log(1 + more)), Misdrive(slip, time)))
         elif left <= radius:
             choices.append((math.inf, Misdrive("wrong-sign", time)))
-    return min(choices, key=lambda one: one[0])[1] if choices else None
+    return min(choices, key=lambda choice: choice[0])[1] if choices else None
 
 
 def _turned(

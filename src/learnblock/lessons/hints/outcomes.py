@@ -75,7 +75,7 @@ def never_ends(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
     """The program goes on until its time is over, and should have ended."""
     if not isinstance(verdict.check, Ends) or situation.ended != How.TIME_LIMIT:
         return
-    endless = [one for one in situation.loops if not is_counted(one) and situation.ran(one)]
+    endless = [loop for loop in situation.loops if not is_counted(loop) and situation.ran(loop)]
     lines = (endless[-1].span.line,) if endless else ()
     yield Guess("never-ends", lines, frozenset({"forever", "loop"}), {}, "too_late")
 
@@ -144,16 +144,16 @@ def _counted(situation: Situation) -> tuple[int, ...]:
 def texts(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
     """Something else was printed, said or shown than asked for, or nothing."""
     for kind, pattern in _wanted(situation, verdict):
-        seen = [one for one in situation.texts if one.kind == kind]
-        if any(fits(one.text, pattern) for one in seen):
+        outputs = [output for output in situation.texts if output.kind == kind]
+        if any(fits(output.text, pattern) for output in outputs):
             continue
         about = frozenset({kind, pattern})
-        some = seen[:_MOST_COMPARED]
-        nearest = max(some, key=lambda one: _likeness(one.text, pattern), default=None)
+        some = outputs[:_MOST_COMPARED]
+        nearest = max(some, key=lambda output: _likeness(output.text, pattern), default=None)
         if nearest and _likeness(nearest.text, pattern) >= _ALIKE and not _is_face(pattern):
             yield Guess("text-almost", (nearest.line,) if nearest.line else (), about)
-        elif seen:
-            lines = tuple(dict.fromkeys(one.line for one in seen if one.line))[:3]
+        elif outputs:
+            lines = tuple(dict.fromkeys(output.line for output in outputs if output.line))[:3]
             yield Guess("wrong-text", lines, about, {"kind": kind})
         elif lines := _unreached(situation, kind):
             yield Guess("never-runs", lines, about, {}, "never_runs", 12)
@@ -165,12 +165,12 @@ def texts(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
 def _wanted(situation: Situation, verdict: Verdict) -> Iterator[tuple[str, str]]:
     match verdict.check:
         case Prints(lines=lines):
-            yield from (("print", one) for one in lines)
+            yield from (("print", line) for line in lines)
         case Happens(what=event):
             yield from _text_of(event)
         case InOrder(events=events):
-            for one in events:
-                yield from _text_of(one)
+            for event in events:
+                yield from _text_of(event)
         case Reaches(goals=names) if situation.world is not None:
             for _, _, goal in situation.world.goal.all():
                 if isinstance(goal, Show) and (not names or goal.name in names):
@@ -187,11 +187,13 @@ def _likeness(text: str, pattern: str) -> float:
     plain = pattern.replace("*", "")
     if not plain:
         return 0.0
-    one, other = text[:_LONGEST].casefold().strip(), plain.casefold().strip()
-    if "*" in pattern and len(one) > len(other):
-        parts = [one[start : start + len(other)] for start in range(len(one) - len(other) + 1)]
-        return max(SequenceMatcher(None, part, other).ratio() for part in parts)
-    return SequenceMatcher(None, one, other).ratio()
+    shown, wanted = text[:_LONGEST].casefold().strip(), plain.casefold().strip()
+    if "*" in pattern and len(shown) > len(wanted):
+        parts = [
+            shown[start : start + len(wanted)] for start in range(len(shown) - len(wanted) + 1)
+        ]
+        return max(SequenceMatcher(None, part, wanted).ratio() for part in parts)
+    return SequenceMatcher(None, shown, wanted).ratio()
 
 
 _FACES = frozenset(("joy", "sadness", "anger", "fear", "disgust", "surprise", "neutral"))
@@ -206,13 +208,13 @@ _SKILLS = {"say": ("say_Text",), "show": ("show_text", "show_number", "express")
 
 def _unreached(situation: Situation, kind: str) -> tuple[int, ...]:
     """The statements that would print, say or show something, and did not run."""
-    found = []
+    lines = []
     for node in situation.statements:
         calls = [*calls_in(node, SkillCall), *calls_in(node, Call)]
         names = _SKILLS.get(kind, ("print",))
         if any(call.name.startswith(names) for call in calls) and not situation.ran(node):
-            found.append(node.span.line)
-    return tuple(found[:3])
+            lines.append(node.span.line)
+    return tuple(lines[:3])
 
 
 def wrong_order(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
@@ -220,32 +222,32 @@ def wrong_order(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
     if situation.evidence is None:
         return
     match verdict.check:
-        case InOrder(events=events) if all(isinstance(one, At | GoalReached) for one in events):
+        case InOrder(events=events) if all(isinstance(event, At | GoalReached) for event in events):
             # The robot drove another way; the order of its statements may be right.
             return
         case InOrder(events=events):
             code = verdict.reason.code if verdict.reason else ""
             if code != "lesson-order-late" and _all_happen(events, situation):
-                lines = _lines_of(situation, [p for one in events for p in _text_of(one)])
+                lines = _lines_of(situation, [p for event in events for p in _text_of(event)])
                 yield Guess("wrong-order", lines, frozenset({"order"}))
         case Prints(lines=patterns):
-            seen = [one.text for one in situation.texts if one.kind == "print"]
-            if all(any(fits(text, pattern) for text in seen) for pattern in patterns):
-                lines = _lines_of(situation, [("print", one) for one in patterns])
+            printed = [output.text for output in situation.texts if output.kind == "print"]
+            if all(any(fits(text, pattern) for text in printed) for pattern in patterns):
+                lines = _lines_of(situation, [("print", pattern) for pattern in patterns])
                 yield Guess("wrong-order", lines, frozenset({"order"}))
 
 
 def _all_happen(events: Sequence[Event], situation: Situation) -> bool:
     evidence = situation.evidence
-    return evidence is not None and all(moments(one, evidence) for one in events)
+    return evidence is not None and all(moments(event, evidence) for event in events)
 
 
 def _lines_of(situation: Situation, wanted: Sequence[tuple[str, str]]) -> tuple[int, ...]:
     lines = [
-        one.line
+        output.line
         for kind, pattern in wanted
-        for one in situation.texts
-        if one.kind == kind and fits(one.text, pattern) and one.line
+        for output in situation.texts
+        if output.kind == kind and fits(output.text, pattern) and output.line
     ]
     return tuple(sorted(set(lines)))[:4]
 
@@ -282,9 +284,9 @@ def event_missing(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
 def _lines_with(situation: Situation, name: str) -> tuple[int, ...]:
     """The lines that call a skill, or have a text."""
     return tuple(
-        one.span.line
-        for one in situation.statements
-        for inner in all_expressions(one)
+        node.span.line
+        for node in situation.statements
+        for inner in all_expressions(node)
         if (isinstance(inner, SkillCall) and inner.name == name)
         or (isinstance(inner, String) and inner.value == name)
     )[:3]
@@ -319,8 +321,8 @@ def lost_line(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
     """The robot asks for a line and loses it."""
     if not isinstance(verdict.check, StaysOnLine):
         return
-    asked = {name for name in situation.skills if asks_line(name)}
-    if not asked:
+    skills = {name for name in situation.skills if asks_line(name)}
+    if not skills:
         return
     for node in situation.statements:
         for call in calls_in(node, SkillCall):
@@ -328,11 +330,11 @@ def lost_line(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
             if call.name in LASTING - {"turn_left", "turn_right"} and (speed or 0) > _FAST:
                 about = frozenset({call.name})
                 yield Guess("value-too-large", (node.span.line,), about, {}, "value_too_large", 5)
-    sides = {side(name) for name in asked} - {""}
+    sides = {side(name) for name in skills} - {""}
     if len(sides) == 1:
         what = Phrase("hint-the-other-side")
-        yield Guess("never-asks", (), frozenset(asked), {"what": what}, "never_asks", 5)
-    yield Guess("lost-line", (), frozenset(asked))
+        yield Guess("never-asks", (), frozenset(skills), {"what": what}, "never_asks", 5)
+    yield Guess("lost-line", (), frozenset(skills))
 
 
 # Other attempts.
@@ -354,9 +356,9 @@ def _numbers(situation: Situation) -> tuple[int, ...]:
     skills = {"sleep", "drive_distance", "turn"}
     main = situation.statements
     lines = [
-        one.span.line
-        for one in main
-        for call in calls_in(one, SkillCall)
+        node.span.line
+        for node in main
+        for call in calls_in(node, SkillCall)
         if call.name in skills and call.arguments and number_of(call.arguments[0])
     ]
     return tuple(dict.fromkeys(lines))[:3]

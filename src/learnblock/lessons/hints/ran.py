@@ -52,11 +52,11 @@ _OFTEN = 2
 
 def no_wait(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
     """A command is replaced by the next one before any time has passed."""
-    wheels = [one for one in situation.calls if one.skill in DRIVING | STOPPING]
+    wheels = [call for call in situation.calls if call.skill in DRIVING | STOPPING]
     for first, then in _replaced(wheels, LASTING, situation):
         lines = (first.line, then.line) if then else (first.line,)
         yield Guess("no-wait", lines, frozenset({first.skill}), {}, "loop_without_wait")
-    shown = [one for one in situation.calls if one.skill in faces()]
+    shown = [call for call in situation.calls if call.skill in faces()]
     surely = 0 if _is_about_faces(verdict) else -40
     for first, then in _replaced(shown, faces(), situation):
         if then:
@@ -89,7 +89,7 @@ def _replaced(
 
 def _is_still(call: CallRun) -> bool:
     """Whether a movement is none."""
-    numbers = [one for one in call.arguments if isinstance(one, int | float)]
+    numbers = [number for number in call.arguments if isinstance(number, int | float)]
     return bool(numbers) and not any(numbers)
 
 
@@ -98,7 +98,7 @@ def _is_about_faces(verdict: Verdict) -> bool:
         case Happens(what=Shown()):
             return True
         case InOrder(events=events):
-            return any(isinstance(one, Shown) for one in events)
+            return any(isinstance(event, Shown) for event in events)
         case Reaches():
             return True
     return False
@@ -133,11 +133,11 @@ def _branches(situation: Situation, node: If) -> Iterator[Guess]:
 
 
 def _never(situation: Situation, node: Any, body: Any, condition: Any, *about: str) -> Guess:
-    asked = {call.name for call in asked_in(condition)} if condition is not None else set()
-    names = frozenset({*about, *asked, *(call.name for call in skills_in(body))})
+    skills = {call.name for call in asked_in(condition)} if condition is not None else set()
+    names = frozenset({*about, *skills, *(call.name for call in skills_in(body))})
     times = situation.times_run[node.span.line]
     # What was asked for more than once had its chance.
-    surely = 0 if asked & sensors() and times > _OFTEN else -5
+    surely = 0 if skills & sensors() and times > _OFTEN else -5
     lines = (node.span.line,)
     if condition is None and is_loop(node):
         surely = -10
@@ -152,46 +152,46 @@ def passing_wait(situation: Situation, _: Verdict) -> Iterator[Guess]:
         condition = condition_of(node)
         if condition is None or is_endless(node) or not situation.ran(node):
             continue
-        asked = {call.name for call in asked_in(condition)}
+        skills = {call.name for call in asked_in(condition)}
         if is_loop(node):
-            if asked & questions() and not situation.body_ran(node.body):
-                about = frozenset({"loop", *asked})
+            if skills & questions() and not situation.body_ran(node.body):
+                about = frozenset({"loop", *skills})
                 yield Guess("opposite-condition", (node.span.line,), about, surely=2)
-        elif is_waiting(node) and asked & sensors() and _asked_once(situation, asked):
-            about = frozenset({"wait", *asked})
+        elif is_waiting(node) and skills & sensors() and _asked_once(situation, skills):
+            about = frozenset({"wait", *skills})
             # It is also why the command before it has no time.
             yield Guess("opposite-condition", (node.span.line,), about, surely=15)
 
 
-def _asked_once(situation: Situation, asked: set[str]) -> bool:
-    times = sum(one.skill in asked for one in situation.calls)
-    return times <= len(asked)
+def _asked_once(situation: Situation, skills: set[str]) -> bool:
+    times = sum(call.skill in skills for call in situation.calls)
+    return times <= len(skills)
 
 
 def never_asks(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
     """A robot that bumps into things, or misses its goal elsewhere, asks no sensor."""
     if situation.evidence is None or _is_decided_by_text(verdict):
         return
-    asked = {one.skill for one in situation.calls} & sensors()
+    skills = {call.skill for call in situation.calls} & sensors()
     offered = _offered(situation)
     bumped = _has_bumped(situation, verdict)
-    if bumped and not asked & OBSTACLES:
+    if bumped and not skills & OBSTACLES:
         values = {"what": Phrase("hint-a-distance-sensor")}
         # A step without sensors may ask for numbers that are right.
         surely = 10 if offered & OBSTACLES else 0 if situation.step.variants else -10
         yield Guess("never-asks", _moving(situation), OBSTACLES, values, "never_asks", surely)
-    elif not asked and offered:
+    elif not skills and offered:
         what = Phrase("hint-a-sensor")
         yield Guess("never-asks", (), offered, {"what": what}, "never_asks")
 
 
 def _moving(situation: Situation) -> tuple[int, ...]:
-    calls = [one for one in situation.calls if one.skill in DRIVING and one.line]
+    calls = [call for call in situation.calls if call.skill in DRIVING and call.line]
     if not calls:
         return ()
     hit = situation.evidence.collisions if situation.evidence else ()
     until = hit[0].moment.time if hit else situation.end
-    before = [one for one in calls if one.time <= until]
+    before = [call for call in calls if call.time <= until]
     return (before[-1].line,) if before else ()
 
 
@@ -200,7 +200,7 @@ def _offered(situation: Situation) -> frozenset[str]:
     blocks = situation.step.blocks
     if not isinstance(blocks, tuple):
         return frozenset()
-    return frozenset(one.removeprefix("function.") for one in blocks) & sensors()
+    return frozenset(block.removeprefix("function.") for block in blocks) & sensors()
 
 
 def _has_bumped(situation: Situation, verdict: Verdict) -> bool:
@@ -224,13 +224,13 @@ def collision(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
     hit = situation.evidence.collisions[0]
     about = frozenset({hit.text})
     values: Mapping[str, Value] = {"thing": hit.text, "time": round(hit.moment.time, 1)}
-    asks = any(one.skill in OBSTACLES for one in situation.calls)
+    asks = any(call.skill in OBSTACLES for call in situation.calls)
     yield Guess("collision", _moving(situation), about, values, "collision", 3 if asks else 0)
 
 
 def motors_on(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
     """The robot drives on after its task, as nothing stops it."""
-    wheels = [one for one in situation.calls if one.skill in DRIVING | STOPPING]
+    wheels = [call for call in situation.calls if call.skill in DRIVING | STOPPING]
     if not wheels or wheels[-1].skill not in LASTING or _is_still(wheels[-1]):
         return
     last = wheels[-1]
@@ -239,7 +239,7 @@ def motors_on(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
         return
     if situation.end - last.time > 1 and not isinstance(verdict.check, Happens):
         # One that looks at nothing bumps into things because of that.
-        blind = not {one.skill for one in situation.calls} & sensors()
+        blind = not {call.skill for call in situation.calls} & sensors()
         surely = -15 if blind and situation.evidence and situation.evidence.collisions else 0
         yield Guess("motors-on", (last.line,), frozenset({last.skill}), {}, "too_late", surely)
 
@@ -262,7 +262,7 @@ def stop_missing(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
 
 
 def _leaves(body: Body) -> bool:
-    return any(isinstance(one, Break | Return) for one in body)
+    return any(isinstance(node, Break | Return) for node in body)
 
 
 def _wants_stop(verdict: Verdict) -> bool:

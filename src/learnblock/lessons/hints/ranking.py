@@ -70,7 +70,7 @@ def ranked(guesses: Iterable[tuple[int, Guess]]) -> list[tuple[int, Guess]]:
 
     Of two with the same weight, that of the first check comes first, then that of the first line.
     """
-    ordered = sorted(guesses, key=lambda one: (-weight(one[1]), one[0], one[1].lines))
+    ordered = sorted(guesses, key=lambda pair: (-weight(pair[1]), pair[0], pair[1].lines))
     best: dict[str, tuple[int, Guess]] = {}
     for check, guess in ordered:
         best.setdefault(guess.rule, (check, guess))

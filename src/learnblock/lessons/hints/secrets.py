@@ -55,11 +55,11 @@ def _texts_of(value: Value, language: str) -> Iterator[str]:
     """A value as a text; of a phrase also its values."""
     if isinstance(value, Phrase):
         yield translate(value, language)
-        for one in value.values.values():
-            yield from _texts_of(one, language)
+        for part in value.values.values():
+            yield from _texts_of(part, language)
     elif isinstance(value, tuple):
-        for one in value:
-            yield from _texts_of(one, language)
+        for part in value:
+            yield from _texts_of(part, language)
     else:
         yield str(value)
 

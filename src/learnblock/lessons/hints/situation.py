@@ -108,8 +108,8 @@ class Situation:
     @cached_property
     def failed(self) -> tuple[Verdict, ...]:
         """The checks that fail, those that the step needs first."""
-        failed = [one for one in self.verdicts if one.state == "failed"]
-        return tuple(sorted(failed, key=lambda one: (one.check.optional, one.index)))
+        failed = [verdict for verdict in self.verdicts if verdict.state == "failed"]
+        return tuple(sorted(failed, key=lambda verdict: (verdict.check.optional, verdict.index)))
 
     # The program.
 
@@ -121,12 +121,14 @@ class Situation:
     @cached_property
     def loops(self) -> tuple[Any, ...]:
         """Every loop, in the order of the source."""
-        return tuple(one for one in self.statements if is_loop(one))
+        return tuple(node for node in self.statements if is_loop(node))
 
     @cached_property
     def skills(self) -> frozenset[str]:
         """The skills that the program calls."""
-        return frozenset(call.name for one in self.statements for call in calls_in(one, SkillCall))
+        return frozenset(
+            call.name for node in self.statements for call in calls_in(node, SkillCall)
+        )
 
     def waits(self, body: Body) -> bool:
         """Whether time passes in some statements, or in the functions that they call."""
@@ -160,7 +162,7 @@ class Situation:
 
     def body_ran(self, body: Body) -> bool:
         """Whether some statement of a body ran."""
-        return any(self.ran(one) for one in body if not isinstance(one, NOTHING))
+        return any(self.ran(node) for node in body if not isinstance(node, NOTHING))
 
     @cached_property
     def _run(self) -> tuple[tuple[CallRun, ...], tuple[TextRun, ...], Counter[int]]:
@@ -191,14 +193,14 @@ class Situation:
         robot, lines = self.evidence.robot, self.evidence.trace.timed()
         if not robot:
             return lines
-        return (one for one in lines if one[1].get("robot", "") == robot)
+        return (line for line in lines if line[1].get("robot", "") == robot)
 
     def _source_line(self, number: int) -> int:
         """The line of the program of a line of its Python; 0 if it has none."""
-        found = self._source_lines
-        if number not in found:
-            found[number] = self.python.source_map.source_line(number) or 0
-        return found[number]
+        lines = self._source_lines
+        if number not in lines:
+            lines[number] = self.python.source_map.source_line(number) or 0
+        return lines[number]
 
     @cached_property
     def _source_lines(self) -> dict[int, int]:
@@ -235,9 +237,9 @@ def _texts(entry: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
     if isinstance(entry.get("print"), str):
         yield from (("print", text) for text in entry["print"].split("\n"))
     elif entry.get("do") in _KINDS:
-        given = entry.get("args")
-        if isinstance(given, list) and given and isinstance(given[0], str):
-            yield _KINDS[entry["do"]], given[0]
+        arguments = entry.get("args")
+        if isinstance(arguments, list) and arguments and isinstance(arguments[0], str):
+            yield _KINDS[entry["do"]], arguments[0]
 
 
 def calls_in(node: Any, kind: type[Any]) -> Iterator[Any]:
@@ -267,9 +269,9 @@ def parts(node: If) -> Iterator[Branch | Else]:
 
 def first_line(body: Body) -> int:
     """The line of the first statement of a body."""
-    return next((one.span.line for one in body if not isinstance(one, NOTHING)), 0)
+    return next((node.span.line for node in body if not isinstance(node, NOTHING)), 0)
 
 
 def is_empty(body: Body) -> bool:
     """Whether a body does nothing."""
-    return all(isinstance(one, NOTHING) for one in body)
+    return all(isinstance(node, NOTHING) for node in body)

@@ -25,13 +25,13 @@ def teachers(situation: Situation, guesses: Sequence[tuple[int, Guess]]) -> Iter
             if not _is_meant(rule, verdict.check):
                 continue
             own = [guess for check, guess in guesses if check == verdict.index]
-            if (found := _seen(rule, situation, own)) is not None:
+            if (lines := _seen(rule, situation, own)) is not None:
                 because = Phrase(
                     "hint-teacher-because",
                     number=str(number),
                     sign=Phrase(f"hint-sign-{(rule.sign or 'none').replace('_', '-')}"),
                 )
-                yield Hint(f"teacher-{number}", rule.say, because, found, verdict.index)
+                yield Hint(f"teacher-{number}", rule.say, because, lines, verdict.index)
                 break
 
 
@@ -49,8 +49,8 @@ def _seen(rule: HintRule, situation: Situation, guesses: Sequence[Guess]) -> tup
     if rule.sign is None:
         is_about = rule.about is None or rule.about in _names(situation)
         return _lines(situation, rule.about) if is_about else None
-    if rule.sign in _DIRECT and (found := _DIRECT[rule.sign](situation, rule.about)) is not None:
-        return found
+    if rule.sign in _DIRECT and (lines := _DIRECT[rule.sign](situation, rule.about)) is not None:
+        return lines
     for guess in guesses:
         if guess.sign == rule.sign and (rule.about is None or rule.about in guess.about):
             return guess.lines
@@ -59,45 +59,49 @@ def _seen(rule: HintRule, situation: Situation, guesses: Sequence[Guess]) -> tup
 
 def _names(situation: Situation) -> set[str]:
     """Skills, functions and constructs of the program, for rules about one of them."""
-    found: set[str] = set(situation.skills)
-    for one in situation.statements:
-        found.add(type(one).__name__.lower())
-        if isinstance(one, Def | When):
-            found.add(one.name)
+    names: set[str] = set(situation.skills)
+    for node in situation.statements:
+        names.add(type(node).__name__.lower())
+        if isinstance(node, Def | When):
+            names.add(node.name)
     if situation.loops:
-        found.add("loop")
-    if any(is_endless(one) for one in situation.loops):
-        found.add("forever")
-    return found
+        names.add("loop")
+    if any(is_endless(loop) for loop in situation.loops):
+        names.add("forever")
+    return names
 
 
 def _lines(situation: Situation, about: str | None) -> tuple[int, ...]:
     """The lines that call a skill."""
     return tuple(
-        one.span.line
-        for one in situation.statements
-        for call in calls_in(one, SkillCall)
+        node.span.line
+        for node in situation.statements
+        for call in calls_in(node, SkillCall)
         if about is not None and call.name == about
     )[:3]
 
 
 def _never_asks(situation: Situation, about: str | None) -> tuple[int, ...] | None:
-    asked = {one.skill for one in situation.calls} & questions()
+    skills = {call.skill for call in situation.calls} & questions()
     if about is not None:
-        return _lines(situation, about) if about not in asked else None
-    return () if situation.evidence is not None and not asked else None
+        return _lines(situation, about) if about not in skills else None
+    return () if situation.evidence is not None and not skills else None
 
 
 def _never_runs(situation: Situation, about: str | None) -> tuple[int, ...] | None:
     if about is None or situation.evidence is None:
         return None
-    if any(one.skill == about for one in situation.calls):
+    if any(call.skill == about for call in situation.calls):
         return None
     lines = [
-        one.span.line
-        for one in situation.statements
-        if any(call.name == about for call in calls_in(one, SkillCall))
-        or (isinstance(one, Def | When) and one.name == about and not situation.body_ran(one.body))
+        node.span.line
+        for node in situation.statements
+        if any(call.name == about for call in calls_in(node, SkillCall))
+        or (
+            isinstance(node, Def | When)
+            and node.name == about
+            and not situation.body_ran(node.body)
+        )
     ]
     return tuple(lines[:3]) or None
 
@@ -105,13 +109,13 @@ def _never_runs(situation: Situation, about: str | None) -> tuple[int, ...] | No
 def _no_loop(situation: Situation, about: str | None) -> tuple[int, ...] | None:
     del about
     # What is inside an event runs again and again, too.
-    has_event = any(isinstance(one, When) for one in situation.statements)
+    has_event = any(isinstance(node, When) for node in situation.statements)
     return None if situation.loops or has_event else ()
 
 
 def _collision(situation: Situation, about: str | None) -> tuple[int, ...] | None:
     hit = situation.evidence.collisions if situation.evidence else ()
-    return () if any(about in {None, one.text} for one in hit) else None
+    return () if any(about in {None, collision.text} for collision in hit) else None
 
 
 def _error(situation: Situation, about: str | None) -> tuple[int, ...] | None:

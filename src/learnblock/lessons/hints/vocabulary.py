@@ -46,13 +46,13 @@ OBSTACLES = frozenset(
 @cache
 def questions() -> frozenset[str]:
     """The skills that answer something."""
-    return frozenset(name for name, one in builtin().items() if one.returns_value) - _ACTS
+    return frozenset(name for name, block in builtin().items() if block.returns_value) - _ACTS
 
 
 @cache
 def sensors() -> frozenset[str]:
     """The skills that ask about the world around the robot."""
-    perceptual = (name for name, one in builtin().items() if one.type == "perceptual")
+    perceptual = (name for name, block in builtin().items() if block.type == "perceptual")
     return frozenset(perceptual) - _ACTS - _CLOCKS
 
 
@@ -64,7 +64,7 @@ def faces() -> frozenset[str]:
 
 def side(skill: str) -> str:
     """The side in the name of a skill: ``left``, ``right`` or none."""
-    return next((one for one in ("left", "right") if one in skill), "")
+    return next((word for word in ("left", "right") if word in skill), "")
 
 
 def asks_line(skill: str) -> bool:

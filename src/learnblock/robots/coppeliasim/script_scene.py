@@ -68,10 +68,10 @@ class ScriptScene:
         self._turning = Turning(lambda: self._sense().pose[2], lambda: None)
 
     def devices(self) -> Iterator[tuple[Device, str]]:
-        known = self._known()
+        devices = self._known()
         for name in self._about.devices:
-            if name in known:
-                yield known[name], "Z_AXIS" if name == "Gyroscope" else DEFAULT_KEY
+            if name in devices:
+                yield devices[name], "Z_AXIS" if name == "Gyroscope" else DEFAULT_KEY
 
     def move(self, adv: float, rot: float) -> None:
         self._script.call("drive", adv, rot)

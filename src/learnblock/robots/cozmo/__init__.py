@@ -111,16 +111,16 @@ class Robot(RealRobot[CozmoSettings]):
 
         The robot doesn't move, but it ends its conversation with any program that is elsewhere.
         """
-        known: CozmoSettings = user_settings.load(cls.name(), cls.settings_type)
-        if is_used(known.address, known.port):
+        settings: CozmoSettings = user_settings.load(cls.name(), cls.settings_type)
+        if is_used(settings.address, settings.port):
             return
-        if responds(known.address, known.port, seconds):
-            yield {"address": known.address, "port": known.port}
+        if responds(settings.address, settings.port, seconds):
+            yield {"address": settings.address, "port": settings.port}
 
     @classmethod
     def is_in_use(cls) -> bool:
-        known: CozmoSettings = user_settings.load(cls.name(), cls.settings_type)
-        return is_used(known.address, known.port)
+        settings: CozmoSettings = user_settings.load(cls.name(), cls.settings_type)
+        return is_used(settings.address, settings.port)
 
     @classmethod
     def halt(cls, settings: CozmoSettings) -> None:

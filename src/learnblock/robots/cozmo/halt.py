@@ -112,7 +112,7 @@ def insist(
 
     Args:
         send: sends it; called again every `RETRY` seconds.
-        hear: waits at most so many seconds for something; returns whether it is the answer.
+        hear: waits at most this many seconds for data; returns whether it is the answer.
         timeout: how long to wait for an answer, in seconds.
         clock: the clock of these limits.
     """

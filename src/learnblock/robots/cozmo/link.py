@@ -73,7 +73,7 @@ class Sender(SendThread):  # type: ignore[misc] # pycozmo has no types
             self._send_packets(self._numbered([packets.Disconnect()]), self.last_ack)
 
     def overdue(self) -> list[tuple[int, Any]]:
-        """What has to be sent again by now, with its numbers; its time begins anew."""
+        """What has to be sent again by now, with its numbers; its timer restarts."""
         with self.lock:
             owed: list[tuple[int, Any]] = self.window.get()
             if not owed or self._clock.now() < self.last_ack_time + RESEND:
@@ -181,17 +181,17 @@ class Link(Connection):  # type: ignore[misc] # pycozmo has no types
 
     def establish(self, timeout: float) -> bool:
         """Request the connection until the robot accepts it or `timeout` seconds have passed."""
-        began = asked = self._clock.now()
+        began = requested = self._clock.now()
         until = Deadline(self._clock, began + timeout)
         while not self._welcomed.is_set():
             if until.is_over:
                 return False
-            asked = self._clock.now()
+            requested = self._clock.now()
             self.connect()
             self._clock.wait(self._welcomed, min(RETRY, until.left))
         # The robot restarts the connection at each request. Nothing else may be sent before it has
         # received the last one, which takes at most as long as its first answer took.
-        self._clock.sleep(asked - began)
+        self._clock.sleep(requested - began)
         return True
 
     def hang_up(self) -> None:

@@ -88,7 +88,7 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
         """Show the picture that a program has set as it ended, and for which no frame was left."""
         queue = self.anim_controller.queue
         pictures = [picture for picture in queue.image_queue if picture is not None]
-        # A behaviour that has been cut off has pictures for later.
+        # An interrupted behaviour still has pictures in the queue.
         if pictures and not queue.pkt_queue:
             self.conn.send(pictures[-1])
 

@@ -1,8 +1,8 @@
 """Tells programs on this computer whether one of them uses a Cozmo.
 
 A Cozmo ends its conversation when any program greets it, so looking for it would disturb the
-program that uses it. That program keeps a UDP port of this computer, which the system frees when it
-ends, however it does. Programs that do not use LearnBlock, and other computers, can't be seen.
+program that uses it. That program keeps a UDP port of this computer, which the system frees
+when the program ends in any way. Programs without LearnBlock, and other computers, can't be seen.
 """
 
 import socket

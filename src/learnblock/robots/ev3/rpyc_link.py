@@ -128,10 +128,10 @@ class RpycLink(Link):
         # Waits for the result, and raises errors of the brick.
         return doing.value
 
-    def _read(self, said: object) -> State:
-        if not isinstance(said, str):
+    def _read(self, answer_line: object) -> State:
+        if not isinstance(answer_line, str):
             raise ValueError("not a text")
-        answer = lines.answer(said, self.place)
+        answer = lines.answer(answer_line, self.place)
         self.speaks = answer.speaks
         assert answer.state is not None  # noqa: S101 - `lines.answer` requires one
         return answer.state

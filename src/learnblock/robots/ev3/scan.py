@@ -71,16 +71,16 @@ def read_beacon(data: bytes) -> int | None:
 def _ev3dev(seconds: float) -> Iterator[Found]:
     """The bricks at the address in the settings and at the default address."""
     try:
-        known = user_settings.load("ev3", Settings)
+        settings = user_settings.load("ev3", Settings)
     except LearnBlockError:
         # Invalid settings are reported when they are used.
-        known = Settings()
-    addresses = {known.address, Settings().address}
+        settings = Settings()
+    addresses = {settings.address, Settings().address}
     for address in sorted(addresses):
         timeout = seconds / len(addresses) / 2
-        if _is_agent(address, known.agent_port, timeout):
+        if _is_agent(address, settings.agent_port, timeout):
             yield {"connection": "agent", "address": address}
-        elif _listens(address, known.rpyc_port, timeout):
+        elif _listens(address, settings.rpyc_port, timeout):
             yield {"connection": "rpyc", "address": address}
 
 

@@ -71,11 +71,11 @@ def _logged_in(settings: Settings) -> Iterator[Any]:
     paramiko = require("paramiko", "ev3")
     place = f"{settings.address}:{settings.ssh_port}"
     client = paramiko.SSHClient()
-    known = home() / "ev3-known-hosts"
-    known.parent.mkdir(parents=True, exist_ok=True)
-    known.touch()
+    host_keys = home() / "ev3-known-hosts"
+    host_keys.parent.mkdir(parents=True, exist_ok=True)
+    host_keys.touch()
     # The first brick that answers is trusted, and must have the same key from then on.
-    client.load_host_keys(str(known))
+    client.load_host_keys(str(host_keys))
     client.set_missing_host_key_policy(paramiko.AutoAddPolicy())
     try:
         client.connect(
@@ -93,7 +93,9 @@ def _logged_in(settings: Settings) -> Iterator[Any]:
         )
         yield client
     except paramiko.BadHostKeyException as error:
-        raise RobotConnectionError("ev3-setup-other-brick", place=place, file=str(known)) from error
+        raise RobotConnectionError(
+            "ev3-setup-other-brick", place=place, file=str(host_keys)
+        ) from error
     except paramiko.AuthenticationException as error:
         raise RobotConnectionError("ev3-setup-no-login", place=place, user=settings.user) from error
     except (paramiko.SSHException, OSError, EOFError) as error:

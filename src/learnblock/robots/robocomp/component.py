@@ -19,7 +19,7 @@ class Component:
         robot: the robot's id.
         part: base, joint, laser, face, screen or camera.
         proxy: calls the component.
-        note: told the name of each operation that is called.
+        note: called with the name of each operation that is called.
     """
 
     def __init__(

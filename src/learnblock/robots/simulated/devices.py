@@ -29,7 +29,7 @@ from learnblock.devices import (
 from learnblock.senses import ABILITIES
 from learnblock.simulator import RobotBody
 
-#: What every robot has in a world, whatever it has in reality.
+#: What every robot has in a world, even if the real one does not.
 WORLD_DEVICES = ("Pen:ROBOT", "Screen:ROBOT")
 # Why: docs/decisions.md, "The last digits of a computer stay inside the simulator"
 #: Decimals of every reading: the last digits of sines differ between computers.

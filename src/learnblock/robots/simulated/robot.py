@@ -94,7 +94,7 @@ class SimulatedRobot(Client):
             world=world, seed=seed, pace=pace, variant=variant
         )
         clock: Clock = WorldClock(self.simulation) if simulation else self._own_clock()
-        # A host calls no skills, and attaches those that something else may call.
+        # A host calls no skills, and attaches those that others may call.
         super().__init__(skills=() if simulation else None, clock=clock)
         if simulation is None:
             self._hold_the_program()

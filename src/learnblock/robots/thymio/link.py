@@ -40,7 +40,7 @@ class Link:
         self._closed = threading.Event()
         self._reader = threading.Thread(target=self._listen, name="thymio reader", daemon=True)
 
-    # For subclasses to override.
+    # Subclasses override these.
 
     def read(self, variable: str) -> tuple[int, ...]:
         """The latest values of one of the robot's variables, signed.

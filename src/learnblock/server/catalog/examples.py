@@ -331,7 +331,7 @@ def example(name: str) -> ExampleChoice:
     Raises:
         UnknownNameError: there is no such example.
     """
-    known = example_choices()
-    if name not in known:
-        raise UnknownNameError("example", name, known)
-    return known[name]
+    choices = example_choices()
+    if name not in choices:
+        raise UnknownNameError("example", name, choices)
+    return choices[name]

@@ -23,7 +23,7 @@ def welcome(
     Args:
         folder: the projects folder.
         read_only: why nothing may be written; None if it may.
-        warns: whether the page says what does not contain programs.
+        warns: whether the page warns about missing limits for programs.
         teaches: whether the page may have what only the teacher has.
         address: the address by which other devices reach the server; None if they can't.
     """

@@ -92,10 +92,10 @@ def own_files() -> list[Path]:
 
 
 def add_lesson(name: str, content: bytes) -> OpenLesson:
-    """Save a lesson's file in the user's folder, instead of one with this name.
+    """Save a lesson's file in the user's folder, replacing one with this name.
 
     Raises:
-        LearnBlockError: it is no lesson, or can't have this name.
+        LearnBlockError: it isn't a lesson, or can't have this name.
         OSError: it can't be saved.
     """
     if not _NAME.fullmatch(name) or name in reading.shipped():

@@ -102,9 +102,9 @@ def runs_on(document: Document) -> RunsOn:
     return RunsOn(tuple(_verdict(robot, verdict) for robot, verdict in verdicts.items()))
 
 
-def _verdict(robot: str, found: Found | Phrase) -> Verdict:
-    if isinstance(found, Phrase):
-        return Verdict(robot, "unknown", found)
-    if found.refused:
-        return Verdict(robot, "refused", found.phrase)
-    return Verdict(robot, "without" if found.missed else "runs", found.phrase)
+def _verdict(robot: str, verdict: Found | Phrase) -> Verdict:
+    if isinstance(verdict, Phrase):
+        return Verdict(robot, "unknown", verdict)
+    if verdict.refused:
+        return Verdict(robot, "refused", verdict.phrase)
+    return Verdict(robot, "without" if verdict.missed else "runs", verdict.phrase)

@@ -40,7 +40,7 @@ def table(robot: str) -> Table[Any]:
 
 
 def described(settings: Table[Any]) -> Iterator[Setting]:
-    """Describe every setting of a table with its current value.
+    """Describe every setting in a table with its current value.
 
     Raises:
         SettingsError: the user's file is invalid.
@@ -91,9 +91,9 @@ def _permitted(name: str, value: Any) -> Any:
 
 
 def _video(name: str) -> str:
-    known = {path.name: path for path in videos().glob("*") if path.is_file()}
-    present = {str(path): path for path in known.values()}
-    path = known.get(name) or present.get(name)
+    paths = {path.name: path for path in videos().glob("*") if path.is_file()}
+    present = {str(path): path for path in paths.values()}
+    path = paths.get(name) or present.get(name)
     if path is None:
         raise LearnBlockError("settings-video", name=name[:80], folder=str(videos()))
     return str(path)
@@ -108,10 +108,10 @@ def _sort(kind: inspect.Type) -> Sort:
         inspect.TupleType: "list",
         inspect.VarTupleType: "list",
     }
-    found = [
+    candidates = [
         sorts.get(type(alternative), "text") for alternative in struct_types.alternatives(kind)
     ]
-    return next((sort for sort in found if sort != "choice"), found[0])
+    return next((sort for sort in candidates if sort != "choice"), candidates[0])
 
 
 def _bounds(kind: inspect.Type) -> dict[str, Any]:

@@ -23,9 +23,9 @@ def check_world_name(name: str) -> None:
     """
     from learnblock.robots.simulated import known_worlds  # noqa: PLC0415
 
-    known = known_worlds()
-    if name not in known:
-        raise UnknownNameError("world", name, known)
+    worlds = known_worlds()
+    if name not in worlds:
+        raise UnknownNameError("world", name, worlds)
 
 
 def usual_world(entry: RobotEntry) -> str | None:

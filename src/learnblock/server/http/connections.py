@@ -1,11 +1,11 @@
 """The open connections of a server that other computers reach.
 
-A connection costs memory and a descriptor, and anyone in the network can open as many as they like.
-So those that wait for their browser, which has sent nothing, half a request or half a handshake, or
-reads no answer, are counted by who has opened them: by person once a request has said who that is,
-by address until then. Beyond a limit the oldest is closed; a browser opens another one when it
-needs it. One that is being answered is never closed, so that a whole class can come from one
-address, as behind the router of a school.
+A connection costs memory and a descriptor, and any computer in the network can open many. So
+connections that wait for their browser (it has sent nothing, half a request or half a handshake, or
+does not read its answer) are counted by owner: by person once a request has identified the person,
+by address before that. Beyond a limit the oldest is closed; a browser opens another one when it
+needs it. One that is being answered is never closed, so that a whole class can share one address,
+as behind the router of a school.
 """
 
 import ipaddress
@@ -18,9 +18,9 @@ from typing import Any
 
 #: The connections of one address, and of one known person, that may wait for their browser.
 MOST_UNKNOWN, MOST_KNOWN = 20, 60
-#: Those of one owner that may wait even for a moment: a request is usually on its way.
+#: Those of one owner that may wait for a moment: a request is usually on its way.
 MOST_YOUNG = 200
-#: The connections of all together.
+#: The maximum number of connections in total.
 MOST = 2000
 #: Descriptors that the server needs for other things.
 _RESERVE = 100
@@ -34,7 +34,7 @@ class Connections:
     """The open connections by owner, the oldest first.
 
     Args:
-        most: those of all together.
+        most: the maximum in total.
         now: returns the time of a monotonic clock in seconds.
     """
 
@@ -68,14 +68,14 @@ class Connections:
             self._close_oldest(waiting, _GRACE if len(waiting) <= MOST_YOUNG else 0.0)
 
     def works(self, connection: "Connection") -> None:
-        """A connection does not wait for its browser any more."""
+        """A connection no longer waits for its browser."""
         waiting = self._waiting[connection.owner]
         waiting.pop(connection.number, None)
         if not waiting:
             del self._waiting[connection.owner]
 
     def belongs(self, connection: "Connection", person: str) -> None:
-        """A request has said whose connection it is."""
+        """A request has identified the owner of a connection."""
         self.works(connection)
         connection.owner, connection.is_known = f"person {person}", True
 
@@ -86,7 +86,7 @@ class Connections:
             del self._open[connection.number]
 
     def _close_oldest(self, waiting: "dict[int, Connection]", age: float) -> None:
-        """Close the one that has waited longest, if that is so many seconds."""
+        """Close the one that has waited longest, if it has waited this many seconds."""
         latest = self._now() - age
         for connection in waiting.values():
             if connection.since > latest:
@@ -117,14 +117,14 @@ class Connection(socket.socket):
 
     @property
     def has_sent(self) -> bool:
-        """Whether the browser has sent something that is not read yet: then it does not wait."""
+        """Whether the browser has sent data that is not read yet, so that it isn't waited for."""
         try:
             return bool(self.recv(1, socket.MSG_PEEK))
         except OSError:
             return False
 
     def cut(self) -> None:
-        """End the connection; who reads or writes it notices."""
+        """End the connection; its reader and writer notice."""
         with suppress(OSError):
             self.shutdown(socket.SHUT_RDWR)
 
@@ -135,7 +135,7 @@ class Connection(socket.socket):
 
 
 class Listening(socket.socket):
-    """A socket that listens, whose connections are counted.
+    """A listening socket that counts its connections.
 
     Args:
         plain: the socket, which this one replaces.
@@ -153,7 +153,7 @@ class Listening(socket.socket):
 
 
 def network_of(address: str) -> str:
-    """What one computer's addresses have in common: of IPv6 it has as many as it likes."""
+    """The common part of a computer's addresses: it can have any number of IPv6 addresses."""
     try:
         ip = ipaddress.ip_address(address.partition("%")[0])
     except ValueError:

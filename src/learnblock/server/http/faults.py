@@ -1,4 +1,4 @@
-"""What repeated faults print: each is said once, and then how often it has come again."""
+"""Prints repeated faults: each once, and later how often it was repeated."""
 
 import asyncio
 import logging
@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 
-#: Seconds until the same fault is said again.
+#: Seconds until the same fault is printed again.
 _PAUSE = 60.0
 #: The most faults that are remembered; the oldest are forgotten.
 _MOST = 100
@@ -26,10 +26,10 @@ class _Repeated:
 
 
 class SaidOnce(logging.Filter):
-    """Lets a record pass only if the same fault was not said in the last minute.
+    """Lets a record pass only if the same fault was not printed in the last minute.
 
-    Anyone in the network can cause some faults, such as bytes that are not HTTP, as often as they
-    like; they must not fill the terminal.
+    Any computer in the network can cause some faults, such as bytes that are not HTTP, again and
+    again; they must not fill the terminal.
 
     Args:
         now: returns the time of a monotonic clock in seconds.
@@ -41,7 +41,7 @@ class SaidOnce(logging.Filter):
         self._faults: OrderedDict[tuple[str, ...], _Repeated] = OrderedDict()
 
     def filter(self, record: logging.LogRecord) -> bool:
-        """Whether to print a record; one that is printed again says how often it was not."""
+        """Whether to print a record; one that is printed again gets the number of omitted ones."""
         key = _key(record)
         now = self._now()
         fault = self._faults.pop(key, None)
@@ -62,7 +62,7 @@ class SaidOnce(logging.Filter):
 
 
 def is_fault(record: logging.LogRecord) -> bool:
-    """Whether a record tells of a fault: a request that the server's end cuts off is none."""
+    """Whether a record reports a fault: a request cut off by the server's end is none."""
     error = record.exc_info and record.exc_info[1]
     return not isinstance(error, asyncio.CancelledError)
 

@@ -26,7 +26,7 @@ from learnblock.i18n import Phrase
 
 #: Names by which the computer refers to itself.
 LOCAL_HOSTS = ("127.0.0.1", "localhost", "::1")
-#: In the address of a websocket: a class asks what its wall shows of the page.
+#: In the address of a websocket: a class asks for what its wall shows of the page.
 SEAT = "seat"
 SUBPROTOCOL = "learnblock"
 COOKIE = "learnblock_token"
@@ -76,8 +76,8 @@ class Protection:
         proxy_sends_token: bool = False,
     ) -> "Protection":
         """Allow the computer's own names besides `hosts`."""
-        known = frozenset(map(str.lower, (*LOCAL_HOSTS, *hosts)))
-        return cls(token, known, frozenset(map(str.lower, origins)), proxy_sends_token)
+        names = frozenset(map(str.lower, (*LOCAL_HOSTS, *hosts)))
+        return cls(token, names, frozenset(map(str.lower, origins)), proxy_sends_token)
 
     def admits(self, request: HTTPConnection) -> bool:
         """Whether a request is allowed at all."""
@@ -139,7 +139,7 @@ class Guard:
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         if scope["type"] == "lifespan" or self._protection.admits(HTTPConnection(scope)):
-            # A browser that leaves before it has sent all of a request is no fault.
+            # A browser that disconnects in the middle of a request is not a fault.
             with suppress(ClientDisconnect):
                 await self._app(scope, receive, _marking(send))
         elif scope["type"] == "websocket":

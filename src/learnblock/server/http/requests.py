@@ -16,19 +16,19 @@ LEAST_RATE = 10_000
 
 #: The headers of a request.
 Headers = Iterable[tuple[bytes, bytes]]
-#: Returns the person who sends these headers; "" if they don't tell.
+#: Returns the person who sends these headers; "" if they don't identify one.
 Identify = Callable[[Headers], str]
 
 
 class TimedRequests(H11Protocol):
-    """One connection; it is closed if a request does not arrive, or an answer leave, within a time.
+    """One connection; it is closed if a request or an answer takes too long.
 
     Uvicorn limits how long a connection may be idle, but not how long a request may take, so a
     client that sends half of one would keep its connection forever.
 
     Args:
         connections: counts the connections that wait; None if none are counted.
-        identify: finds out whose a request is.
+        identify: finds out who sent a request.
     """
 
     #: See `PATIENCE`.
@@ -125,7 +125,7 @@ class TimedRequests(H11Protocol):
         if self._is_whole:
             return
         if self.flow.read_paused or self._arrived >= self.limit * self.least_rate:
-            # It is us who are slow, or there is just much to send.
+            # The server is slow, or there is much to send.
             self._expect_more()
         elif self.transport.get_write_buffer_size():
             self.transport.abort()

@@ -9,7 +9,7 @@ from learnblock.project.document.views import LONGEST_TEXT
 
 #: The limit in characters of other files, such as blocks or a library.
 LONGEST_FILE = 1_000_000
-#: That of a file with a picture in it: a world, or a project with its world.
+#: The limit of a file with a picture in it: a world, or a project with its world.
 LONGEST_CONTENT = 3_500_000
 
 StateName = Literal["idle", "starting", "running", "paused", "held", "input", "done", "ended"]
@@ -30,13 +30,13 @@ class ToPage(Message, frozen=True):
 
 
 class Role(StrEnum):
-    """What a page in a class is to the program that it shows."""
+    """The role of a page in a class towards the program that it shows."""
 
-    #: The pupil whose program it is.
+    #: The pupil who owns the program.
     PUPIL = "pupil"
-    #: The teacher, who looks.
+    #: The teacher, who only watches.
     WATCHER = "watcher"
-    #: The teacher, whom the pupil lets write.
+    #: The teacher, allowed by the pupil to write.
     HELPER = "helper"
 
 
@@ -66,7 +66,7 @@ class FromPage(Message, frozen=True, kw_only=True):
     request: Annotated[int, Meta(ge=0)] = 0
 
     def __init_subclass__(cls) -> None:
-        """Refuse a message of which nobody has decided who may send it.
+        """Refuse a message without a decision about who may send it.
 
         Raises:
             TypeError: its base is not one of the roles below.
@@ -87,19 +87,19 @@ class FromReader:
 
 
 class Look(FromPage, FromReader, frozen=True):
-    """Everybody who sees the program may send it."""
+    """Everyone who sees the program may send it."""
 
     roles: ClassVar = frozenset(Role)
 
 
 class Write(FromPage, frozen=True):
-    """Who changes the program and runs it: the pupil, and a teacher whom the pupil lets write."""
+    """Those who may change and run the program: the pupil, and a teacher allowed to write."""
 
     roles: ClassVar = frozenset({Role.PUPIL, Role.HELPER})
 
 
 class Own(FromPage, frozen=True):
-    """The pupil, who alone has the projects, the blocks and the stars."""
+    """The pupil, the only one with the projects, the blocks and the stars."""
 
     roles: ClassVar = frozenset({Role.PUPIL})
 
@@ -111,7 +111,7 @@ class Teach(FromPage, frozen=True):
 
 
 class Computer(FromPage, frozen=True):
-    """Nobody in a class: its computer, its robots and its lessons are the teacher's.
+    """No page in a class may send it: computer, robots and lessons are the teacher's.
 
     The teacher uses them in a separate LearnBlock.
     """

@@ -9,7 +9,7 @@ from learnblock.server.messages.base import Own, ToPage
 
 
 class InstallOffered(Own, frozen=True):
-    """Install the code of the last `CodeOffered`, as the user has asked: `CodeOffered` follows."""
+    """Install the code of the last `CodeOffered` at the user's request: `CodeOffered` follows."""
 
 
 # To the page.

@@ -47,8 +47,8 @@ class CorrectRobot(Computer, frozen=True):
     """Correct the settings of the connected robot; the reply is `RobotCorrected`.
 
     Args:
-        distance: how far it drove, mm, when it was told to drive 500 mm.
-        angle: how far it turned, degrees, when it was told to turn by 360 degrees.
+        distance: how far it drove, mm, when asked to drive 500 mm.
+        angle: how far it turned, degrees, when asked to turn by 360 degrees.
         save: whether to save the new settings, and connect again with them.
     """
 
@@ -58,7 +58,7 @@ class CorrectRobot(Computer, frozen=True):
 
 
 class NameRobot(Computer, frozen=True):
-    """Give a kind of robot the name that the user calls it; an empty name takes it away."""
+    """Give a kind of robot a name of the user's choice; an empty name removes it."""
 
     robot: Name
     name: Annotated[str, Meta(max_length=LONGEST_NAME)]
@@ -92,7 +92,7 @@ class KnownRobot(Struct, frozen=True, omit_defaults=True):
 
     Args:
         robot: its id.
-        name: the name that the user has given it; empty without one.
+        name: the name given by the user; empty without one.
         used: whether it was connected on this computer before.
         is_busy: whether a program or another page uses it now.
         add_on: the command that installs the packages that it needs; empty if it has them.

@@ -8,7 +8,7 @@ from learnblock.server.messages.base import Computer, Look, ShortText, ToPage
 
 
 class ReadContainment(Look, frozen=True):
-    """Ask what contains programs; the reply is `Containment`."""
+    """Ask how programs are contained; the reply is `Containment`."""
 
 
 class ReadNetwork(Look, frozen=True):
@@ -33,7 +33,7 @@ class AllowNetwork(Computer, frozen=True):
 
 
 class Containment(ToPage, frozen=True):
-    """What programs have tried on the server's computer, and what has refused it."""
+    """The attempts to do what programs must not do on the server's computer, and their results."""
 
     findings: tuple[Finding, ...]
 

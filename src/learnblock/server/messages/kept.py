@@ -31,7 +31,7 @@ class CloseRun(Look, frozen=True):
 
 
 class NameRun(Own, frozen=True):
-    """Name a run, which is then kept until it is deleted; without a name it is one of many again.
+    """Name a run, so that it is kept until it is deleted; without a name it can be discarded again.
 
     The reply is `KeptRuns`.
     """
@@ -75,7 +75,7 @@ class RunShown(ToPage, frozen=True):
     Args:
         run: None for the newest one.
         changed: whether the program has changed since.
-        remarks: what can't be shown as it was.
+        remarks: what can't be shown exactly.
         printed: what the program printed.
     """
 
@@ -89,7 +89,7 @@ class RunStep(Struct, frozen=True):
     """What one of two compared runs did when they parted.
 
     Args:
-        phrase: that, in words.
+        phrase: its action in words.
         time: when, in s of that run.
     """
 
@@ -115,8 +115,8 @@ class RunsCompared(ToPage, frozen=True):
     """Two kept runs compared.
 
     Args:
-        first: the one.
-        second: the other.
+        first: the first run.
+        second: the second run.
         together: until when they did the same, in s of the first run; None if they never parted.
         because: why they parted, if both answered the same question differently.
         causes: what was different about them from the start.
@@ -133,8 +133,8 @@ class CallsBeside(ToPage, frozen=True):
     """The call graphs of two runs, with the same name for the program in both.
 
     Args:
-        first: that of the one run.
-        second: that of the other.
+        first: that of the first run.
+        second: that of the second run.
     """
 
     first: CallGraph

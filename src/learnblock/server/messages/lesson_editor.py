@@ -1,6 +1,6 @@
 """Messages about lessons that a teacher makes or changes on the page.
 
-They contain what only the teacher has, so a saved lesson is opened only for a user at the server's
+They contain the teacher's part, so a saved lesson is opened only for a user at the server's
 own computer.
 """
 
@@ -20,7 +20,7 @@ from learnblock.server.messages.lessons import LessonWords
 
 
 class MakeLesson(Computer, FromReader, frozen=True):
-    """Ask for a lesson made of the open project: `LessonToEdit`."""
+    """Ask for a lesson made from the open project: `LessonToEdit`."""
 
 
 class ChangeLesson(Computer, FromReader, frozen=True):
@@ -30,7 +30,7 @@ class ChangeLesson(Computer, FromReader, frozen=True):
 
 
 class ReadLessonNotes(Computer, FromReader, frozen=True):
-    """Ask for what a lesson has for the teacher: `LessonNotes`."""
+    """Ask for a lesson's part for the teacher: `LessonNotes`."""
 
     lesson: LessonName
 
@@ -71,7 +71,7 @@ class ExportLesson(Computer, FromReader, frozen=True):
 
     Args:
         lesson: its name.
-        for_pupils: whether what only the teacher has is left out.
+        for_pupils: whether the teacher's part is left out.
     """
 
     lesson: LessonName
@@ -108,7 +108,7 @@ class WrongProgram(Struct, frozen=True, omit_defaults=True):
 
 
 class SolvedStep(Struct, frozen=True, omit_defaults=True):
-    """A step with what only the teacher has.
+    """A step with its teacher's part.
 
     Args:
         title: its title.
@@ -122,7 +122,7 @@ class SolvedStep(Struct, frozen=True, omit_defaults=True):
 
 
 class LessonNotes(ToPage, frozen=True):
-    """What a lesson has for the teacher.
+    """A lesson's part for the teacher.
 
     Args:
         lesson: its name.
@@ -152,7 +152,7 @@ class LessonProblem(Struct, frozen=True, omit_defaults=True):
 
 
 class ExaminedStep(Struct, frozen=True, omit_defaults=True):
-    """What is known of a step.
+    """What is known about a step.
 
     Args:
         checks: what each check asks for, in words; None for one with mistakes.
@@ -166,7 +166,7 @@ class ExaminedStep(Struct, frozen=True, omit_defaults=True):
 
 
 class LessonExamined(ToPage, frozen=True):
-    """What is known of a lesson that is being edited.
+    """What is known about a lesson that is being edited.
 
     Args:
         problems: its mistakes.
@@ -188,7 +188,7 @@ class LessonSaved(ToPage, frozen=True):
 
 
 class TriedProgram(Struct, frozen=True, omit_defaults=True):
-    """What became of a program of the teacher's.
+    """The result of one of the teacher's programs.
 
     Args:
         sort: a solution, a program that should fail, or checks without a solution.
@@ -212,8 +212,8 @@ class LessonTried(ToPage, frozen=True):
         programs: those that have been tried.
         done: how many attempts were made.
         count: how many there are.
-        running: whether it goes on.
-        problem: why it could not go on.
+        running: whether it is still running.
+        problem: why it could not continue.
     """
 
     programs: tuple[TriedProgram, ...] = ()

@@ -1,6 +1,6 @@
 """Messages about lessons: the lessons to choose from, and the one of the open project.
 
-None of them has what only the teacher has, nor the right answers; see `lesson_editor`.
+None of them contains the teacher's part or the right answers; see `lesson_editor`.
 """
 
 from typing import Annotated, ClassVar, Literal
@@ -32,10 +32,10 @@ LARGEST_LESSON = 2_500_000
 
 
 class Introduce(Look, frozen=True):
-    """Say in which browser the page is: it goes on with the lessons begun there.
+    """Identify the page's browser, to continue the lessons begun there.
 
     Args:
-        browser: the id, which no other page is told.
+        browser: the id, which is not sent to other pages.
     """
 
     browser: BrowserId
@@ -51,7 +51,7 @@ class StartLesson(Own, frozen=True):
     Args:
         lesson: the name of the lesson.
         name: the name of a new project; a number is added if it is taken.
-        robot: the user's robot, used if the lesson is meant for it.
+        robot: the user's robot, used if the lesson supports it.
         again: whether to begin a new project although there is one.
     """
 
@@ -145,7 +145,7 @@ class ImportLessonFolder(Computer, frozen=True):
 
 
 class DeleteLesson(Computer, frozen=True):
-    """Delete a lesson of the user's; projects that were begun with it become usual ones."""
+    """Delete one of the user's lessons; projects begun with it become ordinary projects."""
 
     lesson: LessonName
 
@@ -174,13 +174,13 @@ class LessonChoice(Struct, frozen=True, omit_defaults=True):
         level: 1 (first drive) to 4.
         minutes: how long it takes.
         aims: what pupils learn.
-        robots: the kinds of robots that it is meant for, the usual one first.
+        robots: the kinds of robots that it supports, the default first.
         steps: the number of its steps.
         stars: how many stars there are to earn.
         picture: the file of its picture; empty if it has none.
-        own: whether it is a lesson of the user's.
+        own: whether it is one of the user's lessons.
         earned: the stars earned so far.
-        step: the step that the user has come to, from 1; 0 before the first.
+        step: the step that the user has reached, from 1; 0 before the first.
         project: the project in which this browser has begun it; empty if there is none.
     """
 
@@ -256,7 +256,7 @@ class LessonQuiz(Struct, frozen=True, omit_defaults=True):
         question: the question.
         choices: the answers.
         several: whether more than one is right.
-        solved: whether it has been answered rightly.
+        solved: whether it has been answered correctly.
     """
 
     question: LessonText
@@ -278,7 +278,7 @@ class LessonPuzzle(Struct, frozen=True, omit_defaults=True):
 
 
 class LessonShown(ToPage, frozen=True):
-    """The lesson of the open project; without a name it has none.
+    """The lesson of the open project; an empty name means that there is none.
 
     Args:
         name: the name of the lesson.
@@ -333,7 +333,7 @@ class LessonGoals(ToPage, frozen=True):
 
 
 class LessonAttempt(Struct, frozen=True, omit_defaults=True):
-    """What became of the program in one variant of the world, on one robot.
+    """The result of the program in one variant of the world, on one robot.
 
     Args:
         robot: the kind of robot.
@@ -349,11 +349,11 @@ class LessonAttempt(Struct, frozen=True, omit_defaults=True):
 
 
 class LessonChecked(ToPage, frozen=True):
-    """How far the check on all variants and robots has come.
+    """The progress of the check on all variants and robots.
 
     Args:
         attempts: all of them.
-        running: whether it goes on.
+        running: whether it is still running.
         everywhere: whether the program has passed in all.
         problem: why it could not be checked.
     """

@@ -186,7 +186,7 @@ class ExportableFunction(Struct, frozen=True, omit_defaults=True):
     Args:
         name: the name of the function.
         parameters: the names of its parameters.
-        takes_along: the functions that it calls.
+        takes_along: the functions that it calls, which are added with it.
         problem: why it can't be part of a library.
     """
 

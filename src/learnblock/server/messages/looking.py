@@ -1,4 +1,4 @@
-"""Messages about the moments of the last run, and what called what in it."""
+"""Messages about the moments of the last run, and its call graph."""
 
 from typing import Annotated, Literal
 
@@ -14,7 +14,7 @@ Time = Annotated[float, Meta(ge=0, le=1_000_000)]
 EventNumber = Annotated[int, Meta(ge=-1, le=2**31)]
 #: The most marks that a timeline shows.
 MOST_MARKS = 500
-#: The most points of the way that it tells; of a longer one, every second or third one.
+#: The most points of the way that it contains; of a longer one, every second or third one.
 MOST_POINTS = 5000
 
 # From the page.
@@ -60,7 +60,7 @@ class ReadPastPicture(Look, frozen=True):
 
 
 class ReadValues(Look, frozen=True):
-    """Ask for the values beside the lines of a paused program; the reply is `ValuesThere`."""
+    """Ask for the values next to the lines of a paused program; the reply is `ValuesThere`."""
 
 
 class ReadCalls(Look, frozen=True):
@@ -184,7 +184,7 @@ class WhyAnswer(ToPage, frozen=True):
     Args:
         asked: the question.
         sentences: the most important facts.
-        more: those behind them.
+        more: the others, shown on request.
     """
 
     asked: Asked
@@ -225,7 +225,7 @@ class Timeline(ToPage, frozen=True):
 
 
 class ValueThere(Struct, frozen=True):
-    """A value beside a line of the program.
+    """A value next to a line of the program.
 
     Args:
         block: the block of the line.
@@ -239,7 +239,7 @@ class ValueThere(Struct, frozen=True):
 
 
 class ValuesThere(ToPage, frozen=True):
-    """The values beside the lines of a paused program."""
+    """The values next to the lines of a paused program."""
 
     values: tuple[ValueThere, ...] = ()
 
@@ -280,9 +280,9 @@ class Past(ToPage, frozen=True):
         event: the last event that had happened; -1 before the first one.
         line: the line that ran, and its block.
         variables: what the variables held.
-        found: whether there is a place to go to in the direction that was asked for; without one
+        found: whether there is a place to go to in the requested direction; without one
             the place is still the same.
-        values: the values beside the lines.
+        values: the values next to the lines.
         stack: the functions that ran, outermost first.
         printed: the number of characters printed so far; see `Printed.until`.
         telemetry: the world; None if it was a real one.
@@ -343,7 +343,7 @@ class CallEdge(Struct, frozen=True):
 
 
 class CallGraph(ToPage, frozen=True):
-    """What called what in a part of a run.
+    """The call graph of a part of a run.
 
     Args:
         robot: the robot's id.

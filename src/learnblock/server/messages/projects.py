@@ -48,7 +48,7 @@ class New(Own, frozen=True):
         name: the name; a number is added if it is taken.
         example: the example to start with; None for an empty program.
         robot: the user's robot, for an empty program and for an example that it can run; empty for
-            the usual one.
+            the default.
     """
 
     name: Name = "program"
@@ -71,9 +71,9 @@ class OpenExample(Own, frozen=True):
 
 
 class CloseProject(Look, frozen=True):
-    """Leave the open project, which a page of the server need not have.
+    """Leave the open project; a page of the server need not have one.
 
-    As when a page is closed, its program goes on for a while.
+    As when a page is closed, its program continues for a while.
     """
 
 
@@ -95,7 +95,7 @@ class ImportOriginal(Own, frozen=True):
     Args:
         filename: ends in .blockProject or .lb.
         content: its bytes in base64.
-        libraries: the .lb files that are beside a .blockProject, by the names of the libraries.
+        libraries: the .lb files next to a .blockProject, by the names of the libraries.
     """
 
     filename: Name
@@ -192,7 +192,7 @@ class RobotChoice(Struct, frozen=True, omit_defaults=True):
         simulated: whether it is in a world.
         lacks: the needs of blocks that it can't serve, such as ``Pen``; see `learnblock.senses`.
         serves: what serves each sense that it has.
-        given: what the user calls it; empty without such a name.
+        given: the name given by the user; empty without one.
     """
 
     name: str
@@ -213,7 +213,7 @@ class ExampleChoice(Struct, frozen=True, omit_defaults=True):
         robot: the kinds of robots.
         world: the world.
         robots: how many robots there are.
-        stage: for whom it is.
+        stage: its level of difficulty.
         is_first: whether it is one of the first programs, which do one task each.
     """
 
@@ -237,7 +237,7 @@ class Welcome(ToPage, frozen=True):
         examples: the examples to open.
         folder: the projects folder.
         read_only: why nothing may be changed; None if it may.
-        warns: whether the page says by itself what does not contain programs: once for a server
+        warns: whether the page warns about missing limits for programs: once for a server
             that other computers can use, to a user at the server's own.
         teaches: whether the page may have what only the teacher has.
         address: the numeric address by which other devices reach the server; None if they can't.
@@ -315,7 +315,7 @@ class History(ToPage, frozen=True):
 
 
 class Saved(ToPage, frozen=True):
-    """The project is saved on disk, up to `edit`."""
+    """The project is saved on disk, up to and including `edit`."""
 
     edit: int
 

@@ -52,7 +52,7 @@ class Run(Write, FromReader, frozen=True):
 
 
 class Stop(Look, frozen=True):
-    """Stop the program and the robot, which a teacher who only looks may have to do at once."""
+    """Stop the program and the robot, which a watching teacher may have to do at once."""
 
 
 class Pause(Write, FromReader, frozen=True):
@@ -138,7 +138,7 @@ class RunState(ToPage, frozen=True):
     Args:
         state: ``idle`` before the first run, ``ended`` after one; ``paused`` together
             with its world, ``held`` before a line of code; ``input`` while it waits for `Answer`;
-            ``done`` once it has ended while the programs of other robots go on.
+            ``done`` once it has ended while the programs of other robots continue.
         block: the block it is paused at.
         speed: the speed of simulated time, as a multiple of real time; None is the fastest.
     """
@@ -224,7 +224,7 @@ class Ended(ToPage, frozen=True):
         trace_sha256: the hash of the trace; empty if a real robot took part with others.
         repeatable: whether the same programs give the same run: no real robot took part.
         tried: whether it was `TryCustomBlock` rather than the program.
-        others: whether other robots' programs go on; the report of the whole run follows.
+        others: whether other robots' programs continue; the report of the whole run follows.
     """
 
     ended: str
@@ -272,7 +272,7 @@ class RunningLine(ToPage, frozen=True):
 
 
 class StrokePart(Struct, frozen=True):
-    """What a stroke of a pen has gained.
+    """The new points of a pen's stroke.
 
     Args:
         stroke: the number of the stroke, from 0.
@@ -303,8 +303,8 @@ class Telemetry(ToPage, State, frozen=True):
     """The current state of the world, about twenty times per second while something changes.
 
     Args:
-        found: what the program's own questions have found last in the camera's picture; None if it
-            has asked nothing, and while a run is looked back at.
+        found: the last findings of the program's own questions in the camera's picture; None if it
+            has asked nothing, and while the page looks back at a run.
     """
 
     found: tuple[Seen, ...] | None = None

@@ -1,4 +1,4 @@
-"""What a pupil's server tells the class's wall about a page."""
+"""What a pupil's server reports to the class's wall about a page."""
 
 from typing import Any, Literal
 
@@ -20,7 +20,7 @@ class Work(Struct, frozen=True, omit_defaults=True):
         project: the open project.
         robot: its kind of robot.
         pose: x and y in mm, heading in degrees clockwise; None if unknown.
-        way: where it has been in this run: x and y in mm, one after the other.
+        way: where it has been in this run: x and y in mm, alternating.
         state: of the program.
         goals: the states of the goals of the world.
         lesson: the title of the open lesson.
@@ -48,7 +48,7 @@ class AtSeat(ToPage, frozen=True):
 
     Args:
         work: what it works on.
-        successes: how often it had a new star, a new step or a run that ended well.
+        successes: the number of new stars, new steps and runs that ended well.
         scene: its world, if that has changed since the last such message.
     """
 

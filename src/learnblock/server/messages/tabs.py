@@ -37,13 +37,13 @@ class SetRobotCount(Write, frozen=True):
 
 
 class OpenTab(Look, frozen=True):
-    """Show another robot and its program, or again the current one if there is none such.
+    """Show another robot and its program, or the current one again if there is no such robot.
 
     The reply is `TabOpened`.
 
     Args:
         name: the tab of its program.
-        robot: which one, if several robots run the program; empty for the first.
+        robot: the name of the robot, if several run the program; empty for the first.
     """
 
     name: ShortText

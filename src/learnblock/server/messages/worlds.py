@@ -33,7 +33,7 @@ class MakeWorld(Look, frozen=True):
     Args:
         template: what kind of world.
         size: how large.
-        seed: which of its worlds; the same number makes the same world.
+        seed: selects the world; the same number makes the same world.
     """
 
     template: Literal["field", "track", "maze"]
@@ -89,7 +89,7 @@ class DeleteWorld(Own, frozen=True):
 
 
 class RestoreWorld(Own, frozen=True):
-    """Take a world out of the trash, and choose it: `Worlds`."""
+    """Restore a world from the trash, and choose it: `Worlds`."""
 
     name: Name
 
@@ -127,7 +127,7 @@ class WorldExported(ToPage, frozen=True):
 
 
 class WorldDeleted(ToPage, frozen=True):
-    """A world is in the trash, from which `RestoreWorld` takes it."""
+    """A world was moved to the trash; `RestoreWorld` restores it."""
 
     name: str
     title: str

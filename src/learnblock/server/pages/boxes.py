@@ -34,7 +34,7 @@ _NEWEST_STATES = (
 class Inbox:
     """Messages in order; an edit replaces the one before it if both are of the same view.
 
-    Fast typing in a long program thus waits for one translation, not for one per letter.
+    So fast typing in a long program waits for one translation, not for one per letter.
     """
 
     def __init__(self) -> None:

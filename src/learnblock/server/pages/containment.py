@@ -1,4 +1,4 @@
-"""Handlers of messages about what programs may do.
+"""Handlers of messages about the permissions of programs.
 
 Only a user at the server's own computer may allow a project the network, never a program. A program
 that knows the token, and may use the network itself, can connect like a page. So no key is issued

@@ -37,12 +37,12 @@ async def _save(page: Page, message: messages.SaveCustomBlock) -> None:
 
 @HANDLERS.add
 async def _try(page: Page, message: messages.TryCustomBlock) -> None:
-    made = await to_thread.run_sync(
+    call = await to_thread.run_sync(
         function_call, message.name, message.source, message.function, message.arguments
     )
     with page.sessions.starting(page.session):
         async with page.sessions.connections.reserved(page, page.session.robots):
-            await page.session.runs.try_out(page.part, page.player, made)
+            await page.session.runs.try_out(page.part, page.player, call)
 
 
 @HANDLERS.add

@@ -34,7 +34,7 @@ async def _recover_text(page: Page, message: messages.RecoverText) -> None:
 
 
 def _is_for_the_shown_program(page: Page, message: Edit) -> bool:
-    """False for an edit of a robot that another page has closed meanwhile."""
+    """False for an edit of a robot that another page has closed in the meantime."""
     return message.shown == page.shown.number
 
 

@@ -108,7 +108,7 @@ async def _export(page: Page, message: messages.ExportLesson) -> None:
 
 
 async def _assembled(page: Page, edited: EditedLesson) -> OpenLesson | None:
-    """The lesson; None if it has mistakes, which the page has been told."""
+    """The lesson; None if it has mistakes, which were sent to the page."""
     saved = _saved(page, edited)
     examined = await to_thread.run_sync(_examined, edited, saved)
     if examined.problems:
@@ -123,7 +123,7 @@ async def _assembled(page: Page, edited: EditedLesson) -> OpenLesson | None:
 
 
 def _saved(page: Page, edited: EditedLesson) -> OpenLesson | None:
-    """The saved lesson that is changed; None for a new one.
+    """The saved lesson to change; None for a new one.
 
     Raises:
         LearnBlockError: it is missing, or the page may not change it.

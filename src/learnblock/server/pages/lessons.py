@@ -23,11 +23,11 @@ async def _list(page: Page, _: messages.ListLessons) -> None:
 
 
 def _lessons(page: Page) -> messages.Lessons:
-    """The lessons, with how far the user's own projects have come in them."""
+    """The lessons, with the progress of the user's own projects."""
     folder = page.sessions.folder
     choices, problems = catalog.lesson_choices()
     begun: dict[str, messages.LessonChoice] = {}
-    # The last changed project is that with which the user goes on.
+    # The user continues with the project that was changed last.
     for entry in reversed(folder.entries()):
         progress = folder.lesson(entry.name).progress()
         lesson = next(
@@ -49,7 +49,7 @@ def _lessons(page: Page) -> messages.Lessons:
 def _is_own(page: Page, progress: Progress) -> bool:
     """Whether a project was begun in the page's browser, or by its user on any device.
 
-    Projects from before browsers told who they are belong to the server's own computer.
+    Projects from before browsers identified themselves belong to the server's own computer.
     """
     if page.is_alone:
         return True
@@ -86,7 +86,7 @@ async def _show_step(page: Page, message: messages.ShowStep) -> None:
 
 
 async def _tell_worlds(page: Page) -> None:
-    """Tell the worlds again: a step may have added one of the lesson's own."""
+    """Send the worlds again: a step may have added one of the lesson's worlds."""
     page.send(messages.Worlds(await to_thread.run_sync(catalog.world_choices)))
 
 
@@ -160,7 +160,7 @@ async def _delete(page: Page, message: messages.DeleteLesson) -> None:
 
 
 def _coach(page: Page) -> Coach:
-    """What guides the open project through its lesson.
+    """The guide of the open project through its lesson.
 
     Raises:
         LearnBlockError: it has no lesson.

@@ -192,7 +192,7 @@ def _file(
 
 def _exportable(program: Program) -> messages.Exportable:
     functions = tuple(_function(program, function) for function in program.functions.values())
-    own = tuple(messages.ExportableBlocks(*found) for found in libraries.own_skills().items())
+    own = tuple(messages.ExportableBlocks(*entry) for entry in libraries.own_skills().items())
     return messages.Exportable(functions, own)
 
 

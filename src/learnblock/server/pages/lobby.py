@@ -65,8 +65,8 @@ class Lobby:
         periods: how long an open project waits to be saved, and to be closed.
         read_only: why nothing may be written; None if it may.
         for_others: whether other computers can connect.
-        for_one: whether all pages are one person's, on whatever device.
-        address: the address by which they reach this one, if it is in a network.
+        for_one: whether all pages belong to one person, on any device.
+        address: the address by which other devices reach this computer, if it is in a network.
     """
 
     def __init__(

@@ -72,7 +72,7 @@ class Page:
         sessions: the open projects.
         handlers: a handler for each kind of message.
         is_local: whether its user is at the server's computer.
-        is_alone: whether all pages of the server are this user's, on whatever device.
+        is_alone: whether all pages of the server belong to this user, on any device.
         has_seat: whether it is sent `AtSeat`, for the wall of a class.
     """
 
@@ -89,7 +89,7 @@ class Page:
         self.sessions = sessions
         self.is_local = is_local
         self.is_alone = is_alone
-        #: Whose projects of lessons are this page's; a page that never says so owns no other's.
+        #: The id of its browser, which owns lesson projects; a page that never sends it owns none.
         self.browser = "" if is_local or is_alone else secrets.token_hex(16)
         #: What this page needs to allow its project the network; empty if it can't.
         self.network_key = ""
@@ -140,10 +140,10 @@ class Page:
         return self.part.player_of(self)
 
     def require_teacher(self) -> None:
-        """Check that the user is at the server's computer: pupils are at others.
+        """Check that the user is at the server's computer; pupils use other computers.
 
         Raises:
-            LearnBlockError: the user is at another one.
+            LearnBlockError: the user is at another computer.
         """
         if not self.is_local:
             raise LearnBlockError("server-lesson-only-here")
@@ -184,7 +184,7 @@ class Page:
         self.join(session, tab)
 
     async def move_out(self) -> None:
-        """Show no project any more, once the open one is saved."""
+        """Stop showing a project, once the open one is saved."""
         await self._save()
         self.leave()
 
@@ -233,7 +233,7 @@ class Page:
             self.send(messages.Done(message.request))
 
     async def _refusal(self, message: messages.FromPage) -> Phrase | None:
-        """Do what a message asks for; why that was not possible."""
+        """Handle a message; return the reason if that was not possible."""
         try:
             if self.sessions.folder.read_only and not isinstance(message, messages.FromReader):
                 raise LearnBlockError("server-read-only")

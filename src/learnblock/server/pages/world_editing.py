@@ -133,8 +133,8 @@ def _save_as(name: str) -> str:
 
     if _is_own(name):
         return name
-    known = known_worlds()
-    return next(free for n in count(2) if (free := f"{name}-{n}") not in known)
+    taken = known_worlds()
+    return next(free for n in count(2) if (free := f"{name}-{n}") not in taken)
 
 
 def _is_own(name: str) -> bool:

@@ -71,16 +71,16 @@ class Connected:
         self._connection.start()
 
     def act(self, action: str) -> None:
-        """Have the robot do something that it can; ``stop`` halts it."""
+        """Have the robot do one of its actions; ``stop`` halts it."""
         if action == "stop":
             self._connection.halt()
         elif self._connection.client and action in possible(self._connection.client):
             self._connection.order(action, ACTIONS[action])
 
     async def close(self, seconds: float) -> None:
-        """Disconnect; return once the motors have stopped, or after so many seconds.
+        """Disconnect; return once the motors have stopped, or after this many seconds.
 
-        A thread that hangs in its driver is left behind; the page is told.
+        A thread that hangs in its driver is left behind, and the page gets a message.
         """
         self.begin_to_close()
         if not await happens(self.over, seconds):

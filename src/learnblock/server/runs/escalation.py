@@ -25,7 +25,7 @@ async def escalate_async(measures: Iterable[Measure], ended: asyncio.Event) -> b
 
 
 async def happens(event: asyncio.Event, seconds: float) -> bool:
-    """Wait at most so many seconds for an event; return whether it has happened."""
+    """Wait at most this many seconds for an event; return whether it has happened."""
     with suppress(TimeoutError):
         async with asyncio.timeout(seconds):
             await event.wait()

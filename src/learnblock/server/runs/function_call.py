@@ -36,7 +36,7 @@ class FunctionCall:
     def program(self, name: str) -> Program:
         """The program to run; it begins with the lines of the source."""
         del name
-        learns = "".join(f"_robot.learn({one})\n" for one in self.functions)
+        learns = "".join(f"_robot.learn({function})\n" for function in self.functions)
         python = f"{self.source}{_MAKE}{learns}{self.call}\n"
         return Program(f"{self.name}.py", python, python)
 
@@ -49,7 +49,7 @@ class FunctionCall:
         del block
 
     def lacking(self, equipment: frozenset[str]) -> None:
-        """Return None: what the source needs is its author's to find out."""
+        """Return None: the author of the source finds out what it needs."""
         del equipment
 
     def custom_line(self, python_line: int) -> int:
@@ -72,19 +72,21 @@ def function_call(
         ProgramError: the source is not valid Python.
         LearnBlockError: there is no such function, or it does not take these arguments.
     """
-    known = {one.name: one for one in signatures(source, f"{name or 'block'}.py")}
-    if not known:
+    functions = {
+        signature.name: signature for signature in signatures(source, f"{name or 'block'}.py")
+    }
+    if not functions:
         raise LearnBlockError("play-no-function")
-    chosen = known.get(function or next(iter(known)))
+    chosen = functions.get(function or next(iter(functions)))
     if chosen is None:
-        raise UnknownNameError("function", function, known)
+        raise UnknownNameError("function", function, functions)
     called = f"_robot.{chosen.name}({', '.join(map(_written, _checked(chosen, arguments)))})"
     call = f"print({called})" if chosen.answers else called
-    return FunctionCall(name or "block", source, tuple(known), call)
+    return FunctionCall(name or "block", source, tuple(functions), call)
 
 
 def _checked(function: Signature, arguments: Sequence[object]) -> Sequence[object]:
-    least = sum(1 for one in function.arguments if one.required)
+    least = sum(1 for argument in function.arguments if argument.required)
     if not least <= len(arguments) <= len(function.arguments):
         raise LearnBlockError(
             "play-wrong-count",

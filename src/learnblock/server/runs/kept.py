@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from learnblock.why.recorded import Recorded
     from learnblock.why.sentences import Sentence
 
-#: Of longer programs, only lines that are where they were have their blocks.
+#: Of longer programs, only lines that have not moved have their blocks.
 _MOST_LINES = 10_000
 
 
@@ -28,7 +28,7 @@ class OpenedRun:
 
     Args:
         looking: looks back at it.
-        shown: what pages say about it.
+        shown: what pages show about it.
         scene: its world; None if that can't be shown.
     """
 
@@ -41,7 +41,7 @@ def opened(run: KeptRun, data: bytes, now: Document) -> OpenedRun:
     """Open a kept run.
 
     Args:
-        run: what is known of it.
+        run: what is known about it.
         data: its file.
         now: the program as it is now.
 
@@ -63,7 +63,7 @@ def opened(run: KeptRun, data: bytes, now: Document) -> OpenedRun:
 
 
 def _lines_now(then: str, now: str) -> Sequence[int]:
-    """For each line of a program, where that line is now; 0 if it is not there any more."""
+    """For each line of a program, where that line is now; 0 if it is gone."""
     old, new = then.split("\n"), now.split("\n")
     lines = [0] * len(old)
     if max(len(old), len(new)) > _MOST_LINES:
@@ -99,8 +99,8 @@ def compared(first: tuple[str, bytes], second: tuple[str, bytes]) -> messages.Ru
     """Compare two kept runs.
 
     Args:
-        first: the id of the one, and its file.
-        second: those of the other.
+        first: the id of the first run, and its file.
+        second: those of the second run.
 
     Raises:
         LearnBlockError: a file can't be read.
@@ -124,8 +124,8 @@ def calls_beside(first: bytes, second: bytes) -> messages.CallsBeside:
     """The call graphs of two kept runs.
 
     Args:
-        first: the file of the one.
-        second: that of the other.
+        first: the file of the first run.
+        second: that of the second run.
 
     Raises:
         LearnBlockError: a file can't be read.

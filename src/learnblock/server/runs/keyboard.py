@@ -1,4 +1,4 @@
-"""The keyboard of a project: every program that listens finds what the users of all pages hold."""
+"""The keyboard of a project: every listening program gets the keys held on any page."""
 
 from collections.abc import Hashable, Iterable, Sequence
 
@@ -13,7 +13,7 @@ class Keyboard:
     Its methods run in the event loop, except `held`.
 
     Args:
-        viewers: the pages that show the project, whichever robot they show.
+        viewers: the pages that show the project, with any of its robots.
     """
 
     def __init__(self, viewers: Viewers) -> None:
@@ -38,7 +38,7 @@ class Keyboard:
         if self._wanted.pop(program, None) is None:
             return
         if not self._wanted:
-            # What is held now is not meant for the next run.
+            # Keys held now are not for the next run.
             self._pages.clear()
             self._renew()
         self._tell()

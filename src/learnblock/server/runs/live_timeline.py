@@ -1,4 +1,4 @@
-"""The timeline of a run that goes on, read from its log bit by bit."""
+"""The timeline of a run in progress, read from its log bit by bit."""
 
 from collections.abc import Iterable, Sequence
 from typing import Any
@@ -8,12 +8,12 @@ from learnblock.runtime.log.noting import TICK
 from learnblock.server import messages
 from learnblock.server.messages.looking import MOST_MARKS
 
-#: The most points of the way that are told each time; at the end of the run there are more.
+#: The most points of the way in each message; at the end of the run there are more.
 MOST_POINTS = 500
 
 
 class LiveTimeline:
-    """What a log tells of a run without what its program did.
+    """What a log says about a run, without the actions of its program.
 
     Reading all of it again for each look would take seconds for a run of ten minutes.
     """

@@ -1,4 +1,4 @@
-"""Looks back at a run: its moments, and what called what."""
+"""Looks back at a run: its moments, and its call graph."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -34,11 +34,11 @@ NO_TIMELINE = messages.Timeline(0.0)
 
 
 class Log(Protocol):
-    """The log of a run that goes on, or of one that was kept."""
+    """The log of a run in progress, or of a kept one."""
 
     @property
     def blocks(self) -> tuple[Block, ...]:
-        """What it has now, oldest first."""
+        """Its current content, oldest first."""
 
     @property
     def complete_since(self) -> int:
@@ -49,7 +49,7 @@ class Looking:
     """A run that pages look back at; its methods are slow, and may be called from any thread.
 
     Args:
-        log: the log of the run, which may go on.
+        log: the log of the run, which may be in progress.
         blocks: for each line of the program's Python, its block; None for a line without one.
     """
 
@@ -75,7 +75,7 @@ class Looking:
         """The run so far.
 
         Args:
-            live: whether it goes on, so that only what is quickly found out is told.
+            live: whether it is in progress, so that only what is quickly found out is included.
         """
         with self._turn():
             if live:
@@ -91,14 +91,14 @@ class Looking:
                 way(history.recorded),
             )
 
-    def past(self, asked: messages.LookBack) -> messages.Past:
+    def past(self, request: messages.LookBack) -> messages.Past:
         """The run at a place, or at the one before or after it."""
         with self._turn():
-            history, moments = self._now(asked.time)
-            place = self._place(asked)
-            found = self._go(asked, place) if asked.step else place
+            history, moments = self._now(request.time)
+            place = self._place(request)
+            found = self._go(request, place) if request.step else place
             tick, event = found or place
-            time = min(asked.time, history.end) if found == place else round(tick * TICK, 3)
+            time = min(request.time, history.end) if found == place else round(tick * TICK, 3)
             moment = moments.at(time, event)
             is_whole = event == history.at(time)
             line = moment.line if is_whole else self._steps.line_at((tick, event))
@@ -130,11 +130,11 @@ class Looking:
         return predicted(history.recorded)
 
     def values(self, now: Mapping[str, str]) -> messages.ValuesThere:
-        """The values beside the lines of a program that is paused now.
+        """The values next to the lines of a program that is paused now.
 
         Args:
-            now: the program's variables as it reported them; a log that has not come so far yet
-                tells nothing.
+            now: the program's variables as it reported them; a log that is not up to date yet
+                gives nothing.
         """
         with self._turn():
             history, moments = self._now()
@@ -215,7 +215,7 @@ class Looking:
 
     @contextmanager
     def _turn(self) -> Iterator[None]:
-        """Have the run to oneself; waiting callers go before the thread that prepares the world."""
+        """Get exclusive use of the run; the thread that prepares the world lets others go first."""
         with self._next:
             self._lock.acquire()
         try:
@@ -224,7 +224,7 @@ class Looking:
             self._lock.release()
 
     def _now(self, time: float | None = None) -> "tuple[History, Moments]":
-        """The run as it is now, or at least up to a time in s; read again if it has gone on."""
+        """The run as it is now, or at least up to a time in s; read again if it has continued."""
         from learnblock.why import History  # noqa: PLC0415 - as above
         from learnblock.why.moments import Moments  # noqa: PLC0415
         from learnblock.why.recorded import Recorded  # noqa: PLC0415
@@ -249,7 +249,7 @@ class Looking:
         if self._history is None:
             return False
         if time is not None and time <= self._history.end:
-            # What has happened by then does not change any more.
+            # What has happened by then no longer changes.
             return True
         blocks = self.log.blocks
         if time is not None and blocks[-1].stream is not Stream.ENDING:
@@ -258,13 +258,13 @@ class Looking:
         return len(blocks) == self._read
 
     def _world_of(self, recorded: "Recorded") -> "WorldAgain | None":
-        """The world of what has been read, which goes on if it only has become longer."""
+        """The world of what has been read; if more was added, the same world continues."""
         before, lines = self._history, recorded.lines
-        known = len(before.recorded.lines) if before else 0
-        is_longer = before and known and lines[known - 1] == before.recorded.lines[-1]
+        count = len(before.recorded.lines) if before else 0
+        is_longer = before and count and lines[count - 1] == before.recorded.lines[-1]
         # The lines of the other robots of a team are known at its end only.
         if is_longer and self._world and not recorded.team:
-            self._world.extend(lines[known:])
+            self._world.extend(lines[count:])
             return self._world
         return _world_again(recorded)
 
@@ -289,24 +289,24 @@ class Looking:
     def _block(self, line: int) -> str | None:
         return self._line_blocks[line - 1] if 1 <= line <= len(self._line_blocks) else None
 
-    def _place(self, asked: messages.LookBack) -> "Place":
+    def _place(self, request: messages.LookBack) -> "Place":
         history = self._known
-        tick, last = self._steps.at(min(asked.time, history.end))
-        return tick, last if asked.event is None else min(asked.event, last)
+        tick, last = self._steps.at(min(request.time, history.end))
+        return tick, last if request.event is None else min(request.event, last)
 
-    def _go(self, asked: messages.LookBack, place: "Place") -> "Place | None":
+    def _go(self, request: messages.LookBack, place: "Place") -> "Place | None":
         from learnblock.why.steps import START, To  # noqa: PLC0415 - as above
 
-        to = To(asked.to)
-        subject: str | frozenset[int] = asked.subject
+        to = To(request.to)
+        subject: str | frozenset[int] = request.subject
         if to is To.RUN:
             lines = enumerate(self._line_blocks, 1)
-            subject = frozenset(number for number, block in lines if block == asked.subject)
-        found = self._steps.go(asked.step, place, to, subject)
+            subject = frozenset(number for number, block in lines if block == request.subject)
+        found = self._steps.go(request.step, place, to, subject)
         if found or to not in (To.LINE, To.EVENT, To.TURN):
             return found
-        # Before the first line the run begins; behind the last one it ends.
-        end = START if asked.step < 0 else self._steps.at(self._known.end)
+        # The run begins before the first line, and ends after the last one.
+        end = START if request.step < 0 else self._steps.at(self._known.end)
         return None if end == place else end
 
     def _values(self, event: int, line: int) -> tuple[messages.ValueThere, ...]:
@@ -322,7 +322,7 @@ class Looking:
         )
 
     def _heads(self, history: "History") -> dict[int, str]:
-        """The block of each line that is the first of its block; an `elif` is none."""
+        """The block of each line that is the first of its block; an `elif` has no block."""
         heads: dict[str, int] = {}
         for line in sorted({node.line for node in history.nodes}):
             if block := self._block(line):
@@ -380,5 +380,5 @@ def _world_again(recorded: "Recorded") -> "WorldAgain | None":
     try:
         return WorldAgain(recorded)
     except LearnBlockError:
-        # A real robot, or a world that is not here: what was recorded can be shown nevertheless.
+        # A real robot, or a world that is not here: the recorded data can still be shown.
         return None

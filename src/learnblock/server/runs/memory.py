@@ -7,7 +7,7 @@ import threading
 from collections.abc import Callable
 from time import monotonic
 
-#: Seconds before the first attempt to free a run, and the longest that attempts go on: the event
+#: Seconds before the first attempt to free a run, and the longest that attempts continue: the event
 #: loop and those who look at its world usually let go of it within 0.2 s.
 _LETTING_GO, _LONGEST = 0.2, 10.0
 #: The parameter of glibc's `mallopt` that limits the number of heaps.
@@ -33,15 +33,15 @@ def give_back_memory(is_freed: Callable[[], bool], longest: float = _LONGEST) ->
 
     Args:
         is_freed: whether the run is gone.
-        longest: the longest that others may go on using it, in s; then it stays.
+        longest: the longest that others may keep using it, in s; then it stays.
     """
     pause, seconds, ends = threading.Event(), _LETTING_GO, monotonic() + longest
     while not is_freed() and monotonic() < ends:
         pause.wait(seconds)
         gc.collect()
-        # An attempt holds up the other threads, so a run that hangs gets few of them.
+        # An attempt holds up the other threads, so a run that hangs gets few attempts.
         seconds *= 2
-    # The run may have gone by itself, and the world that it has replaced not.
+    # The run may be gone already, but not the world that it has replaced.
     gc.collect()
     if malloc_trim := _glibc("malloc_trim"):
         malloc_trim(0)

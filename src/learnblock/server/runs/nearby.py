@@ -1,4 +1,4 @@
-"""Looks for real robots while a page wants to know which there are."""
+"""Looks for real robots while a page asks for them."""
 
 import asyncio
 from collections.abc import Callable, Mapping
@@ -18,15 +18,15 @@ from learnblock.server.runs.viewers import Viewer, Viewers
 
 #: The seconds that a driver has to find its robots.
 LIMIT = 2.0
-#: Seconds until robots of a kind are looked for again: a robot that answers is left in peace.
+#: Seconds until robots of a kind are looked for again: a robot that answers is not disturbed.
 AGAIN, AGAIN_AFTER_FOUND = 1.0, 6.0
-#: Seconds until the kinds are listed again: a file that could not be loaded may be mended by then.
+#: Seconds until the kinds are listed again: a file that failed to load may be corrected by then.
 LIST_AGAIN = 5.0
 #: How many drivers look at the same time.
 _MOST_AT_ONCE = 8
 #: The most robots of a kind; an address book is not a robot.
 _MOST_OF_A_KIND = 20
-#: A robot is gone when it has not answered so many times; a beacon may come between two looks.
+#: A robot is gone after this many looks without an answer; a beacon may come between two looks.
 _PATIENCE = 2
 
 #: The settings that reach each robot of a kind.
@@ -49,7 +49,7 @@ class Found:
 
 
 class Nearby:
-    """The robots that answer, for every page that wants to know.
+    """The robots that answer, for every page that asks.
 
     Args:
         is_busy: whether a robot with this name is in use, and must not be disturbed.
@@ -65,7 +65,7 @@ class Nearby:
         self._elsewhere: set[str] = set()
         self._known: dict[str, messages.KnownRobot] = {}
         self._limiter: CapacityLimiter | None = None
-        #: The looks under way, by kind; one goes on even if no page waits for it any more.
+        #: The looks under way, by kind; one continues even if no page waits for it.
         self._looks: dict[str, asyncio.Task[tuple[Settings, bool]]] = {}
         self._last: messages.RobotsNearby | None = None
 
@@ -84,7 +84,7 @@ class Nearby:
             self._searching = asyncio.create_task(self._search())
 
     def leave(self, page: Viewer) -> None:
-        """Send a page nothing more; without pages, nothing is looked for."""
+        """Stop sending changes to a page; without pages, the search stops."""
         if page in self._pages:
             self._pages.remove(page)
         if not self._pages:
@@ -103,7 +103,7 @@ class Nearby:
             await asyncio.wait([self._looks[robot]])
 
     async def refresh(self) -> dict[str, RobotEntry]:
-        """Read again which kinds there are, how they are called and which are in use.
+        """Read again which kinds there are, their names, and which are in use.
 
         Returns:
             The kinds, by name.

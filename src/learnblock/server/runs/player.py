@@ -73,7 +73,7 @@ class Player:
         self._asked: messages.InputWanted | None = None
         self._variables: messages.Variables | None = None
         self._ended: messages.Ended | None = None
-        #: The report of the last run; None while one goes on.
+        #: The report of the last run; None during a run.
         self.report: Report | None = None
         #: Looks back at this run or the last one; None before the first, and if no log is kept.
         self.newest: Looking | None = None
@@ -201,7 +201,7 @@ class Player:
         return self._monitor.start if self._monitor else None
 
     async def run(self, playing: Playing) -> None:
-        """Run a program from the beginning; if it can't begin, the pages read why."""
+        """Run a program from the beginning; if it can't begin, the pages show why."""
         try:
             await self.begin(playing)
             playing.start()
@@ -238,7 +238,7 @@ class Player:
             self.on_ended(Phrase(code))
 
     def check(self) -> None:
-        """Notice a run whose thread has died without a word, as it does without memory."""
+        """Notice a run whose thread has died without a report, as it does without memory."""
         if self._playing and self._playing.is_lost:
             # After what the thread has reported.
             asyncio.get_running_loop().call_soon(self._lose, self._playing)
@@ -361,7 +361,7 @@ class Player:
         return self._keyboard.held(self)
 
     def on_done(self, report: Report) -> None:
-        """Report the end of the program while those of other robots go on."""
+        """Report the end of the program while those of other robots continue."""
         if self._playing is None:
             return
         self._reporter.flush()
@@ -373,11 +373,11 @@ class Player:
         self._enter("done")
 
     def on_ended(self, report: Report | Exception | Phrase) -> None:
-        """Report the end of the run: its report, what it has raised, or what else ended it."""
+        """Report the end of the run: its report, its error, or another reason."""
         playing = self._playing
         assert playing is not None  # noqa: S101 - each run reports its end once
         self._playing = self._asked = None
-        # Whatever fails, as without memory: it is over, and the page shows that.
+        # Whatever fails, for example without memory: the run is over, and the page shows that.
         with ExitStack() as ending:
             self._ended = messages.Ended("error", Phrase("play-lost"), tried=playing.is_call)
             # The last one first.
@@ -386,7 +386,7 @@ class Player:
             ending.callback(self._enter, "ended")
             ending.callback(self._send_end)
             if not isinstance(report, Phrase):
-                # Else its robot may hang.
+                # Otherwise its robot may hang.
                 self._monitor = playing.run.monitor or self._monitor
             self._reporter.flush()
             self._keyboard.ignore(self)

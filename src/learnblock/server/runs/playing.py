@@ -170,7 +170,7 @@ class Playing:
                 GoalNow(goal.name, goal.kind, goal.state, goal.time) for goal in report.goals
             ),
             emotions=report.emotions,
-            no_effect=tuple((str(one["skill"]), str(one["device"])) for one in report.no_effect),
+            no_effect=tuple((str(call["skill"]), str(call["device"])) for call in report.no_effect),
             trace_sha256=report.trace_sha256,
             repeatable=self.run.is_deterministic,
         )
@@ -215,7 +215,7 @@ def play_one(playings: Sequence[Playing]) -> None:
 
 
 def _followed(handed: list[Callable[[], None]], runs: Sequence[ref[Controlled]]) -> None:
-    # Taken out, because a thread keeps its arguments, and so would keep the world of the run.
+    # Removed, because a thread keeps its arguments, and would keep the world of the run.
     handed.pop()()
     give_back_memory(lambda: not any(run() for run in runs))
 
@@ -264,5 +264,5 @@ def looking_at(played: Played, log: RunLog) -> Looking:
 
 def lines(played: Played, blocks: Iterable[str]) -> frozenset[int]:
     """The lines of Python that begin these blocks."""
-    found = map(played.python_line, blocks)
-    return frozenset(line for line in found if line is not None)
+    numbers = map(played.python_line, blocks)
+    return frozenset(line for line in numbers if line is not None)

@@ -81,12 +81,12 @@ class Reporter:
             self._of.viewers.send(bump)
 
     def start_again(self) -> None:
-        """Leave a look at a robot behind that may hang, because its run was given up."""
+        """Leave behind a look at a robot that may hang, because its run was given up."""
         self.close()
         self._start()
 
     def _start(self) -> None:
-        # Of its own, so that a look that hangs takes no thread from other work.
+        # A separate limiter, so that a look that hangs takes no thread from other work.
         self._limiter = CapacityLimiter(2)
         self._tasks = (
             asyncio.create_task(_repeat(TELEMETRY_PERIOD, self._awake, self._look)),

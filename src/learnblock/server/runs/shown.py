@@ -22,7 +22,7 @@ class Shown:
         number: how many programs of this project the page has shown before.
 
     Attributes:
-        number: the same; an edit of another number was meant for an earlier program.
+        number: the same; an edit with another number is for an earlier program.
         edit: the number of its last edit.
     """
 
@@ -49,7 +49,7 @@ class Shown:
         self._keep(view, left)
 
     def repeated(self, edit: int, view: View, left: str | None) -> None:
-        """Record that the page has repeated an edit, which it may not show any more.
+        """Record that the page has repeated an edit, which it may no longer show.
 
         See `edited`.
         """

@@ -23,7 +23,7 @@ def telemetry(monitor: "Monitor") -> messages.Telemetry:
 
 
 def of_state(state: "State") -> messages.Telemetry:
-    """A state, be it the current one or one of the past."""
+    """A state, current or past."""
     return messages.Telemetry(**asdict(state))
 
 
@@ -50,7 +50,7 @@ def _rounded(value: float | None) -> float | None:
 
 
 class Drawn:
-    """Finds what a drawing has gained, because sending all of it again would be too much."""
+    """Finds the new parts of a drawing, because sending all of it again would be too much."""
 
     def __init__(self) -> None:
         #: The strokes that were sent, with the number of their points.
@@ -85,7 +85,7 @@ class Drawn:
         if index == len(self._sent):
             self._sent.append((stroke, 0))
         sent = self._sent[index][1]
-        # The world may add points meanwhile.
+        # The world may add points in the meantime.
         points = tuple(stroke.points[sent:])
         self._sent[index] = stroke, sent + len(points)
         return messages.StrokePart(index, stroke.colour, stroke.width, points) if points else None

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 def staged(robots: "Mapping[str, RobotEntry]", world: str, variant: int) -> "Sequence[Monitor]":
-    """The monitors of robots that stand in a world; this is slow.
+    """The monitors of robots in a world; this is slow.
 
     Args:
         robots: the kinds of robots, by name.
@@ -100,13 +100,13 @@ class MemberRun:
             debugger.resume()
 
     def step(self) -> None:
-        """Run to the next line of this program; the others go on until then."""
+        """Run to the next line of this program; the others continue until then."""
         self._own.pause()
         self._own.step()
         self._resume_others()
 
     def step_over(self) -> None:
-        """Run to the next line of the same function; the other programs go on until then."""
+        """Run to the next line of the same function; the other programs continue until then."""
         self._own.pause()
         self._own.step_over()
         self._resume_others()
@@ -189,7 +189,7 @@ class Participant:
 async def play_together(
     participants: Sequence[Participant], trace: TraceSink | None = None
 ) -> None:
-    """Run programs in one world from the beginning; if they can't begin, the pages read why.
+    """Run programs in one world from the beginning; if they can't begin, the pages show why.
 
     Args:
         participants: the robots, in the order in which they take turns.

@@ -32,7 +32,7 @@ class Viewers:
         return bool(self._viewers)
 
     def add(self, viewer: Viewer) -> None:
-        """From now on, send a page everything that the others receive."""
+        """Send a page everything that the others receive from now on."""
         self._viewers.append(viewer)
 
     def remove(self, viewer: Viewer) -> None:

@@ -33,7 +33,7 @@ class RunWatcher(Watcher):
         self._input = threading.Condition()
         self._answer: str | None = None
         self._cancelled = False
-        #: Whether the run was given up: nothing of it is passed on any more.
+        #: Whether the run was given up: its events are no longer passed on.
         self._is_detached = False
 
     # The run's thread.
@@ -90,7 +90,7 @@ class RunWatcher(Watcher):
             self._input.notify_all()
 
     def detach(self) -> None:
-        """Pass on nothing more of a run that was given up: another one may have begun."""
+        """Stop passing on events of a run that was given up: another one may have begun."""
         self._is_detached = True
 
     # Both.

@@ -142,7 +142,7 @@ class Archive:
             self._later(self._tried(self._folder.add_run, self._project.name, run))
 
     def keep_logs(self, began: float, version: str, logs: Sequence[tuple[Block, ...]]) -> None:
-        """Keep the logs of a run's programs, and say so.
+        """Keep the logs of a run's programs, and report it.
 
         Args:
             began: when the run began, in seconds since 1970.
@@ -186,7 +186,7 @@ class Archive:
         """Save everything, and return when it is on disk."""
         self._watching.cancel()
         await self.settle()
-        # There may be no thread for it any more.
+        # There may no longer be a thread for it.
         self.save_here()
 
     async def settle(self) -> None:
@@ -195,7 +195,7 @@ class Archive:
         await asyncio.gather(*self._tasks)
 
     def save_here(self) -> Phrase | None:
-        """Save what has changed in this thread, because the event loop can't have it done.
+        """Save what has changed in this thread, because the event loop can't.
 
         Returns:
             Why that was not possible; None if everything is saved.

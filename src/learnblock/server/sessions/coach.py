@@ -37,16 +37,16 @@ if TYPE_CHECKING:
 
 
 class Coach:
-    """A project's lesson: its step, and what its pages are told about their program.
+    """A project's lesson: its step, and the reports to its pages about their program.
 
     Its methods run in the event loop; a caller that changes something must hold the project's
     `turn`.
 
     Args:
         pupil: the project.
-        opened: the lesson, without what only the teacher has.
-        progress: how far the project has come.
-        keep: returns where that is kept, by the name of the project.
+        opened: the lesson, without the teacher's part.
+        progress: the progress of the project.
+        keep: returns where the progress is kept, by the name of the project.
     """
 
     def __init__(
@@ -110,7 +110,7 @@ class Coach:
         """
         self._opened.step(number)
         self._pupil.runs.require_rest()
-        before, after = (stage.group_of(self._opened, one) for one in (self.number, number))
+        before, after = (stage.group_of(self._opened, step) for step in (self.number, number))
         keep = self._keep(self._pupil.name)
         if before != after:
             await to_thread.run_sync(keep.keep_program, before, self._pupil.project)
@@ -148,7 +148,7 @@ class Coach:
         """Choose a robot of the step, and a variant of its world.
 
         Raises:
-            LearnBlockError: the step is not meant for this robot, or a program runs.
+            LearnBlockError: the step does not support this robot, or a program runs.
         """
         if robot not in self._opened.robots(self.number):
             raise LearnBlockError("server-lesson-other-robot", robot=robot)
@@ -187,7 +187,7 @@ class Coach:
     # Runs.
 
     def watch(self) -> tuple[Collector, float]:
-        """Begin to judge a run that is about to start: what takes its trace, and its limit in s."""
+        """Begin to judge a run that is about to start; return its collector and its limit in s."""
         self._forget_run()
         self._judge = RunJudge(
             self._opened, self.number, self._pupil.parts, self._experts, self._told
@@ -200,7 +200,7 @@ class Coach:
             self._judge.ended()
 
     async def _told(self, looked: Looked, *, live: bool) -> None:
-        """Tell the pages what became of the checks; after the run, its stars are earned."""
+        """Send the pages the results of the checks; after the run, its stars are earned."""
         self._looked = looked
         earned = 0 if live else await self._earn(stars_of(looked.verdicts))
         self._pupil.viewers.send(
@@ -225,19 +225,19 @@ class Coach:
         """Begin to check the program on all variants and robots.
 
         Raises:
-            LearnBlockError: the program has errors, or a check goes on.
+            LearnBlockError: the program has errors, or a check is running.
         """
         document = self._pupil.parts[0].document
         document.require_no_errors()
         number = self.number
-        found = catalog.attempts_of(self._opened, number)
+        attempts = catalog.attempts_of(self._opened, number)
 
         async def passed() -> None:
             if number == self.number:
                 await self._earn((GOALS, EVERYWHERE))
                 self._tell()
 
-        self._check.start(self._opened, number, document.blocktext, found, passed)
+        self._check.start(self._opened, number, document.blocktext, attempts, passed)
 
     @property
     def checking(self) -> bool:
@@ -287,9 +287,9 @@ class Coach:
         return hints(self.step, *seen, world=world, elsewhere=elsewhere)
 
     def _hints_now(self) -> messages.LessonHints:
-        count, found = len(self._hints), self._found
-        more = count < len(found) or (
-            count > 0 and len(self._hints[-1].levels) < len(found[count - 1].levels)
+        count, hints = len(self._hints), self._found
+        more = count < len(hints) or (
+            count > 0 and len(self._hints[-1].levels) < len(hints[count - 1].levels)
         )
         return messages.LessonHints(tuple(self._hints), more, self._done.hints)
 
@@ -305,11 +305,11 @@ class Coach:
         if quiz is None or any(index >= len(quiz.choices) for index in choices):
             raise LearnBlockError("server-lesson-no-question")
         chosen = set(choices)
-        right = chosen == {index for index, one in enumerate(quiz.choices) if one.right}
+        right = chosen == {index for index, choice in enumerate(quiz.choices) if choice.right}
         because = {
-            str(index): view.plain(one.because)
-            for index, one in enumerate(quiz.choices)
-            if index in chosen and one.because is not None
+            str(index): view.plain(choice.because)
+            for index, choice in enumerate(quiz.choices)
+            if index in chosen and choice.because is not None
         }
         self._change(
             replace(self._done, quiz=tuple(sorted(chosen)), tries=min(self._done.tries + 1, MOST))
@@ -327,8 +327,8 @@ class Coach:
         puzzle, _ = view.puzzle(self._opened, self.step, self._done)
         if puzzle is None or any(index >= len(puzzle.pieces) for index in order):
             raise LearnBlockError("server-lesson-no-question")
-        given = [puzzle.pieces[index] for index in order]
-        judged = view.judged_puzzle(self._opened, self.step, given)
+        pieces = [puzzle.pieces[index] for index in order]
+        judged = view.judged_puzzle(self._opened, self.step, pieces)
         self._change(replace(self._done, tries=min(self._done.tries + 1, MOST)))
         await self._earn((PUZZLE,) if judged.right else ())
         self._tell_steps()
@@ -340,11 +340,11 @@ class Coach:
         self._pupil.viewers.send(self._shown())
 
     def _tell_steps(self) -> None:
-        """Tell the pages which stars are earned."""
+        """Send the pages the earned stars."""
         verdicts = self._looked.verdicts if self._looked else ()
-        found = view.steps(self._opened, self._progress)
+        steps = view.steps(self._opened, self._progress)
         self._pupil.viewers.send(
-            messages.LessonGoals(view.goals(verdicts, self._done), steps=found)
+            messages.LessonGoals(view.goals(verdicts, self._done), steps=steps)
         )
 
     def _shown(self) -> messages.LessonShown:
@@ -364,7 +364,7 @@ class Coach:
             hints=done.hints,
             quiz=view.quiz(step, done),
             puzzle=puzzle,
-            restarts=any(one.program for one in self._opened.lesson.step[: self.number]),
+            restarts=any(earlier.program for earlier in self._opened.lesson.step[: self.number]),
         )
 
     def _forget(self) -> None:
@@ -374,7 +374,7 @@ class Coach:
         self._looked = None
 
     def _forget_run(self) -> None:
-        """Forget the last run but for what was seen of it."""
+        """Forget the last run, except for what was seen of it."""
         self._check.stop()
         if self._judge:
             self._judge.forget()
@@ -389,8 +389,8 @@ class Coach:
 
     async def _earn(self, stars: Sequence[str]) -> int:
         """Earn stars of the current step, and save; return how many are new."""
-        known = tuple(catalog.star_names(self.step))
-        new = [one for one in stars if one in known and one not in self._done.stars]
+        names = tuple(catalog.star_names(self.step))
+        new = [star for star in stars if star in names and star not in self._done.stars]
         self._change(replace(self._done, stars=(*self._done.stars, *new)))
         await self._save()
         return len(new)
@@ -402,10 +402,10 @@ class Coach:
 
 def stars_of(verdicts: Sequence[Verdict]) -> tuple[str, ...]:
     """The stars that a run has earned."""
-    required = [one for one in verdicts if not one.check.optional]
-    extra = (one for one in verdicts if one.check.optional and one.state == "met")
-    stars = tuple(f"check-{one.index}" for one in extra)
-    if required and all(one.state == "met" for one in required):
+    required = [verdict for verdict in verdicts if not verdict.check.optional]
+    extra = (verdict for verdict in verdicts if verdict.check.optional and verdict.state == "met")
+    stars = tuple(f"check-{verdict.index}" for verdict in extra)
+    if required and all(verdict.state == "met" for verdict in required):
         return GOALS, *stars
     return stars
 

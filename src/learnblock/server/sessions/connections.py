@@ -63,7 +63,7 @@ class Connections:
         robot: RobotEntry,
         chosen: Mapping[str, Any],
     ) -> None:
-        """Connect a page to a robot, in place of the one it had.
+        """Connect a page to a robot, replacing its previous one.
 
         Raises:
             LearnBlockError: it is already in use.
@@ -89,10 +89,10 @@ class Connections:
 
     @asynccontextmanager
     async def reserved(self, page: Viewer, robots: Collection[str]) -> AsyncIterator[None]:
-        """Have robots free for a page while it begins to use them.
+        """Keep robots free for a page while it begins to use them.
 
-        Its own connection ends, one that is ending is awaited, and so is a look at them: a Cozmo
-        drops its connection when another one greets it.
+        Its own connection ends. A connection that is ending is awaited, and so is a look at them:
+        a Cozmo drops its connection when another program greets it.
 
         Raises:
             LearnBlockError: another page is connected to one of them.

@@ -17,12 +17,12 @@ _SET = "lesson"
 
 
 def group_of(opened: OpenLesson, number: int) -> int:
-    """The step whose program a step goes on with; the first one if none before has a program."""
+    """The step whose program a step continues; the first one if none before has a program."""
     return next((step for step in range(number, 0, -1) if opened.start(step)), 1)
 
 
 def world_here(opened: OpenLesson, number: int, robot: str) -> str:
-    """The name under which the world of a step is known here; the lesson's own are installed.
+    """The local name of a step's world; the lesson's own worlds are installed.
 
     Raises:
         LearnBlockError: the lesson's world is invalid.
@@ -41,7 +41,7 @@ def world_here(opened: OpenLesson, number: int, robot: str) -> str:
 
 
 def blocks_of(opened: OpenLesson, number: int) -> BlockSet | None:
-    """The blocks that a step shows; None for those before."""
+    """The blocks that a step shows; None for those of the step before."""
     chosen = opened.blocks(number)
     if chosen is None:
         return None
@@ -59,7 +59,7 @@ def beginning(opened: OpenLesson, number: int, name: str, robot: str) -> Project
         opened: the lesson.
         number: the number of the step.
         name: the name of the project.
-        robot: the user's robot, used if the step is meant for it.
+        robot: the user's robot, used if the step supports it.
     """
     file = opened.start(group_of(opened, number))
     source = opened.program(file) if file else EMPTY

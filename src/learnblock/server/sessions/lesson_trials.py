@@ -1,4 +1,4 @@
-"""Tries programs of a lesson in the background, while the user goes on working."""
+"""Tries programs of a lesson in the background, while the user keeps working."""
 
 import asyncio
 from collections.abc import Awaitable, Callable, Generator, Sequence
@@ -24,14 +24,14 @@ class _Trial(Generic[Told]):
 
     Args:
         send: sends a message to the pages.
-        told: what they know before the first trial.
+        told: what was sent to them before the first trial.
     """
 
     def __init__(self, send: Send, told: Told) -> None:
         self._send = send
         self._task: asyncio.Task[None] | None = None
         self._switch = StopSwitch()
-        #: What the pages have been told last.
+        #: The last message to the pages.
         self.told: Told = told
 
     def stop(self) -> None:
@@ -79,7 +79,9 @@ class LessonCheck(_Trial[messages.LessonChecked]):
         Raises:
             LearnBlockError: a check is already running.
         """
-        waiting = tuple(messages.LessonAttempt(one.robot, one.variant) for one in attempts)
+        waiting = tuple(
+            messages.LessonAttempt(attempt.robot, attempt.variant) for attempt in attempts
+        )
         self._begin(messages.LessonChecked(waiting, running=True))
         self._task = asyncio.create_task(self._run(opened, step, source, attempts, on_passed))
 
@@ -120,7 +122,7 @@ class LessonCheck(_Trial[messages.LessonChecked]):
             return
         # The results that the thread has handed over come first.
         await asyncio.sleep(0)
-        everywhere = all(one.passed for one in self.told.attempts) and not switch.is_stopped
+        everywhere = all(attempt.passed for attempt in self.told.attempts) and not switch.is_stopped
         if everywhere:
             await on_passed()
         self._tell(replace(self.told, running=False, everywhere=everywhere, problem=problem))
@@ -129,11 +131,16 @@ class LessonCheck(_Trial[messages.LessonChecked]):
         if switch.is_stopped:
             return
         wanted = (judged.attempt.robot, judged.attempt.variant)
-        missed = [one for one in judged.verdicts if not one.check.optional and one.state != "met"]
-        reasons = tuple(one.reason or Phrase("server-lesson-not-met") for one in missed)
+        missed = [
+            verdict
+            for verdict in judged.verdicts
+            if not verdict.check.optional and verdict.state != "met"
+        ]
+        reasons = tuple(verdict.reason or Phrase("server-lesson-not-met") for verdict in missed)
         result = messages.LessonAttempt(*wanted, passed=not missed, reasons=reasons[:3])
         attempts = tuple(
-            result if (one.robot, one.variant) == wanted else one for one in self.told.attempts
+            result if (attempt.robot, attempt.variant) == wanted else attempt
+            for attempt in self.told.attempts
         )
         self._tell(replace(self.told, attempts=attempts))
 

@@ -44,11 +44,11 @@ def goals(verdicts: Sequence[Verdict], done: StepProgress) -> tuple[messages.Les
             optional=verdict.check.optional,
             reason=verdict.reason if verdict.state == "failed" else None,
             earned=f"check-{verdict.index}" in done.stars,
-            ask=asked[0],
-            subject=asked[1],
+            ask=question[0],
+            subject=question[1],
         )
         for verdict in verdicts
-        for asked in (_question(verdict),)
+        for question in (_question(verdict),)
     )
 
 

@@ -35,7 +35,7 @@ class LibraryVersions:
         """List the libraries that are missing or older than when the project was made.
 
         Args:
-            offered: the libraries that the project brings, which need no remark.
+            offered: the libraries that the project contains, which need no remark.
         """
         for name, version in self.made_with.items():
             if name in offered:

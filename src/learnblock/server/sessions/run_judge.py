@@ -1,4 +1,4 @@
-"""Judges the run of a program by the checks of a lesson's step, while it goes on and at its end."""
+"""Judges the run of a program by the checks of a lesson's step, during the run and at its end."""
 
 import asyncio
 import dataclasses
@@ -19,7 +19,7 @@ from learnblock.lessons.opened import OpenLesson
 if TYPE_CHECKING:
     from learnblock.server.sessions.part import Part
 
-#: Seconds between two looks at a running program, and how many times as long as a look at least.
+#: Seconds between two looks at a running program; at least this many times the length of a look.
 PERIOD, REST = 0.3, 4.0
 
 
@@ -29,7 +29,7 @@ class Looked:
 
     Args:
         tree: the program.
-        verdicts: what became of the checks.
+        verdicts: the results of the checks.
         evidence: what the program did; None before its first run.
     """
 
@@ -39,10 +39,10 @@ class Looked:
 
 
 class Tell(Protocol):
-    """Tells what has been seen of a run."""
+    """Reports what has been seen of a run."""
 
     def __call__(self, looked: Looked, *, live: bool) -> Awaitable[None]:
-        """Tell it; `live` says that the run goes on."""
+        """Report it; `live` means that the run is in progress."""
 
 
 class RunJudge:
@@ -55,7 +55,7 @@ class RunJudge:
         step: the number of the step.
         parts: the programs with their robots, the pupil's first.
         experts: runs the checks that are written in Python.
-        tell: is told what has changed, and the end.
+        tell: called with what has changed, and at the end.
     """
 
     def __init__(
@@ -83,7 +83,7 @@ class RunJudge:
         self._over.set()
 
     def forget(self) -> None:
-        """Tell no more of the run."""
+        """Stop reporting the run."""
         self._is_forgotten = True
         self._over.set()
 
@@ -98,7 +98,7 @@ class RunJudge:
             with suppress(TimeoutError):
                 async with asyncio.timeout(max(PERIOD, REST * took)):
                     await self._over.wait()
-            # What ends while it is judged is judged once more.
+            # A run that ends while it is judged is judged once more.
             is_over = self._over.is_set()
             began = loop.time()
             looked = await to_thread.run_sync(self._judged)
@@ -128,7 +128,7 @@ class RunJudge:
 def world_of(opened: OpenLesson, step: int) -> Any:
     """The description of a step's world, for checks and hints; None if none can be used.
 
-    The server knows nothing of the simulator, and hence not its type.
+    The server does not know the simulator, so it does not know the type.
     """
     try:
         return opened.described_world(step)

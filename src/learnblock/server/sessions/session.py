@@ -158,7 +158,7 @@ class Session:
         await self.coach.begin()
 
     async def resume_lesson(self) -> None:
-        """Go on with the lesson that the project follows, if there is one."""
+        """Continue the lesson that the project follows, if there is one."""
         progress = await to_thread.run_sync(self._folder.lesson(self.name).progress)
         if progress is None:
             return
@@ -198,7 +198,7 @@ class Session:
             page.send(messages.Failed(remark))
         for note in self._notes:
             page.send(messages.Noted(note))
-        # Those who come later have not seen anything change.
+        # Pages that come later have not seen anything change.
         self._notes = ()
         if self.offered:
             page.send(offer(self.offered))
@@ -409,7 +409,7 @@ class Session:
         return next(name for name in names if self._named(name) is None)
 
     def _name_single(self) -> None:
-        """Give a robot that is alone the name that it has when the project is opened again."""
+        """Give a single robot the name that it has when the project is opened again."""
         if not self.has_several:
             self.parts[0].name = self.project.parts[0].name
         self._name_robots()
@@ -421,7 +421,7 @@ class Session:
             part.name_robots([next(names) for _ in part.players])
 
     def _tab_name(self, part: Part) -> str:
-        """The name of a part's tab; a robot that is alone has none."""
+        """The name of a part's tab; a single robot has none."""
         return part.name if self.has_several else ""
 
     def _tabs_now(self) -> tuple[messages.Tab, ...]:
@@ -456,13 +456,13 @@ class Session:
     async def keep_lost(
         self, part: Part, lost: Document, pages: Iterable[Viewer], by: Literal["page", "before"]
     ) -> None:
-        """Save a version with a change that the program of a part lacks, and say so."""
+        """Save a version with a change that the program of a part lacks, and report it."""
         version = await self.archive.keep_version("conflict", self._project_with({part: lost}))
         for page in pages:
             page.send(messages.Conflict(version, by))
 
     def _like(self, found: PreparedPart, count: int) -> Part | None:
-        """The robot that another form of the project names so; one that is alone has any name."""
+        """The robot with this name in another form of the project; a single robot has any name."""
         if count == len(self.parts) == 1:
             return self.parts[0]
         return self._named(found.name)
@@ -509,7 +509,7 @@ class Session:
         self.viewers.send(messages.Conflict(version, "file"))
 
     async def _take_in_robots(self, outside: Project, found: Prepared) -> bool:
-        """Add and close the robots that another program has; return whether that is impossible."""
+        """Add and close robots as another program has done; return whether that is impossible."""
         before = {part.name for part in self._saved.parts}
         after = {part.name for part in outside.parts}
         if before == after or len(before) == len(after) == 1:
@@ -547,11 +547,11 @@ class Session:
             self.viewers.send(self.shown_blocks.message())
 
     def runs_kept(self, runs: tuple[KeptRun, ...]) -> None:
-        """Tell every page which runs are kept."""
+        """Send every page the kept runs."""
         self.viewers.send(messages.KeptRuns(runs))
 
     def failed(self, message: Phrase) -> None:
-        """Tell every page what went wrong."""
+        """Report an error to every page."""
         self.viewers.send(messages.Failed(message))
 
     def installed(self, code: Code) -> None:

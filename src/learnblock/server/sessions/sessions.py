@@ -36,7 +36,7 @@ class Sessions:
     Args:
         folder: the folder of the projects.
         periods: how long an open project waits to be saved, and to be closed.
-        for_one: whether all pages are one person's, who may run some programs at once.
+        for_one: whether all pages belong to one person, who may run some programs at once.
     """
 
     def __init__(self, folder: ProjectFolder, periods: Periods, *, for_one: bool = False) -> None:
@@ -108,7 +108,7 @@ class Sessions:
         self._open[name] = session
 
     async def find_unchanged(self, project: Project) -> str | None:
-        """The name of a project that was created like this one, and is still as it was."""
+        """The name of a project that was created like this one, and is unchanged."""
         for name in await to_thread.run_sync(self.folder.taken_names, project.name):
             with suppress(LearnBlockError):
                 other = await self._project(name)
@@ -141,7 +141,7 @@ class Sessions:
             self._ending[session.name] = asyncio.create_task(self._end_later(session))
 
     async def contained(self) -> tuple[Finding, ...]:
-        """What contains programs on this computer, tried out for the first page that asks."""
+        """How programs are contained on this computer, tried out for the first page that asks."""
         async with self._surveying:
             self._findings = self._findings or await to_thread.run_sync(survey)
         return self._findings
@@ -151,7 +151,7 @@ class Sessions:
         """Start the programs of a project, or check them.
 
         Raises:
-            LearnBlockError: those of too many other projects run.
+            LearnBlockError: the programs of too many other projects run.
         """
         if self._for_one and len(self._running(session)) >= MOST_RUNS:
             raise LearnBlockError("server-too-many-runs", most=MOST_RUNS)
@@ -162,7 +162,7 @@ class Sessions:
             self._starting.remove(session)
 
     def _running(self, own: Session) -> list[Session]:
-        """The other projects whose programs run, are checked, or are about to."""
+        """The other projects with programs that run, are checked, or are about to."""
         return [
             session
             for session in self._open.values()
@@ -215,7 +215,7 @@ class Sessions:
 
     async def close(self) -> None:
         """Close all sessions: end their programs, and save their projects."""
-        # At the same time: neither a robot that hangs nor a disk that does may keep up the other.
+        # At the same time: neither a robot nor a disk that hangs may hold up the other.
         stopping = [session.runs.stop() for session in self._open.values()]
         await asyncio.gather(
             self._save(), self.connections.close(), *stopping, return_exceptions=True

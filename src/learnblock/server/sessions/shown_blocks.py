@@ -32,8 +32,8 @@ class ShownBlocks:
         """
         shown = cls(project.shown, project.block_sets)
         if shown._find() is None:
-            known = (*block_sets.BUILT_IN, *(block_set.name for block_set in shown.carried))
-            raise UnknownNameError("block-set", project.shown, known)
+            names = (*block_sets.BUILT_IN, *(block_set.name for block_set in shown.carried))
+            raise UnknownNameError("block-set", project.shown, names)
         return shown
 
     @property
