@@ -27,8 +27,6 @@ CIRCLES = {
     " learnblock.runtime.variables": (
         "a process that only forks runs the child's main function in itself"
     ),
-    "learnblock.server.runs.player learnblock.server.runs.playing learnblock.server.runs.reporter"
-    " learnblock.server.runs.watcher": "what plays a run reports to its player",
     "learnblock.server.sessions.archive learnblock.server.sessions.coach"
     " learnblock.server.sessions.part learnblock.server.sessions.run_judge"
     " learnblock.server.sessions.runs learnblock.server.sessions.session": (
