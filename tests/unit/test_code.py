@@ -27,11 +27,6 @@ CIRCLES = {
     " learnblock.runtime.variables": (
         "a process that only forks runs the child's main function in itself"
     ),
-    "learnblock.server.sessions.archive learnblock.server.sessions.coach"
-    " learnblock.server.sessions.part learnblock.server.sessions.run_judge"
-    " learnblock.server.sessions.runs learnblock.server.sessions.session": (
-        "the parts of a session know the session"
-    ),
 }
 DOUBLETS = TESTS / "cases" / "doublets.toml"
 

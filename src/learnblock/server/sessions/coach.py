@@ -2,11 +2,12 @@
 
 import dataclasses
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 from anyio import to_thread
 from msgspec.structs import replace
 
+from learnblock.blocks.block_sets import BlockSet
 from learnblock.errors import LearnBlockError
 from learnblock.lessons.evidence import Collector
 from learnblock.lessons.expert import Experts
@@ -25,15 +26,59 @@ from learnblock.project.files.lesson_folder import (
 )
 from learnblock.project.files.project import Project
 from learnblock.server import catalog, messages
-from learnblock.server.runs.viewers import Viewer
+from learnblock.server.runs.viewers import Viewer, Viewers
 from learnblock.server.sessions import lesson_stage as stage
 from learnblock.server.sessions import lesson_view as view
 from learnblock.server.sessions.lesson_trials import LessonCheck
+from learnblock.server.sessions.part import Part
 from learnblock.server.sessions.run_judge import Looked, RunJudge, world_of
+from learnblock.server.sessions.runs import Runs
 
 if TYPE_CHECKING:
     from learnblock.lessons.hints import Hint
-    from learnblock.server.sessions.session import Session
+
+
+class TaughtProject(Protocol):
+    """An open project that follows a lesson."""
+
+    @property
+    def name(self) -> str:
+        """Its name."""
+
+    @property
+    def project(self) -> Project:
+        """The project in the form that is saved."""
+
+    @property
+    def parts(self) -> Sequence[Part]:
+        """Its programs with their robots, the pupil's first."""
+
+    @property
+    def variant(self) -> int:
+        """The number of its world's variant."""
+
+    @property
+    def viewers(self) -> Viewers:
+        """The pages that show it."""
+
+    @property
+    def runs(self) -> Runs:
+        """The runs of its programs."""
+
+    async def choose_robot(self, part: Part, name: str) -> None:
+        """Change the kind of a robot, in the same world."""
+
+    async def choose_world(self, name: str, variant: int = 0) -> None:
+        """Change the world, or its variant."""
+
+    async def close_robot(self, name: str) -> None:
+        """Close a program with its robots."""
+
+    async def restore(self, earlier: Project) -> None:
+        """Restore earlier programs, with the current world."""
+
+    def show_blocks(self, block_set: BlockSet) -> None:
+        """Show the blocks of a set in the palette."""
 
 
 class Coach:
@@ -51,7 +96,7 @@ class Coach:
 
     def __init__(
         self,
-        pupil: "Session",
+        pupil: TaughtProject,
         opened: OpenLesson,
         progress: Progress,
         keep: Callable[[str], LessonFolder],

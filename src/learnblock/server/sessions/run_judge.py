@@ -5,7 +5,7 @@ import dataclasses
 from collections.abc import Awaitable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any, Protocol
 
 from anyio import to_thread
 
@@ -15,9 +15,7 @@ from learnblock.lessons.evidence import Collector, Evidence
 from learnblock.lessons.expert import Experts
 from learnblock.lessons.judging import Verdict, judge
 from learnblock.lessons.opened import OpenLesson
-
-if TYPE_CHECKING:
-    from learnblock.server.sessions.part import Part
+from learnblock.server.sessions.part import Part
 
 #: Seconds between two looks at a running program, and how many times as long as a look at least.
 PERIOD, REST = 0.3, 4.0
@@ -62,7 +60,7 @@ class RunJudge:
         self,
         opened: OpenLesson,
         step: int,
-        parts: "Sequence[Part]",
+        parts: Sequence[Part],
         experts: Experts,
         tell: Tell,
     ) -> None:
