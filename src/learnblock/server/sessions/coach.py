@@ -29,6 +29,7 @@ from learnblock.server import catalog, messages
 from learnblock.server.runs.viewers import Viewer, Viewers
 from learnblock.server.sessions import lesson_stage as stage
 from learnblock.server.sessions import lesson_view as view
+from learnblock.server.sessions.hint_series import HintSeries
 from learnblock.server.sessions.lesson_trials import LessonCheck
 from learnblock.server.sessions.part import Part
 from learnblock.server.sessions.run_judge import Looked, RunJudge, world_of
@@ -108,8 +109,7 @@ class Coach:
         self._keep = keep
         self._experts = Experts(opened)
         self._looked: Looked | None = None
-        self._hints: list[messages.LessonHint] = []
-        self._found: tuple[Hint, ...] = ()
+        self._hints = HintSeries()
         self._judge: RunJudge | None = None
         self._check = LessonCheck(pupil.viewers.send)
 
@@ -134,7 +134,7 @@ class Coach:
         page.send(self._shown())
         if self._check.told.attempts:
             page.send(self._check.told)
-        if self._hints:
+        if self._hints.given:
             page.send(self._hints_now())
 
     async def close(self) -> None:
@@ -304,16 +304,11 @@ class Coach:
         looked = self._looked
         if looked is None:
             raise LearnBlockError("server-lesson-no-hint")
-        if not self._found:
-            self._found = await to_thread.run_sync(self._hinted, looked)
-        given = self._hints[-1] if self._hints else None
-        last = self._found[len(self._hints) - 1] if given else None
-        if given and last and len(given.levels) < len(last.levels):
-            self._hints[-1] = _hint(last, len(given.levels) + 1)
-        elif len(self._hints) < len(self._found):
-            self._hints.append(_hint(self._found[len(self._hints)], 1))
-        else:
+        if not self._hints.hints:
+            self._hints = HintSeries(await to_thread.run_sync(self._hinted, looked))
+        if not self._hints.has_more:
             raise LearnBlockError("server-lesson-no-hint")
+        self._hints = self._hints.longer()
         self._change(replace(self._done, hints=min(self._done.hints + 1, MOST)))
         await self._save()
         self._pupil.viewers.send(self._hints_now())
@@ -332,11 +327,8 @@ class Coach:
         return hints(self.step, *seen, world=world, elsewhere=elsewhere)
 
     def _hints_now(self) -> messages.LessonHints:
-        count, found = len(self._hints), self._found
-        more = count < len(found) or (
-            count > 0 and len(self._hints[-1].levels) < len(found[count - 1].levels)
-        )
-        return messages.LessonHints(tuple(self._hints), more, self._done.hints)
+        given = tuple(self._hints.shown())
+        return messages.LessonHints(given, self._hints.has_more, self._done.hints)
 
     # Questions.
 
@@ -423,8 +415,7 @@ class Coach:
         self._check.stop()
         if self._judge:
             self._judge.forget()
-        self._hints.clear()
-        self._found = ()
+        self._hints = HintSeries()
 
     def _set(self, progress: Progress) -> None:
         self._progress = progress
@@ -453,8 +444,3 @@ def stars_of(verdicts: Sequence[Verdict]) -> tuple[str, ...]:
     if required and all(one.state == "met" for one in required):
         return GOALS, *stars
     return stars
-
-
-def _hint(hint: "Hint", levels: int) -> messages.LessonHint:
-    # Why it was chosen is for the teacher: it may say what to change.
-    return messages.LessonHint(tuple(map(view.words, hint.levels[:levels])))
