@@ -18,10 +18,6 @@ LOOPS_OVER_ONE = {
 }
 #: Modules that import each other, with the reason; the list may only become shorter.
 CIRCLES = {
-    "learnblock.classroom.desk learnblock.classroom.relay": "the desk is told what a relay hears",
-    "learnblock.classroom.room learnblock.classroom.teaching learnblock.classroom.wall": (
-        "the room shows its wall, and teaching needs both"
-    ),
     "learnblock.runtime.child learnblock.runtime.conversation learnblock.runtime.error_phrases"
     " learnblock.runtime.process learnblock.runtime.remote learnblock.runtime.validation"
     " learnblock.runtime.variables": (
