@@ -23,7 +23,7 @@ async def _run(page: Page, message: messages.Run) -> None:
     if await to_thread.run_sync(page.sessions.block_files.have_changed):
         await page.sessions.renew_blocks(page.session)
     with page.sessions.starting(page.session):
-        async with page.sessions.connections.reserved(page, page.session.robots):
+        async with page.sessions.connections.reserved(page, page.session.parts.kinds):
             await page.session.runs.run(page.player, paused=message.paused)
 
 

@@ -128,7 +128,7 @@ class Page:
         Raises:
             LearnBlockError: the page has opened no project.
         """
-        return self.session.part_of(self)
+        return self.session.parts.shown_to(self)
 
     @property
     def player(self) -> "Player":

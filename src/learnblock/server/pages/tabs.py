@@ -13,7 +13,7 @@ async def _add(page: Page, message: messages.AddTab) -> None:
 
 @HANDLERS.add
 async def _set_count(page: Page, message: messages.SetRobotCount) -> None:
-    part = page.session.require(message.name) if message.name else page.part
+    part = page.session.parts.require(message.name) if message.name else page.part
     await page.session.set_robot_count(part, message.count)
 
 

@@ -20,7 +20,7 @@ async def _read(page: Page, message: messages.ReadWorld) -> None:
 
 @HANDLERS.add
 async def _check(page: Page, message: messages.CheckWorld) -> None:
-    robot = page.session.robots[0]
+    robot = page.session.parts.kinds[0]
     page.send(await to_thread.run_sync(_checked, message.world, robot))
 
 

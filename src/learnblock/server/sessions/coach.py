@@ -32,6 +32,7 @@ from learnblock.server.sessions import lesson_view as view
 from learnblock.server.sessions.hint_series import HintSeries
 from learnblock.server.sessions.lesson_trials import LessonCheck
 from learnblock.server.sessions.part import Part
+from learnblock.server.sessions.parts import Parts
 from learnblock.server.sessions.run_judge import Looked, RunJudge, world_of
 from learnblock.server.sessions.runs import Runs
 
@@ -51,7 +52,7 @@ class TaughtProject(Protocol):
         """The project in the form that is saved."""
 
     @property
-    def parts(self) -> Sequence[Part]:
+    def parts(self) -> Parts:
         """Its programs with their robots, the pupil's first."""
 
     @property
@@ -199,27 +200,27 @@ class Coach:
             raise LearnBlockError("server-lesson-other-robot", robot=robot)
         self._pupil.runs.require_rest()
         world = await to_thread.run_sync(stage.world_here, self._opened, self.number, robot)
-        first = self._pupil.parts[0]
+        first = self._pupil.parts.first
         if first.robot.name != robot:
             await self._pupil.choose_robot(first, robot)
         await self._pupil.choose_world(world, variant)
 
     async def _set_the_stage(self, left: Project | None, *, fresh: bool) -> None:
         """Choose the world, robots, program and blocks of the current step."""
-        first = self._pupil.parts[0]
+        first = self._pupil.parts.first
         start = await to_thread.run_sync(
             stage.beginning, self._opened, self.number, first.name, first.robot.name
         )
         names = {part.name for part in start.parts[1:]}
-        for part in self._pupil.parts[1:]:
-            if part.name not in names:
+        for part in self._pupil.parts:
+            if part is not first and part.name not in names:
                 await self._pupil.close_robot(part.name)
         if first.robot.name not in self._opened.robots(self.number):
             await self._pupil.choose_robot(first, start.robot)
         await self._pupil.choose_world(start.world)
         if fresh or len(self._pupil.parts) < len(start.parts):
             before = left or (start if fresh else self._pupil.project)
-            mine = dataclasses.replace(before.parts[0], name=self._pupil.parts[0].name)
+            mine = dataclasses.replace(before.parts[0], name=self._pupil.parts.first.name)
             wanted = [mine, *start.parts[1:]]
             await self._pupil.restore(start.with_parts(wanted))
         self._show_blocks()
@@ -260,7 +261,7 @@ class Coach:
 
     async def _look(self) -> None:
         """Judge how the program is built, before its run."""
-        tree = self._pupil.parts[0].document.good.tree
+        tree = self._pupil.parts.first.document.good.tree
         verdicts = await to_thread.run_sync(judge, self.step, tree, None, None)
         self._looked = Looked(tree, verdicts)
 
@@ -272,7 +273,7 @@ class Coach:
         Raises:
             LearnBlockError: the program has errors, or a check goes on.
         """
-        document = self._pupil.parts[0].document
+        document = self._pupil.parts.first.document
         document.require_no_errors()
         number = self.number
         found = catalog.attempts_of(self._opened, number)
@@ -320,7 +321,7 @@ class Coach:
         usual = self._opened.robots(self.number)[0]
         elsewhere = Elsewhere(
             is_variant=self._pupil.variant > 0,
-            is_other_robot=self._pupil.parts[0].robot.name != usual,
+            is_other_robot=self._pupil.parts.first.robot.name != usual,
             passes_usually=GOALS in self._done.stars,
         )
         world = world_of(self._opened, self.number)

@@ -22,6 +22,7 @@ from learnblock.server.runs.playing import Played, prepared
 from learnblock.server.runs.together import Participant, play_together, staged
 from learnblock.server.sessions.archive import Archive
 from learnblock.server.sessions.part import Part
+from learnblock.server.sessions.parts import Parts
 
 #: The seed of the command line, so that the same run can be repeated there.
 SEED = 0
@@ -45,7 +46,7 @@ class RunProject(Protocol):
         """Its name."""
 
     @property
-    def parts(self) -> Sequence[Part]:
+    def parts(self) -> Parts:
         """Its programs with their robots."""
 
     @property
@@ -230,7 +231,7 @@ class Runs:
         self._keep_run()
 
     @property
-    def _parts(self) -> Sequence[Part]:
+    def _parts(self) -> Parts:
         return self._project.parts
 
     @property

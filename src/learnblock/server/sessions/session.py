@@ -21,7 +21,6 @@ from learnblock.project.files.project import LONGEST_PART_NAME, Project, is_part
 from learnblock.project.files.unpacking import without
 from learnblock.robots import RobotEntry
 from learnblock.running import MOST_ROBOTS
-from learnblock.running.robot_names import robot_names
 from learnblock.server import catalog, messages
 from learnblock.server.runs.keyboard import Keyboard
 from learnblock.server.runs.player import Player
@@ -31,6 +30,7 @@ from learnblock.server.sessions.archive import Archive
 from learnblock.server.sessions.coach import Coach
 from learnblock.server.sessions.offered_code import offer
 from learnblock.server.sessions.part import Part
+from learnblock.server.sessions.parts import Parts
 from learnblock.server.sessions.periods import Periods
 from learnblock.server.sessions.prepared import (
     DEFAULT_WORLD,
@@ -85,11 +85,9 @@ class Session:
         self._new_worlds = prepared.worlds
         self.viewers = Viewers()
         self.keyboard = Keyboard(self.viewers)
-        self.parts = [Part(part, self) for part in prepared.parts]
-        self._name_robots()
+        self.parts = Parts(self._new_part(part) for part in prepared.parts)
         self._saved = self.project
         self._closed: ClosedPart | None = None
-        self._tabs = self._tabs_now()
         self.archive = Archive(folder, self, periods)
         self.runs = Runs(self, folder)
 
@@ -97,16 +95,6 @@ class Session:
     def project(self) -> Project:
         """The project in the form that is saved."""
         return self._project_with({})
-
-    @property
-    def robots(self) -> tuple[str, ...]:
-        """The names of the kinds of its robots."""
-        return tuple(part.robot.name for part in self.parts for _ in part.players)
-
-    @property
-    def has_several(self) -> bool:
-        """Whether there are several robots, which need names."""
-        return len(self.robots) > 1
 
     def _project_with(self, documents: Mapping[Part, Document]) -> Project:
         """The project with other programs of some parts."""
@@ -184,10 +172,10 @@ class Session:
         if self._new_worlds:
             page.send(messages.Worlds(self._new_worlds))
             self._new_worlds = ()
-        part = self._named(tab) or self.parts[0]
-        tab, robot = self._tab_name(part), part.robot.name
+        part = self.parts.named(tab) or self.parts.first
+        tab, robot = self.parts.tab_name(part), part.robot.name
         page.send(messages.Opened(self.name, robot, self.world, part.breakpoints, tab))
-        page.send(messages.Tabs(self._tabs_now(), tab, part.players[0].voice.robot))
+        page.send(messages.Tabs(self.parts.tabs, tab, part.players[0].voice.robot))
         page.send(self.shown_blocks.message())
         page.send(catalog.tag_dictionary())
         part.join(page, part.players[0])
@@ -207,7 +195,7 @@ class Session:
         """Stop sending messages to a page."""
         self.viewers.remove(page)
         self.keyboard.leave(page)
-        self.part_of(page).leave(page)
+        self.parts.shown_to(page).leave(page)
 
     def show(self, page: Viewer, tab: str, robot: str = "") -> None:
         """Show a page another robot.
@@ -217,16 +205,16 @@ class Session:
             tab: the name of its program's tab; the current one if there is none with this name.
             robot: its name, if several run the program; the first if there is none.
         """
-        before = self.part_of(page)
+        before = self.parts.shown_to(page)
         before.leave(page)
-        self._show(page, self._named(tab) or before, robot)
+        self._show(page, self.parts.named(tab) or before, robot)
 
     def _show(self, page: Viewer, part: Part, robot: str = "") -> None:
         page.shown = Shown(page.shown.number + 1)
         player = part.player_named(robot)
         page.send(
             messages.TabOpened(
-                self._tab_name(part),
+                self.parts.tab_name(part),
                 part.robot.name,
                 self.world,
                 page.shown.number,
@@ -238,10 +226,6 @@ class Session:
         # The page has forgotten which keys its user held.
         self.keyboard.leave(page)
         self.keyboard.join(page)
-
-    def part_of(self, page: Viewer) -> Part:
-        """The program that a page shows."""
-        return next(part for part in self.parts if page in part.viewers)
 
     # Robots.
 
@@ -256,9 +240,11 @@ class Session:
         self._require_few(count)
         entry = await to_thread.run_sync(loaded, robot)
         _require_simulated(entry, count)
-        prepared = await to_thread.run_sync(empty_part, self._free_name(entry.name), entry, count)
+        prepared = await to_thread.run_sync(
+            empty_part, self.parts.free_name(entry.name), entry, count
+        )
         await self._insert(self._new_part(prepared), len(self.parts))
-        self.show(page, self.parts[-1].name)
+        self.show(page, self.parts.last.name)
 
     async def set_robot_count(self, part: Part, count: int) -> None:
         """Let another number of robots run a program.
@@ -292,7 +278,7 @@ class Session:
         for page in pages:
             part.leave(page)
         left = part.set_count(count)
-        self._name_robots()
+        self.parts.name_robots()
         for page in pages:
             self._show(page, part)
         return left
@@ -303,7 +289,7 @@ class Session:
             await self.set_robot_count(part, count)
 
     def _require_few(self, more: int) -> None:
-        if len(self.robots) + more > MOST_ROBOTS:
+        if len(self.parts.kinds) + more > MOST_ROBOTS:
             raise LearnBlockError("tabs-too-many", limit=MOST_ROBOTS)
 
     async def close_robot(self, name: str) -> None:
@@ -313,7 +299,7 @@ class Session:
             LearnBlockError: it is the last one, or a program runs.
         """
         self.runs.require_rest()
-        part = self.require(name)
+        part = self.parts.require(name)
         if len(self.parts) == 1:
             raise LearnBlockError("tabs-last")
         await self.archive.keep_version("time")
@@ -324,7 +310,7 @@ class Session:
             await before.part.close()
         for page in part.viewers:
             part.leave(page)
-            self._show(page, self.parts[max(0, index - 1)])
+            self._show(page, tuple(self.parts)[max(0, index - 1)])
         self._name_single()
         await self.set_the_stage()
         self.part_changed()
@@ -341,7 +327,7 @@ class Session:
         self._require_few(len(self._closed.part.players))
         part, index = self._closed.part, self._closed.index
         self._closed = None
-        part.name = self._free_name(part.name)
+        part.name = self.parts.free_name(part.name)
         await self._insert(part, index)
         self.show(page, part.name)
 
@@ -352,11 +338,11 @@ class Session:
             LearnBlockError: a robot can't have this name, or a program runs.
         """
         self.runs.require_rest()
-        part = self.require(name)
-        if not is_part_name(new) or (self._named(new) not in (None, part)):
+        part = self.parts.require(name)
+        if not is_part_name(new) or (self.parts.named(new) not in (None, part)):
             raise LearnBlockError("tabs-wrong-name", name=new, limit=LONGEST_PART_NAME)
         part.name = new
-        self._name_robots()
+        self.parts.name_robots()
         # It has the name in the world too.
         await self.set_the_stage()
         self.part_changed()
@@ -368,64 +354,25 @@ class Session:
 
     def show_tabs(self) -> None:
         """Show the pages what has changed on a tab."""
-        before, self._tabs = self._tabs, self._tabs_now()
-        if self._tabs == before:
-            return
-        for part in self.parts:
-            for player in part.players:
-                tab, shows = self._tab_name(part), player.voice.robot
-                player.viewers.send(messages.Tabs(self._tabs, tab, shows))
+        self.parts.show_tabs()
 
     async def _insert(self, part: Part, index: int) -> None:
         self.parts.insert(index, part)
-        self._name_robots()
         try:
             await self.runs.set_the_stage()
         except LearnBlockError:
             self.parts.remove(part)
-            self._name_robots()
             raise
         self.part_changed()
 
     def _new_part(self, prepared: PreparedPart) -> Part:
         return Part(prepared, self)
 
-    def _named(self, name: str) -> Part | None:
-        return next((part for part in self.parts if part.name == name), None)
-
-    def require(self, name: str) -> Part:
-        """The part with this name.
-
-        Raises:
-            LearnBlockError: there is none.
-        """
-        part = self._named(name)
-        if part is None:
-            raise LearnBlockError("tabs-no-such", name=name)
-        return part
-
-    def _free_name(self, wish: str) -> str:
-        names = (wish, *(f"{wish} {number}" for number in range(2, MOST_ROBOTS + 2)))
-        return next(name for name in names if self._named(name) is None)
-
     def _name_single(self) -> None:
         """Give a robot that is alone the name that it has when the project is opened again."""
-        if not self.has_several:
-            self.parts[0].name = self.project.parts[0].name
-        self._name_robots()
-
-    def _name_robots(self) -> None:
-        """Give each robot its name in the world."""
-        names = robot_names([part.name for part in self.parts for _ in part.players])
-        for part in self.parts:
-            part.name_robots([next(names) for _ in part.players])
-
-    def _tab_name(self, part: Part) -> str:
-        """The name of a part's tab; a robot that is alone has none."""
-        return part.name if self.has_several else ""
-
-    def _tabs_now(self) -> tuple[messages.Tab, ...]:
-        return tuple(part.tab for part in self.parts) if self.has_several else ()
+        if not self.parts.has_several:
+            self.parts.first.name = self.project.parts[0].name
+        self.parts.name_robots()
 
     # The programs.
 
@@ -435,7 +382,7 @@ class Session:
         await self.archive.keep_version("restored")
         prepared = await to_thread.run_sync(prepare, earlier)
         like = [
-            (self._like(prepared_part, len(prepared.parts)), prepared_part)
+            (self.parts.like(prepared_part, len(prepared.parts)), prepared_part)
             for prepared_part in prepared.parts
         ]
         await self._set_robot_counts(
@@ -460,12 +407,6 @@ class Session:
         version = await self.archive.keep_version("conflict", self._project_with({part: lost}))
         for page in pages:
             page.send(messages.Conflict(version, by))
-
-    def _like(self, found: PreparedPart, count: int) -> Part | None:
-        """The robot that another form of the project names so; one that is alone has any name."""
-        if count == len(self.parts) == 1:
-            return self.parts[0]
-        return self._named(found.name)
 
     # The file.
 
@@ -498,7 +439,7 @@ class Session:
         is_lost = await self._take_in_robots(outside, prepared)
         await self._take_in_settings(self._saved, outside, prepared)
         for saved, prepared_part in zip(outside.parts, prepared.parts, strict=True):
-            if part := self._like(prepared_part, len(outside.parts)):
+            if part := self.parts.like(prepared_part, len(outside.parts)):
                 is_lost |= await part.take_in(saved, prepared_part.document)
         if not is_lost:
             self.viewers.send(messages.TakenIn())
@@ -516,10 +457,10 @@ class Session:
             return False
         try:
             for prepared in found.parts:
-                if self._named(prepared.name) is None and prepared.name not in before:
+                if self.parts.named(prepared.name) is None and prepared.name not in before:
                     await self._insert(self._new_part(prepared), len(self.parts))
             for name in before - after:
-                if self._named(name):
+                if self.parts.named(name):
                     await self.close_robot(name)
         except LearnBlockError as error:
             self.failed(error.phrase)
@@ -531,7 +472,7 @@ class Session:
         before = {part.name: part for part in saved.parts}
         try:
             for there, prepared in zip(outside.parts, found.parts, strict=True):
-                part, last = self._like(prepared, len(outside.parts)), before.get(there.name)
+                part, last = self.parts.like(prepared, len(outside.parts)), before.get(there.name)
                 if part and last and there.robot != last.robot:
                     await self.choose_robot(part, prepared.robot.name)
                 if part and last and there.count != last.count:
@@ -616,7 +557,7 @@ class Session:
         """
         if self.world != name:
             return
-        usual = await to_thread.run_sync(catalog.usual_world, self.parts[0].robot)
+        usual = await to_thread.run_sync(catalog.usual_world, self.parts.first.robot)
         await self.choose_world(DEFAULT_WORLD if usual in (None, name) else usual)
 
     def set_breakpoints(self, part: Part, blocks: tuple[str, ...]) -> None:

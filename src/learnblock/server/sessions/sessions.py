@@ -277,7 +277,7 @@ class Sessions:
         """The names of the robots on which programs run."""
         for session in self._open.values():
             if session.runs.active:
-                yield from session.robots
+                yield from session.parts.kinds
 
     def _later(self, change: Coroutine[Any, Any, None]) -> None:
         task = asyncio.create_task(change)
