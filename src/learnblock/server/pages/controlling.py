@@ -10,12 +10,12 @@ HANDLERS = Handlers()
 
 @HANDLERS.add
 async def _choose_robot(page: Page, message: messages.ChooseRobot) -> None:
-    await page.session.choose_robot(page.part, message.name)
+    await page.session.robots.choose(page.part, message.name)
 
 
 @HANDLERS.add
 async def _choose_world(page: Page, message: messages.ChooseWorld) -> None:
-    await page.session.choose_world(message.name, message.variant)
+    await page.session.robots.choose_world(message.name, message.variant)
 
 
 @HANDLERS.add

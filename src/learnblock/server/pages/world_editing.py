@@ -45,7 +45,7 @@ async def _save(page: Page, message: messages.SaveWorld) -> None:
         page.send(structs.replace(wrong, request=message.request))
         return
     await _have_changed(page)
-    await session.choose_world(message.name)
+    await session.robots.choose_world(message.name)
 
 
 @HANDLERS.add
@@ -57,7 +57,7 @@ async def _import(page: Page, message: messages.ImportWorld) -> None:
 
     name = await to_thread.run_sync(install)
     await _have_changed(page)
-    await page.session.choose_world(name)
+    await page.session.robots.choose_world(name)
 
 
 @HANDLERS.add
@@ -105,7 +105,7 @@ async def _restore(page: Page, message: messages.RestoreWorld) -> None:
 
     await to_thread.run_sync(restore)
     await _have_changed(page)
-    await page.session.choose_world(message.name)
+    await page.session.robots.choose_world(message.name)
 
 
 async def _have_changed(page: Page) -> None:

@@ -31,8 +31,8 @@ from learnblock.server.sessions import lesson_stage as stage
 from learnblock.server.sessions import lesson_view as view
 from learnblock.server.sessions.hint_series import HintSeries
 from learnblock.server.sessions.lesson_trials import LessonCheck
-from learnblock.server.sessions.part import Part
 from learnblock.server.sessions.parts import Parts
+from learnblock.server.sessions.project_robots import ProjectRobots
 from learnblock.server.sessions.run_judge import Looked, RunJudge, world_of
 from learnblock.server.sessions.runs import Runs
 
@@ -64,17 +64,12 @@ class TaughtProject(Protocol):
         """The pages that show it."""
 
     @property
+    def robots(self) -> ProjectRobots:
+        """Its robots in their world."""
+
+    @property
     def runs(self) -> Runs:
         """The runs of its programs."""
-
-    async def choose_robot(self, part: Part, name: str) -> None:
-        """Change the kind of a robot, in the same world."""
-
-    async def choose_world(self, name: str, variant: int = 0) -> None:
-        """Change the world, or its variant."""
-
-    async def close_robot(self, name: str) -> None:
-        """Close a program with its robots."""
 
     async def restore(self, earlier: Project) -> None:
         """Restore earlier programs, with the current world."""
@@ -202,8 +197,8 @@ class Coach:
         world = await to_thread.run_sync(stage.world_here, self._opened, self.number, robot)
         first = self._pupil.parts.first
         if first.robot.name != robot:
-            await self._pupil.choose_robot(first, robot)
-        await self._pupil.choose_world(world, variant)
+            await self._pupil.robots.choose(first, robot)
+        await self._pupil.robots.choose_world(world, variant)
 
     async def _set_the_stage(self, left: Project | None, *, fresh: bool) -> None:
         """Choose the world, robots, program and blocks of the current step."""
@@ -214,10 +209,10 @@ class Coach:
         names = {part.name for part in start.parts[1:]}
         for part in self._pupil.parts:
             if part is not first and part.name not in names:
-                await self._pupil.close_robot(part.name)
+                await self._pupil.robots.close(part.name)
         if first.robot.name not in self._opened.robots(self.number):
-            await self._pupil.choose_robot(first, start.robot)
-        await self._pupil.choose_world(start.world)
+            await self._pupil.robots.choose(first, start.robot)
+        await self._pupil.robots.choose_world(start.world)
         if fresh or len(self._pupil.parts) < len(start.parts):
             before = left or (start if fresh else self._pupil.project)
             mine = dataclasses.replace(before.parts[0], name=self._pupil.parts.first.name)
