@@ -290,7 +290,7 @@ class Runs:
                 version=version,
             )
         )
-        found = (player.newest for player in self._players)
+        found = (player.shown_run.newest for player in self._players)
         self._project.archive.keep_logs(
             began, version, [newest.log.blocks for newest in found if newest]
         )
