@@ -2,7 +2,7 @@
 
 import asyncio
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 from learnblock.classroom.desk import Desk
 from learnblock.classroom.pins import Picture
@@ -12,13 +12,17 @@ from learnblock.errors import LearnBlockError
 from learnblock.lessons.lesson import LessonText
 from learnblock.server import messages
 
-if TYPE_CHECKING:
-    from learnblock.classroom.wall import Board
-
 #: The most names of new pupils who have asked to be let in; there are not that many children.
 _MOST_KNOCKING = 10
 #: Seconds after which the server of a pupil without pages is stopped.
 _GRACE = 120.0
+
+
+class RoomBoard(Protocol):
+    """A page that shows the class: a wall, or a projector."""
+
+    def wake(self) -> None:
+        """Look at the class again."""
 
 
 class Room:
@@ -41,7 +45,7 @@ class Room:
         #: The first names of new pupils whom the teacher has to let in.
         self.knocking: list[str] = []
         #: The walls and projectors that are open.
-        self.boards: set[Board] = set()
+        self.boards: set[RoomBoard] = set()
         self.desks: dict[str, Desk] = {}
         self._servers = Servers(ended=lambda _: self.changed())
         self._ending: dict[str, asyncio.Task[None]] = {}

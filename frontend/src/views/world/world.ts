@@ -1,51 +1,39 @@
 /** The island of the world: it connects messages, drawing and the user's actions. */
 
 import { computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
-import { t, worldName } from "../../i18n";
+import { t } from "../../i18n";
 import type { Context } from "../../model/context";
-import type { Way } from "../../model/kept-runs";
 import type { Measure } from "../../model/measures";
-import { preferences, type ThemeName, theme } from "../../model/preferences";
+import { type ThemeName, theme } from "../../model/preferences";
 import type { WorldIsland } from "../../model/views";
-import type { GoalNow, Robot, Scene, Sound, Telemetry } from "../../protocol/messages";
+import type { Scene, Sound, Telemetry } from "../../protocol/messages";
 import { Cleanup } from "../../ui/cleanup";
-import { Throttle } from "../../ui/throttle";
 import type { Tool } from "../../ui/tool";
 import { WorldAnnouncer } from "./announcer";
-import { Bearing } from "./bearing";
 import { type CameraMode, Cameras } from "./cameras";
 import { FloorDrawing } from "./drawing";
 import { type Drawn, drawn } from "./drawn";
-import { Confetti } from "./effects/confetti";
+import { DrivenWay } from "./driven-way";
 import { Effects } from "./effects/effects";
-import { Flash } from "./effects/flash";
-import { Notes } from "./effects/notes";
 import { Hand } from "./hand";
 import { HeldKeys } from "./held-keys";
 import { worldKeys } from "./keys";
+import { MeasureMarks } from "./measure-marks";
 import { Motion } from "./motion";
+import { PictureLabel } from "./picture-label";
 import { Placing } from "./placing";
 import { Pointing } from "./pointing";
+import { Reactions } from "./reactions";
 import { isBlinking } from "./robots/blinking";
-import type { RobotValues, XY } from "./scenery/description";
+import type { XY } from "./scenery/description";
 import type { Pose } from "./scenery/geometry";
 import { paletteOf } from "./scenery/palette";
 import { Stage } from "./stage";
-import { Trail } from "./trail";
 import { View } from "./view";
-import { Ways } from "./ways";
-import { goalInWords, placeInWords, robotInWords } from "./words";
+import { goalInWords, placeInWords } from "./words";
 
-/** ms between two changes of the picture's label, so that screen readers can finish it. */
-const LABEL_PERIOD = 3000;
 /** The height of what the page lays over the top of the picture, px. */
 const OVERLAY = 56;
-/** A robot that moves farther than this between two messages was placed, mm. */
-const LEAP = 20;
-
-/** Devices whose values have a mark of their own. */
-const SHOWN_OTHERWISE: ReadonlySet<string> = new Set(["DistanceSensors", "Heading", "Driven"]);
-
 export class World implements WorldIsland {
   readonly dom = document.createElement("div");
   readonly tools: readonly Tool[];
@@ -57,28 +45,25 @@ export class World implements WorldIsland {
   private readonly view: View = new View(this.canvas, this.cameras.camera, (now) => this.draw(now));
   private readonly pointing = new Pointing(this.canvas, this.cameras.camera);
   private readonly motion = new Motion();
-  private readonly trail = new Trail();
-  private readonly ways = new Ways();
-  private readonly bearing = new Bearing();
   private readonly drawing = new FloorDrawing();
   private readonly effects = new Effects();
-  private touches = false;
-  /** Whether the trail is hidden because it would cover a drawing. */
-  private trailIsBelow = false;
+  private readonly reactions = new Reactions(
+    this.effects,
+    () => this.stage,
+    () => this.cameras.isCalm,
+  );
+  private readonly way: DrivenWay;
+  private readonly marks: MeasureMarks;
+  private readonly label: PictureLabel;
   private readonly placing: Placing;
   private readonly held: HeldKeys;
   private readonly hand: Hand;
   private stage: Stage | null = null;
   private moved = false;
-  /** The value that the user points at. */
-  private pointed: Measure | null = null;
   private drawnScene = "";
   private worldName = "";
-  private readonly labels = new Throttle(LABEL_PERIOD);
 
   private readonly mode = signal<CameraMode>("follow");
-  private readonly showsTrail = signal(true);
-  private readonly showsBeams = signal(false);
   /** Whether arrow keys place the robot. */
   private readonly places = signal(false);
   private readonly still: ReadonlySignal<boolean>;
@@ -102,6 +87,9 @@ export class World implements WorldIsland {
       placed: (pose) => context.connection.send({ kind: "PlaceRobot", ...pose }),
       changed: () => this.view.invalidate(),
     });
+    this.way = new DrivenWay(running, () => this.view.invalidate());
+    this.marks = new MeasureMarks(running, () => this.stage);
+    this.label = new PictureLabel(this.canvas, running, () => this.stage?.world.title);
     this.held = new HeldKeys(this.frame, context);
     this.hint = computed(() => (this.places.value ? t("page-world-placing") : this.held.hint.value));
     this.hand = new Hand(context);
@@ -120,8 +108,8 @@ export class World implements WorldIsland {
     if (!this.stage) return null;
     const marks = {
       beams: this.stage.beams?.object.visible ?? false,
-      bearing: this.bearing.object.visible,
-      trail: this.trail.mesh.visible,
+      bearing: this.marks.bearing.object.visible,
+      trail: this.way.visible,
       origin: this.stage.isPointing,
     };
     return drawn(this.stage.subject, this.cameras.camera, marks, this.effects.begun);
@@ -134,17 +122,14 @@ export class World implements WorldIsland {
 
   /** Show in the picture where a value comes from. */
   point(measure: Measure | null): void {
-    this.pointed = measure;
-    this.bearing.object.visible = measure === "Heading";
-    this.showBeams();
-    this.showOrigin();
-    this.showTrail();
+    this.marks.point(measure);
+    this.way.point(measure === "Driven");
   }
 
   destroy(): void {
     this.cleanup.dispose();
     this.sizes.disconnect();
-    this.labels.cancel();
+    this.label.destroy();
     this.placing.destroy();
     this.held.destroy();
     this.hand.destroy();
@@ -152,8 +137,8 @@ export class World implements WorldIsland {
     this.stage?.dispose();
     this.drawing.clear();
     this.effects.clear();
-    this.ways.clear();
-    this.bearing.dispose();
+    this.way.destroy();
+    this.marks.bearing.dispose();
     this.view.dispose();
     this.dom.remove();
   }
@@ -167,9 +152,8 @@ export class World implements WorldIsland {
     this.frame.append(this.canvas);
     this.dom.append(this.frame, this.announcer.dom);
     this.view.scene.add(
-      this.trail.mesh,
-      this.ways.object,
-      this.bearing.object,
+      ...this.way.objects,
+      this.marks.bearing.object,
       this.drawing.object,
       this.effects.object,
       this.placing.handle.object,
@@ -186,7 +170,7 @@ export class World implements WorldIsland {
     this.watch(
       () => running.timeline.value,
       // A fast run passes more places than it reports.
-      (timeline) => timeline && !running.past.peek() && this.showWay(Number.POSITIVE_INFINITY),
+      (timeline) => timeline && !running.past.peek() && this.way.until(Number.POSITIVE_INFINITY),
     );
     this.watch(
       () => running.strokes.value,
@@ -194,7 +178,7 @@ export class World implements WorldIsland {
     );
     this.watch(
       () => this.context.ways.value,
-      (ways) => this.showWays(ways),
+      (ways) => this.way.compare(ways),
     );
     this.watch(
       () => this.context.ghost.value,
@@ -210,7 +194,7 @@ export class World implements WorldIsland {
   }
 
   private restart(): void {
-    this.trail.clear();
+    this.way.clear();
     this.cameras.restart();
   }
 
@@ -244,7 +228,7 @@ export class World implements WorldIsland {
     );
     this.watch(
       () => t("page-world-image"),
-      () => (this.canvas.ariaLabel = this.describe()),
+      () => this.label.write(),
     );
     const keys = worldKeys(this.cameras, this.tools, {
       on: this.places,
@@ -282,11 +266,11 @@ export class World implements WorldIsland {
       { name: "nearer", key: "+", act: () => this.cameras.zoom(0.75) },
       { name: "farther", key: "-", act: () => this.cameras.zoom(1 / 0.75) },
       { name: "whole", key: "h", act: () => this.showWhole() },
-      { name: "trail", key: "l", pressed: this.showsTrail, act: () => this.toggleTrail() },
-      { name: "beams", key: "b", pressed: this.showsBeams, act: () => this.toggleBeams() },
+      { name: "trail", key: "l", pressed: this.way.shown, act: () => this.way.toggle() },
+      { name: "beams", key: "b", pressed: this.marks.shown, act: () => this.toggleBeams() },
       { name: "place", key: "p", pressed: this.places, enabled: this.still, act: () => this.togglePlacing() },
       { name: "why", key: "y", enabled: this.asks, act: () => this.context.askingWhy.aboutRobot() },
-      { name: "where", key: "w", act: () => this.announcer.say(this.describe()) },
+      { name: "where", key: "w", act: () => this.announcer.say(this.label.words) },
     ];
   }
 
@@ -313,55 +297,13 @@ export class World implements WorldIsland {
 
   private showDrawing(): void {
     this.drawing.show(this.context.running.strokes.peek().list);
-    // The trail follows the pen and is as wide as its lines.
-    const covered = !this.drawing.empty;
-    if (covered !== this.trailIsBelow && covered === this.showsTrail.peek()) this.toggleTrail();
-    this.trailIsBelow = covered;
+    this.way.giveWay(!this.drawing.empty);
     this.view.invalidate();
-  }
-
-  private toggleTrail(): void {
-    this.showsTrail.value = !this.showsTrail.value;
-    this.showTrail();
-  }
-
-  /** The ways of compared runs take the trail's place. */
-  private showTrail(): void {
-    const isPointed = this.pointed === "Driven";
-    this.trail.mesh.visible = (this.showsTrail.peek() || isPointed) && this.ways.empty;
-    this.trail.highlight(isPointed);
-    this.view.invalidate();
-  }
-
-  private showWays(ways: readonly Way[]): void {
-    this.ways.show(ways);
-    this.showTrail();
   }
 
   private toggleBeams(): void {
-    this.showsBeams.value = !this.showsBeams.value;
-    this.showBeams();
+    this.marks.toggle();
     this.view.invalidate();
-  }
-
-  /** The user's beams, or those that measure what is pointed at. */
-  private showBeams(): void {
-    const beams = this.stage?.beams;
-    if (!beams) return;
-    const all = this.showsBeams.peek();
-    const [device, side = null] = this.pointed?.split(":") ?? [];
-    const isPointed = device === "DistanceSensors";
-    beams.object.visible = all || isPointed;
-    beams.single(all || !isPointed ? null : side);
-    const telemetry = this.context.running.telemetry.peek();
-    if (telemetry) beams.show(telemetry);
-  }
-
-  /** Mark the sensors that are pointed at, unless beams, the arrow or the trail show them. */
-  private showOrigin(): void {
-    const [device = null] = this.pointed?.split(":") ?? [];
-    const isShown = device !== null && SHOWN_OTHERWISE.has(device);
-    this.stage?.point(isShown ? null : device);
   }
 
   private togglePlacing(): void {
@@ -391,14 +333,14 @@ export class World implements WorldIsland {
     if (drawn === this.drawnScene) this.stage?.startAt(start);
     else this.build3d(scene, page);
     this.drawnScene = drawn;
-    this.label();
+    this.label.update();
     this.view.invalidate();
   }
 
   private build3d(scene: Scene, page: ThemeName): void {
     this.stage?.dispose();
     this.motion.clear();
-    this.trail.clear();
+    this.way.clear();
     this.effects.clear();
     const { robotColor } = this.context;
     const palette = paletteOf(scene.world.theme, page);
@@ -414,75 +356,27 @@ export class World implements WorldIsland {
     this.cameras.start(this.stage.subject);
     if (!isSame) this.cameras.reset();
     this.mode.value = this.cameras.mode;
-    this.showBeams();
-    this.showOrigin();
+    this.marks.show();
   }
 
   private receive(telemetry: Telemetry): void {
     const [robot] = telemetry.robots;
-    if (robot && robot.located !== false) this.advanceTrail(robot, telemetry.time);
+    if (robot && robot.located !== false) this.way.advance(robot, telemetry.time);
     this.motion.receive(telemetry, performance.now());
     if (robot) this.placing.confirm(robot);
     const news = this.stage?.showGoals(telemetry.goals ?? []) ?? [];
-    if (news.some(({ state }) => state === "reached")) this.celebrate(telemetry.goals ?? [], news);
-    this.feel(telemetry);
+    if (news.some(({ state }) => state === "reached")) this.reactions.celebrate(telemetry.goals ?? [], news);
+    this.reactions.feel(telemetry);
     // The page announces reached goals itself.
     const failed = news.filter(({ state }) => state === "failed");
     if (failed.length) this.announcer.say(failed.map(goalInWords).join(" "));
-    const beams = this.stage?.beams;
-    if (beams?.object.visible) beams.show(telemetry);
-    this.label();
+    this.marks.receive(telemetry);
+    this.label.update();
     this.view.invalidate();
   }
 
-  private celebrate(goals: readonly GoalNow[], news: readonly GoalNow[]): void {
-    if (!preferences.peek().celebrate || this.cameras.isCalm) return;
-    goals.forEach((goal, i) => {
-      const place = this.stage?.placeOf(i);
-      const isNew = goal.state === "reached" && news.includes(goal);
-      if (isNew && place) this.effects.begin(new Confetti(place), performance.now());
-    });
-  }
-
-  /** Show that the robot has bumped into something. */
-  private feel({ sensors, robots: [robot] }: Telemetry): void {
-    const touches = sensors?.some(({ device, value }) => device === "Bumper" && value === true) ?? false;
-    const reach = this.stage?.robots[0]?.reach;
-    if (touches && !this.touches && robot && reach)
-      this.effects.begin(new Flash([robot.x, robot.y], reach), performance.now());
-    this.touches = touches;
-  }
-
-  private showSound({ device, action }: Sound): void {
-    const robot = this.stage?.robots[0];
-    if (!robot || !["Speaker", "MP3"].includes(device) || this.cameras.isCalm) return;
-    const { x, y } = robot.pose;
-    const notes = new Notes(action === "say" ? "speech" : "notes", { x, y, height: robot.height });
-    this.effects.begin(notes, performance.now());
-    this.view.invalidate();
-  }
-
-  private lastSeen: { robot: Robot; time: number } | null = null;
-  /** Whether the trail is that of the past. */
-  private showsPast = false;
-
-  /** The trail up to a moment that the user looks back at, or to the present again. */
-  private showWay(time: number): void {
-    const { running } = this.context;
-    this.showsPast = running.past.peek() !== null;
-    this.trail.clear();
-    for (const [x, y] of running.wayUntil(time)) this.trail.extend(x, y);
-  }
-
-  /** A robot that moved without time passing was placed: start a new trail. */
-  private advanceTrail(robot: Robot, time: number): void {
-    const { past } = this.context.running;
-    if (past.peek() || this.showsPast) return this.showWay(time);
-    const last = this.lastSeen;
-    this.lastSeen = { robot, time };
-    const way = last ? Math.hypot(robot.x - last.robot.x, robot.y - last.robot.y) : 0;
-    if (last && (time < last.time || (time === last.time && way > LEAP))) this.trail.clear();
-    this.trail.extend(robot.x, robot.y);
+  private showSound(sound: Sound): void {
+    if (this.reactions.hear(sound)) this.view.invalidate();
   }
 
   /** The user's robot as drawn: where the user drags it, or where telemetry says. */
@@ -502,7 +396,7 @@ export class World implements WorldIsland {
       this.stage.show({ ...moment, robots });
       this.placing.show();
     }
-    this.showBearing();
+    this.marks.draw();
     const moving = this.motion.moving(now);
     // The last frame of a movement, too.
     if (moving || this.moved || this.placing.pose) this.view.moveShadows();
@@ -512,11 +406,6 @@ export class World implements WorldIsland {
     const blinks = !this.cameras.isCalm && isBlinking(now);
     this.stage?.blink(blinks);
     return this.moveCamera(now) || moving || shows || blinks;
-  }
-
-  private showBearing(): void {
-    const robot = this.stage?.robots[0];
-    if (robot && this.bearing.object.visible) this.bearing.show(robot.pose, robot.reach);
   }
 
   /** Move the camera with the robot; return whether it is still moving. */
@@ -529,25 +418,5 @@ export class World implements WorldIsland {
     const following = this.cameras.follow(robot.pose, now);
     this.stage?.face(this.cameras.camera.position);
     return following || turning;
-  }
-
-  private label(): void {
-    this.labels.do(() => (this.canvas.ariaLabel = this.describe()));
-  }
-
-  private worldInWords(): string {
-    if (this.context.running.scene.peek()?.real) return t("page-link-plain-floor");
-    const title = this.stage?.world.title;
-    return title ? t("page-world-image", { title: worldName(title) }) : t("page-world-image-empty");
-  }
-
-  private describe(): string {
-    const scene = this.context.running.scene.peek();
-    const telemetry = this.context.running.telemetry.peek();
-    const robot = telemetry?.robots[0];
-    const values = scene?.robots[0]?.[1] as RobotValues | undefined;
-    const world = this.worldInWords();
-    if (!robot || !values) return world;
-    return `${world} ${robotInWords(values.title || robot.name, robot, values, telemetry)}`;
   }
 }

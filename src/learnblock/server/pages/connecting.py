@@ -69,7 +69,7 @@ async def _use(page: Page, _: messages.UseRobot) -> None:
     await to_thread.run_sync(_saved, connected.robot, connected.chosen)
     await connections.disconnect(page)
     if page.has_session:
-        await page.session.choose_robot(page.part, connected.robot.name)
+        await page.session.robots.choose(page.part, connected.robot.name)
 
 
 async def _refresh(page: Page) -> None:

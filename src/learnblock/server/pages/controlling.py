@@ -10,12 +10,12 @@ HANDLERS = Handlers()
 
 @HANDLERS.add
 async def _choose_robot(page: Page, message: messages.ChooseRobot) -> None:
-    await page.session.choose_robot(page.part, message.name)
+    await page.session.robots.choose(page.part, message.name)
 
 
 @HANDLERS.add
 async def _choose_world(page: Page, message: messages.ChooseWorld) -> None:
-    await page.session.choose_world(message.name, message.variant)
+    await page.session.robots.choose_world(message.name, message.variant)
 
 
 @HANDLERS.add
@@ -23,7 +23,7 @@ async def _run(page: Page, message: messages.Run) -> None:
     if await to_thread.run_sync(page.sessions.block_files.have_changed):
         await page.sessions.renew_blocks(page.session)
     with page.sessions.starting(page.session):
-        async with page.sessions.connections.reserved(page, page.session.robots):
+        async with page.sessions.connections.reserved(page, page.session.parts.kinds):
             await page.session.runs.run(page.player, paused=message.paused)
 
 

@@ -41,7 +41,7 @@ async def _try(page: Page, message: messages.TryCustomBlock) -> None:
         function_call, message.name, message.source, message.function, message.arguments
     )
     with page.sessions.starting(page.session):
-        async with page.sessions.connections.reserved(page, page.session.robots):
+        async with page.sessions.connections.reserved(page, page.session.parts.kinds):
             await page.session.runs.try_out(page.part, page.player, call)
 
 

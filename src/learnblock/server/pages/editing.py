@@ -62,4 +62,4 @@ async def _rename(page: Page, message: messages.Rename) -> None:
 
 @HANDLERS.add
 async def _set_breakpoints(page: Page, message: messages.SetBreakpoints) -> None:
-    page.session.set_breakpoints(page.part, tuple(message.blocks))
+    page.session.robots.set_breakpoints(page.part, tuple(message.blocks))

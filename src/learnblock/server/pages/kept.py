@@ -28,7 +28,7 @@ async def _open(page: Page, message: messages.OpenRun) -> None:
 
 @HANDLERS.add
 async def _close(page: Page, _: messages.CloseRun) -> None:
-    page.player.show_newest()
+    page.player.shown_run.show_newest()
 
 
 @HANDLERS.add

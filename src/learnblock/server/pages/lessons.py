@@ -110,7 +110,7 @@ async def _stop_checking(page: Page, _: messages.StopChecking) -> None:
 async def _show_variant(page: Page, message: messages.ShowVariant) -> None:
     with page.sessions.starting(page.session):
         await _coach(page).show_variant(message.robot, message.variant)
-        await page.session.runs.run(page.session.parts[0].players[0], paused=False)
+        await page.session.runs.run(page.session.parts.first.players[0], paused=False)
 
 
 @HANDLERS.add

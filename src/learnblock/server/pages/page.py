@@ -6,7 +6,7 @@ import logging
 import secrets
 from collections.abc import Awaitable, Callable, Mapping
 from contextlib import AbstractAsyncContextManager, nullcontext
-from typing import TYPE_CHECKING, TypeVar
+from typing import TypeVar
 
 import msgspec
 from starlette.websockets import WebSocket, WebSocketDisconnect
@@ -17,15 +17,13 @@ from learnblock.project.document.views import LONGEST_TEXT
 from learnblock.server import messages
 from learnblock.server.pages.boxes import Inbox, Outbox, OutboxFullError
 from learnblock.server.pages.seat import PageSeat, with_languages
+from learnblock.server.runs.player import Player
 from learnblock.server.runs.shown import Shown
 from learnblock.server.sessions.lesson_trials import LessonTrial
+from learnblock.server.sessions.part import Part
 from learnblock.server.sessions.quota import new_projects
-
-if TYPE_CHECKING:
-    from learnblock.server.runs.player import Player
-    from learnblock.server.sessions.part import Part
-    from learnblock.server.sessions.session import Session
-    from learnblock.server.sessions.sessions import Sessions
+from learnblock.server.sessions.session import Session
+from learnblock.server.sessions.sessions import Sessions
 
 Handler = Callable[..., Awaitable[None]]
 H = TypeVar("H", bound=Handler)
@@ -79,7 +77,7 @@ class Page:
     def __init__(
         self,
         socket: WebSocket,
-        sessions: "Sessions",
+        sessions: Sessions,
         handlers: Mapping[type[messages.FromPage], Handler],
         *,
         is_local: bool = False,
@@ -106,7 +104,7 @@ class Page:
         self.lesson_trial = LessonTrial(self.send)
 
     @property
-    def session(self) -> "Session":
+    def session(self) -> Session:
         """The project that the page has opened.
 
         Raises:
@@ -122,16 +120,16 @@ class Page:
         return self._session is not None
 
     @property
-    def part(self) -> "Part":
+    def part(self) -> Part:
         """The program that the page shows, with its robots.
 
         Raises:
             LearnBlockError: the page has opened no project.
         """
-        return self.session.part_of(self)
+        return self.session.parts.shown_to(self)
 
     @property
-    def player(self) -> "Player":
+    def player(self) -> Player:
         """The robot that the page shows.
 
         Raises:
@@ -170,7 +168,7 @@ class Page:
         if self._seat:
             self._seat.see(message)
 
-    def join(self, session: "Session", tab: str = "") -> None:
+    def join(self, session: Session, tab: str = "") -> None:
         """Show a robot of a project, instead of the previous project."""
         self.leave()
         self.shown = Shown()
@@ -178,7 +176,7 @@ class Page:
         self._session = session
         session.join(self, tab)
 
-    async def move_to(self, session: "Session", tab: str = "") -> None:
+    async def move_to(self, session: Session, tab: str = "") -> None:
         """Show a project once the previous one is saved, so that the page need not wait for it."""
         await self._save()
         self.join(session, tab)

@@ -20,7 +20,7 @@ async def _read(page: Page, message: messages.ReadWorld) -> None:
 
 @HANDLERS.add
 async def _check(page: Page, message: messages.CheckWorld) -> None:
-    robot = page.session.robots[0]
+    robot = page.session.parts.kinds[0]
     page.send(await to_thread.run_sync(_checked, message.world, robot))
 
 
@@ -45,7 +45,7 @@ async def _save(page: Page, message: messages.SaveWorld) -> None:
         page.send(structs.replace(wrong, request=message.request))
         return
     await _have_changed(page)
-    await session.choose_world(message.name)
+    await session.robots.choose_world(message.name)
 
 
 @HANDLERS.add
@@ -57,7 +57,7 @@ async def _import(page: Page, message: messages.ImportWorld) -> None:
 
     name = await to_thread.run_sync(install)
     await _have_changed(page)
-    await page.session.choose_world(name)
+    await page.session.robots.choose_world(name)
 
 
 @HANDLERS.add
@@ -105,7 +105,7 @@ async def _restore(page: Page, message: messages.RestoreWorld) -> None:
 
     await to_thread.run_sync(restore)
     await _have_changed(page)
-    await page.session.choose_world(message.name)
+    await page.session.robots.choose_world(message.name)
 
 
 async def _have_changed(page: Page) -> None:

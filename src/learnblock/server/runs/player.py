@@ -19,9 +19,9 @@ from learnblock.server.runs import telemetry
 from learnblock.server.runs.console import Console, Voice, message_of
 from learnblock.server.runs.kept import OpenedRun
 from learnblock.server.runs.keyboard import Keyboard
-from learnblock.server.runs.looking import Looking
 from learnblock.server.runs.playing import Playing
 from learnblock.server.runs.reporter import Reporter
+from learnblock.server.runs.shown_run import ShownRun
 from learnblock.server.runs.viewers import Viewer, Viewers
 
 if TYPE_CHECKING:
@@ -66,7 +66,6 @@ class Player:
         self._on_run_ended = on_run_ended
         self._on_state = on_state
         self._monitor: Monitor | None = None
-        self._scene: messages.Scene | None = None
         self._playing: Playing | None = None
         self._state = IDLE
         self._speed: float | None = 1.0
@@ -75,10 +74,7 @@ class Player:
         self._ended: messages.Ended | None = None
         #: The report of the last run; None during a run.
         self.report: Report | None = None
-        #: Looks back at this run or the last one; None before the first, and if no log is kept.
-        self.newest: Looking | None = None
-        #: A kept run that pages look back at instead.
-        self._kept: OpenedRun | None = None
+        self.shown_run = ShownRun(self.viewers, console)
         self.console = console
         self.voice = Voice(console)
         self._reporter = Reporter(self, console)
@@ -130,10 +126,8 @@ class Player:
         self.viewers.add(page)
         printed = message_of(self.console.kept)
         of_run = (self._variables, self._asked, self._ended)
-        kept = self._kept
-        scene = kept.scene or self._scene if kept else self._scene
-        shown = kept.shown if kept else None
-        for message in (scene, self._state, printed, *of_run, shown):
+        shown = self.shown_run
+        for message in (shown.scene, self._state, printed, *of_run, shown.kept):
             if message is not None:
                 page.send(message)
         self._reporter.greet()
@@ -147,16 +141,14 @@ class Player:
     async def stage(self, monitor: "Monitor") -> None:
         """Show the robot in its world, while no program runs."""
         await self._close_monitor()
-        self.show_newest()
         self._monitor = monitor
-        self._scene = telemetry.scene(monitor)
-        self.viewers.send(self._scene)
+        self.shown_run.enter(telemetry.scene(monitor))
         self._reporter.greet()
 
     def forget(self) -> None:
         """Forget the result and the variables of the last run, which was in another world."""
-        self.show_newest()
-        self._variables = self._ended = self.newest = None
+        self.shown_run.show_newest()
+        self._variables = self._ended = self.shown_run.newest = None
         self._enter("idle")
 
     def attend(self) -> None:
@@ -217,8 +209,8 @@ class Player:
         self.console.clear()
         self._variables = self._ended = self.report = None
         self._playing = playing
-        self.newest = playing.looking
-        self.show_newest()
+        self.shown_run.newest = playing.looking
+        self.shown_run.show_newest()
         self._enter("starting")
         self._reporter.begin()
 
@@ -292,11 +284,6 @@ class Player:
         await self._close_monitor()
         self._reporter.close()
 
-    @property
-    def looking(self) -> Looking | None:
-        """Looks back at the kept run that is shown, or at the newest one; None if there is none."""
-        return self._kept.looking if self._kept else self.newest
-
     def show_kept(self, kept: OpenedRun) -> None:
         """Let pages look back at a kept run.
 
@@ -304,32 +291,7 @@ class Player:
             LearnBlockError: a program runs.
         """
         self._require_rest()
-        self._kept = kept
-        self.viewers.send(kept.shown)
-        if scene := kept.scene or self._scene:
-            self.viewers.send(scene)
-
-    def show_newest(self) -> None:
-        """Let pages look back at the newest run again."""
-        if self._kept is None:
-            return
-        self._kept = None
-        self.viewers.send(messages.RunShown())
-        if printed := message_of(self.console.kept):
-            self.viewers.send(printed)
-        if self._scene:
-            self.viewers.send(self._scene)
-
-    def require_looking(self) -> Looking:
-        """What looks back at the run that is shown.
-
-        Raises:
-            LearnBlockError: there is none.
-        """
-        looking = self.looking
-        if looking is None:
-            raise LearnBlockError("play-nothing-to-look-back-at")
-        return looking
+        self.shown_run.show_kept(kept)
 
     # Reports of the run, in the event loop; only `held_keys` is called from its thread.
 

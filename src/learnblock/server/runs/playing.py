@@ -22,12 +22,11 @@ from learnblock.server.runs.escalation import escalate_async
 from learnblock.server.runs.function_call import FunctionCall
 from learnblock.server.runs.looking import Looking
 from learnblock.server.runs.memory import give_back_memory
-from learnblock.server.runs.watcher import RunWatcher
+from learnblock.server.runs.watcher import Listener, RunWatcher
 from learnblock.storage import skill_files
 
 if TYPE_CHECKING:
     from learnblock.monitor import Monitor
-    from learnblock.server.runs.player import Player
 
 #: A program, or a function that the user tries.
 Played = Document | FunctionCall
@@ -223,7 +222,7 @@ def _followed(handed: list[Callable[[], None]], runs: Sequence[ref[Controlled]])
 def prepared(
     played: Played,
     job: Job,
-    player: "Player",
+    listener: Listener,
     *,
     breakpoints: Iterable[str] = (),
     trace: TraceSink | None = None,
@@ -234,12 +233,12 @@ def prepared(
     Args:
         played: a program without errors.
         job: its run.
-        player: receives the reports of the run.
+        listener: receives the reports of the run.
         breakpoints: the blocks before which it pauses.
         trace: takes the lines of the trace; None for nothing.
         paused: pause before the first line.
     """
-    watcher = RunWatcher(player, player.voice)
+    watcher = RunWatcher(listener)
     log = RunLog(job.program)
     run = ProgramRun(
         job.program,

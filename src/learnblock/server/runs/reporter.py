@@ -4,7 +4,7 @@ import asyncio
 import math
 from collections.abc import Awaitable, Callable, Iterator, Sequence
 from time import monotonic
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Protocol, TypeVar
 
 from anyio import CapacityLimiter, to_thread
 
@@ -13,12 +13,12 @@ from learnblock.server import messages
 from learnblock.server.runs import telemetry
 from learnblock.server.runs.console import Console, message_of
 from learnblock.server.runs.telemetry import Drawn
+from learnblock.server.runs.viewers import Viewers
 from learnblock.why.wording import thing_phrase
 
 if TYPE_CHECKING:
     from learnblock.monitor import Monitor
     from learnblock.monitor.monitor import Picture
-    from learnblock.server.runs.player import Player
 
 Found = TypeVar("Found")
 #: Seconds between two reports of the world, and between two camera frames.
@@ -30,16 +30,47 @@ ATTENTION = 1.5
 APART = 1.0
 
 
+class ReportedRobot(Protocol):
+    """A robot in its world, the program that it runs, and the pages that show them."""
+
+    @property
+    def viewers(self) -> Viewers:
+        """The pages that show the robot."""
+
+    @property
+    def readers(self) -> Viewers:
+        """The pages that show the console."""
+
+    @property
+    def monitor(self) -> "Monitor | None":
+        """The monitor of the robot; None if there is no robot."""
+
+    @property
+    def active(self) -> bool:
+        """Whether its program runs."""
+
+    @property
+    def running_line(self) -> messages.RunningLine:
+        """The line that its program has come to."""
+
+    @property
+    def collisions(self) -> Sequence[Collision]:
+        """What it has bumped into in this run, or the last one."""
+
+    def check(self) -> None:
+        """Notice a run that was lost."""
+
+
 class Reporter:
     """Watches the world while something moves in it, and sleeps otherwise.
 
     Args:
-        of: the run, its world and its pages.
+        robot: the robot in its world, its program and its pages.
         console: the output of the program, which other robots may run too.
     """
 
-    def __init__(self, of: "Player", console: Console) -> None:
-        self._of = of
+    def __init__(self, robot: ReportedRobot, console: Console) -> None:
+        self._robot = robot
         self._console = console
         self._awake = asyncio.Event()
         self._watched = asyncio.Event()
@@ -64,7 +95,7 @@ class Reporter:
     def watch(self) -> None:
         """Send camera frames, or stop, after a page has started or stopped watching."""
         self._filmed = None
-        watched = any(page.watching for page in self._of.viewers)
+        watched = any(page.watching for page in self._robot.viewers)
         (self._watched.set if watched else self._watched.clear)()
 
     def greet(self) -> None:
@@ -76,9 +107,9 @@ class Reporter:
     def flush(self) -> None:
         """Send the output so far, and what the robot has bumped into."""
         if printed := message_of(self._console.take()):
-            self._of.readers.send(printed)
-        for bump in self._bumps.news(self._of.collisions):
-            self._of.viewers.send(bump)
+            self._robot.readers.send(printed)
+        for bump in self._bumps.news(self._robot.collisions):
+            self._robot.viewers.send(bump)
 
     def start_again(self) -> None:
         """Leave behind a look at a robot that may hang, because its run was given up."""
@@ -99,30 +130,30 @@ class Reporter:
             task.cancel()
 
     async def _look(self) -> None:
-        self._of.check()
+        self._robot.check()
         self.flush()
-        monitor = self._of.monitor
-        if self._of.viewers:
-            self._send(self._of.running_line)
-        if monitor and self._of.viewers:
+        monitor = self._robot.monitor
+        if self._robot.viewers:
+            self._send(self._robot.running_line)
+        if monitor and self._robot.viewers:
             await self._report_world(monitor)
-        if not self._of.active and monotonic() > self._until:
+        if not self._robot.active and monotonic() > self._until:
             self._awake.clear()
 
     async def _report_world(self, monitor: "Monitor") -> None:
         state = await self._in_thread(telemetry.telemetry, monitor)
-        if monitor is not self._of.monitor:
+        if monitor is not self._robot.monitor:
             # The robot is in another world by now, which the pages already show.
             return
         self._send(state)
         drawing = self._drawn.news(monitor.strokes())
         if drawing:
-            for page in self._of.viewers:
+            for page in self._robot.viewers:
                 page.send(drawing)
         # After the state, which may reveal a broken link.
         self._send(telemetry.link(monitor))
         for sound in telemetry.sounds(monitor):
-            for page in self._of.viewers:
+            for page in self._robot.viewers:
                 page.send(sound)
 
     def _send(self, message: messages.ToPage) -> None:
@@ -130,18 +161,18 @@ class Reporter:
         if self._last.get(type(message)) == message:
             return
         self._last[type(message)] = message
-        for page in self._of.viewers:
+        for page in self._robot.viewers:
             page.send(message)
 
     async def _film(self) -> None:
-        monitor = self._of.monitor
-        watching = [page for page in self._of.viewers if page.watching]
+        monitor = self._robot.monitor
+        watching = [page for page in self._robot.viewers if page.watching]
         if monitor is None or not watching:
             self._watched.clear()
             return
         picture = await self._in_thread(monitor.camera)
         # The same object means that nothing has moved since.
-        if picture and picture is not self._filmed and monitor is self._of.monitor:
+        if picture and picture is not self._filmed and monitor is self._robot.monitor:
             self._filmed = picture
             for page in watching:
                 page.send(telemetry.camera_frame(picture), picture.jpeg)

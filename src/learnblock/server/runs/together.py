@@ -134,20 +134,16 @@ class MemberWatcher(RunWatcher):
     """Watches one program of a run of several, which may end before the others.
 
     Args:
-        player: receives the events.
+        listener: receives the events.
     """
 
     #: The program's part of the run.
     run: MemberRun
 
-    def __init__(self, player: Player) -> None:
-        super().__init__(player, player.voice)
-        self._player = player
-
     def state(self, state: State) -> None:
         super().state(state)
         if state is State.ENDED:
-            self._pass_on(self._player.on_done, self.run.run())
+            self._pass_on(self._listener.on_done, self.run.run())
 
 
 @dataclass(frozen=True, slots=True)

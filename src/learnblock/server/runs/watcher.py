@@ -3,7 +3,7 @@
 import asyncio
 import threading
 from collections.abc import Callable, Collection
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 from learnblock.running import Report
 from learnblock.runtime.messages import Variables
@@ -11,21 +11,42 @@ from learnblock.runtime.status import State
 from learnblock.runtime.watcher import Watcher
 from learnblock.server.runs.console import Voice
 
-if TYPE_CHECKING:
-    from learnblock.server.runs.player import Player
+
+class Listener(Protocol):
+    """Hears of a run in the event loop; only `held_keys` is called from the run's thread."""
+
+    @property
+    def voice(self) -> Voice:
+        """What takes the output of the program."""
+
+    def on_state(self, state: State) -> None: ...
+
+    def on_held(self, line: int) -> None: ...
+
+    def on_variables(self, variables: Variables) -> None: ...
+
+    def on_input(self, prompt: str) -> None: ...
+
+    def on_keys_wanted(self) -> None: ...
+
+    def held_keys(self) -> Collection[str]: ...
+
+    def on_done(self, report: Report) -> None:
+        """The program has ended, while those of other robots go on."""
+
+    def on_ended(self, report: Report | Exception) -> None:
+        """The run has ended, or something was raised instead."""
 
 
 class RunWatcher(Watcher):
     """Watches one run.
 
     Args:
-        player: receives the events, in the event loop that is running now.
-        voice: takes the output.
+        listener: receives the events, in the event loop that is running now.
     """
 
-    def __init__(self, player: "Player", voice: Voice) -> None:
-        self._player = player
-        self._voice = voice
+    def __init__(self, listener: Listener) -> None:
+        self._listener = listener
         self._loop = asyncio.get_running_loop()
         #: The line of the program's Python that is running; 0 before the first.
         self.current_line = 0
@@ -40,26 +61,26 @@ class RunWatcher(Watcher):
 
     def printed(self, text: str) -> None:
         if not self._is_detached:
-            self._voice.printed(text)
+            self._listener.voice.printed(text)
 
     def line(self, number: int) -> None:
         self.current_line = number
 
     def state(self, state: State) -> None:
-        self._pass_on(self._player.on_state, state)
+        self._pass_on(self._listener.on_state, state)
 
     def held(self, line: int, variables: Variables) -> None:
         # The variables first: so that the page has them when it shows the pause.
-        self._pass_on(self._player.on_variables, variables)
-        self._pass_on(self._player.on_held, line)
+        self._pass_on(self._listener.on_variables, variables)
+        self._pass_on(self._listener.on_held, line)
 
     def variables(self, variables: Variables) -> None:
-        self._pass_on(self._player.on_variables, variables)
+        self._pass_on(self._listener.on_variables, variables)
 
     def input(self, prompt: str) -> str | None:
         with self._input:
             self._answer = None
-            self._pass_on(self._player.on_input, prompt)
+            self._pass_on(self._listener.on_input, prompt)
             self._input.wait_for(lambda: self._answer is not None or self._cancelled)
             return self._answer
 
@@ -74,12 +95,12 @@ class RunWatcher(Watcher):
             return ()
         if not self._wants_keys:
             self._wants_keys = True
-            self._pass_on(self._player.on_keys_wanted)
-        return self._player.held_keys()
+            self._pass_on(self._listener.on_keys_wanted)
+        return self._listener.held_keys()
 
     def ended(self, report: Report | Exception) -> None:
         """Report the end of the run."""
-        self._pass_on(self._player.on_ended, report)
+        self._pass_on(self._listener.on_ended, report)
 
     # The event loop.
 

@@ -5,7 +5,7 @@ from collections.abc import Awaitable, Callable, Coroutine, Sequence
 from contextlib import AbstractAsyncContextManager
 from functools import partial
 from time import monotonic
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, Protocol, TypeVar
 
 from anyio import to_thread
 
@@ -13,12 +13,10 @@ from learnblock.errors import LearnBlockError, phrase_of, shortage
 from learnblock.i18n import Phrase
 from learnblock.project.files.folder import FileChangedError, FileState, ProjectFolder
 from learnblock.project.files.history import PastRun, Reason
+from learnblock.project.files.kept_runs import KeptRun
 from learnblock.project.files.project import Project
 from learnblock.runtime.log.blocks import Block
 from learnblock.server.sessions.periods import Periods
-
-if TYPE_CHECKING:
-    from learnblock.server.sessions.session import Session
 
 #: Seconds of changes after which a version is saved.
 VERSION_PERIOD = 300.0
@@ -93,6 +91,32 @@ class Saver:
             self._unsaved |= not is_saved
 
 
+class ArchivedProject(Protocol):
+    """An open project, as far as it is saved."""
+
+    #: Its name, and that of its file.
+    name: str
+
+    @property
+    def project(self) -> Project:
+        """The project in the form that is saved."""
+
+    def saving(self) -> tuple[Project, Callable[[], None]]:
+        """Return the project, and what confirms the last edit of each page once it is saved."""
+
+    async def take_in(self, outside: Project) -> bool:
+        """Merge the project as another program has saved it; return whether it lacks a change."""
+
+    def kept_outside(self, version: str) -> None:
+        """Tell every page which version has another program's change that could not be merged."""
+
+    def runs_kept(self, runs: tuple[KeptRun, ...]) -> None:
+        """Tell every page which runs are kept."""
+
+    def failed(self, message: Phrase) -> None:
+        """Tell every page what went wrong."""
+
+
 class Archive:
     """Saves an open project; a failure is reported, and the project stays usable.
 
@@ -106,7 +130,7 @@ class Archive:
         periods: when it is saved, and its file looked at.
     """
 
-    def __init__(self, folder: ProjectFolder, project: "Session", periods: Periods) -> None:
+    def __init__(self, folder: ProjectFolder, project: ArchivedProject, periods: Periods) -> None:
         self._folder = folder
         self._project = project
         self._periods = periods

@@ -2,11 +2,12 @@
 
 import dataclasses
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 from anyio import to_thread
 from msgspec.structs import replace
 
+from learnblock.blocks.block_sets import BlockSet
 from learnblock.errors import LearnBlockError
 from learnblock.lessons.evidence import Collector
 from learnblock.lessons.expert import Experts
@@ -25,15 +26,56 @@ from learnblock.project.files.lesson_folder import (
 )
 from learnblock.project.files.project import Project
 from learnblock.server import catalog, messages
-from learnblock.server.runs.viewers import Viewer
+from learnblock.server.runs.viewers import Viewer, Viewers
 from learnblock.server.sessions import lesson_stage as stage
 from learnblock.server.sessions import lesson_view as view
+from learnblock.server.sessions.hint_series import HintSeries
 from learnblock.server.sessions.lesson_trials import LessonCheck
+from learnblock.server.sessions.parts import Parts
+from learnblock.server.sessions.project_robots import ProjectRobots
 from learnblock.server.sessions.run_judge import Looked, RunJudge, world_of
+from learnblock.server.sessions.runs import Runs
 
 if TYPE_CHECKING:
     from learnblock.lessons.hints import Hint
-    from learnblock.server.sessions.session import Session
+
+
+class TaughtProject(Protocol):
+    """An open project that follows a lesson."""
+
+    @property
+    def name(self) -> str:
+        """Its name."""
+
+    @property
+    def project(self) -> Project:
+        """The project in the form that is saved."""
+
+    @property
+    def parts(self) -> Parts:
+        """Its programs with their robots, the pupil's first."""
+
+    @property
+    def variant(self) -> int:
+        """The number of its world's variant."""
+
+    @property
+    def viewers(self) -> Viewers:
+        """The pages that show it."""
+
+    @property
+    def robots(self) -> ProjectRobots:
+        """Its robots in their world."""
+
+    @property
+    def runs(self) -> Runs:
+        """The runs of its programs."""
+
+    async def restore(self, earlier: Project) -> None:
+        """Restore earlier programs, with the current world."""
+
+    def show_blocks(self, block_set: BlockSet) -> None:
+        """Show the blocks of a set in the palette."""
 
 
 class Coach:
@@ -51,7 +93,7 @@ class Coach:
 
     def __init__(
         self,
-        pupil: "Session",
+        pupil: TaughtProject,
         opened: OpenLesson,
         progress: Progress,
         keep: Callable[[str], LessonFolder],
@@ -63,8 +105,7 @@ class Coach:
         self._keep = keep
         self._experts = Experts(opened)
         self._looked: Looked | None = None
-        self._hints: list[messages.LessonHint] = []
-        self._found: tuple[Hint, ...] = ()
+        self._hints = HintSeries()
         self._judge: RunJudge | None = None
         self._check = LessonCheck(pupil.viewers.send)
 
@@ -89,7 +130,7 @@ class Coach:
         page.send(self._shown())
         if self._check.told.attempts:
             page.send(self._check.told)
-        if self._hints:
+        if self._hints.given:
             page.send(self._hints_now())
 
     async def close(self) -> None:
@@ -154,27 +195,27 @@ class Coach:
             raise LearnBlockError("server-lesson-other-robot", robot=robot)
         self._pupil.runs.require_rest()
         world = await to_thread.run_sync(stage.world_here, self._opened, self.number, robot)
-        first = self._pupil.parts[0]
+        first = self._pupil.parts.first
         if first.robot.name != robot:
-            await self._pupil.choose_robot(first, robot)
-        await self._pupil.choose_world(world, variant)
+            await self._pupil.robots.choose(first, robot)
+        await self._pupil.robots.choose_world(world, variant)
 
     async def _set_the_stage(self, left: Project | None, *, fresh: bool) -> None:
         """Choose the world, robots, program and blocks of the current step."""
-        first = self._pupil.parts[0]
+        first = self._pupil.parts.first
         start = await to_thread.run_sync(
             stage.beginning, self._opened, self.number, first.name, first.robot.name
         )
         names = {part.name for part in start.parts[1:]}
-        for part in self._pupil.parts[1:]:
-            if part.name not in names:
-                await self._pupil.close_robot(part.name)
+        for part in self._pupil.parts:
+            if part is not first and part.name not in names:
+                await self._pupil.robots.close(part.name)
         if first.robot.name not in self._opened.robots(self.number):
-            await self._pupil.choose_robot(first, start.robot)
-        await self._pupil.choose_world(start.world)
+            await self._pupil.robots.choose(first, start.robot)
+        await self._pupil.robots.choose_world(start.world)
         if fresh or len(self._pupil.parts) < len(start.parts):
             before = left or (start if fresh else self._pupil.project)
-            mine = dataclasses.replace(before.parts[0], name=self._pupil.parts[0].name)
+            mine = dataclasses.replace(before.parts[0], name=self._pupil.parts.first.name)
             wanted = [mine, *start.parts[1:]]
             await self._pupil.restore(start.with_parts(wanted))
         self._show_blocks()
@@ -215,7 +256,7 @@ class Coach:
 
     async def _look(self) -> None:
         """Judge how the program is built, before its run."""
-        tree = self._pupil.parts[0].document.good.tree
+        tree = self._pupil.parts.first.document.good.tree
         verdicts = await to_thread.run_sync(judge, self.step, tree, None, None)
         self._looked = Looked(tree, verdicts)
 
@@ -227,7 +268,7 @@ class Coach:
         Raises:
             LearnBlockError: the program has errors, or a check is running.
         """
-        document = self._pupil.parts[0].document
+        document = self._pupil.parts.first.document
         document.require_no_errors()
         number = self.number
         attempts = catalog.attempts_of(self._opened, number)
@@ -259,16 +300,11 @@ class Coach:
         looked = self._looked
         if looked is None:
             raise LearnBlockError("server-lesson-no-hint")
-        if not self._found:
-            self._found = await to_thread.run_sync(self._hinted, looked)
-        given = self._hints[-1] if self._hints else None
-        last = self._found[len(self._hints) - 1] if given else None
-        if given and last and len(given.levels) < len(last.levels):
-            self._hints[-1] = _hint(last, len(given.levels) + 1)
-        elif len(self._hints) < len(self._found):
-            self._hints.append(_hint(self._found[len(self._hints)], 1))
-        else:
+        if not self._hints.hints:
+            self._hints = HintSeries(await to_thread.run_sync(self._hinted, looked))
+        if not self._hints.has_more:
             raise LearnBlockError("server-lesson-no-hint")
+        self._hints = self._hints.longer()
         self._change(replace(self._done, hints=min(self._done.hints + 1, MOST)))
         await self._save()
         self._pupil.viewers.send(self._hints_now())
@@ -280,18 +316,15 @@ class Coach:
         usual = self._opened.robots(self.number)[0]
         elsewhere = Elsewhere(
             is_variant=self._pupil.variant > 0,
-            is_other_robot=self._pupil.parts[0].robot.name != usual,
+            is_other_robot=self._pupil.parts.first.robot.name != usual,
             passes_usually=GOALS in self._done.stars,
         )
         world = world_of(self._opened, self.number)
         return hints(self.step, *seen, world=world, elsewhere=elsewhere)
 
     def _hints_now(self) -> messages.LessonHints:
-        count, hints = len(self._hints), self._found
-        more = count < len(hints) or (
-            count > 0 and len(self._hints[-1].levels) < len(hints[count - 1].levels)
-        )
-        return messages.LessonHints(tuple(self._hints), more, self._done.hints)
+        given = tuple(self._hints.shown())
+        return messages.LessonHints(given, self._hints.has_more, self._done.hints)
 
     # Questions.
 
@@ -378,8 +411,7 @@ class Coach:
         self._check.stop()
         if self._judge:
             self._judge.forget()
-        self._hints.clear()
-        self._found = ()
+        self._hints = HintSeries()
 
     def _set(self, progress: Progress) -> None:
         self._progress = progress
@@ -408,8 +440,3 @@ def stars_of(verdicts: Sequence[Verdict]) -> tuple[str, ...]:
     if required and all(verdict.state == "met" for verdict in required):
         return GOALS, *stars
     return stars
-
-
-def _hint(hint: "Hint", levels: int) -> messages.LessonHint:
-    # Why it was chosen is for the teacher: it may say what to change.
-    return messages.LessonHint(tuple(map(view.words, hint.levels[:levels])))

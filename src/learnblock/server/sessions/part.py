@@ -1,8 +1,8 @@
 """One of the programs of an open project, with the robots that run it."""
 
 import asyncio
-from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, TypeVar
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Literal, Protocol, TypeVar
 
 from anyio import to_thread
 
@@ -14,12 +14,10 @@ from learnblock.project.files.project import ProjectPart
 from learnblock.robots import RobotEntry
 from learnblock.server import messages
 from learnblock.server.runs.console import Console
+from learnblock.server.runs.keyboard import Keyboard
 from learnblock.server.runs.player import Player
 from learnblock.server.runs.viewers import Viewer, Viewers
 from learnblock.server.sessions.prepared import PreparedPart
-
-if TYPE_CHECKING:
-    from learnblock.server.sessions.session import Session
 
 Result = TypeVar("Result")
 #: The states of programs, those that need attention most first.
@@ -35,6 +33,28 @@ _STATES: tuple[messages.StateName, ...] = (
 )
 
 
+class PartHome(Protocol):
+    """The project that a part belongs to."""
+
+    @property
+    def keyboard(self) -> Keyboard:
+        """The keyboard of the project."""
+
+    def part_changed(self) -> None:
+        """Save the project, and show the pages what has changed on a tab."""
+
+    def part_ended(self, ended: messages.Ended) -> None:
+        """Record how the program of a part ended."""
+
+    def show_tabs(self) -> None:
+        """Show the pages what has changed on a tab."""
+
+    async def keep_lost(
+        self, part: "Part", lost: Document, pages: Iterable[Viewer], by: Literal["page", "before"]
+    ) -> None:
+        """Save a version with a change that the program of a part lacks, and say so."""
+
+
 class Part:
     """A program of an open project, with the robots that run it; a page shows one of them.
 
@@ -45,7 +65,7 @@ class Part:
         home: the project.
     """
 
-    def __init__(self, prepared: PreparedPart, home: "Session") -> None:
+    def __init__(self, prepared: PreparedPart, home: PartHome) -> None:
         self.name = prepared.name
         self.robot = prepared.robot
         self.breakpoints = prepared.breakpoints

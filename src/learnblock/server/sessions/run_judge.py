@@ -2,10 +2,10 @@
 
 import asyncio
 import dataclasses
-from collections.abc import Awaitable, Sequence
+from collections.abc import Awaitable
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any, Protocol
 
 from anyio import to_thread
 
@@ -15,9 +15,7 @@ from learnblock.lessons.evidence import Collector, Evidence
 from learnblock.lessons.expert import Experts
 from learnblock.lessons.judging import Verdict, judge
 from learnblock.lessons.opened import OpenLesson
-
-if TYPE_CHECKING:
-    from learnblock.server.sessions.part import Part
+from learnblock.server.sessions.parts import Parts
 
 #: Seconds between two looks at a running program; at least this many times the length of a look.
 PERIOD, REST = 0.3, 4.0
@@ -62,7 +60,7 @@ class RunJudge:
         self,
         opened: OpenLesson,
         step: int,
-        parts: "Sequence[Part]",
+        parts: Parts,
         experts: Experts,
         tell: Tell,
     ) -> None:
@@ -71,7 +69,7 @@ class RunJudge:
         self._parts = parts
         self._experts = experts
         self._tell = tell
-        self._tree = parts[0].document.good.tree
+        self._tree = parts.first.document.good.tree
         #: Takes the trace of the run.
         self.collector = Collector()
         self._over = asyncio.Event()

@@ -4,7 +4,7 @@ import asyncio
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from time import time
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 from anyio import to_thread
 
@@ -17,17 +17,57 @@ from learnblock.running.job import Job
 from learnblock.runtime.trace import TraceSink
 from learnblock.server import messages
 from learnblock.server.runs.function_call import FunctionCall
+from learnblock.server.runs.player import Player
 from learnblock.server.runs.playing import Played, prepared
 from learnblock.server.runs.together import Participant, play_together, staged
-
-if TYPE_CHECKING:
-    from learnblock.server.runs.player import Player
-    from learnblock.server.sessions.part import Part
-    from learnblock.server.sessions.session import Session
-
+from learnblock.server.sessions.archive import Archive
+from learnblock.server.sessions.part import Part
+from learnblock.server.sessions.parts import Parts
 
 #: The seed of the command line, so that the same run can be repeated there.
 SEED = 0
+
+
+class RunObserver(Protocol):
+    """Judges the runs of a project."""
+
+    def watch(self) -> tuple[TraceSink, float]:
+        """Begin to judge a run that is about to start: what takes its trace, and its limit in s."""
+
+    def ended(self) -> None:
+        """Judge the run, whose programs have all ended."""
+
+
+class RunProject(Protocol):
+    """An open project, as far as its runs need it."""
+
+    @property
+    def name(self) -> str:
+        """Its name."""
+
+    @property
+    def parts(self) -> Parts:
+        """Its programs with their robots."""
+
+    @property
+    def world(self) -> str:
+        """The name of its world."""
+
+    @property
+    def variant(self) -> int:
+        """The number of the world's variant."""
+
+    @property
+    def tags(self) -> Mapping[str, int]:
+        """The names of tags, and their numbers."""
+
+    @property
+    def archive(self) -> Archive:
+        """Saves it."""
+
+    @property
+    def coach(self) -> RunObserver | None:
+        """Guides through a lesson; None if the project has none."""
 
 
 class Runs:
@@ -38,7 +78,7 @@ class Runs:
         folder: the folder of its file.
     """
 
-    def __init__(self, project: "Session", folder: ProjectFolder) -> None:
+    def __init__(self, project: RunProject, folder: ProjectFolder) -> None:
         self._project = project
         self._folder = folder
         self._last_run = (0.0, "")
@@ -68,7 +108,7 @@ class Runs:
 
     async def set_the_stage(
         self,
-        robots: "Mapping[Part, RobotEntry] | None" = None,
+        robots: Mapping[Part, RobotEntry] | None = None,
         world: tuple[str, int] | None = None,
     ) -> None:
         """Put the robots into their world.
@@ -92,7 +132,7 @@ class Runs:
             # A robot that was added has to be as fast as the others: they share the world's time.
             player.set_speed(self._speed)
 
-    async def run(self, player: "Player", *, paused: bool) -> None:
+    async def run(self, player: Player, *, paused: bool) -> None:
         """Run all programs from the start, and save a version of the project.
 
         Args:
@@ -120,7 +160,7 @@ class Runs:
             raise
 
     async def _start(
-        self, jobs: Sequence[Job], trace: TraceSink | None, paused: "Player | None"
+        self, jobs: Sequence[Job], trace: TraceSink | None, paused: Player | None
     ) -> None:
         if len(jobs) == 1:
             [(part, player)] = self._robots
@@ -147,7 +187,7 @@ class Runs:
         ]
         await play_together(participants, trace)
 
-    async def try_out(self, part: "Part", player: "Player", call: FunctionCall) -> None:
+    async def try_out(self, part: Part, player: Player, call: FunctionCall) -> None:
         """Run a single function on one of the robots instead of the programs."""
         await self.stop()
         job = await self._job(part, player, call)
@@ -163,7 +203,7 @@ class Runs:
         for player in self._players:
             player.set_speed(factor)
 
-    def place(self, player: "Player", x: float, y: float, heading: float) -> None:
+    def place(self, player: Player, x: float, y: float, heading: float) -> None:
         """Place a robot; the next run starts there.
 
         Raises:
@@ -172,7 +212,7 @@ class Runs:
         player.place(x, y, heading)
         self._attend()
 
-    def drive(self, player: "Player", advance: float, rotation: float) -> None:
+    def drive(self, player: Player, advance: float, rotation: float) -> None:
         """Drive a robot by hand.
 
         Raises:
@@ -191,23 +231,23 @@ class Runs:
         self._keep_run()
 
     @property
-    def _parts(self) -> "list[Part]":
+    def _parts(self) -> Parts:
         return self._project.parts
 
     @property
-    def _robots(self) -> "list[tuple[Part, Player]]":
+    def _robots(self) -> list[tuple[Part, Player]]:
         """All robots, each with its program."""
         return [(part, player) for part in self._parts for player in part.players]
 
     @property
-    def _players(self) -> "list[Player]":
+    def _players(self) -> list[Player]:
         return [player for _, player in self._robots]
 
     def _attend(self) -> None:
         for player in self._players:
             player.attend()
 
-    def _require_no_errors(self, part: "Part") -> None:
+    def _require_no_errors(self, part: Part) -> None:
         try:
             part.document.require_no_errors()
         except LearnBlockError as error:
@@ -215,7 +255,7 @@ class Runs:
                 raise
             raise LearnBlockError("tabs-error", name=part.name, problem=error.phrase) from None
 
-    async def _job(self, part: "Part", player: "Player", played: Played) -> Job:
+    async def _job(self, part: Part, player: Player, played: Played) -> Job:
         file = self._folder.file(self._project.name)
         self._network = await to_thread.run_sync(may_use_network, file)
         program = played.program(self._name(part, player))
@@ -228,7 +268,7 @@ class Runs:
         )
         return Job(replace(program, tags=self._project.tags), part.robot, options)
 
-    def _name(self, part: "Part", player: "Player") -> str:
+    def _name(self, part: Part, player: Player) -> str:
         """The name of a robot in a run; one that is alone has that of the project."""
         if len(self._players) == 1:
             return self._project.name
@@ -250,7 +290,7 @@ class Runs:
                 version=version,
             )
         )
-        found = (player.newest for player in self._players)
+        found = (player.shown_run.newest for player in self._players)
         self._project.archive.keep_logs(
             began, version, [newest.log.blocks for newest in found if newest]
         )

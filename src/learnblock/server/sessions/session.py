@@ -2,7 +2,6 @@
 
 import asyncio
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from typing import Literal
 
 from anyio import to_thread
@@ -17,43 +16,20 @@ from learnblock.project.files.carried import Carried, Code
 from learnblock.project.files.folder import ProjectFolder
 from learnblock.project.files.kept_runs import KeptRun
 from learnblock.project.files.lesson_folder import Progress
-from learnblock.project.files.project import LONGEST_PART_NAME, Project, is_part_name
+from learnblock.project.files.project import Project
 from learnblock.project.files.unpacking import without
-from learnblock.robots import RobotEntry
-from learnblock.running import MOST_ROBOTS
-from learnblock.running.robot_names import robot_names
 from learnblock.server import catalog, messages
 from learnblock.server.runs.keyboard import Keyboard
-from learnblock.server.runs.player import Player
-from learnblock.server.runs.shown import Shown
 from learnblock.server.runs.viewers import Viewer, Viewers
 from learnblock.server.sessions.archive import Archive
 from learnblock.server.sessions.coach import Coach
 from learnblock.server.sessions.offered_code import offer
 from learnblock.server.sessions.part import Part
+from learnblock.server.sessions.parts import Parts
 from learnblock.server.sessions.periods import Periods
-from learnblock.server.sessions.prepared import (
-    DEFAULT_WORLD,
-    Prepared,
-    PreparedPart,
-    empty_part,
-    loaded,
-    prepare,
-)
+from learnblock.server.sessions.prepared import Prepared, prepare
+from learnblock.server.sessions.project_robots import ProjectRobots
 from learnblock.server.sessions.runs import Runs
-
-
-@dataclass(frozen=True)
-class ClosedPart:
-    """A program that was closed last with its robots, and can be reopened.
-
-    Args:
-        part: the program with its robots.
-        index: its place among the others.
-    """
-
-    part: Part
-    index: int
 
 
 class Session:
@@ -69,9 +45,6 @@ class Session:
 
     def __init__(self, folder: ProjectFolder, prepared: Prepared, periods: Periods) -> None:
         self.name = prepared.name
-        self.world = prepared.world
-        #: The number of the world's variant; 0, the world as it is drawn, whenever it is opened.
-        self.variant = 0
         self.shown_blocks = prepared.shown_blocks
         self.libraries = prepared.libraries
         self.tags = prepared.tags
@@ -85,11 +58,8 @@ class Session:
         self._new_worlds = prepared.worlds
         self.viewers = Viewers()
         self.keyboard = Keyboard(self.viewers)
-        self.parts = [Part(part, self) for part in prepared.parts]
-        self._name_robots()
+        self.robots = ProjectRobots(self, prepared)
         self._saved = self.project
-        self._closed: ClosedPart | None = None
-        self._tabs = self._tabs_now()
         self.archive = Archive(folder, self, periods)
         self.runs = Runs(self, folder)
 
@@ -97,16 +67,6 @@ class Session:
     def project(self) -> Project:
         """The project in the form that is saved."""
         return self._project_with({})
-
-    @property
-    def robots(self) -> tuple[str, ...]:
-        """The names of the kinds of its robots."""
-        return tuple(part.robot.name for part in self.parts for _ in part.players)
-
-    @property
-    def has_several(self) -> bool:
-        """Whether there are several robots, which need names."""
-        return len(self.robots) > 1
 
     def _project_with(self, documents: Mapping[Part, Document]) -> Project:
         """The project with other programs of some parts."""
@@ -126,6 +86,21 @@ class Session:
         )
 
     @property
+    def parts(self) -> Parts:
+        """Its programs with their robots."""
+        return self.robots.parts
+
+    @property
+    def world(self) -> str:
+        """The name of its world."""
+        return self.robots.world
+
+    @property
+    def variant(self) -> int:
+        """The number of the world's variant."""
+        return self.robots.variant
+
+    @property
     def is_running(self) -> bool:
         """Whether its programs run, or are checked on all variants and robots of a lesson."""
         return self.runs.active or (self.coach is not None and self.coach.checking)
@@ -135,10 +110,7 @@ class Session:
         await self.runs.stop()
         if self.coach:
             await self.coach.close()
-        for part in self.parts:
-            await part.close()
-        if self._closed:
-            await self._closed.part.close()
+        await self.robots.end()
         await self.archive.close()
 
     async def rename(self, name: str) -> None:
@@ -148,7 +120,7 @@ class Session:
             LearnBlockError: the name is taken, or the file can't be renamed.
         """
         await self.archive.rename(name)
-        self._name_single()
+        self.robots.name_single()
         self.viewers.send(messages.ProjectRenamed(name))
 
     async def begin_lesson(self, opened: OpenLesson, browser: str) -> None:
@@ -184,10 +156,10 @@ class Session:
         if self._new_worlds:
             page.send(messages.Worlds(self._new_worlds))
             self._new_worlds = ()
-        part = self._named(tab) or self.parts[0]
-        tab, robot = self._tab_name(part), part.robot.name
+        part = self.parts.named(tab) or self.parts.first
+        tab, robot = self.parts.tab_name(part), part.robot.name
         page.send(messages.Opened(self.name, robot, self.world, part.breakpoints, tab))
-        page.send(messages.Tabs(self._tabs_now(), tab, part.players[0].voice.robot))
+        page.send(messages.Tabs(self.parts.tabs, tab, part.players[0].voice.robot))
         page.send(self.shown_blocks.message())
         page.send(catalog.tag_dictionary())
         part.join(page, part.players[0])
@@ -207,159 +179,7 @@ class Session:
         """Stop sending messages to a page."""
         self.viewers.remove(page)
         self.keyboard.leave(page)
-        self.part_of(page).leave(page)
-
-    def show(self, page: Viewer, tab: str, robot: str = "") -> None:
-        """Show a page another robot.
-
-        Args:
-            page: the page.
-            tab: the name of its program's tab; the current one if there is none with this name.
-            robot: its name, if several run the program; the first if there is none.
-        """
-        before = self.part_of(page)
-        before.leave(page)
-        self._show(page, self._named(tab) or before, robot)
-
-    def _show(self, page: Viewer, part: Part, robot: str = "") -> None:
-        page.shown = Shown(page.shown.number + 1)
-        player = part.player_named(robot)
-        page.send(
-            messages.TabOpened(
-                self._tab_name(part),
-                part.robot.name,
-                self.world,
-                page.shown.number,
-                part.breakpoints,
-                player.voice.robot,
-            )
-        )
-        part.join(page, player)
-        # The page has forgotten which keys its user held.
-        self.keyboard.leave(page)
-        self.keyboard.join(page)
-
-    def part_of(self, page: Viewer) -> Part:
-        """The program that a page shows."""
-        return next(part for part in self.parts if page in part.viewers)
-
-    # Robots.
-
-    async def add_robots(self, page: Viewer, robot: str, count: int) -> None:
-        """Add an empty program for one or more robots of a kind, and show it to the page.
-
-        Raises:
-            LearnBlockError: there is no such robot, no room, too many, several real ones, or a
-                program runs.
-        """
-        self.runs.require_rest()
-        self._require_few(count)
-        entry = await to_thread.run_sync(loaded, robot)
-        _require_simulated(entry, count)
-        prepared = await to_thread.run_sync(empty_part, self._free_name(entry.name), entry, count)
-        await self._insert(self._new_part(prepared), len(self.parts))
-        self.show(page, self.parts[-1].name)
-
-    async def set_robot_count(self, part: Part, count: int) -> None:
-        """Let another number of robots run a program.
-
-        Raises:
-            LearnBlockError: there is no room, there are too many, or several real ones, or a
-                program runs.
-        """
-        before = len(part.players)
-        if count == before:
-            return
-        self.runs.require_rest()
-        self._require_few(count - before)
-        _require_simulated(part.robot, count)
-        left = self._resize(part, count)
-        try:
-            await self.runs.set_the_stage()
-        except LearnBlockError:
-            left += self._resize(part, before)
-            raise
-        finally:
-            for player in left:
-                await player.close()
-        part.forget_run()
-        self._name_single()
-        self.part_changed()
-
-    def _resize(self, part: Part, count: int) -> tuple[Player, ...]:
-        """Let another number of robots run a program; return those that are left over."""
-        pages = [page for player in part.players[count:] for page in player.viewers]
-        for page in pages:
-            part.leave(page)
-        left = part.set_count(count)
-        self._name_robots()
-        for page in pages:
-            self._show(page, part)
-        return left
-
-    async def _set_robot_counts(self, counts: Iterable[tuple[Part, int]]) -> None:
-        """Let other numbers of robots run some programs; those that lose robots come first."""
-        for part, count in sorted(counts, key=lambda change: change[1] - len(change[0].players)):
-            await self.set_robot_count(part, count)
-
-    def _require_few(self, more: int) -> None:
-        if len(self.robots) + more > MOST_ROBOTS:
-            raise LearnBlockError("tabs-too-many", limit=MOST_ROBOTS)
-
-    async def close_robot(self, name: str) -> None:
-        """Close a program with its robots; it can be reopened until the next one is closed.
-
-        Raises:
-            LearnBlockError: it is the last one, or a program runs.
-        """
-        self.runs.require_rest()
-        part = self.require(name)
-        if len(self.parts) == 1:
-            raise LearnBlockError("tabs-last")
-        await self.archive.keep_version("time")
-        index = self.parts.index(part)
-        self.parts.remove(part)
-        before, self._closed = self._closed, ClosedPart(part, index)
-        if before:
-            await before.part.close()
-        for page in part.viewers:
-            part.leave(page)
-            self._show(page, self.parts[max(0, index - 1)])
-        self._name_single()
-        await self.set_the_stage()
-        self.part_changed()
-
-    async def reopen_robot(self, page: Viewer) -> None:
-        """Reopen the program that was closed last, and show it to the page.
-
-        Raises:
-            LearnBlockError: none was closed, there are too many, or a program runs.
-        """
-        self.runs.require_rest()
-        if self._closed is None:
-            raise LearnBlockError("tabs-none-closed")
-        self._require_few(len(self._closed.part.players))
-        part, index = self._closed.part, self._closed.index
-        self._closed = None
-        part.name = self._free_name(part.name)
-        await self._insert(part, index)
-        self.show(page, part.name)
-
-    async def rename_robot(self, name: str, new: str) -> None:
-        """Rename a robot, or all that share a program.
-
-        Raises:
-            LearnBlockError: a robot can't have this name, or a program runs.
-        """
-        self.runs.require_rest()
-        part = self.require(name)
-        if not is_part_name(new) or (self._named(new) not in (None, part)):
-            raise LearnBlockError("tabs-wrong-name", name=new, limit=LONGEST_PART_NAME)
-        part.name = new
-        self._name_robots()
-        # It has the name in the world too.
-        await self.set_the_stage()
-        self.part_changed()
+        self.parts.shown_to(page).leave(page)
 
     def part_changed(self) -> None:
         """Save the project, and show the pages what has changed on a tab."""
@@ -368,64 +188,7 @@ class Session:
 
     def show_tabs(self) -> None:
         """Show the pages what has changed on a tab."""
-        before, self._tabs = self._tabs, self._tabs_now()
-        if self._tabs == before:
-            return
-        for part in self.parts:
-            for player in part.players:
-                tab, shows = self._tab_name(part), player.voice.robot
-                player.viewers.send(messages.Tabs(self._tabs, tab, shows))
-
-    async def _insert(self, part: Part, index: int) -> None:
-        self.parts.insert(index, part)
-        self._name_robots()
-        try:
-            await self.runs.set_the_stage()
-        except LearnBlockError:
-            self.parts.remove(part)
-            self._name_robots()
-            raise
-        self.part_changed()
-
-    def _new_part(self, prepared: PreparedPart) -> Part:
-        return Part(prepared, self)
-
-    def _named(self, name: str) -> Part | None:
-        return next((part for part in self.parts if part.name == name), None)
-
-    def require(self, name: str) -> Part:
-        """The part with this name.
-
-        Raises:
-            LearnBlockError: there is none.
-        """
-        part = self._named(name)
-        if part is None:
-            raise LearnBlockError("tabs-no-such", name=name)
-        return part
-
-    def _free_name(self, wish: str) -> str:
-        names = (wish, *(f"{wish} {number}" for number in range(2, MOST_ROBOTS + 2)))
-        return next(name for name in names if self._named(name) is None)
-
-    def _name_single(self) -> None:
-        """Give a single robot the name that it has when the project is opened again."""
-        if not self.has_several:
-            self.parts[0].name = self.project.parts[0].name
-        self._name_robots()
-
-    def _name_robots(self) -> None:
-        """Give each robot its name in the world."""
-        names = robot_names([part.name for part in self.parts for _ in part.players])
-        for part in self.parts:
-            part.name_robots([next(names) for _ in part.players])
-
-    def _tab_name(self, part: Part) -> str:
-        """The name of a part's tab; a single robot has none."""
-        return part.name if self.has_several else ""
-
-    def _tabs_now(self) -> tuple[messages.Tab, ...]:
-        return tuple(part.tab for part in self.parts) if self.has_several else ()
+        self.parts.show_tabs()
 
     # The programs.
 
@@ -434,18 +197,7 @@ class Session:
         self.runs.require_rest()
         await self.archive.keep_version("restored")
         prepared = await to_thread.run_sync(prepare, earlier)
-        like = [
-            (self._like(prepared_part, len(prepared.parts)), prepared_part)
-            for prepared_part in prepared.parts
-        ]
-        await self._set_robot_counts(
-            (part, prepared_part.count) for part, prepared_part in like if part
-        )
-        for part, prepared_part in like:
-            if part:
-                await part.restore(prepared_part.document)
-            else:
-                await self._insert(self._new_part(prepared_part), len(self.parts))
+        await self.robots.restore(prepared)
 
     async def know(self, configurations: Mapping[str, BlockConfiguration]) -> None:
         """Read the programs with a changed set of skills."""
@@ -460,12 +212,6 @@ class Session:
         version = await self.archive.keep_version("conflict", self._project_with({part: lost}))
         for page in pages:
             page.send(messages.Conflict(version, by))
-
-    def _like(self, found: PreparedPart, count: int) -> Part | None:
-        """The robot with this name in another form of the project; a single robot has any name."""
-        if count == len(self.parts) == 1:
-            return self.parts[0]
-        return self._named(found.name)
 
     # The file.
 
@@ -498,7 +244,7 @@ class Session:
         is_lost = await self._take_in_robots(outside, prepared)
         await self._take_in_settings(self._saved, outside, prepared)
         for saved, prepared_part in zip(outside.parts, prepared.parts, strict=True):
-            if part := self._like(prepared_part, len(outside.parts)):
+            if part := self.parts.like(prepared_part, len(outside.parts)):
                 is_lost |= await part.take_in(saved, prepared_part.document)
         if not is_lost:
             self.viewers.send(messages.TakenIn())
@@ -516,11 +262,11 @@ class Session:
             return False
         try:
             for prepared in found.parts:
-                if self._named(prepared.name) is None and prepared.name not in before:
-                    await self._insert(self._new_part(prepared), len(self.parts))
+                if self.parts.named(prepared.name) is None and prepared.name not in before:
+                    await self.robots.append(prepared)
             for name in before - after:
-                if self._named(name):
-                    await self.close_robot(name)
+                if self.parts.named(name):
+                    await self.robots.close(name)
         except LearnBlockError as error:
             self.failed(error.phrase)
             return True
@@ -531,15 +277,15 @@ class Session:
         before = {part.name: part for part in saved.parts}
         try:
             for there, prepared in zip(outside.parts, found.parts, strict=True):
-                part, last = self._like(prepared, len(outside.parts)), before.get(there.name)
+                part, last = self.parts.like(prepared, len(outside.parts)), before.get(there.name)
                 if part and last and there.robot != last.robot:
-                    await self.choose_robot(part, prepared.robot.name)
+                    await self.robots.choose(part, prepared.robot.name)
                 if part and last and there.count != last.count:
-                    await self.set_robot_count(part, prepared.count)
+                    await self.robots.set_count(part, prepared.count)
                 if part and last and there.breakpoints != last.breakpoints:
-                    self.set_breakpoints(part, prepared.breakpoints)
+                    self.robots.set_breakpoints(part, prepared.breakpoints)
             if outside.world != saved.world:
-                await self.choose_world(found.world)
+                await self.robots.choose_world(found.world)
         except LearnBlockError as error:
             self.failed(error.phrase)
         if (outside.shown, outside.block_sets) != (saved.shown, saved.block_sets):
@@ -549,6 +295,11 @@ class Session:
     def runs_kept(self, runs: tuple[KeptRun, ...]) -> None:
         """Send every page the kept runs."""
         self.viewers.send(messages.KeptRuns(runs))
+
+    def remark(self, problem: Phrase) -> None:
+        """Tell every page of a problem, also those that join later."""
+        self._remarks = (*self._remarks, problem)
+        self.failed(problem)
 
     def failed(self, message: Phrase) -> None:
         """Report an error to every page."""
@@ -567,65 +318,6 @@ class Session:
         if own != self.tags.items():
             self.archive.changed()
 
-    # Settings.
-
-    async def set_the_stage(self) -> None:
-        """Put the robots into their world; a problem is shown to every page.
-
-        The user can choose another world.
-        """
-        try:
-            await self.runs.set_the_stage()
-        except LearnBlockError as error:
-            self._remarks = (*self._remarks, error.phrase)
-            self.failed(error.phrase)
-
-    async def choose_robot(self, part: Part, name: str) -> None:
-        """Change the kind of a robot, in the same world.
-
-        Raises:
-            LearnBlockError: the robot does not exist, several would be real ones, or a program is
-                running.
-        """
-        self.runs.require_rest()
-        robot = await to_thread.run_sync(loaded, name)
-        _require_simulated(robot, len(part.players))
-        await self.runs.set_the_stage({part: robot})
-        await part.use(robot)
-        self._send_settings()
-
-    async def choose_world(self, name: str, variant: int = 0) -> None:
-        """Change the world, or its variant.
-
-        Raises:
-            LearnBlockError: the world or its variant does not exist, or a program is running.
-        """
-        await to_thread.run_sync(catalog.check_world_name, name)
-        await self.runs.set_the_stage(world=(name, variant))
-        if (name, variant) != (self.world, self.variant):
-            for part in self.parts:
-                part.forget_run()
-        self.world, self.variant = name, variant
-        self._send_settings()
-
-    async def leave_world(self, name: str) -> None:
-        """Choose the robot's usual world if the current one is this one.
-
-        Raises:
-            LearnBlockError: a program is running.
-        """
-        if self.world != name:
-            return
-        usual = await to_thread.run_sync(catalog.usual_world, self.parts[0].robot)
-        await self.choose_world(DEFAULT_WORLD if usual in (None, name) else usual)
-
-    def set_breakpoints(self, part: Part, blocks: tuple[str, ...]) -> None:
-        """Set the blocks before which a program pauses."""
-        part.breakpoints = blocks
-        for player in part.players:
-            player.set_breakpoints(blocks)
-        self._send_settings()
-
     def show_blocks(self, block_set: BlockSet) -> None:
         """Show the blocks of a set in the palette.
 
@@ -639,15 +331,3 @@ class Session:
     def part_ended(self, ended: messages.Ended) -> None:
         """Record how the program of a part ended."""
         self.runs.ended(ended)
-
-    def _send_settings(self) -> None:
-        for part in self.parts:
-            settings = messages.Settings(part.robot.name, self.world, part.breakpoints)
-            part.viewers.send(settings)
-        self.part_changed()
-
-
-def _require_simulated(robot: RobotEntry, count: int) -> None:
-    """Refuse several real robots of a kind: all would use one connection."""
-    if count > 1 and not robot.load().lockstep:
-        raise LearnBlockError("tabs-one-real", robot=robot.name)

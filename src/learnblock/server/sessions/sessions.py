@@ -194,7 +194,7 @@ class Sessions:
         Raises:
             LearnBlockError: a program is running in it.
         """
-        await own.leave_world(name)
+        await own.robots.leave_world(name)
         for session in self._open.values():
             if session is not own and session.world == name:
                 self._later(_leave_world(session, name))
@@ -268,7 +268,7 @@ class Sessions:
                     lambda: prepare(read(), read_only=self.folder.read_only)
                 )
                 session = Session(self.folder, prepared, self._periods)
-                await session.set_the_stage()
+                await session.robots.set_the_stage()
                 await session.resume_lesson()
                 self._open[name] = session
             return self._open[name]
@@ -277,7 +277,7 @@ class Sessions:
         """The names of the robots on which programs run."""
         for session in self._open.values():
             if session.runs.active:
-                yield from session.robots
+                yield from session.parts.kinds
 
     def _later(self, change: Coroutine[Any, Any, None]) -> None:
         task = asyncio.create_task(change)
@@ -308,7 +308,7 @@ async def _leave_world(session: Session, name: str) -> None:
     async with session.turn:
         # A program that still runs there has loaded its world already.
         with suppress(LearnBlockError):
-            await session.leave_world(name)
+            await session.robots.leave_world(name)
 
 
 async def _renew(session: Session, configurations: Mapping[str, BlockConfiguration]) -> None:
