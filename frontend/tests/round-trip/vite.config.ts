@@ -1,6 +1,6 @@
 import { defineConfig } from "vite";
 
-// Nobody downloads this page: to make it small takes several times as long as to make it.
+// Only tests load this page, and minifying takes several times as long as building it.
 export default defineConfig({
   base: "./",
   build: {

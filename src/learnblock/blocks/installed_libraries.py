@@ -97,9 +97,7 @@ def functions_beside(
             known[module] = imported | uses_of(tree, imported)
         return known.get(module, {})
 
-    needs = {
-        name: module.needed(skills) for name, module in imported_names(imports, defined).items()
-    }
+    needs = {name: uses.needed(skills) for name, uses in imported_names(imports, defined).items()}
     return {
         name: BlockConfiguration("others", "", name, needs=found)
         for name, found in needs.items()

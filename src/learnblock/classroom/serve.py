@@ -103,7 +103,7 @@ def serve_class(service: ClassService, *, show: Callable[[str], object] | None =
 
 def _begin_to_end(room: Room, service: ClassService) -> None:
     service.announce(Phrase("class-closing", title=service.roster.title))
-    # Whoever waits for a server is answered before connections are closed.
+    # Requests that wait for a server are answered before connections are closed.
     room.end()
 
 

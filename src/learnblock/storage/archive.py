@@ -1,7 +1,8 @@
-"""The one reader of zips, whoever made them: within limits, and without writing to disk.
+"""Reads zips of any origin, within limits and without writing to disk.
 
-A zip can lie about its sizes, have names that lead out of any folder, and hold what no person has
-put there. `unzipped` refuses all of that; with `ZipReader`, its caller leaves out what is refused.
+A zip can lie about its sizes, have names that lead out of any folder, and contain files that its
+author never put there. `unzipped` refuses all of that; a caller of `ZipReader` leaves such files
+out.
 """
 
 import io

@@ -165,7 +165,7 @@ class ManualClock:
             while not condition():
                 if monotonic() > deadline:
                     raise TimeoutError(f"in vain: {what}")
-                # Nobody tells that a thread has ended.
+                # The end of a thread notifies no one.
                 self._changed.wait(GLANCE)
 
 

@@ -20,7 +20,7 @@ class Inquiry:
         slices: of the run.
         readings: of the run.
         unused: of the run.
-        draft: the answer so far; nothing is told twice.
+        draft: the answer so far; it never repeats a sentence.
         time: the moment in question, or the end of the time, in s; None for the whole run.
         since: the start of the time in question, in s; None for a moment or the whole run.
     """

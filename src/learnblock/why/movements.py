@@ -13,7 +13,7 @@ from learnblock.why.wording import MOVEMENTS, STAND
 
 #: The most lines that an answer names, if the question has no moment.
 LINES = 2
-#: A robot that has moved less than this, in mm, stands still.
+#: A robot that has moved less than this, in mm, counts as standing still.
 _STILL = 2.0
 
 
@@ -120,7 +120,7 @@ class Movements:
         return end >= 0 and time - self._history.time(end) > LONG_AGO
 
     def _stands(self, until: int, time: float | None) -> bool:
-        """Tell why the robot stands still without a command to; False if there is no reason."""
+        """Explain why the robot is not moving although no command stopped it; False if unknown."""
         if self._commands.last(until) < 0:
             self._actions.not_moving(until, time)
             return True
@@ -146,8 +146,8 @@ class Movements:
     def why_not(self, name: str, until: int, time: float | None) -> None:
         """Tell why the robot did not make a movement."""
         name = name if name in MOVEMENTS else ""
-        stood = any(STAND in self._commands.names(command) for command in self._commands.all)
-        if name == STAND and time is None and stood:
+        has_stopped = any(STAND in self._commands.names(command) for command in self._commands.all)
+        if name == STAND and time is None and has_stopped:
             # It did stop, perhaps more than once, but it continued.
             self._whole_run.not_end(until)
         self._actions.not_moved(name, until, time)

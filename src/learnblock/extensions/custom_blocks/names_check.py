@@ -87,10 +87,10 @@ def _unknown_places(code: CodeType, known: Collection[str]) -> Iterator[_Place]:
     """Where a name is looked up that neither the module nor the class around it sets."""
     for scope in _codes(code):
         here = {*known, *_operands(scope, "STORE_NAME")}
-        for found in dis.get_instructions(scope):
-            is_unknown = found.opname in _LOADS and found.argval not in here
-            if is_unknown and found.positions:
-                yield found.positions.lineno, found.positions.col_offset
+        for instruction in dis.get_instructions(scope):
+            is_unknown = instruction.opname in _LOADS and instruction.argval not in here
+            if is_unknown and instruction.positions:
+                yield instruction.positions.lineno, instruction.positions.col_offset
 
 
 def _codes(code: CodeType) -> Iterator[CodeType]:

@@ -73,7 +73,7 @@ class Sender(SendThread):  # type: ignore[misc] # pycozmo has no types
             self._send_packets(self._numbered([packets.Disconnect()]), self.last_ack)
 
     def overdue(self) -> list[tuple[int, Any]]:
-        """What has to be sent again by now, with its numbers; its timer restarts."""
+        """The numbered packets that are due to be resent; their timer restarts."""
         with self.lock:
             owed: list[tuple[int, Any]] = self.window.get()
             if not owed or self._clock.now() < self.last_ack_time + RESEND:

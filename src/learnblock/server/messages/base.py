@@ -66,7 +66,7 @@ class FromPage(Message, frozen=True, kw_only=True):
     request: Annotated[int, Meta(ge=0)] = 0
 
     def __init_subclass__(cls) -> None:
-        """Refuse a message without a decision about who may send it.
+        """Refuse a message whose base does not say who may send it.
 
         Raises:
             TypeError: its base is not one of the roles below.

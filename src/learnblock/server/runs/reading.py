@@ -27,7 +27,7 @@ from learnblock.why.world_again import WorldAgain
 
 @dataclass(frozen=True)
 class Reading:
-    """What a log tells of a run; if the run goes on, another one is read.
+    """What a log tells about a run; if the run continues, it is read again as a new `Reading`.
 
     Args:
         history: what happened.
@@ -58,7 +58,7 @@ class Reading:
         Args:
             log: its blocks.
             blocks: the blocks of the program's lines.
-            before: what had been read of it; its world goes on here.
+            before: what had been read of it; its world is continued.
         """
         began = monotonic()
         recorded = Recorded.of(log)
@@ -71,7 +71,7 @@ class Reading:
         return cls(history, moments, steps, reported, world, blocks, len(log), now, now - began)
 
     def extended_world(self, recorded: Recorded) -> WorldAgain | None:
-        """Its world, gone on; None if the run has not only become longer."""
+        """Its world, continued; None if the new log does not simply extend the old one."""
         before, lines = self.history.recorded.lines, recorded.lines
         known = len(before)
         is_longer = known and lines[known - 1] == before[-1]
@@ -109,7 +109,7 @@ class Reading:
         )
 
     def last_values(self) -> tuple[messages.ValueThere, ...]:
-        """The values beside the lines when the last thing had happened."""
+        """The values next to the lines after the last event."""
         history = self.history
         return self._values(len(history.events) - 1, self.moments.line_at(history.end))
 
@@ -127,7 +127,7 @@ class Reading:
         reached = self.steps.go(asked.step, place, to, subject)
         if reached or to not in (To.LINE, To.EVENT, To.TURN):
             return reached
-        # Before the first line the run begins; behind the last one it ends.
+        # The run begins before the first line, and ends after the last one.
         end = START if asked.step < 0 else self.steps.at(self.history.end)
         return None if end == place else end
 
@@ -151,5 +151,5 @@ def _world_again(recorded: Recorded) -> WorldAgain | None:
     try:
         return WorldAgain(recorded)
     except LearnBlockError:
-        # A real robot, or a world that is not here: what was recorded can be shown nevertheless.
+        # A real robot, or a world that is not here: the recorded data can still be shown.
         return None
