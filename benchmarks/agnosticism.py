@@ -26,7 +26,7 @@ from learnblock.blocks import builtin
 from learnblock.emulators import TWINS as WIRES
 from learnblock.emulators import emulate
 from learnblock.language.check.robots import Verdict, demands, verdict
-from learnblock.running import Options, ProgramRun
+from learnblock.running import Job, Options, ProgramRun
 from learnblock.runtime.process import ProcessWorker
 from learnblock.simulator.goals import RobotState, goals
 
@@ -113,7 +113,7 @@ def over_wire(name: str, robot: str) -> tuple[Any, list[str], frozenset[str]]:
     program = running.program(running.read(EXAMPLES / name), entry)
     with tempfile.TemporaryDirectory() as home, observed(robot, world, home) as missed:
         options = Options(seconds=PATIENCE * seconds)
-        run = ProgramRun(program, entry, options, worker=ProcessWorker, watcher=person(name))
+        run = ProgramRun(Job(program, entry, options), worker=ProcessWorker, watcher=person(name))
         ended = threading.Event()
 
         def look() -> None:

@@ -63,7 +63,7 @@ def main() -> None:
 
     few = wanted[: len(CLASS)]
     began = perf_counter()
-    reports = [ProgramRun(one.program, one.robot, one.options).run() for one in few]
+    reports = [ProgramRun(job).run() for job in few]
     alone = sum(one.time for one in reports) / (perf_counter() - began)
     print(f"one after another {'':>10} {alone:7.1f} times real time")
     print(f"ratio             {'':>10} {together / alone:7.1f}")

@@ -13,7 +13,7 @@ from time import perf_counter
 
 from learnblock import robots, running
 from learnblock.monitor.making import make_monitor
-from learnblock.running import ProgramRun
+from learnblock.running import Job, ProgramRun
 from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.program import Program
 from learnblock.runtime.watcher import Watcher
@@ -58,9 +58,9 @@ def best(work: Callable[[], object]) -> float:
 
 
 def cost(name: str, program: Program) -> None:
-    robot = robots.find("sim-ebo")
+    job = Job(program, robots.find("sim-ebo"))
     plain, debugged = (
-        best(lambda make=make: ProgramRun(program, robot, debugger=make()).run())  # type: ignore[misc]
+        best(lambda make=make: ProgramRun(job, debugger=make()).run())  # type: ignore[misc]
         for make in (lambda: None, Debugger)
     )
     print(f"{name:28} {plain:6.3f} s, debugged {debugged:6.3f} s: {debugged / plain:.2f} times")
@@ -74,8 +74,8 @@ def pause(name: str, source: str) -> None:
 def pause_once(source: str) -> float:
     states = States()
     program = Program("program.py", source, source)
-    robot = robots.find("sim-ebo")
-    session = ProgramRun(program, robot, watcher=states, debugger=Debugger())
+    job = Job(program, robots.find("sim-ebo"))
+    session = ProgramRun(job, watcher=states, debugger=Debugger())
     session.set_speed(1.0)
     thread = threading.Thread(target=session.run)
     thread.start()

@@ -25,9 +25,8 @@ WAYS = ("process", "thread", "warm")
 RUN = """
 import sys
 from learnblock import robots, running
-from learnblock.running import Options, ProgramRun
+from learnblock.running import Job, Options, ProgramRun
 from learnblock.running.batch import Batch
-from learnblock.running.job import Job
 from learnblock.runtime.inline import InlineWorker
 from learnblock.runtime.process import ProcessWorker
 from runs import EXAMPLES, TASKS, TWINS
@@ -44,8 +43,7 @@ def reports(jobs):
     if sys.argv[2] == "warm":
         return [one.report for _, one in sorted(Batch(jobs).results(), key=lambda one: one[0])]
     worker = {"process": ProcessWorker, "thread": InlineWorker}[sys.argv[2]]
-    runs = (ProgramRun(one.program, one.robot, one.options, worker=worker) for one in jobs)
-    return [run.run() for run in runs]
+    return [ProgramRun(job, worker=worker).run() for job in jobs]
 
 names = sorted(TASKS)
 for name, report in zip(names, reports([*map(job, names)]), strict=True):

@@ -18,7 +18,7 @@ from os import cpu_count, getloadavg, times
 from time import perf_counter
 
 from learnblock import robots, running
-from learnblock.running import Options, ProgramRun
+from learnblock.running import Job, Options, ProgramRun
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.program import Program
 from learnblock.why import History
@@ -96,7 +96,7 @@ class Taken:
 
 def run(case: Case, log: RunLog | None) -> Taken:
     options = Options(seed=0, pace="free", seconds=SECONDS)
-    prepared = ProgramRun(case.program, case.robot, options, log=log)
+    prepared = ProgramRun(Job(case.program, case.robot, options), log=log)
     began, worked = perf_counter(), processor_time()
     report = prepared.run()
     return Taken(perf_counter() - began, processor_time() - worked, report.trace_sha256)

@@ -15,7 +15,7 @@ from unittest.mock import patch
 from msgspec.structs import replace
 
 from learnblock import robots, running
-from learnblock.running import Options, ProgramRun
+from learnblock.running import Job, Options, ProgramRun
 from learnblock.runtime.process import ThreadWorker
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "helpers"))
@@ -46,7 +46,7 @@ def errors(robot: str, slip: float, seed: int, folder: Path) -> tuple[float, flo
     entry = robots.find(robot)
     options = Options(world=str(world), seed=seed, seconds=600)
     ready = running.program(running.read(program), entry)
-    report = ProgramRun(ready, entry, options, worker=ThreadWorker).run()
+    report = ProgramRun(Job(ready, entry, options), worker=ThreadWorker).run()
     if report.pose is None:
         raise SystemExit(f"{robot} did not run: {report.error}")
     x, y, heading = report.pose

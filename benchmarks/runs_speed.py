@@ -28,7 +28,7 @@ RUN = """
 import importlib, os, sys, time
 from pathlib import Path
 from learnblock import robots, running
-from learnblock.running import Options, ProgramRun
+from learnblock.running import Job, Options, ProgramRun
 
 module, worker, path, world, seconds, *twins = sys.argv[1:]
 worker = getattr(importlib.import_module("learnblock.runtime." + module), worker)
@@ -41,7 +41,7 @@ program = running.program(source, entry)
 def run(seconds):
     options = Options(world=world or None, seconds=seconds)
     began, used = time.perf_counter(), sum(os.times()[:4])
-    report = ProgramRun(program, entry, options, worker=worker).run()
+    report = ProgramRun(Job(program, entry, options), worker=worker).run()
     return time.perf_counter() - began, sum(os.times()[:4]) - used, report
 
 # The first run loads what all runs need.

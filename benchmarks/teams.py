@@ -10,8 +10,8 @@ from pathlib import Path
 from time import perf_counter
 
 from learnblock import robots, running
-from learnblock.running import Options
-from learnblock.running.team import Member, TeamReport, TeamRun
+from learnblock.running import Job, Options
+from learnblock.running.team import TeamReport, TeamRun
 from learnblock.runtime.ending import How
 from learnblock.runtime.inline import InlineWorker
 from learnblock.runtime.process import ProcessWorker, Worker
@@ -41,27 +41,30 @@ signal.raise_signal(signal.SIGKILL)
 """
 
 
-def team(count: int) -> list[Member]:
-    """The members of a team, each with a program of its own."""
-    members = []
+def team(count: int, seconds: float) -> dict[str, Job]:
+    """The runs of a team, each with a program of its own, for some seconds of the world."""
+    jobs = {}
     for number, (name, robot) in enumerate(islice(cycle(PARTS), count), 1):
         entry = robots.find(robot)
         source = running.read(EXAMPLES / name)
-        members.append(Member(f"robot-{number}", running.program(source, entry), entry))
-    return members
+        jobs[f"robot-{number}"] = Job(running.program(source, entry), entry, options(seconds))
+    return jobs
 
 
-def run(members: list[Member], seconds: float, worker: type[Worker] = ProcessWorker) -> TeamReport:
-    """Run a team for some seconds of the world."""
-    return TeamRun(members, Options(world="swarm", seconds=seconds), worker=worker).run()
+def options(seconds: float) -> Options:
+    return Options(world="swarm", seconds=seconds)
+
+
+def run(jobs: dict[str, Job], worker: type[Worker] = ProcessWorker) -> TeamReport:
+    """Run a team."""
+    return TeamRun(jobs, worker=worker).run()
 
 
 def factors(count: int, worker: type[Worker]) -> tuple[float, float]:
     """The seconds of the world for one second of real time, and of one processor's time."""
-    members = team(count)
     moments = [_now()]
     for seconds in (SHORT, LONG):
-        run(members, seconds, worker)
+        run(team(count, seconds), worker)
         moments.append(_now())
     # The difference of the two runs is free of the programs' start.
     (real, used), (middle, middle_used), (end, end_used) = moments
@@ -95,18 +98,18 @@ def hashes(count: int) -> set[str | None]:
     """The different hashes of ten runs in processes, half of them on a busy machine, and of one
     in a thread.
     """
-    found = {run(team(count), SHORT, InlineWorker).trace_sha256}
+    found = {run(team(count, SHORT), InlineWorker).trace_sha256}
     for number in range(REPEATS):
         with busy(is_busy=number % 2 == 1):
-            found.add(run(team(count), SHORT).trace_sha256)
+            found.add(run(team(count, SHORT)).trace_sha256)
     return found
 
 
 def lost(count: int) -> tuple[int, int]:
     """How many programs were killed, and how many others reached the end of the run."""
-    first = Member("lost", Program("lost.py", LOST, LOST), robots.find("sim-ebo"))
-    report = run([first, *team(count - 1)], SHORT)
-    endings = [own.ended for _, own in report.robots]
+    first = Job(Program("lost.py", LOST, LOST), robots.find("sim-ebo"), options(SHORT))
+    report = run({"lost": first, **team(count - 1, SHORT)})
+    endings = [own.ended for own in report.robots.values()]
     return endings.count(How.KILLED), endings.count(How.TIME_LIMIT)
 
 

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from learnblock import robots, running
-from learnblock.running import Options, ProgramRun
+from learnblock.running import Job, Options, ProgramRun
 from learnblock.runtime.process import ThreadWorker
 from learnblock.simulator.robot_description import load_robot
 
@@ -75,7 +75,7 @@ def largest_error(way: Way, speed: int, robot: str, world: Path) -> float:
     errors = []
     for seed in RUNS:
         options = Options(world=str(world), seed=seed, seconds=120)
-        report = ProgramRun(ready, entry, options, worker=ThreadWorker).run()
+        report = ProgramRun(Job(ready, entry, options), worker=ThreadWorker).run()
         ended = report.error is None and report.pose is not None
         errors.append(way.error(report.pose) if ended and report.pose else math.inf)
     return max(errors)

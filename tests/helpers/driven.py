@@ -8,7 +8,7 @@ from emulated import LONG, settle
 from learnblock import running
 from learnblock.errors import RobotConnectionError
 from learnblock.robots import find
-from learnblock.running import Options, ProgramRun
+from learnblock.running import Job, Options, ProgramRun
 from learnblock.runtime.process import ThreadWorker
 from learnblock.testing import Fault, Relay
 from runs import EXAMPLES, run_example
@@ -45,7 +45,7 @@ def run_until(happened, name, example):
     """Run an example until something has happened, or for a minute; return the report."""
     entry = find(name)
     program = running.program(running.read(EXAMPLES / example), entry)
-    run = ProgramRun(program, entry, Options(seconds=60), worker=ThreadWorker)
+    run = ProgramRun(Job(program, entry, Options(seconds=60)), worker=ThreadWorker)
     over = threading.Event()
 
     def stop_in_time():

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from learnblock import robots, running
 from learnblock.language.check.robots import Verdict
-from learnblock.running import Options, ProgramRun, Report
+from learnblock.running import Job, Options, ProgramRun, Report
 from learnblock.runtime.inline import InlineWorker
 from places import ROOT
 from runs import EXAMPLES, TASKS, Holder, person
@@ -33,9 +33,8 @@ def run_for_goals(name: str, robot: str) -> Report:
     world, seconds = TASKS[name]
     options = Options(world=world, seconds=PATIENCE * seconds)
     watcher = person(name)
-    run = ProgramRun(
-        running.program(source, entry), entry, options, worker=InlineWorker, watcher=watcher
-    )
+    job = Job(running.program(source, entry), entry, options)
+    run = ProgramRun(job, worker=InlineWorker, watcher=watcher)
     if isinstance(watcher, Holder):
         watcher.session = run
     return run.run()

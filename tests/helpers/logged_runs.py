@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from learnblock import robots, running
-from learnblock.running import Options, ProgramRun, Report
+from learnblock.running import Job, Options, ProgramRun, Report
 from learnblock.runtime.inline import InlineWorker
 from learnblock.runtime.log.blocks import Block
 from learnblock.runtime.log.keeping import RunLog
@@ -39,7 +39,8 @@ def logged_file(
     log = RunLog(program)
     # A real robot goes on while its program computes.
     worker = InlineWorker if entry.load().lockstep else ThreadWorker
-    run = ProgramRun(program, entry, Options(**options), worker=worker, watcher=watcher, log=log)
+    job = Job(program, entry, Options(**options))
+    run = ProgramRun(job, worker=worker, watcher=watcher, log=log)
     if isinstance(watcher, Holder):
         watcher.session = run
     report = run.run()

@@ -10,7 +10,7 @@ import msgspec
 
 from learnblock import robots, running
 from learnblock.errors import Diagnostic
-from learnblock.running import Options, ProgramRun, Report
+from learnblock.running import Job, Options, ProgramRun, Report
 from learnblock.running.recorded_keys import RecordedKeys, read_keys
 from learnblock.runtime.inline import InlineWorker
 from learnblock.runtime.process import ThreadWorker
@@ -176,9 +176,7 @@ def run_file(path: Path, robot: str, *, worker=None, watcher=None, **options) ->
     worker = worker or (InlineWorker if entry.load().lockstep else ThreadWorker)
     trace = io.BytesIO()
     session = ProgramRun(
-        running.program(source, entry),
-        entry,
-        Options(**options),
+        Job(running.program(source, entry), entry, Options(**options)),
         trace=trace,
         worker=worker,
         watcher=watcher,

@@ -8,7 +8,8 @@ from typing import ClassVar
 from learnblock.client import Client, Rights
 from learnblock.devices import Base, Speaker
 from learnblock.robots import RobotEntry
-from learnblock.running import ProgramRun, Report
+from learnblock.running import Job, ProgramRun, Report
+from learnblock.runtime.limits import Limits
 from learnblock.runtime.program import Program
 
 #: Numbers of system calls on x86-64.
@@ -118,7 +119,8 @@ def tempt(attempts: Mapping[str, str], folder: object, rights: Rights) -> dict[s
     return Robot.results
 
 
-def run(source: str, **options: object) -> Report:
+def run(source: str, limits: Limits | None = None) -> Report:
     # The run creates our robot whatever the program imports.
     text = f"from learnblock.robots.tempted import Robot\nrobot = Robot()\n{source}"
-    return ProgramRun(Program("tempting.py", text, text), entry(), **options).run()
+    program = Program("tempting.py", text, text)
+    return ProgramRun(Job(program, entry(), limits=limits or Limits())).run()

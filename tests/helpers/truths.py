@@ -178,9 +178,7 @@ class _Run:
         self._programs: list[_Program] = []
         self._seen = _Seen(watcher)
         self._run = ProgramRun(
-            program,
-            entry,
-            replace(job.options, pace="free"),
+            running.Job(program, entry, replace(job.options, pace="free")),
             worker=self._worker,
             watcher=self._seen,
             log=self._log if log else None,

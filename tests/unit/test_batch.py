@@ -44,7 +44,7 @@ def made(*jobs, **options):
 def alone(one):
     """The report of a job's run with a process of its own."""
     prints = Prints()
-    run = ProgramRun(one.program, one.robot, one.options, watcher=prints, limits=one.limits)
+    run = ProgramRun(one, watcher=prints)
     return replace(run.run(), output=prints.text)
 
 

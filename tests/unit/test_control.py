@@ -10,7 +10,7 @@ import pytest
 from learnblock import robots, running
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
-from learnblock.running import Options, ProgramRun
+from learnblock.running import Job, Options, ProgramRun
 from learnblock.runtime import variables
 from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.messages import Variables
@@ -87,8 +87,7 @@ def play():
         text = HEADER + source
         observer = Observer()
         run = ProgramRun(
-            Program("program.py", text, text),
-            robots.find("sim-ebo"),
+            Job(Program("program.py", text, text), robots.find("sim-ebo")),
             watcher=observer,
             debugger=debugger or Debugger(),
             worker=worker,
@@ -364,8 +363,8 @@ def test_a_description_that_never_ends_can_be_stopped(play):
 
 
 def test_pausing_without_a_debugger_is_reported():
-    source = Program("program.py", HEADER, HEADER)
-    run = ProgramRun(source, robots.find("sim-ebo"))
+    program = Program("program.py", HEADER, HEADER)
+    run = ProgramRun(Job(program, robots.find("sim-ebo")))
     with pytest.raises(LearnBlockError) as refused:
         run.pause()
     assert refused.value.phrase == Phrase("run-no-debugger")
@@ -394,7 +393,8 @@ CONDITIONS = {"seed": 3, "seconds": 1.0}
 def session_of(name, **options):
     robot = robots.find(able_twin(name))
     program = running.program(running.read(EXAMPLES / name), robot)
-    return ProgramRun(program, robot, Options(world=TASKS[name][0], **CONDITIONS), **options)
+    job = Job(program, robot, Options(world=TASKS[name][0], **CONDITIONS))
+    return ProgramRun(job, **options)
 
 
 @pytest.mark.sample(6)
@@ -428,7 +428,7 @@ def test_the_limit_of_lines_at_one_time_applies_to_a_debugged_program_too(play):
             playing.run.resume()
         traces.append(playing.end().trace_sha256)
     text = HEADER + "m = 0\n" + CAP
-    plain = ProgramRun(Program("program.py", text, text), robots.find("sim-ebo")).run()
+    plain = ProgramRun(Job(Program("program.py", text, text), robots.find("sim-ebo"))).run()
     assert set(traces) == {plain.trace_sha256}
 
 

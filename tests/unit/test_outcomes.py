@@ -7,7 +7,7 @@ import pytest
 
 from learnblock import language, robots, running
 from learnblock.blocks import builtin
-from learnblock.running import Options, ProgramRun
+from learnblock.running import Job, Options, ProgramRun
 from learnblock.runtime.process import ThreadWorker
 from learnblock.senses import is_decoration
 from runs import TWINS, run_file
@@ -45,7 +45,8 @@ def test_a_run_has_no_effect_where_the_check_said_so_and_nowhere_else(seed, tmp_
     entry = robots.find(robot)
     verdict = running.runs_on(source)[robot]
     options = Options(world="empty", seconds=60, anyway=True)
-    report = ProgramRun(running.program(source, entry), entry, options, worker=ThreadWorker).run()
+    job = Job(running.program(source, entry), entry, options)
+    report = ProgramRun(job, worker=ThreadWorker).run()
 
     assert report.error is None, (text, report.error)
     foretold = {lack.skill.name for lack in (*verdict.missed, *verdict.refused)}

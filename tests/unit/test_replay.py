@@ -8,10 +8,10 @@ from click.testing import CliRunner
 from learnblock import robots, running
 from learnblock.cli import main
 from learnblock.errors import LearnBlockError
-from learnblock.running import Options
+from learnblock.running import Job, Options
 from learnblock.running.recorded_keys import read_keys_of
 from learnblock.running.replay import replay
-from learnblock.running.team import Member, TeamRun
+from learnblock.running.team import TeamRun
 from learnblock.runtime.inline import InlineWorker
 from runs import EXAMPLES, FEW, Presser, able_twin
 
@@ -64,17 +64,16 @@ def race():
     """A trace of two robots, driven by two players."""
     several, names = EXAMPLES / "several", ("arrows", "wasd")
     keys = read_keys_of(several / "race.jsonl", names)
-    members = []
+    jobs = {}
     for name, robot in zip(names, ("sim-thymio", "sim-cozmo"), strict=True):
         entry = robots.find(robot)
         program = running.program(running.read(several / f"{name}.bt"), entry)
-        members.append(Member(name, program, entry))
+        jobs[name] = Job(program, entry, Options(world="race", seed=3, seconds=20))
     trace = io.BytesIO()
     TeamRun(
-        members,
-        Options(world="race", seed=3, seconds=20),
+        jobs,
         trace=trace,
-        watch=lambda member: Presser(keys[member.name]),
+        watch=lambda name: Presser(keys[name]),
         worker=InlineWorker,
     ).run()
     return trace.getvalue()

@@ -1,16 +1,16 @@
 """The programs for several robots reach the goals of their worlds."""
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
 import pytest
 
 from learnblock import language, robots, running
 from learnblock.blocks import builtin
-from learnblock.running import Options
+from learnblock.running import Job, Options
 from learnblock.running.recorded_keys import read_keys_of
-from learnblock.running.team import Member, TeamRun
+from learnblock.running.team import TeamRun
 from learnblock.runtime.inline import InlineWorker
 from learnblock.runtime.process import ProcessWorker
 from learnblock.runtime.watcher import Watcher
@@ -27,51 +27,45 @@ COMMANDS = COMMAND.findall(PAGE)
 pytestmark = [pytest.mark.slow, pytest.mark.spread]
 
 
-def members(programs: str) -> list[Member]:
-    """The robots of a command."""
-    found = []
+def jobs(programs: str, options: Options) -> dict[str, Job]:
+    """The runs of a command, by the names of the robots."""
+    found = {}
     for assigned in programs.split():
         name, _, chosen = assigned.partition("@")
         robot, _, count = chosen.partition(":")
         entry, source = robots.find(robot), running.read(FOLDER / name)
         assert [one for one in running.check(source, entry) if one.severity == "error"] == []
         numbers = range(1, int(count) + 1) if count else [0]
-        found += [
-            Member(
-                f"{Path(name).stem}-{number}" if number else Path(name).stem,
-                running.program(source, entry),
-                entry,
-            )
-            for number in numbers
-        ]
+        for number in numbers:
+            robot_name = f"{Path(name).stem}-{number}" if number else Path(name).stem
+            found[robot_name] = Job(running.program(source, entry), entry, options)
     return found
 
 
-def players(world: str, programs: Sequence[Member]) -> Callable[[Member], Watcher]:
+def players(world: str, names: Iterable[str]) -> Callable[[str], Watcher]:
     """Who presses the keys of a world's programs, if they are recorded."""
     keys = FOLDER / f"{world}.jsonl"
     if not keys.exists():
         return lambda _: Watcher()
-    recorded = read_keys_of(keys, [one.name for one in programs])
-    return lambda member: Presser(recorded[member.name])
+    recorded = read_keys_of(keys, [*names])
+    return lambda name: Presser(recorded[name])
 
 
 @pytest.mark.parametrize(("programs", "world"), COMMANDS, ids=[world for _, world in COMMANDS])
 def test_a_command_of_the_page_reaches_all_goals_of_its_world(programs, world):
-    team = members(programs)
-    options = Options(world=world, seconds=40)
-    report = TeamRun(team, options, watch=players(world, team), worker=InlineWorker).run()
+    team = jobs(programs, Options(world=world, seconds=40))
+    report = TeamRun(team, watch=players(world, team), worker=InlineWorker).run()
     assert report.goals
     assert {goal.name: goal.state for goal in report.goals} == {
         goal.name: "reached" for goal in report.goals
     }
-    assert [own.error for _, own in report.robots] == [None] * len(report.robots)
+    assert [own.error for own in report.robots.values()] == [None] * len(report.robots)
 
 
 def test_nobody_wins_the_race_without_keys():
     [race] = [programs for programs, world in COMMANDS if world == "race"]
-    options = Options(world="race", seconds=40)
-    report = TeamRun(members(race), options, worker=InlineWorker).run()
+    team = jobs(race, Options(world="race", seconds=40))
+    report = TeamRun(team, worker=InlineWorker).run()
     assert {goal.state for goal in report.goals} == {"open"}
 
 
@@ -79,7 +73,7 @@ def test_nobody_wins_the_race_without_keys():
 @pytest.mark.parametrize(("programs", "world"), COMMANDS, ids=[world for _, world in COMMANDS])
 def test_programs_in_one_thread_leave_the_trace_of_programs_in_processes(programs, world):
     here, there = (
-        TeamRun(members(programs), Options(world=world, seconds=8), worker=worker).run()
+        TeamRun(jobs(programs, Options(world=world, seconds=8)), worker=worker).run()
         for worker in (InlineWorker, ProcessWorker)
     )
     assert here.trace_sha256 == there.trace_sha256

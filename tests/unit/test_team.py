@@ -6,15 +6,16 @@ import threading
 from dataclasses import replace
 from itertools import combinations
 from math import dist
+from pathlib import Path
 
 import pytest
 
 from learnblock import robots, running
 from learnblock.errors import WorldError
 from learnblock.i18n import Phrase
-from learnblock.running import Options
+from learnblock.running import Job, Options
 from learnblock.running.robot_names import robot_names
-from learnblock.running.team import Member, TeamRun
+from learnblock.running.team import TeamRun
 from learnblock.runtime.ending import Ending, How
 from learnblock.runtime.watcher import Watcher
 
@@ -53,26 +54,26 @@ def home(tmp_path, monkeypatch):
     return tmp_path
 
 
-@pytest.fixture
-def member(tmp_path):
-    """Make a member of a run from its name and its Python."""
-
-    def member(name, python, robot="sim-ebo"):
-        path = tmp_path / f"{name}.py"
-        path.write_text(python)
-        entry = robots.find(robot)
-        return Member(name, running.program(running.read(path), entry), entry)
-
-    return member
+def job(python, robot="sim-ebo"):
+    """A run of a program in an empty world."""
+    entry = robots.find(robot)
+    source = running.source_of(Path("program.py"), python, is_python=True)
+    return Job(running.program(source, entry), entry, Options(world="empty"))
 
 
-def play(*members, watch=lambda _: Watcher(), **options):
+def play(jobs, watch=lambda _: Watcher(), **options):
     """Run programs together; return the run, its report and its trace."""
     trace = io.BytesIO()
-    chosen = Options(**{"world": "empty", **options})
-    session = TeamRun(members, chosen, trace=trace, watch=watch)
+    session = TeamRun(chosen(jobs, **options), trace=trace, watch=watch)
     report = session.run()
     return session, report, [json.loads(line) for line in trace.getvalue().splitlines()]
+
+
+def chosen(jobs, **options):
+    """The runs with other options."""
+    return {
+        name: replace(job, options=replace(job.options, **options)) for name, job in jobs.items()
+    }
 
 
 @pytest.mark.parametrize(
@@ -87,21 +88,20 @@ def test_a_robot_is_called_like_its_program_with_a_number_if_needed(wishes, name
     assert names == list(robot_names(wishes))
 
 
-def test_programs_in_one_world_leave_one_trace_that_is_the_same_every_time(member):
-    team = member("a", DRIVE), member("b", DRIVE, "sim-thymio"), member("c", WAIT, "sim-ev3")
-    _, report, trace = play(*team, seed=5)
-    assert play(*team, seed=5)[1].trace_sha256 == report.trace_sha256
+def test_programs_in_one_world_leave_one_trace_that_is_the_same_every_time():
+    team = {"a": job(DRIVE), "b": job(DRIVE, "sim-thymio"), "c": job(WAIT, "sim-ev3")}
+    _, report, trace = play(team, seed=5)
+    assert play(team, seed=5)[1].trace_sha256 == report.trace_sha256
     assert {"a", "b", "c"} == {line["robot"] for line in trace}
     assert ["a", "b", "c"] == [line["robot"] for line in trace if "run" in line]
-    driven = {one.name: own.distance for one, own in report.robots}
+    driven = {name: own.distance for name, own in report.robots.items()}
     assert driven["a"] > 100
     assert driven["b"] > 100
     assert driven["c"] < 1
 
 
-def test_thirty_robots_start_apart_from_each_other(member):
-    team = [replace(member("one", WAIT), name=f"one-{number}") for number in range(30)]
-    session = TeamRun(team, Options(world="empty"))
+def test_thirty_robots_start_apart_from_each_other():
+    session = TeamRun({f"one-{number}": job(WAIT) for number in range(30)})
     bodies = session.simulation.world.robots
     places = [(body.pose[0], body.pose[1]) for body in bodies.values()]
     reach = bodies["one-0"].description.body.reach
@@ -109,25 +109,25 @@ def test_thirty_robots_start_apart_from_each_other(member):
     assert all(dist(a, b) > 2 * reach for a, b in combinations(places, 2))
 
 
-def test_a_world_without_room_is_refused_before_any_program_starts(home, member):
+def test_a_world_without_room_is_refused_before_any_program_starts(home):
     (home / "worlds").mkdir()
     (home / "worlds" / "closet.toml").write_text("[floor]\nsize = [300, 300]\n")
-    team = [replace(member("one", WAIT), name=f"one-{number}") for number in range(9)]
+    team = {f"one-{number}": job(WAIT) for number in range(9)}
     with pytest.raises(WorldError) as refused:
-        TeamRun(team, Options(world="closet"))
+        TeamRun(chosen(team, world="closet"))
     assert refused.value.diagnostics[0].message == Phrase("world-no-room", world="closet")
 
 
 @pytest.mark.parametrize(("python", "how"), [(KILL, How.KILLED), (FAIL, How.ERROR)])
-def test_the_others_go_on_when_a_program_is_lost(member, python, how):
-    _, report, _ = play(member("lost", python), member("other", DRIVE + "robot.sleep(3)\n"))
-    (_, lost), (_, other) = report.robots
+def test_the_others_go_on_when_a_program_is_lost(python, how):
+    _, report, _ = play({"lost": job(python), "other": job(DRIVE + "robot.sleep(3)\n")})
+    lost, other = report.robots.values()
     assert (lost.ended, other.ended) == (how, How.FINISHED)
     assert (lost.time, other.time) == (2.0, 5.0)
 
 
-def test_a_program_that_is_stopped_alone_wakes_no_other(member):
-    team = member("first", FOREVER), member("second", WAIT + "print(robot.time())\n")
+def test_a_program_that_is_stopped_alone_wakes_no_other():
+    team = {"first": job(FOREVER), "second": job(WAIT + "print(robot.time())\n")}
     printed = []
 
     class Stopping(Watcher):
@@ -138,16 +138,12 @@ def test_a_program_that_is_stopped_alone_wakes_no_other(member):
         def printed(self, text):
             printed.append(text)
 
-    session = TeamRun(
-        team,
-        Options(world="empty"),
-        watch=lambda one: Stopping() if one.name == "first" else Printing(),
-    )
+    session = TeamRun(team, watch=lambda name: Stopping() if name == "first" else Printing())
     session.run()
     assert printed == ["2.0\n"]
 
 
-def test_stopping_ends_all_programs_and_their_motors(member):
+def test_stopping_ends_all_programs_and_their_motors():
     begun = threading.Event()
 
     class Begun(Watcher):
@@ -155,26 +151,25 @@ def test_stopping_ends_all_programs_and_their_motors(member):
             begun.set()
 
     endless = DRIVE + "print('go')\nwhile True:\n    robot.sleep(1)\n"
-    team = member("a", endless), member("b", endless, "cart")
-    session = TeamRun(team, Options(world="empty", pace="real"), watch=lambda _: Begun())
+    team = {"a": job(endless), "b": job(endless, "cart")}
+    session = TeamRun(chosen(team, pace="real"), watch=lambda _: Begun())
     reports = []
     thread = threading.Thread(target=lambda: reports.append(session.run()))
     thread.start()
     assert begun.wait(20)
     session.stop()
     thread.join(5)
-    assert [How.STOPPED, How.STOPPED] == [own.ended for _, own in reports[0].robots]
-    assert session.client(team[1]).moves[-1] == (0.0, 0.0)
+    assert [How.STOPPED, How.STOPPED] == [own.ended for own in reports[0].robots.values()]
+    assert session.client("b").moves[-1] == (0.0, 0.0)
 
 
-def test_a_run_with_a_real_robot_has_no_hash_and_its_trace_says_why(member):
-    session, report, trace = play(
-        member("twin", DRIVE), member("cart", DRIVE.replace("2", "0.1"), "cart"), pace=20
-    )
-    assert [How.FINISHED, How.FINISHED] == [own.ended for _, own in report.robots]
+def test_a_run_with_a_real_robot_has_no_hash_and_its_trace_says_why():
+    team = {"twin": job(DRIVE), "cart": job(DRIVE.replace("2", "0.1"), "cart")}
+    session, report, trace = play(team, pace=20)
+    assert [How.FINISHED, How.FINISHED] == [own.ended for own in report.robots.values()]
     assert report.trace_sha256 is None
     assert [False, False] == [one["run"]["deterministic"] for one in trace if "run" in one]
-    assert session.client(session.members[1]).moves[-1] == (0.0, 0.0)
+    assert session.client("cart").moves[-1] == (0.0, 0.0)
 
 
 TELL = """\
@@ -205,16 +200,16 @@ robot.run()
 """
 
 
-def test_messages_reach_the_others_in_a_fixed_order(member):
+def test_messages_reach_the_others_in_a_fixed_order():
     printed = []
 
     class Printing(Watcher):
         def printed(self, text):
             printed.append(text)
 
-    hear = member("hear", HEAR)
-    one, two = (member(name, TELL.replace("NAME", repr(name))) for name in ("one", "two"))
-    _, _, trace = play(one, hear, two, watch=lambda _: Printing())
+    one, two = (job(TELL.replace("NAME", repr(name))) for name in ("one", "two"))
+    team = {"one": one, "hear": job(HEAR), "two": two}
+    _, _, trace = play(team, watch=lambda _: Printing())
     said = [line.split(" ", 1)[1].strip() for line in printed]
     assert said == [f"['{name}', {number}]" for number in range(3) for name in ("one", "two")]
     sent = [line for line in trace if "send" in line]
@@ -222,7 +217,7 @@ def test_messages_reach_the_others_in_a_fixed_order(member):
     assert len(sent) == 6
 
 
-def test_a_message_is_read_a_step_after_it_was_sent_whoever_is_first(member):
+def test_a_message_is_read_a_step_after_it_was_sent_whoever_is_first():
     ask = "from learnblock.robots.sim_ebo import Robot\n\nrobot = Robot()\n" + (
         "while not robot.received('number'):\n    robot.sleep(0.01)\nprint(robot.time())\n"
     )
@@ -232,13 +227,12 @@ def test_a_message_is_read_a_step_after_it_was_sent_whoever_is_first(member):
         def printed(self, text):
             printed.append(text)
 
-    tell = member("tell", TELL.replace("NAME", "1"))
-    team = member("before", ask), tell, member("after", ask)
-    play(*team, watch=lambda _: Printing())
+    team = {"before": job(ask), "tell": job(TELL.replace("NAME", "1")), "after": job(ask)}
+    play(team, watch=lambda _: Printing())
     assert printed == ["0.01\n", "0.01\n"]
 
 
-def test_real_and_simulated_robots_send_each_other_messages(member):
+def test_real_and_simulated_robots_send_each_other_messages():
     ask = DRIVE.replace("robot.sleep(2)\n", "") + (
         "robot.send('hello', 'from NAME')\n"
         "while not robot.received('hello'):\n    robot.sleep(0.05)\n"
@@ -250,19 +244,19 @@ def test_real_and_simulated_robots_send_each_other_messages(member):
         def printed(self, text):
             printed.append(text)
 
-    team = (
-        member("twin", ask.replace("NAME", "twin")),
-        member("cart", ask.replace("NAME", "cart"), "cart"),
-    )
-    _, report, _ = play(*team, pace="real", seconds=20, watch=lambda _: Printing())
-    assert [How.FINISHED, How.FINISHED] == [own.ended for _, own in report.robots]
+    team = {
+        "twin": job(ask.replace("NAME", "twin")),
+        "cart": job(ask.replace("NAME", "cart"), "cart"),
+    }
+    _, report, _ = play(team, pace="real", seconds=20, watch=lambda _: Printing())
+    assert [How.FINISHED, How.FINISHED] == [own.ended for own in report.robots.values()]
     assert sorted(printed) == ["from cart\n", "from twin\n"]
 
 
-def test_a_message_that_is_too_large_ends_its_program_at_its_line(member):
+def test_a_message_that_is_too_large_ends_its_program_at_its_line():
     python = WAIT + "robot.send('go', 'x' * 5000)\n"
-    _, report, _ = play(member("big", python), member("other", DRIVE))
-    (_, big), (_, other) = report.robots
+    _, report, _ = play({"big": job(python), "other": job(DRIVE)})
+    big, other = report.robots.values()
     assert (big.ended, other.ended) == (How.ERROR, How.FINISHED)
     assert big.error["line"] == 6
     assert big.error["message"].code == "robot-message-too-large"

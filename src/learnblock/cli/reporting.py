@@ -27,7 +27,7 @@ from learnblock.i18n import Phrase
 from learnblock.language.check.robots import need_phrase
 from learnblock.project.files.programs import ProgramFile, opened
 from learnblock.robots import RobotEntry
-from learnblock.running import Options, ProgramRun, Report, Source
+from learnblock.running import Job, Options, ProgramRun, Report, Source
 from learnblock.running.recorded_keys import read_keys
 from learnblock.runtime.ending import How
 from learnblock.runtime.log.keeping import RunLog
@@ -65,16 +65,12 @@ class Prepared:
     """A program that can be run.
 
     Args:
-        program: the program.
-        robot: the robot to run it on.
-        options: the options of the run.
+        job: its run.
         source: what it was read from.
         keys: the keys that are pressed during the run.
     """
 
-    program: Program
-    robot: RobotEntry
-    options: Options
+    job: Job
     source: Source
     keys: RecordedKeyboard | None = None
 
@@ -125,7 +121,7 @@ def _prepare(
     limit = time_limit(pace, seconds)
     options = Options(world, seed, pace, limit, variant, network=network, anyway=anyway)
     entry.load().check_wishes(options.wishes)
-    return Prepared(program, entry, options, source, recorded)
+    return Prepared(Job(program, entry, options), source, recorded)
 
 
 def run_and_report(
@@ -153,7 +149,7 @@ def run_and_report(
         if found is None:
             return ExitCode.MISTAKES
         check_picture(picture)
-        log = _log(found.program, why) if why else None
+        log = _log(found.job.program, why) if why else None
         return _run_found(found, trace, picture, log, standby, as_json=as_json)
 
 
@@ -180,9 +176,7 @@ def _run_found(
     with opened_trace(trace) as trace_file, _keyboard(found, as_json=as_json) as keyboard:
         watcher = Collector(keyboard) if as_json else _Terminal(keyboard)
         session = ProgramRun(
-            found.program,
-            found.robot,
-            found.options,
+            found.job,
             trace=trace_file,
             watcher=watcher,
             log=log,
@@ -206,7 +200,7 @@ def _keyboard(found: Prepared, *, as_json: bool) -> AbstractContextManager[Keybo
     """The keyboard of a run; one whose output is for a script does not listen to the terminal."""
     if found.keys or as_json:
         return nullcontext(found.keys or NoKeys())
-    return terminal_keyboard(found.program)
+    return terminal_keyboard(found.job.program)
 
 
 def demonstrate(picture: Path) -> int:
@@ -372,7 +366,7 @@ def _draw(session: ProgramRun, path: Path) -> None:
 
     conditions = session.client.conditions()
     title = (
-        f"{session.program.name} on {session.robot.name},"
+        f"{session.program.name} on {session.job.robot.name},"
         f" world {conditions['world']}, seed {conditions['seed']}"
     )
     if variant := conditions.get("variant"):
@@ -400,10 +394,10 @@ def print_row(label: str, value: str) -> None:
 
 def _rows(report: Report, session: ProgramRun) -> Iterator[tuple[str, str]]:
     """The rows of the report: the code of the label, and the value."""
-    yield from ending_rows(report, session.options.seconds)
+    yield from ending_rows(report, session.job.options.seconds)
     for goal in report.goals:
         yield "report-label-goal", goal_row(goal)
-    yield from effect_rows(report, session.robot.name)
+    yield from effect_rows(report, session.job.robot.name)
     if report.trace_sha256:
         yield "report-label-trace", short(report.trace_sha256)
 

@@ -4,6 +4,7 @@ import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, ExitStack, nullcontext
 from dataclasses import dataclass, fields, replace
+from functools import cached_property
 from pathlib import Path
 from time import monotonic
 
@@ -42,18 +43,19 @@ from learnblock.errors import FileError, LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.project.files.programs import ProgramFile, opened_all, robots_in
 from learnblock.robots import RobotEntry
-from learnblock.running import MOST_ROBOTS, Options, Report
+from learnblock.running import MOST_ROBOTS, Job, Options, Report
 from learnblock.running.recorded_keys import read_keys_of
 from learnblock.running.robot_names import robot_names
-from learnblock.running.team import Member, TeamReport, TeamRun
+from learnblock.running.team import TeamReport, TeamRun
 from learnblock.runtime.ending import How
 from learnblock.runtime.log.keeping import RunLog
+from learnblock.runtime.program import Program
 
 #: Characters of a name, which is the program's file without its ending.
 LONGEST_NAME = 40
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class _Part:
     """A program that was read, and its robots.
 
@@ -66,6 +68,12 @@ class _Part:
     found: ProgramFile
     entry: RobotEntry
     assignment: Assignment
+
+    @cached_property
+    def program(self) -> Program:
+        """The program as it runs on the robot."""
+        program = running.program(self.found.source, self.entry)
+        return replace(program, tags=self.found.tags)
 
 
 def run_team(
@@ -96,21 +104,19 @@ def run_team(
         ]
         if _refuse(parts, anyway=anyway, as_json=as_json):
             return ExitCode.MISTAKES
-        members = list(_members(parts, network=allow_network))
-        listens = not (keys or as_json) and any(
-            listens_to_terminal(member.program) for member in members
-        )
-        if pace is None and (listens or not all(member.twin for member in members)):
+        listens = not (keys or as_json) and any(listens_to_terminal(part.program) for part in parts)
+        if pace is None and (listens or not all(part.entry.load().lockstep for part in parts)):
             # A world at full speed would be over before a real robot or a person has moved.
             pace = "real"
         worlds = (part.found.world for part in parts if part.entry.load().lockstep)
         options = Options(world or next(filter(None, worlds), None), seed, pace, variant=variant)
         options = replace(options, seconds=time_limit(pace, seconds), anyway=anyway)
+        jobs = _jobs(parts, options, network=allow_network)
         file = stack.enter_context(opened_trace(trace))
-        keyboards = stack.enter_context(_keyboards(members, keys, quiet=as_json))
+        keyboards = stack.enter_context(_keyboards(jobs, keys, quiet=as_json))
         screen = _Screen(keyboards, quiet=as_json)
-        logs = _logs(members, why)
-        session = TeamRun(members, options, trace=file, watch=screen.watcher, logs=logs)
+        logs = _logs(jobs, why)
+        session = TeamRun(jobs, trace=file, watch=screen.watcher, logs=logs)
         report = _run(session, screen)
         _print(report, session, screen, as_json=as_json)
         for log in logs.values():
@@ -118,38 +124,37 @@ def run_team(
         if picture:
             _draw(session, picture)
     codes = [
-        EXIT_CODES.get(How(robot_report.ended), ExitCode.WELL) for _, robot_report in report.robots
+        EXIT_CODES.get(How(robot_report.ended), ExitCode.WELL)
+        for robot_report in report.robots.values()
     ]
     return max(codes)
 
 
 def _keyboards(
-    members: Sequence[Member], keys: Path | None, *, quiet: bool
+    jobs: Mapping[str, Job], keys: Path | None, *, quiet: bool
 ) -> AbstractContextManager[Mapping[str, Keyboard]]:
     """The keyboard of each robot whose program may find keys pressed.
 
     Args:
-        members: the robots.
+        jobs: the runs, by the names of the robots.
         keys: a file with recorded keys; None for the terminal's.
         quiet: whether the run does not listen to the terminal, as its output is for a script.
     """
     if keys:
-        recorded = read_keys_of(keys, [member.name for member in members])
+        recorded = read_keys_of(keys, [*jobs])
         return nullcontext({name: RecordedKeyboard(keys) for name, keys in recorded.items()})
     if quiet:
         return nullcontext({})
-    return shared_keyboard({member.name: member.program for member in members})
+    return shared_keyboard({name: job.program for name, job in jobs.items()})
 
 
-def _logs(members: Sequence[Member], folder: Path | None) -> dict[str, RunLog]:
+def _logs(jobs: Mapping[str, Job], folder: Path | None) -> dict[str, RunLog]:
     """The log of each robot in a folder; none without a folder."""
     if folder is None:
         return {}
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        return {
-            member.name: RunLog(member.program, folder / f"{member.name}.why") for member in members
-        }
+        return {name: RunLog(job.program, folder / f"{name}.why") for name, job in jobs.items()}
     except OSError as error:
         raise usage_error("report-why-not-a-folder", folder=str(folder)) from error
 
@@ -172,10 +177,9 @@ class _Screen:
         self._live = not quiet and sys.stderr.isatty()
         self._started = self._drawn = monotonic()
 
-    def watcher(self, member: Member) -> "_Voice":
-        """What receives the events of a member."""
-        keyboard = self._keyboards.get(member.name)
-        return self.voices.setdefault(member.name, _Voice(member.name, self, keyboard))
+    def watcher(self, robot: str) -> "_Voice":
+        """What receives the events of the robot with this name."""
+        return self.voices.setdefault(robot, _Voice(robot, self, self._keyboards.get(robot)))
 
     def show(self, line: str) -> None:
         """Print a line of a program."""
@@ -215,9 +219,9 @@ class _Screen:
         self.clear()
 
     def _state(self, session: TeamRun, now: float) -> str:
-        running = sum(not session.ended(member) for member in session.members)
+        running = sum(not session.ended(robot) for robot in session.jobs)
         time = session.simulation.time() if session.simulation else now - self._started
-        counted = Phrase("report-team-running", count=running, all=len(session.members))
+        counted = Phrase("report-team-running", count=running, all=len(session.jobs))
         factor = time / max(now - self._started, 0.001)
         speed = Phrase("report-speed", factor=decimal(factor))
         return f"{time:7.1f} s  {text(counted)}  {text(speed)}"
@@ -287,14 +291,15 @@ def _print_refused(assignment: Assignment, report: Report) -> None:
     print_json({"robots": [row], "goals": (), "trace_sha256": None})
 
 
-def _members(parts: Sequence[_Part], *, network: bool) -> Iterator[Member]:
-    names = iter(robot_names([_name(part) for part in parts for _ in range(_count(part))]))
+def _jobs(parts: Sequence[_Part], options: Options, *, network: bool) -> dict[str, Job]:
+    """The runs of all robots, by their names."""
+    jobs = []
     for part in parts:
-        program = running.program(part.found.source, part.entry)
-        program = replace(program, tags=part.found.tags)
         may = network or running.may_use_network(part.assignment.file)
-        for _ in range(_count(part)):
-            yield Member(next(names), program, part.entry, may)
+        job = Job(part.program, part.entry, replace(options, network=may))
+        jobs += [job] * _count(part)
+    names = robot_names([_name(part) for part in parts for _ in range(_count(part))])
+    return dict(zip(names, jobs, strict=True))
 
 
 def _count(part: _Part) -> int:
@@ -319,11 +324,11 @@ def _run(session: TeamRun, screen: _Screen) -> TeamReport:
 
 def _print(report: TeamReport, session: TeamRun, screen: _Screen, *, as_json: bool) -> None:
     if as_json:
-        print_json(_as_object(report, screen))
+        print_json(_as_object(report, session, screen))
         return
-    for member, robot_report in report.robots:
-        click.echo(member.name, err=True)
-        for label, value in _rows(member, robot_report, session.options.seconds):
+    for name, robot_report in report.robots.items():
+        click.echo(name, err=True)
+        for label, value in _rows(session.jobs[name], robot_report):
             print_row(label, value)
     click.echo(err=True)
     for goal in report.goals:
@@ -332,29 +337,29 @@ def _print(report: TeamReport, session: TeamRun, screen: _Screen, *, as_json: bo
     print_row("report-label-trace", short(report.trace_sha256 or "") or differs)
 
 
-def _rows(member: Member, report: Report, limit: float | None) -> Iterator[tuple[str, str]]:
+def _rows(job: Job, report: Report) -> Iterator[tuple[str, str]]:
     """The rows of one robot: the code of the label, and the value."""
-    yield from ending_rows(report, limit)
+    yield from ending_rows(report, job.options.seconds)
     if report.pose:
         yield "report-label-pose", "({:.0f}, {:.0f}) mm, {:.0f}°".format(*report.pose)
-    yield from effect_rows(report, member.robot.name)
+    yield from effect_rows(report, job.robot.name)
 
 
-def _as_object(report: TeamReport, screen: _Screen) -> dict[str, object]:
+def _as_object(report: TeamReport, session: TeamRun, screen: _Screen) -> dict[str, object]:
     return {
         "robots": [
             _robot_as_object(
-                member, replace(robot_report, output=screen.voices[member.name].output)
+                name, session.jobs[name], replace(robot_report, output=screen.voices[name].output)
             )
-            for member, robot_report in report.robots
+            for name, robot_report in report.robots.items()
         ],
         "goals": list(report.goals),
         "trace_sha256": report.trace_sha256,
     }
 
 
-def _robot_as_object(member: Member, report: Report) -> dict[str, object]:
-    named = {"name": member.name, "program": member.program.name, "robot": member.robot.name}
+def _robot_as_object(name: str, job: Job, report: Report) -> dict[str, object]:
+    named = {"name": name, "program": job.program.name, "robot": job.robot.name}
     return {**named, **_own(report)}
 
 
@@ -372,12 +377,12 @@ def _draw(session: TeamRun, path: Path) -> None:
     from learnblock.robots.simulated import draw  # noqa: PLC0415 - only a simulated world is drawn
 
     drawn = {}
-    for member in session.members:
-        client, recorder = session.client(member), session.recorder(member)
+    for name in session.jobs:
+        client, recorder = session.client(name), session.recorder(name)
         if client and recorder:
-            drawn[member.name] = client, recorder
+            drawn[name] = client, recorder
     if not drawn:
         raise LearnBlockError("report-no-picture")
-    programs = ", ".join(dict.fromkeys(member.program.name for member in session.members))
+    programs = ", ".join(dict.fromkeys(job.program.name for job in session.jobs.values()))
     draw(drawn, path, programs)
     print_row("report-label-picture", str(path))

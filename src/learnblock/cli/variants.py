@@ -19,7 +19,6 @@ from learnblock.cli.reporting import (
 from learnblock.i18n import Phrase
 from learnblock.running import Report
 from learnblock.running.batch import Batch
-from learnblock.running.job import Job
 from learnblock.runtime.ending import How
 
 
@@ -35,11 +34,8 @@ def run_variants(file: Path, *, variants: int, as_json: bool, **choices: Any) ->
 
 def _run_all(found: Prepared, variants: int, *, as_json: bool) -> int:
     numbers = range(1, variants + 1)
-    keys = found.keys.keys if found.keys else None
-    jobs = [
-        Job(found.program, found.robot, replace(found.options, variant=number), keys)
-        for number in numbers
-    ]
+    job = replace(found.job, keys=found.keys.keys if found.keys else None)
+    jobs = [replace(job, options=replace(job.options, variant=number)) for number in numbers]
     batch = Batch(jobs)
     # They end in any order.
     ended: dict[int, Report] = {}
@@ -48,12 +44,12 @@ def _run_all(found: Prepared, variants: int, *, as_json: bool) -> int:
         for index, result in batch.results():
             ended[index + 1] = result.report
             if not as_json:
-                printed = _print_rows(ended, printed, found.options.seconds)
+                printed = _print_rows(ended, printed, found.job.options.seconds)
     reports = dict(sorted(ended.items()))
     if not as_json:
         # Those that ended after one that was stopped.
         for number in list(reports)[printed:]:
-            click.echo(_row(number, reports[number], found.options.seconds), err=True)
+            click.echo(_row(number, reports[number], found.job.options.seconds), err=True)
     _print(reports, as_json=as_json)
     codes = (EXIT_CODES.get(How(report.ended), ExitCode.WELL) for report in reports.values())
     return max(codes) if len(reports) == variants else ExitCode.INTERRUPTED

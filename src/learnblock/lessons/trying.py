@@ -20,7 +20,7 @@ from learnblock.running import Options, Source
 from learnblock.running.batch import Batch
 from learnblock.running.job import Job
 from learnblock.running.result import RunResult
-from learnblock.running.team import Member, TeamRun
+from learnblock.running.team import TeamRun
 from learnblock.runtime.ending import How
 from learnblock.runtime.limits import Limits
 from learnblock.simulator import WorldDescription
@@ -198,24 +198,29 @@ class StepRuns:
 
     def job(self, attempt: Attempt) -> Job:
         """The run of an attempt."""
-        robot = known_robots.find(attempt.robot)
-        program = running.program(self.source, robot)
-        return Job(program, robot, self._options(attempt), with_trace=True, limits=self.limits)
+        return self._job_of(self.source, attempt.robot, attempt)
 
-    def _options(self, attempt: Attempt) -> Options:
-        """How an attempt is run."""
-        return Options(
+    def _job_of(self, source: Source, name: str, attempt: Attempt) -> Job:
+        robot = known_robots.find(name)
+        options = Options(
             world=self.world,
             seed=attempt.seed,
             pace="free",
             seconds=self.opened.step(self.step).seconds,
             variant=attempt.variant,
         )
+        program = running.program(source, robot)
+        return Job(program, robot, options, with_trace=True, limits=self.limits)
 
-    def _members(self, attempt: Attempt) -> list[Member]:
-        """The robots of an attempt: the pupil's, and the partners."""
+    def _team(self, attempt: Attempt) -> dict[str, Job]:
+        """The runs of all robots of an attempt by their names: the pupil's, and the partners'."""
         partners = self.opened.step(self.step).partners
-        return [_member(OWN_ROBOT, self.source, attempt.robot), *map(self._partner, partners)]
+        others = {partner.name: self._job_of_partner(partner, attempt) for partner in partners}
+        return {OWN_ROBOT: self.job(attempt), **others}
+
+    def _job_of_partner(self, partner: Partner, attempt: Attempt) -> Job:
+        text = self.opened.program(partner.program)
+        return self._job_of(read_program(text, partner.program), partner.robot, attempt)
 
     def _batch(
         self, wanted: Sequence[Attempt], at_once: int | None
@@ -234,20 +239,10 @@ class StepRuns:
             if self.switch.is_stopped:
                 return
             file = BytesIO()
-            members, options = self._members(attempt), self._options(attempt)
-            run = TeamRun(members, options, trace=file, limits=self.limits)
+            run = TeamRun(self._team(attempt), trace=file)
             with self.switch.ends(run.stop):
-                reports = {member.name: report for member, report in run.run().robots}
+                reports = run.run().robots
             own = reports[OWN_ROBOT]
             if own.ended == How.STOPPED:
                 return
             yield attempt, RunResult(own, file.getvalue(), robot=OWN_ROBOT, team=reports)
-
-    def _partner(self, partner: Partner) -> Member:
-        text = self.opened.program(partner.program)
-        return _member(partner.name, read_program(text, partner.program), partner.robot)
-
-
-def _member(name: str, source: Source, robot: str) -> Member:
-    entry = known_robots.find(robot)
-    return Member(name, running.program(source, entry), entry)

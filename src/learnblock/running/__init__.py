@@ -1,6 +1,7 @@
 """Running a program from its file to its report, for the command line and the page."""
 
 from learnblock.running.examples import example
+from learnblock.running.job import Job, Options
 from learnblock.running.network import (
     allow_network,
     folder_on_network,
@@ -18,13 +19,14 @@ from learnblock.running.preparing import (
     runs_on,
     verdicts,
 )
-from learnblock.running.program_run import Options, ProgramRun
+from learnblock.running.program_run import ProgramRun
 from learnblock.running.report import Report
 from learnblock.running.source import Source, read, read_text, source_of
 
 __all__ = [
     "DEFAULT_ROBOT",
     "MOST_ROBOTS",
+    "Job",
     "Options",
     "ProgramRun",
     "Report",

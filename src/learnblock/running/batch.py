@@ -94,14 +94,7 @@ class Batch:
         for number, job in enumerate(self.jobs):
             watcher = warm.Prints(job.keys)
             trace = warm.trace_of(job)
-            self._here = ProgramRun(
-                job.program,
-                job.robot,
-                job.options,
-                watcher=watcher,
-                trace=trace,
-                limits=job.limits,
-            )
+            self._here = ProgramRun(job, watcher=watcher, trace=trace)
             report = replace(self._here.run(), output=watcher.text)
             if self._is_stopped:
                 return

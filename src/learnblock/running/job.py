@@ -1,4 +1,4 @@
-"""A run that is asked for, and how a batch sends its runs to the process that makes them."""
+"""A run that is asked for, alone, in a team or in a batch, and how a batch sends its runs."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -7,12 +7,49 @@ from typing import Any
 
 import msgspec
 
+from learnblock.devices import Pose
 from learnblock.language.python.source_map import SourceMap
 from learnblock.robots import RobotEntry
-from learnblock.running.program_run import Options
 from learnblock.running.recorded_keys import RecordedKeys
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.program import Program
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """How to run; None leaves the choice to the program, the environment or the robot.
+
+    Args:
+        world: the name or path of the world.
+        seed: the seed of all noise.
+        pace: ``free``, ``real`` or a factor.
+        seconds: the limit of the run, in the robot's time.
+        variant: the number of the world's variant; 0 is the world as it is drawn.
+        start: (x mm, y mm, heading in degrees) where a simulated robot starts.
+        network: whether the program may use the network.
+        anyway: whether it goes on where it asks for a sense or a device that the robot lacks.
+    """
+
+    world: str | None = None
+    seed: int | None = None
+    pace: str | None = None
+    seconds: float | None = None
+    variant: int | None = None
+    start: Pose | None = None
+    network: bool = False
+    anyway: bool = False
+
+    @property
+    def wishes(self) -> dict[str, Any]:
+        """The options for simulated robots only."""
+        options = {
+            "world": self.world,
+            "seed": self.seed,
+            "pace": self.pace,
+            "variant": self.variant,
+            "start": self.start,
+        }
+        return {name: value for name, value in options.items() if value is not None}
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +68,7 @@ class Job:
 
     program: Program
     robot: RobotEntry
-    options: Options
+    options: Options = Options()
     keys: RecordedKeys | None = None
     limits: Limits = Limits()  # noqa: RUF009 - it is frozen
     with_trace: bool = False

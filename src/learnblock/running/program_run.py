@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Collection
 from contextlib import nullcontext
-from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -10,16 +9,14 @@ import msgspec
 
 from learnblock import robots
 from learnblock.client import Client
-from learnblock.devices import Pose
 from learnblock.errors import LearnBlockError, MissingDeviceError
 from learnblock.i18n import Phrase
-from learnblock.robots import RobotEntry
+from learnblock.running.job import Job
 from learnblock.running.report import Report, report
 from learnblock.runtime.containment.driver import give_up, in_own_thread
 from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.escalation import PATIENCE, Patience
 from learnblock.runtime.host import Host
-from learnblock.runtime.limits import Limits
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.process import ProcessWorker, Worker, one_processor
 from learnblock.runtime.program import Program
@@ -37,53 +34,14 @@ if TYPE_CHECKING:
 Lacking = Callable[[frozenset[str]], Phrase | None]
 
 
-@dataclass(frozen=True, slots=True)
-class Options:
-    """How to run; None leaves the choice to the program, the environment or the robot.
-
-    Args:
-        world: the name or path of the world.
-        seed: the seed of all noise.
-        pace: ``free``, ``real`` or a factor.
-        seconds: the limit of the run, in the robot's time.
-        variant: the number of the world's variant; 0 is the world as it is drawn.
-        start: (x mm, y mm, heading in degrees) where a simulated robot starts.
-        network: whether the program may use the network.
-        anyway: whether it goes on where it asks for a sense or a device that the robot lacks.
-    """
-
-    world: str | None = None
-    seed: int | None = None
-    pace: str | None = None
-    seconds: float | None = None
-    variant: int | None = None
-    start: Pose | None = None
-    network: bool = False
-    anyway: bool = False
-
-    @property
-    def wishes(self) -> dict[str, Any]:
-        """The options for simulated robots only."""
-        options = {
-            "world": self.world,
-            "seed": self.seed,
-            "pace": self.pace,
-            "variant": self.variant,
-            "start": self.start,
-        }
-        return {name: value for name, value in options.items() if value is not None}
-
-
 class ProgramRun:
     """A prepared run of a program.
 
     Args:
-        program: the program to run.
-        robot: the robot to run it on.
-        options: the options of the run.
+        job: what is asked for. Whoever makes the run sees to its keys, its trace and its process,
+            through the arguments below.
         trace: takes the lines of the trace, such as a file; None for none.
         watcher: receives events as they happen.
-        limits: the resources that the program may use.
         worker: creates the worker that runs the program; a process by default.
         debugger: pauses and steps the program, and stops it at breakpoints.
         log: keeps what the program does, for questions about the run; None for no log.
@@ -95,13 +53,10 @@ class ProgramRun:
 
     def __init__(
         self,
-        program: Program,
-        robot: RobotEntry,
-        options: Options | None = None,
+        job: Job,
         *,
         trace: TraceSink | None = None,
         watcher: Watcher | None = None,
-        limits: Limits | None = None,
         worker: Callable[[], Worker] = ProcessWorker,
         debugger: Debugger | None = None,
         log: RunLog | None = None,
@@ -110,9 +65,7 @@ class ProgramRun:
         monitored: bool = False,
         patience: Patience = PATIENCE,
     ) -> None:
-        self.program = program
-        self.robot = robot
-        self.options = options or Options()
+        self.job = job
         self.trace = Trace(trace, log)
         #: The robot as the page shows it, once the program has created it, if it is monitored.
         self.monitor: Monitor | None = None
@@ -121,21 +74,26 @@ class ProgramRun:
         self._monitored = monitored
         self._patience = patience
         self._run = Run(
-            program,
+            job.program,
             self._make_robot,
             self._make_recorder,
             watcher=watcher,
-            limits=limits,
+            limits=job.limits,
             debugger=debugger,
             worker=partial(ProcessWorker, standby) if standby else worker,
-            network=self.options.network,
-            anyway=self.options.anyway,
+            network=job.options.network,
+            anyway=job.options.anyway,
             robots=tuple(entry.module for entry in robots.entries().values()),
             log=log,
         )
-        self._host = Host(self._run, seconds=self.options.seconds)
+        self._host = Host(self._run, seconds=job.options.seconds)
         self._is_contained = False
         self._has_process = worker is ProcessWorker
+
+    @property
+    def program(self) -> Program:
+        """The program."""
+        return self.job.program
 
     @property
     def client(self) -> Client | None:
@@ -145,7 +103,7 @@ class ProgramRun:
     @property
     def is_deterministic(self) -> bool:
         """Whether the same program, world and seed give the same run."""
-        return self.robot.load().lockstep
+        return self.job.robot.load().lockstep
 
     @property
     def recorder(self) -> Recorder | None:
@@ -203,7 +161,7 @@ class ProgramRun:
         self._run.variables.enabled = enabled
 
     def _serve(self) -> None:
-        takes_turns = self._has_process and self.robot.load().lockstep
+        takes_turns = self._has_process and self.job.robot.load().lockstep
         with one_processor() if takes_turns else nullcontext():
             self._host.run()
 
@@ -217,7 +175,7 @@ class ProgramRun:
         # The robot chosen for this run replaces the one that the program imports.
         del module
         self._contain()
-        client = self.robot.load().hosted(arguments, self.options.wishes)
+        client = self.job.robot.load().hosted(arguments, self.job.options.wishes)
         self._refuse_lacking(client)
         if self._monitored:
             self.monitor = monitor_of(client)
@@ -225,9 +183,9 @@ class ProgramRun:
 
     def _refuse_lacking(self, client: Client) -> None:
         """End the program before its first line, as the check does where it knows the devices."""
-        if self._lacking is None or self.options.anyway:
+        if self._lacking is None or self.job.options.anyway:
             return
-        is_known = self.robot.load().known_equipment() is not None
+        is_known = self.job.robot.load().known_equipment() is not None
         if not is_known and (lack := self._lacking(client.equipment)):
             client.stop()
             raise MissingDeviceError(lack.code, **lack.values)
@@ -236,7 +194,7 @@ class ProgramRun:
         """Let the driver do only what it needs: from now on it may see the program's values."""
         if not self._is_contained:
             self._is_contained = True
-            give_up(self.robot.load().known_rights())
+            give_up(self.job.robot.load().known_rights())
 
     def _make_recorder(self, client: Client) -> Recorder:
         return record(client, self.program.identity, self.trace)

@@ -10,20 +10,18 @@ import msgspec
 
 from learnblock import robots
 from learnblock.client import Client, Goal
-from learnblock.devices import Pose
 from learnblock.robots import RobotEntry
 from learnblock.robots.simulated import SimulatedRobot, Simulation, goal_of
-from learnblock.running.program_run import Options, monitor_of
+from learnblock.running.job import Job, Options
+from learnblock.running.program_run import monitor_of
 from learnblock.running.report import Report, report
 from learnblock.runtime.containment.driver import OwnThread, end_threads, give_up
 from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.escalation import PATIENCE, Patience
 from learnblock.runtime.host import Host
-from learnblock.runtime.limits import Limits
 from learnblock.runtime.log.keeping import RunLog, TeamLog
 from learnblock.runtime.post import Post
 from learnblock.runtime.process import ProcessWorker, Worker
-from learnblock.runtime.program import Program
 from learnblock.runtime.run import Run
 from learnblock.runtime.trace import MemberTrace, Recorder, Trace, TraceSink, record
 from learnblock.runtime.values import plain
@@ -34,43 +32,18 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Member:
-    """One robot of a run with several.
-
-    Args:
-        name: its name in the report, the trace and the world.
-        program: its program.
-        robot: the kind of robot.
-        network: whether the program may use the network.
-        start: (x mm, y mm, heading in degrees) where a simulated robot starts; by default a start
-            pose of the world.
-    """
-
-    name: str
-    program: Program
-    robot: RobotEntry
-    network: bool = False
-    start: Pose | None = None
-
-    @property
-    def twin(self) -> type[SimulatedRobot] | None:
-        """Its class if it is simulated, else None."""
-        kind = self.robot.load()
-        return kind if issubclass(kind, SimulatedRobot) else None
-
-
-@dataclass(frozen=True, slots=True)
 class TeamReport:
     """The results of a run with several robots.
 
     Args:
-        robots: each robot's report, in their order; the goals are left to the whole run.
+        robots: each robot's report by its name, in their order; the goals are left to the whole
+            run.
         goals: the goals of the world.
         trace_sha256: the hash of the trace; None if a real robot took part, since another such run
             has another trace.
     """
 
-    robots: tuple[tuple[Member, Report], ...]
+    robots: Mapping[str, Report]
     goals: tuple[Goal, ...]
     trace_sha256: str | None
 
@@ -80,16 +53,15 @@ class TeamRun:
     """A prepared run of several programs.
 
     Args:
-        members: the robots, in the order in which they take turns.
-        options: the options of the run; ``network`` is left to the members.
+        jobs: the runs by the names of their robots, in the order in which they take turns. What
+            the options of the first one say of the world, its pace and the time holds for all.
         trace: takes the lines of the trace, such as a file; None for none.
-        watch: creates what receives the events of a member.
-        debug: creates what pauses a member's program; None for no pauses.
+        watch: creates what receives the events of the robot with a name.
+        debug: creates what pauses a robot's program; None for no pauses.
         monitored: whether the robots have monitors, for a page.
-        limits: the resources that each program may use.
         worker: creates the worker that runs a program; a process by default.
         patience: how long the end may take when `run` is interrupted.
-        logs: by the names of members, what keeps what their programs do, for questions about the
+        logs: by the names of robots, what keeps what their programs do, for questions about the
             run; all of them or none.
 
     Raises:
@@ -99,41 +71,41 @@ class TeamRun:
 
     def __init__(
         self,
-        members: Sequence[Member],
-        options: Options,
+        jobs: Mapping[str, Job],
         *,
         trace: TraceSink | None = None,
-        watch: Callable[[Member], Watcher] = lambda _: Watcher(),
-        debug: Callable[[Member], Debugger | None] = lambda _: None,
+        watch: Callable[[str], Watcher] = lambda _: Watcher(),
+        debug: Callable[[str], Debugger | None] = lambda _: None,
         monitored: bool = False,
-        limits: Limits | None = None,
         worker: Callable[[], Worker] = ProcessWorker,
         patience: Patience = PATIENCE,
         logs: Mapping[str, RunLog] | None = None,
     ) -> None:
-        self.members = tuple(members)
-        self.options = options
+        self.jobs = dict(jobs)
         self.trace = Trace(trace)
-        twins = [member for member in members if member.twin]
+        twins = [name for name, job in self.jobs.items() if _twin(job)]
         #: Whether the same programs, world and seed give the same run.
-        self.is_deterministic = len(twins) == len(members)
+        self.is_deterministic = len(twins) == len(self.jobs)
         #: The world of all simulated robots, if there is one.
-        self.simulation = _shared_world(twins, options)
+        self.simulation = _shared_world({name: self.jobs[name] for name in twins}, self.options)
         self._logs = logs or {}
-        shared = [self._logs[member.name] for member in twins if self._logs]
-        self._team_log = TeamLog(shared, [*map(_plain, twins)]) if shared else None
-        self._make_run = partial(
-            self._prepared, watch=watch, debug=debug, limits=limits, worker=worker
-        )
+        shared = [self._logs[name] for name in twins if self._logs]
+        self._team_log = TeamLog(shared, [*map(self._logged, twins)]) if shared else None
+        self._make_run = partial(self._prepared, watch=watch, debug=debug, worker=worker)
         self._monitored = monitored
         self._patience = patience
         self._monitors: dict[str, Monitor] = {}
         self._runs: dict[str, Run] = {}
-        post = Post(len(self.members))
-        self._boxes = {member.name: post.box(index) for index, member in enumerate(self.members)}
+        post = Post(len(self.jobs))
+        self._boxes = {name: post.box(index) for index, name in enumerate(self.jobs)}
         # Simulated robots take turns in one world; a real one does not wait for others.
-        groups = [twins, *([member] for member in members if not member.twin)]
+        groups = [twins, *([name] for name in self.jobs if name not in twins)]
         self._hosts = [self._make_host(group) for group in groups if group]
+
+    @property
+    def options(self) -> Options:
+        """What holds for all robots: the options of the first one."""
+        return next(iter(self.jobs.values())).options
 
     def run(self) -> TeamReport:
         """Run all programs to their end.
@@ -150,11 +122,10 @@ class TeamRun:
                 thread.result()
         finally:
             end_threads(threads, self._patience.measures(self.stop, self.abort))
-        for member in self.members:
-            if log := self._logs.get(member.name):
-                log.end(msgspec.to_builtins(self._own_report(member), enc_hook=plain))
+        for name, log in self._logs.items():
+            log.end(msgspec.to_builtins(self._own_report(name), enc_hook=plain))
         return TeamReport(
-            robots=tuple((member, self.report(member)) for member in self.members),
+            robots={name: self.report(name) for name in self.jobs},
             goals=self._goals,
             trace_sha256=self._sha256,
         )
@@ -169,25 +140,25 @@ class TeamRun:
         for host in self._hosts:
             host.abort()
 
-    def recorder(self, member: Member) -> Recorder | None:
-        """The events of a member, once it has a robot."""
-        return self._runs[member.name].recorder
+    def recorder(self, robot: str) -> Recorder | None:
+        """The events of a robot, once its program has created it."""
+        return self._runs[robot].recorder
 
-    def client(self, member: Member) -> Client | None:
-        """The robot of a member, once its program has created it."""
-        return self._runs[member.name].client
+    def client(self, robot: str) -> Client | None:
+        """A robot, once its program has created it."""
+        return self._runs[robot].client
 
-    def ended(self, member: Member) -> bool:
-        """Whether the program of a member has ended."""
-        return self._runs[member.name].ending is not None
+    def ended(self, robot: str) -> bool:
+        """Whether the program of a robot has ended."""
+        return self._runs[robot].ending is not None
 
-    def report(self, member: Member) -> Report:
-        """The report of a member whose program has ended."""
-        return report(member.program, self._runs[member.name], "")
+    def report(self, robot: str) -> Report:
+        """The report of a robot whose program has ended."""
+        return report(self.jobs[robot].program, self._runs[robot], "")
 
-    def _own_report(self, member: Member) -> Report:
-        """A member's report with the goals and the trace of the whole run."""
-        return replace(self.report(member), goals=self._goals, trace_sha256=self._sha256 or "")
+    def _own_report(self, robot: str) -> Report:
+        """A robot's report with the goals and the trace of the whole run."""
+        return replace(self.report(robot), goals=self._goals, trace_sha256=self._sha256 or "")
 
     @property
     def _goals(self) -> tuple[Goal, ...]:
@@ -198,9 +169,9 @@ class TeamRun:
     def _sha256(self) -> str | None:
         return self.trace.sha256 if self.is_deterministic else None
 
-    def monitor(self, member: Member) -> "Monitor | None":
-        """The robot of a member as the page shows it, once its program has created it."""
-        return self._monitors.get(member.name)
+    def monitor(self, robot: str) -> "Monitor | None":
+        """A robot as the page shows it, once its program has created it."""
+        return self._monitors.get(robot)
 
     def set_speed(self, factor: float | None) -> None:
         """Set the speed of the simulated world, times real time; None is as fast as possible.
@@ -210,66 +181,68 @@ class TeamRun:
         for run in self._runs.values():
             run.world.set_speed(factor)
 
-    def report_variables(self, member: Member, *, enabled: bool) -> None:
-        """Start or stop reporting the variables of a member to its watcher."""
-        self._runs[member.name].variables.enabled = enabled
+    def report_variables(self, robot: str, *, enabled: bool) -> None:
+        """Start or stop reporting the variables of a robot's program to its watcher."""
+        self._runs[robot].variables.enabled = enabled
 
-    def _make_host(self, group: Sequence[Member]) -> Host:
-        fence = _Fence([member.robot for member in group])
-        for member in group:
-            self._runs[member.name] = self._make_run(member, fence)
-        return Host(*(self._runs[member.name] for member in group), seconds=self.options.seconds)
+    def _make_host(self, group: Sequence[str]) -> Host:
+        fence = _Fence([self.jobs[robot].robot for robot in group])
+        for robot in group:
+            self._runs[robot] = self._make_run(robot, fence)
+        return Host(*(self._runs[robot] for robot in group), seconds=self.options.seconds)
 
     def _prepared(
         self,
-        member: Member,
+        robot: str,
         fence: "_Fence",
         *,
-        watch: Callable[[Member], Watcher],
-        debug: Callable[[Member], Debugger | None],
+        watch: Callable[[str], Watcher],
+        debug: Callable[[str], Debugger | None],
         **more: Any,
     ) -> Run:
+        job = self.jobs[robot]
         return Run(
-            member.program,
-            partial(self._make_robot, member, fence),
-            partial(self._make_recorder, member),
-            watcher=watch(member),
-            debugger=debug(member),
-            network=member.network,
-            anyway=self.options.anyway,
-            box=self._boxes[member.name],
+            job.program,
+            partial(self._make_robot, robot, fence),
+            partial(self._make_recorder, robot),
+            watcher=watch(robot),
+            debugger=debug(robot),
+            limits=job.limits,
+            network=job.options.network,
+            anyway=job.options.anyway,
+            box=self._boxes[robot],
             robots=tuple(entry.module for entry in robots.entries().values()),
-            log=self._logs.get(member.name),
+            log=self._logs.get(robot),
             **more,
         )
 
     def _make_robot(
-        self, member: Member, fence: "_Fence", _module: str, arguments: dict[str, Any]
+        self, robot: str, fence: "_Fence", _module: str, arguments: dict[str, Any]
     ) -> Client:
         fence.close()
-        client = self._make_client(member, arguments)
+        client = self._make_client(robot, arguments)
         if self._monitored:
-            self._monitors[member.name] = monitor_of(client)
+            self._monitors[robot] = monitor_of(client)
         return client
 
-    def _make_client(self, member: Member, arguments: dict[str, Any]) -> Client:
-        if member.twin and self.simulation:
+    def _make_client(self, robot: str, arguments: dict[str, Any]) -> Client:
+        job = self.jobs[robot]
+        if (twin := _twin(job)) and self.simulation:
             # The world is everyone's, so a program's own arguments do not choose it.
-            return member.twin(simulation=self.simulation, name=member.name, start=member.start)
-        return member.robot.load().hosted(arguments, {})
+            return twin(simulation=self.simulation, name=robot, start=job.options.start)
+        return job.robot.load().hosted(arguments, {})
 
-    def _make_recorder(self, member: Member, client: Client) -> Recorder:
+    def _make_recorder(self, robot: str, client: Client) -> Recorder:
         more = {} if self.is_deterministic else {"deterministic": False}
-        label = {"robot": member.name}
-        trace = self.trace
-        if log := self._logs.get(member.name):
-            trace = MemberTrace(trace, log, self._team_log if member.twin else None)
-        return record(client, member.program.identity, trace, label, **more)
+        job, trace = self.jobs[robot], self.trace
+        if log := self._logs.get(robot):
+            trace = MemberTrace(trace, log, self._team_log if _twin(job) else None)
+        return record(client, job.program.identity, trace, {"robot": robot}, **more)
 
-
-def _plain(member: Member) -> dict[str, object]:
-    """What a log says about a robot of a shared world."""
-    return {"name": member.name, "robot": member.robot.name, "start": member.start}
+    def _logged(self, robot: str) -> dict[str, object]:
+        """What a log says about a robot of a shared world."""
+        job = self.jobs[robot]
+        return {"name": robot, "robot": job.robot.name, "start": job.options.start}
 
 
 class _Fence:
@@ -286,13 +259,20 @@ class _Fence:
             give_up(reduce(or_, (entry.load().known_rights() for entry in self._served)))
 
 
-def _shared_world(twins: Sequence[Member], options: Options) -> Simulation | None:
-    """The world of the first robot's choice, with all robots in it."""
+def _twin(job: Job) -> type[SimulatedRobot] | None:
+    """The class of a simulated robot; None for a real one."""
+    kind = job.robot.load()
+    return kind if issubclass(kind, SimulatedRobot) else None
+
+
+def _shared_world(twins: Mapping[str, Job], options: Options) -> Simulation | None:
+    """The world of these options, with all robots in it."""
     simulation = None
-    for member in twins:
-        kind = member.twin
-        assert kind is not None  # noqa: S101 - only members with one are passed
+    for name, job in twins.items():
+        kind = _twin(job)
+        assert kind is not None  # noqa: S101 - only simulated robots are passed
         if simulation is None:
-            simulation = kind.make_simulation(**options.wishes)
-        simulation.world.add_robot(kind.description(), name=member.name, start=member.start)
+            # Each robot has a start of its own.
+            simulation = kind.make_simulation(**replace(options, start=None).wishes)
+        simulation.world.add_robot(kind.description(), name=name, start=job.options.start)
     return simulation

@@ -350,15 +350,7 @@ def _made(
 ) -> RunResult:
     """Make a run."""
     prints, trace = Prints(job.keys), trace_of(job)
-    run = ProgramRun(
-        job.program,
-        job.robot,
-        job.options,
-        trace=trace,
-        watcher=prints,
-        limits=job.limits,
-        worker=worker,
-    )
+    run = ProgramRun(job, trace=trace, watcher=prints, worker=worker)
     prepare(run)
     report = replace(run.run(), output=prints.text)
     written = trace.getvalue() if trace else b""

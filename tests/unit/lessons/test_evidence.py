@@ -7,7 +7,7 @@ from learnblock.lessons.checks import Drives, Ends, Happens, Printed
 from learnblock.lessons.evidence import Collector
 from learnblock.lessons.judging import judge
 from learnblock.lessons.trying import read_program
-from learnblock.running import Options, ProgramRun
+from learnblock.running import Job, Options, ProgramRun
 from learnblock.runtime.trace import MOST_COLLISIONS, Recorder, Trace
 from learnblock.runtime.watcher import Watcher
 from lesson_files import STEP, evidence
@@ -42,8 +42,8 @@ def test_a_run_can_be_judged_while_it_goes_on():
         return [one.state for one in judge(step, source.tree, run_so_far, None)]
 
     watcher = Looking(look)
-    program = running.program(source, robot)
-    run = ProgramRun(program, robot, Options(world="empty"), trace=collector, watcher=watcher)
+    job = Job(running.program(source, robot), robot, Options(world="empty"))
+    run = ProgramRun(job, trace=collector, watcher=watcher)
     report = run.run()
     assert watcher.seen == [["open", "met", "open"]]
     over = collector.evidence(report.time, report, {"": report.collisions})

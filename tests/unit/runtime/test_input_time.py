@@ -3,7 +3,7 @@
 import pytest
 
 from learnblock import robots
-from learnblock.running import Options, ProgramRun
+from learnblock.running import Job, Options, ProgramRun
 from learnblock.runtime.program import Program
 from learnblock.runtime.watcher import Watcher
 from waiting import wait_for
@@ -43,12 +43,9 @@ class Person(Watcher):
 
 def played(step, pace, **options):
     person = Person(step)
-    run = ProgramRun(
-        Program("game.py", GAME, GAME),
-        robots.find("sim-ebo"),
-        Options(world="empty", pace=pace, **options),
-        watcher=person,
-    )
+    program = Program("game.py", GAME, GAME)
+    job = Job(program, robots.find("sim-ebo"), Options(world="empty", pace=pace, **options))
+    run = ProgramRun(job, watcher=person)
     person.run = run
     return run.run(), person.text.split()
 

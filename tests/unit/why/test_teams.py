@@ -9,8 +9,8 @@ from learnblock import robots, running
 from learnblock.cli import main
 from learnblock.cli.console import ExitCode
 from learnblock.monitor.world_monitor import WorldMonitor
-from learnblock.running import Options
-from learnblock.running.team import Member, TeamRun
+from learnblock.running import Job, Options
+from learnblock.running.team import TeamRun
 from learnblock.runtime.inline import InlineWorker
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.log.noting import TICK
@@ -32,13 +32,12 @@ TEAMS = {
 
 def team(world, *, logged=True):
     """A run that is about to start, and the logs of its robots by name."""
-    members = []
+    jobs, options = {}, Options(world=world, seconds=SECONDS, seed=2)
     for number, (file, robot) in enumerate(TEAMS[world]):
         source, entry = running.read(EXAMPLES / "several" / file), robots.find(robot)
-        members.append(Member(f"r{number}", running.program(source, entry), entry))
-    logs = {one.name: RunLog(one.program) for one in members} if logged else None
-    options = Options(world=world, seconds=SECONDS, seed=2)
-    return TeamRun(members, options, worker=InlineWorker, logs=logs), logs or {}
+        jobs[f"r{number}"] = Job(running.program(source, entry), entry, options)
+    logs = {name: RunLog(job.program) for name, job in jobs.items()} if logged else None
+    return TeamRun(jobs, worker=InlineWorker, logs=logs), logs or {}
 
 
 def shown(client):
@@ -58,9 +57,9 @@ def run_and_look(run):
         if world.steps == 120:
             run.simulation.place("r1", 100.12345, -50.5, 33.3333)
         if world.steps in STEPS:
-            for member in run.members:
-                if run.client(member):
-                    seen[member.name, world.steps] = shown(run.client(member))
+            for name in run.jobs:
+                if run.client(name):
+                    seen[name, world.steps] = shown(run.client(name))
         step(world)
 
     with patch.object(World, "step", looked_at):

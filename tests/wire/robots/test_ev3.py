@@ -20,7 +20,7 @@ from learnblock.robots import settings as user_settings
 from learnblock.robots.ev3 import Robot, Settings
 from learnblock.robots.ev3.brick import State
 from learnblock.robots.ev3.wheels import WheelCounts, turns
-from learnblock.running import Options, ProgramRun, program, read
+from learnblock.running import Job, Options, ProgramRun, program, read
 from learnblock.runtime.process import ThreadWorker
 from learnblock.testing import Fault, check_robot
 from ports import free_port, mute_server
@@ -175,8 +175,8 @@ def run_on(settings, path, monkeypatch, **options):
     kind = find("ev3").load()
     monkeypatch.setattr(kind, "hosted", classmethod(lambda cls, arguments, wishes: cls(**settings)))
     entry = find("ev3")
-    run = ProgramRun(program(read(path), entry), entry, Options(**options), worker=ThreadWorker)
-    return run.run()
+    job = Job(program(read(path), entry), entry, Options(**options))
+    return ProgramRun(job, worker=ThreadWorker).run()
 
 
 def test_the_papers_square_is_a_square_like_the_twins(monkeypatch):

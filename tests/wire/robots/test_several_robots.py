@@ -4,8 +4,8 @@ import pytest
 
 from emulated import reachable
 from learnblock import robots, running
-from learnblock.running import Options
-from learnblock.running.team import Member, TeamRun
+from learnblock.running import Job, Options
+from learnblock.running.team import TeamRun
 from learnblock.runtime.ending import How
 from learnblock.runtime.watcher import Watcher
 
@@ -43,14 +43,13 @@ def play(tmp_path):
             def printed(self, text):
                 printed.append(text)
 
-        members = []
+        jobs, options = {}, Options(world="empty", pace="real", seconds=60)
         for name, program, robot in (("first", FIRST, first), ("second", SECOND, second)):
             path = tmp_path / f"{name}.bt"
             path.write_text(program)
             entry = robots.find(robot)
-            members.append(Member(name, running.program(running.read(path), entry), entry))
-        options = Options(world="empty", pace="real", seconds=60)
-        report = TeamRun(members, options, watch=lambda _: Printing()).run()
+            jobs[name] = Job(running.program(running.read(path), entry), entry, options)
+        report = TeamRun(jobs, watch=lambda _: Printing()).run()
         return report, printed
 
     return play
@@ -61,8 +60,8 @@ def test_a_real_and_a_simulated_robot_run_together(play, first, second):
     real = next(robot for robot in (first, second) if not robot.startswith("sim-"))
     with reachable(real, "empty"):
         report, printed = play(first, second)
-    assert [own.error for _, own in report.robots] == [None, None]
-    assert [own.ended for _, own in report.robots] == [How.FINISHED, How.FINISHED]
+    assert [own.error for own in report.robots.values()] == [None, None]
+    assert [own.ended for own in report.robots.values()] == [How.FINISHED, How.FINISHED]
     assert printed == ["['first', 1]\n"]
     assert report.trace_sha256 is None
 
@@ -70,5 +69,5 @@ def test_a_real_and_a_simulated_robot_run_together(play, first, second):
 def test_two_real_robots_of_different_kinds_send_each_other_messages(play):
     with reachable("thymio", "empty"), reachable("ev3", "empty"):
         report, printed = play("thymio", "ev3")
-    assert [own.ended for _, own in report.robots] == [How.FINISHED, How.FINISHED]
+    assert [own.ended for own in report.robots.values()] == [How.FINISHED, How.FINISHED]
     assert printed == ["['first', 1]\n"]

@@ -241,9 +241,7 @@ def prepared(
     watcher = RunWatcher(listener)
     log = RunLog(job.program)
     run = ProgramRun(
-        job.program,
-        job.robot,
-        job.options,
+        job,
         trace=trace,
         watcher=watcher,
         debugger=Debugger(lines(played, breakpoints), paused=paused),

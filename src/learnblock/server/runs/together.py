@@ -20,7 +20,7 @@ from learnblock.server.runs.watcher import RunWatcher
 if TYPE_CHECKING:
     from learnblock.monitor import Monitor
     from learnblock.robots import RobotEntry
-    from learnblock.running.team import Member, TeamReport, TeamRun
+    from learnblock.running.team import TeamReport, TeamRun
 
 
 def staged(robots: "Mapping[str, RobotEntry]", world: str, variant: int) -> "Sequence[Monitor]":
@@ -47,26 +47,24 @@ class MemberRun:
 
     Args:
         team: the run.
-        member: the robot.
+        robot: its name.
         debuggers: those of all robots, by name.
     """
 
-    def __init__(
-        self, team: "TeamRun", member: "Member", debuggers: Mapping[str, Debugger]
-    ) -> None:
+    def __init__(self, team: "TeamRun", robot: str, debuggers: Mapping[str, Debugger]) -> None:
         self._team = team
-        self._member = member
+        self._robot = robot
         self._debuggers = debuggers
 
     @property
     def program(self) -> Program:
         """The program."""
-        return self._member.program
+        return self._team.jobs[self._robot].program
 
     @property
     def monitor(self) -> "Monitor | None":
         """The robot as the page shows it, once the program has created it."""
-        return self._team.monitor(self._member)
+        return self._team.monitor(self._robot)
 
     @property
     def is_deterministic(self) -> bool:
@@ -79,7 +77,7 @@ class MemberRun:
 
     def run(self) -> Report:
         """The report of this program; the whole run is started elsewhere."""
-        return self._team.report(self._member)
+        return self._team.report(self._robot)
 
     def stop(self) -> None:
         """End all programs."""
@@ -118,11 +116,11 @@ class MemberRun:
         self._team.set_speed(factor)
 
     def report_variables(self, *, enabled: bool) -> None:
-        self._team.report_variables(self._member, enabled=enabled)
+        self._team.report_variables(self._robot, enabled=enabled)
 
     @property
     def _own(self) -> Debugger:
-        return self._debuggers[self._member.name]
+        return self._debuggers[self._robot]
 
     def _resume_others(self) -> None:
         for debugger in self._debuggers.values():
@@ -166,13 +164,6 @@ class Participant:
     breakpoints: tuple[str, ...] = ()
     paused: bool = False
 
-    def member(self) -> "Member":
-        """The robot, as the run needs it."""
-        from learnblock.running.team import Member  # noqa: PLC0415 - as above
-
-        job, options = self.job, self.job.options
-        return Member(self.name, job.program, job.robot, options.network, options.start)
-
     def looking(self, log: RunLog) -> Looking:
         """Looks back at the run of this robot."""
         return looking_at(self.played, log)
@@ -198,23 +189,21 @@ async def play_together(
 
     watchers = {participant.name: MemberWatcher(participant.player) for participant in participants}
     debuggers = {participant.name: participant.debugger() for participant in participants}
-    shared = replace(participants[0].job.options, start=None, network=False)
-    members = [participant.member() for participant in participants]
-    logs = {member.name: RunLog(member.program) for member in members}
+    jobs = {participant.name: participant.job for participant in participants}
+    logs = {name: RunLog(job.program) for name, job in jobs.items()}
     team = TeamRun(
-        members,
-        shared,
+        jobs,
         trace=trace,
-        watch=lambda member: watchers[member.name],
-        debug=lambda member: debuggers[member.name],
+        watch=watchers.__getitem__,
+        debug=debuggers.__getitem__,
         monitored=True,
         logs=logs,
     )
     playings = []
-    for member, participant in zip(team.members, participants, strict=True):
-        watcher = watchers[member.name]
-        watcher.run = MemberRun(team, member, debuggers)
-        looking = participant.looking(logs[member.name])
+    for participant in participants:
+        watcher = watchers[participant.name]
+        watcher.run = MemberRun(team, participant.name, debuggers)
+        looking = participant.looking(logs[participant.name])
         playings.append(Playing(participant.played, watcher.run, watcher, looking))
     try:
         for playing, participant in zip(playings, participants, strict=True):
@@ -242,5 +231,5 @@ def _outcomes(report: "TeamReport") -> Sequence[Report]:
     trace = report.trace_sha256 or ""
     return [
         replace(own_report, goals=report.goals, trace_sha256=trace)
-        for _, own_report in report.robots
+        for own_report in report.robots.values()
     ]

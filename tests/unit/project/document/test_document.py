@@ -449,7 +449,7 @@ def test_a_run_from_the_page_has_the_trace_of_the_command_line(tmp_path):
     path.write_text(SQUARE)
     entry = robots.find("sim-ebo")
     hashes = {
-        running.ProgramRun(program, entry).run().trace_sha256
+        running.ProgramRun(running.Job(program, entry)).run().trace_sha256
         for program in (
             running.program(running.read(path), entry),
             document().program("p"),

@@ -164,10 +164,12 @@ def test_every_program_ends_with_its_robot_at_rest(ending, how):
     source = ENDLESS + ending
     entry = robots.find("sim-ebo")
     session = running.ProgramRun(
-        Program("endless.py", source, source),
-        entry,
-        running.Options(world="empty", seconds=3),
-        limits=Limits(silence=0.3),
+        running.Job(
+            Program("endless.py", source, source),
+            entry,
+            running.Options(world="empty", seconds=3),
+            limits=Limits(silence=0.3),
+        )
     )
     assert session.run().ended == how
     simulation = session.client.simulation
