@@ -166,22 +166,22 @@ def try_command(
     opened = find_lesson(lesson)
     wanted = attempts(opened, step, robots=robots or None, variants=variants)
     source = running.read_text(program)
-    tried = []
+    runs: list[JudgedRun] = []
     for judged in try_step(opened, step, source, wanted, filename=program.name):
-        tried.append(judged)
+        runs.append(judged)
         if not as_json:
-            _print_tried(judged)
-    tried.sort(key=lambda judged: wanted.index(judged.attempt))
-    failed = next((judged for judged in tried if not is_done(judged.verdicts)), None)
+            _print_judged(judged)
+    runs.sort(key=lambda judged: wanted.index(judged.attempt))
+    failed = next((judged for judged in runs if not is_done(judged.verdicts)), None)
     given: tuple[Hint, ...] = ()
     if hints and failed:
         tree = read_program(source, program.name).tree
         given = hints_for(opened, step, tree, failed)
     if as_json:
-        print_json([_as_object(judged, given if judged is failed else ()) for judged in tried])
+        print_json([_as_object(judged, given if judged is failed else ()) for judged in runs])
     else:
         _print_hints(given)
-    done = failed is None and len(tried) == len(wanted)
+    done = failed is None and len(runs) == len(wanted)
     sys.exit(ExitCode.WELL if done else ExitCode.MISTAKES)
 
 
@@ -226,15 +226,15 @@ def _print_result(result: "ProgramCheck") -> None:
         click.echo(f"    {text(problem)}")
 
 
-def _print_tried(tried: "JudgedRun") -> None:
+def _print_judged(judged: "JudgedRun") -> None:
     from learnblock.lessons.describing import title_of  # noqa: PLC0415 - `--help`
 
-    say("lesson-cli-attempt", robot=tried.attempt.robot, variant=str(tried.attempt.variant))
-    for verdict in tried.verdicts:
+    say("lesson-cli-attempt", robot=judged.attempt.robot, variant=str(judged.attempt.variant))
+    for verdict in judged.verdicts:
         mark = {"met": "✓", "failed": "✗", "open": "·"}[verdict.state]
         reason = f"  {text(verdict.reason)}" if verdict.reason else ""
         click.echo(f"    {mark} {title_of(verdict.check, language())}{reason}")
-    if error := tried.result.report.error:
+    if error := judged.result.report.error:
         click.echo(f"    {text(error['message'])}")  # type: ignore[arg-type] # see `Report`
 
 
@@ -252,7 +252,7 @@ def _words(level: "Phrase | Title") -> str:
     return text(level) if isinstance(level, Phrase) else in_language(level, language())
 
 
-def _as_object(tried: "JudgedRun", hints: "Sequence[Hint]") -> dict[str, Any]:
+def _as_object(judged: "JudgedRun", hints: "Sequence[Hint]") -> dict[str, Any]:
     from learnblock.lessons.describing import title_of  # noqa: PLC0415 - `--help`
 
     verdicts = [
@@ -262,12 +262,12 @@ def _as_object(tried: "JudgedRun", hints: "Sequence[Hint]") -> dict[str, Any]:
             "at": verdict.at,
             "reason": verdict.reason,
         }
-        for verdict in tried.verdicts
+        for verdict in judged.verdicts
     ]
     return {
-        "robot": tried.attempt.robot,
-        "variant": tried.attempt.variant,
+        "robot": judged.attempt.robot,
+        "variant": judged.attempt.variant,
         "verdicts": verdicts,
         "hints": [{"rule": hint.rule, "levels": [*map(_words, hint.levels)]} for hint in hints],
-        "report": tried.result.report,
+        "report": judged.result.report,
     }
