@@ -13,8 +13,9 @@ from learnblock.client.mailbox import checked
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.runtime import messages
-from learnblock.runtime.conversation import Conversation
+from learnblock.runtime.conversation import Conversation, Exchange
 from learnblock.runtime.debugger import Debugger
+from learnblock.runtime.direct_calls import DirectCalls
 from learnblock.runtime.dismissal import cause_of_death, dismiss
 from learnblock.runtime.ending import Ending, How
 from learnblock.runtime.events import Events
@@ -182,10 +183,10 @@ class Run:
             ending = self.stopping or Ending(How.STOPPED, Phrase("run-stopped"))
             self._dismiss(self._conversation, ending)
 
-    def _talking(self) -> "_Talking":
+    def _talking(self) -> Exchange:
         """The conversation; an error in it ends the run."""
         assert self._conversation  # noqa: S101 - the host starts a run first
-        return _Talking(self._conversation, self._fail)
+        return Exchange(self._conversation, self._fail)
 
     def _fail(self, conversation: Conversation, error: BaseException) -> bool:
         """End the run because of an error in its conversation; return whether it was one."""
@@ -293,7 +294,7 @@ class Run:
         """Offer a program that shares this thread to do at once what takes no time."""
         is_simulated = self.simulation is not None
         if self.recorder and self._conversation and is_simulated and self._is_unwatched:
-            self._conversation.offer(_AtOnce(self.robot, self.recorder, self._conversation))
+            self._conversation.offer(DirectCalls(self.robot, self.recorder, self._conversation))
 
     def _on_disconnect(self, _: messages.Disconnect) -> None:
         if self._conversation:
@@ -386,58 +387,6 @@ class Run:
             self._finish(Ending(How.STOPPED, Phrase("run-stopped-by-signal"), line))
         else:
             self._finish(Ending(How.FINISHED, Phrase("run-finished")))
-
-
-class _AtOnce:
-    """What is done at once for a program in the thread of its host; see `AtOnce`.
-
-    Args:
-        robot: the program's robot, which is simulated: no time passes while the program runs.
-        recorder: its recorder.
-        conversation: the conversation with the program.
-    """
-
-    def __init__(self, robot: HostedRobot, recorder: Recorder, conversation: Conversation) -> None:
-        self.note = recorder.note
-        self.note_call = recorder.note_call
-        self._call = robot.call
-        self._conversation = conversation
-
-    def obey(self, device: int, function: str, args: tuple[Any, ...]) -> bool:
-        try:
-            self._call(device, function, args)
-        except Exception as error:  # noqa: BLE001 - it ends the run as soon as the host has a turn
-            self._conversation.fail(error)
-            return False
-        return True
-
-    def answer(self, device: int, function: str, args: tuple[Any, ...]) -> Any:
-        return self._conversation.copied(self._call(device, function, args))
-
-
-class _Talking:
-    """A part of a conversation; several times faster than a generator's context.
-
-    Args:
-        conversation: the conversation.
-        fail: handles an error in it; returns whether it did.
-    """
-
-    __slots__ = ("_conversation", "_fail")
-
-    def __init__(
-        self,
-        conversation: Conversation,
-        fail: Callable[[Conversation, BaseException], bool],
-    ) -> None:
-        self._conversation = conversation
-        self._fail = fail
-
-    def __enter__(self) -> Conversation:
-        return self._conversation
-
-    def __exit__(self, kind: object, error: BaseException | None, traceback: object) -> bool:
-        return error is not None and self._fail(self._conversation, error)
 
 
 def _begin(
