@@ -15,6 +15,7 @@ from msgspec import inspect
 from learnblock.simulator.robot_description import RobotFile
 from learnblock.simulator.world_description import WorldFile
 from learnblock.storage.struct_types import alternatives, bare, describe
+from learnblock.storage.toml_values import written
 
 #: A heading, and the text below it.
 _SECTION = re.compile(r"^### `(\[.+\])`\n((?:(?!#).*\n)*)", re.MULTILINE)
@@ -78,18 +79,7 @@ def _default(field: inspect.Field) -> str:
     if field.default is None:
         return "none"
     value = field.default_factory() if field.default is msgspec.NODEFAULT else field.default
-    return f"`{_toml(value)}`"
-
-
-def _toml(value: object) -> str:
-    match value:
-        case bool():
-            return str(value).lower()
-        case str():
-            return f'"{value}"'
-        case tuple():
-            return "[" + ", ".join(map(_toml, value)) + "]"
-    return f"{value:g}"
+    return f"`{written(value, '{:g}'.format)}`"
 
 
 if __name__ == "__main__":

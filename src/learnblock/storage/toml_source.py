@@ -36,7 +36,7 @@ from learnblock.storage.struct_types import (
     type_of_key,
 )
 from learnblock.storage.toml_lines import find_key
-from learnblock.storage.toml_values import loads
+from learnblock.storage.toml_values import loads, written
 
 #: The limit in bytes; the largest built-in world has 3 % of it.
 MAXIMUM_FILE_SIZE = 256 * 1024
@@ -295,22 +295,8 @@ def _show(value: object) -> str | Phrase:
     """The value as TOML writes it, shortened if it is long."""
     if isinstance(value, dict):
         return Phrase("toml-table")
-    text = _toml(value)
+    text = written(value)
     return text if len(text) <= _LONGEST_VALUE else text[: _LONGEST_VALUE - 3] + "..."
-
-
-def _toml(value: object) -> str:
-    match value:
-        case bool():
-            return str(value).lower()
-        case str():
-            return f'"{value}"'
-        case dict():
-            return "{...}"
-        case list():
-            return "[" + ", ".join(_toml(item) for item in value[:8]) + "]"
-        case _:
-            return str(value)
 
 
 def _place(path: KeyPath) -> Phrase:

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from learnblock.storage.toml_values import loads
+from learnblock.storage.toml_values import loads, written
 
 DEEP = [
     "a." * 40_000 + "b = 1",
@@ -32,3 +32,10 @@ def test_a_key_of_fewer_parts_is_read(parts):
     for _ in range(parts):
         value = value["a"]
     assert value == 1
+
+
+def test_a_value_is_written_as_toml_writes_it_and_what_is_long_is_left_out():
+    value = [True, "a", 0.5, {"b": 1}, (1, 2)]
+    assert written(value) == '[true, "a", 0.5, {...}, [1, 2]]'
+    assert written(list(range(20))) == "[0, 1, 2, 3, 4, 5, 6, 7]"
+    assert written((1.0, 0.25), "{:g}".format) == "[1, 0.25]"
