@@ -5,7 +5,6 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Protocol
 
 from anyio import to_thread
-from msgspec.structs import replace
 
 from learnblock.blocks.block_sets import BlockSet
 from learnblock.errors import LearnBlockError
@@ -14,27 +13,20 @@ from learnblock.lessons.expert import Experts
 from learnblock.lessons.judging import Verdict, judge
 from learnblock.lessons.lesson import Step
 from learnblock.lessons.reading import OpenLesson
-from learnblock.project.files.lesson_folder import (
-    EVERYWHERE,
-    GOALS,
-    MOST,
-    PUZZLE,
-    QUIZ,
-    LessonFolder,
-    Progress,
-    StepProgress,
-)
+from learnblock.project.files.lesson_folder import EVERYWHERE, GOALS, LessonFolder, Progress
 from learnblock.project.files.project import Project
 from learnblock.server import catalog, messages
 from learnblock.server.runs.viewers import Viewer, Viewers
 from learnblock.server.sessions import lesson_stage as stage
 from learnblock.server.sessions import lesson_view as view
 from learnblock.server.sessions.hint_series import HintSeries
+from learnblock.server.sessions.kept_progress import KeptProgress
 from learnblock.server.sessions.lesson_trials import LessonCheck
 from learnblock.server.sessions.parts import Parts
 from learnblock.server.sessions.project_robots import ProjectRobots
 from learnblock.server.sessions.run_judge import Looked, RunJudge, world_of
 from learnblock.server.sessions.runs import Runs
+from learnblock.server.sessions.step_questions import StepQuestions
 
 if TYPE_CHECKING:
     from learnblock.lessons.hints import Hint
@@ -100,9 +92,8 @@ class Coach:
     ) -> None:
         self._pupil = pupil
         self._opened = opened
-        last = len(opened.lesson.step)
-        self._progress = replace(progress, step=min(progress.step, last))
-        self._keep = keep
+        self._progress = KeptProgress(opened, progress, lambda: keep(pupil.name))
+        self._questions = StepQuestions(opened, self._progress)
         self._experts = Experts(opened)
         self._looked: Looked | None = None
         self._hints = HintSeries()
@@ -112,16 +103,12 @@ class Coach:
     @property
     def number(self) -> int:
         """The number of the current step, from 1."""
-        return self._progress.step
+        return self._progress.number
 
     @property
     def step(self) -> Step:
         """The current step."""
-        return self._opened.step(self.number)
-
-    @property
-    def _done(self) -> StepProgress:
-        return self._progress.of(self.number)
+        return self._progress.step
 
     # Pages.
 
@@ -152,12 +139,12 @@ class Coach:
         self._opened.step(number)
         self._pupil.runs.require_rest()
         before, after = (stage.group_of(self._opened, step) for step in (self.number, number))
-        keep = self._keep(self._pupil.name)
+        folder = self._progress.folder
         if before != after:
-            await to_thread.run_sync(keep.keep_program, before, self._pupil.project)
+            await to_thread.run_sync(folder.keep_program, before, self._pupil.project)
         self._forget()
-        self._set(replace(self._progress, step=number))
-        left = await to_thread.run_sync(keep.program, after) if before != after else None
+        self._progress.go_to(number)
+        left = await to_thread.run_sync(folder.program, after) if before != after else None
         await self._set_the_stage(left, fresh=before != after)
         await self._look()
         self._tell()
@@ -177,7 +164,7 @@ class Coach:
     async def begin(self) -> None:
         """Set up the first step of a new project."""
         self._show_blocks()
-        await self._save()
+        await self._progress.save()
         await self._look()
         self._tell()
 
@@ -219,7 +206,7 @@ class Coach:
             wanted = [mine, *start.parts[1:]]
             await self._pupil.restore(start.with_parts(wanted))
         self._show_blocks()
-        await self._save()
+        await self._progress.save()
 
     def _show_blocks(self) -> None:
         if blocks := stage.blocks_of(self._opened, self.number):
@@ -243,14 +230,14 @@ class Coach:
     async def _told(self, looked: Looked, *, live: bool) -> None:
         """Send the pages the results of the checks; after the run, its stars are earned."""
         self._looked = looked
-        earned = 0 if live else await self._earn(stars_of(looked.verdicts))
+        earned = 0 if live else await self._progress.earn(stars_of(looked.verdicts))
         self._pupil.viewers.send(
             messages.LessonGoals(
-                view.goals(looked.verdicts, self._done),
+                view.goals(looked.verdicts, self._progress.done),
                 live=live,
                 done=not live and GOALS in stars_of(looked.verdicts),
                 earned=earned,
-                steps=view.steps(self._opened, self._progress),
+                steps=view.steps(self._opened, self._progress.whole),
             )
         )
 
@@ -275,7 +262,7 @@ class Coach:
 
         async def passed() -> None:
             if number == self.number:
-                await self._earn((GOALS, EVERYWHERE))
+                await self._progress.earn((GOALS, EVERYWHERE))
                 self._tell()
 
         self._check.start(self._opened, number, document.blocktext, attempts, passed)
@@ -305,8 +292,7 @@ class Coach:
         if not self._hints.has_more:
             raise LearnBlockError("server-lesson-no-hint")
         self._hints = self._hints.longer()
-        self._change(replace(self._done, hints=min(self._done.hints + 1, MOST)))
-        await self._save()
+        await self._progress.count_hint()
         self._pupil.viewers.send(self._hints_now())
 
     def _hinted(self, looked: Looked) -> "tuple[Hint, ...]":
@@ -317,14 +303,14 @@ class Coach:
         elsewhere = Elsewhere(
             is_variant=self._pupil.variant > 0,
             is_other_robot=self._pupil.parts.first.robot.name != usual,
-            passes_usually=GOALS in self._done.stars,
+            passes_usually=GOALS in self._progress.done.stars,
         )
         world = world_of(self._opened, self.number)
         return hints(self.step, *seen, world=world, elsewhere=elsewhere)
 
     def _hints_now(self) -> messages.LessonHints:
         given = tuple(self._hints.shown())
-        return messages.LessonHints(given, self._hints.has_more, self._done.hints)
+        return messages.LessonHints(given, self._hints.has_more, self._progress.done.hints)
 
     # Questions.
 
@@ -334,22 +320,9 @@ class Coach:
         Raises:
             LearnBlockError: the step has no question, or no such answers.
         """
-        quiz = self.step.quiz
-        if quiz is None or any(index >= len(quiz.choices) for index in choices):
-            raise LearnBlockError("server-lesson-no-question")
-        chosen = set(choices)
-        right = chosen == {index for index, choice in enumerate(quiz.choices) if choice.right}
-        because = {
-            str(index): view.plain(choice.because)
-            for index, choice in enumerate(quiz.choices)
-            if index in chosen and choice.because is not None
-        }
-        self._change(
-            replace(self._done, quiz=tuple(sorted(chosen)), tries=min(self._done.tries + 1, MOST))
-        )
-        await self._earn((QUIZ,) if right else ())
+        judged = await self._questions.answer_quiz(choices)
         self._tell_steps()
-        return messages.QuizJudged(right, because)
+        return judged
 
     async def answer_puzzle(self, order: Sequence[int]) -> messages.PuzzleJudged:
         """Judge the order of the puzzle's pieces.
@@ -357,13 +330,7 @@ class Coach:
         Raises:
             LearnBlockError: the step has no puzzle, or no such pieces.
         """
-        puzzle, _ = view.puzzle(self._opened, self.step, self._done)
-        if puzzle is None or any(index >= len(puzzle.pieces) for index in order):
-            raise LearnBlockError("server-lesson-no-question")
-        pieces = [puzzle.pieces[index] for index in order]
-        judged = view.judged_puzzle(self._opened, self.step, pieces)
-        self._change(replace(self._done, tries=min(self._done.tries + 1, MOST)))
-        await self._earn((PUZZLE,) if judged.right else ())
+        judged = await self._questions.answer_puzzle(order)
         self._tell_steps()
         return judged
 
@@ -375,19 +342,19 @@ class Coach:
     def _tell_steps(self) -> None:
         """Send the pages the earned stars."""
         verdicts = self._looked.verdicts if self._looked else ()
-        steps = view.steps(self._opened, self._progress)
+        steps = view.steps(self._opened, self._progress.whole)
         self._pupil.viewers.send(
-            messages.LessonGoals(view.goals(verdicts, self._done), steps=steps)
+            messages.LessonGoals(view.goals(verdicts, self._progress.done), steps=steps)
         )
 
     def _shown(self) -> messages.LessonShown:
-        step, done = self.step, self._done
+        step, done = self.step, self._progress.done
         puzzle, _ = view.puzzle(self._opened, step, done)
         return messages.LessonShown(
             name=self._opened.name,
             title=view.plain(self._opened.lesson.title),
             level=self._opened.lesson.level,
-            steps=view.steps(self._opened, self._progress),
+            steps=view.steps(self._opened, self._progress.whole),
             step=self.number,
             text=view.plain(step.text),
             drawings=view.drawings(step, puzzle.pieces if puzzle else ()),
@@ -412,24 +379,6 @@ class Coach:
         if self._judge:
             self._judge.forget()
         self._hints = HintSeries()
-
-    def _set(self, progress: Progress) -> None:
-        self._progress = progress
-
-    def _change(self, done: StepProgress) -> None:
-        self._set(self._progress.with_step(self.number, done))
-
-    async def _earn(self, stars: Sequence[str]) -> int:
-        """Earn stars of the current step, and save; return how many are new."""
-        names = tuple(catalog.star_names(self.step))
-        new = [star for star in stars if star in names and star not in self._done.stars]
-        self._change(replace(self._done, stars=(*self._done.stars, *new)))
-        await self._save()
-        return len(new)
-
-    async def _save(self) -> None:
-        keep = self._keep(self._pupil.name)
-        await to_thread.run_sync(keep.keep_progress, self._progress)
 
 
 def stars_of(verdicts: Sequence[Verdict]) -> tuple[str, ...]:
