@@ -6,8 +6,9 @@ from typing import Any
 
 import msgspec
 
-from learnblock.lessons.evidence import Collector, Evidence
+from learnblock.lessons.evidence import Evidence, evidence_so_far
 from learnblock.lessons.lesson import Lesson, Step
+from learnblock.lessons.trace_lines import TraceLines
 from learnblock.running import Report
 
 STEP = Step(title="Drive", phase="make", text="Drive.")
@@ -65,10 +66,10 @@ def evidence(
     robot: str = "",
 ) -> Evidence:
     """What is known of a run with these lines; it is over unless `report` is None."""
-    collector = Collector()
+    written = TraceLines()
     for line in lines:
         if "collision" not in line:
-            collector.write(msgspec.json.encode(line) + b"\n")
-    seen = collector.evidence(report.time if report else now, report, robot=robot)
+            written.write(msgspec.json.encode(line) + b"\n")
+    seen = evidence_so_far(written, report.time if report else now, report, robot=robot)
     collisions = [line for line in lines if "collision" in line]
     return replace(seen, lines=[*seen.lines, *collisions])

@@ -173,49 +173,35 @@ class Evidence:
         return moments
 
 
-class Collector:
-    """Takes the lines of a run's trace, and shows what has happened so far.
+def evidence_so_far(
+    lines: TraceLines,
+    now: float,
+    report: Report | None = None,
+    collisions: Mapping[str, Sequence[Collision]] | None = None,
+    robot: str = "",
+) -> Evidence:
+    """The facts about a run, which may still go on in another thread.
 
-    It is written in one thread, and may be looked at from another.
+    Args:
+        lines: the lines of its trace.
+        now: seconds of the robot's time.
+        report: the report, when the run is over.
+        collisions: those of recorders, by the robot's name; a single robot has none: "".
+        robot: the name of the robot, among several.
     """
-
-    def __init__(self) -> None:
-        self._lines = TraceLines()
-
-    def write(self, lines: bytes, /) -> None:
-        """Add lines as a recorder writes them."""
-        self._lines.write(lines)
-
-    def evidence(
-        self,
-        now: float,
-        report: Report | None = None,
-        collisions: Mapping[str, Sequence[Collision]] | None = None,
-        robot: str = "",
-    ) -> Evidence:
-        """What has happened so far.
-
-        Args:
-            now: seconds of the robot's time.
-            report: the report, when the run is over.
-            collisions: those of recorders, by the robot's name; a single robot has none: "".
-            robot: the name of the robot, among several.
-        """
-        collided = [
-            _line(name, collision)
-            for name, bumps in (collisions or {}).items()
-            for collision in bumps
-        ]
-        return Evidence(self._lines.with_more(collided), report, now, robot)
+    collided = [
+        _line(name, collision) for name, bumps in (collisions or {}).items() for collision in bumps
+    ]
+    return Evidence(lines.with_more(collided), report, now, robot)
 
 
 def evidence_of(result: RunResult) -> Evidence:
     """The facts about a finished run."""
-    collector = Collector()
-    collector.write(result.trace)
+    lines = result.lines if isinstance(result.lines, TraceLines) else TraceLines(result.lines)
+    lines.write(result.trace)
     reports = result.team or {result.robot: result.report}
     collisions = {name: report.collisions for name, report in reports.items()}
-    evidence = collector.evidence(result.report.time, result.report, collisions, result.robot)
+    evidence = evidence_so_far(lines, result.report.time, result.report, collisions, result.robot)
     return replace(evidence, team=reports)
 
 

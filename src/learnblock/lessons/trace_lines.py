@@ -29,16 +29,39 @@ class TraceLines(Sequence[Line]):
     def __init__(self, lines: Iterable[Line] = ()) -> None:
         self._times: list[float | None] = []
         self._abouts: list[Line] = []
-        #: What steps are about, by its bytes.
-        self._steps: dict[bytes, Line] = {}
+        #: What steps are about, by its bytes; of a recorder in this process, by its identity.
+        self._steps: dict[bytes | int, Line] = {}
         #: The numbers of the lines that are not among `_steps`.
         self._others: list[int] = []
         self._decoder = msgspec.json.Decoder()
         for line in lines:
-            self._keep(line)
+            self.keep(line)
+
+    def keep(self, line: Line, /) -> None:
+        """Add a line; see `LineSink`."""
+        time = line.get("t")
+        if _is_time(time):
+            line = {key: value for key, value in line.items() if key != "t"}
+        # The number comes last: see `with_more`.
+        self._times.append(time if _is_time(time) else None)
+        self._abouts.append(line)
+        self._others.append(len(self._abouts) - 1)
+
+    def keep_steps(self, time: float, steps: Sequence[Line], /) -> None:
+        """Add lines of one time; see `LineSink`."""
+        time = round(time, 6)
+        for about in steps:
+            is_known = id(about) in self._steps
+            if not is_known and len(self._steps) < _MOST_STEPS:
+                self._steps[id(about)] = about
+                is_known = True
+            self._times.append(time)
+            self._abouts.append(about)
+            if not is_known:
+                self._others.append(len(self._abouts) - 1)
 
     def write(self, data: bytes) -> None:
-        """Add lines as a recorder writes them; what can't be read is left out."""
+        """Add lines as a recorder in another process wrote them; what can't be read is left out."""
         steps, times, abouts = self._steps, self._times, self._abouts
         before, time = b"", None
         for text in data.split(b"\n"):
@@ -63,7 +86,7 @@ class TraceLines(Sequence[Line]):
         copy._abouts = self._abouts.copy()
         copy._times = self._times[: len(copy._abouts)]
         for line in lines:
-            copy._keep(line)
+            copy.keep(line)
         return copy
 
     def steps(self) -> Collection[Line]:
@@ -138,16 +161,7 @@ class TraceLines(Sequence[Line]):
             # Not from a recorder.
             return
         if isinstance(line, dict) and (_is_time(line.get("t")) or "run" in line):
-            self._keep(line)
-
-    def _keep(self, line: Line) -> None:
-        time = line.get("t")
-        if _is_time(time):
-            line = {key: value for key, value in line.items() if key != "t"}
-        # The number comes last: see `with_more`.
-        self._times.append(time if _is_time(time) else None)
-        self._abouts.append(line)
-        self._others.append(len(self._abouts) - 1)
+            self.keep(line)
 
 
 def kind_of(about: Line) -> str:

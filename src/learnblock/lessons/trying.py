@@ -4,7 +4,6 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cached_property
-from io import BytesIO
 from pathlib import Path
 from threading import Lock
 
@@ -16,6 +15,7 @@ from learnblock.lessons.expert import Experts
 from learnblock.lessons.judging import Verdict, judge
 from learnblock.lessons.lesson import Partner
 from learnblock.lessons.opened import OWN_ROBOT, OpenLesson
+from learnblock.lessons.trace_lines import TraceLines
 from learnblock.running import Options, Source
 from learnblock.running.batch import Batch
 from learnblock.running.job import Job
@@ -238,11 +238,11 @@ class StepRuns:
         for attempt in wanted:
             if self.switch.is_stopped:
                 return
-            file = BytesIO()
-            run = TeamRun(self._team(attempt), trace=file)
+            lines = TraceLines()
+            run = TeamRun(self._team(attempt), lines=lines)
             with self.switch.ends(run.stop):
                 reports = run.run().robots
             own = reports[OWN_ROBOT]
             if own.ended == How.STOPPED:
                 return
-            yield attempt, RunResult(own, file.getvalue(), robot=OWN_ROBOT, team=reports)
+            yield attempt, RunResult(own, lines=lines, robot=OWN_ROBOT, team=reports)

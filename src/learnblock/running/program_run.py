@@ -22,7 +22,8 @@ from learnblock.runtime.process import ProcessWorker, Worker, one_processor
 from learnblock.runtime.program import Program
 from learnblock.runtime.run import Run
 from learnblock.runtime.standby import Standby
-from learnblock.runtime.trace import Recorder, Trace, TraceSink, record
+from learnblock.runtime.trace import Recorder, Trace, record
+from learnblock.runtime.trace_sinks import LineSink, TraceSink
 from learnblock.runtime.values import plain
 from learnblock.runtime.watcher import Watcher
 
@@ -40,7 +41,8 @@ class ProgramRun:
     Args:
         job: what is asked for. Whoever makes the run sees to its keys, its trace and its process,
             through the arguments below.
-        trace: takes the lines of the trace, such as a file; None for none.
+        trace: the file of the trace; None for none.
+        lines: takes the lines of the trace themselves; None for nothing.
         watcher: receives events as they happen.
         worker: creates the worker that runs the program; a process by default.
         debugger: pauses and steps the program, and stops it at breakpoints.
@@ -56,6 +58,7 @@ class ProgramRun:
         job: Job,
         *,
         trace: TraceSink | None = None,
+        lines: LineSink | None = None,
         watcher: Watcher | None = None,
         worker: Callable[[], Worker] = ProcessWorker,
         debugger: Debugger | None = None,
@@ -66,7 +69,7 @@ class ProgramRun:
         patience: Patience = PATIENCE,
     ) -> None:
         self.job = job
-        self.trace = Trace(trace, log)
+        self.trace = Trace(trace, log, lines)
         #: The robot as the page shows it, once the program has created it, if it is monitored.
         self.monitor: Monitor | None = None
         self._debugger = debugger

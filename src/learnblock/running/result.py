@@ -1,7 +1,8 @@
 """What came of a run, and how it is sent by the process that made it."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import msgspec
 
@@ -15,7 +16,8 @@ class RunResult:
 
     Args:
         report: its report, with what it printed.
-        trace: its trace, if the job wants it.
+        trace: its trace, if the job wants it, as another process has written it.
+        lines: the lines of its trace, if it was made in this process for someone who looks at them.
         isolated: whether the program ran in a process of its own.
         lost: why the run could not be made, which is not its program's fault; "" if it was made.
         robot: among several, the name of the robot that is looked at.
@@ -28,6 +30,7 @@ class RunResult:
     lost: str = ""
     robot: str = ""
     team: Mapping[str, Report] = field(default_factory=dict)
+    lines: Sequence[Mapping[str, Any]] = ()
 
 
 def packed(result: RunResult) -> bytes:

@@ -23,7 +23,8 @@ from learnblock.runtime.log.keeping import RunLog, TeamLog
 from learnblock.runtime.post import Post
 from learnblock.runtime.process import ProcessWorker, Worker
 from learnblock.runtime.run import Run
-from learnblock.runtime.trace import MemberTrace, Recorder, Trace, TraceSink, record
+from learnblock.runtime.trace import MemberTrace, Recorder, Trace, record
+from learnblock.runtime.trace_sinks import LineSink, TraceSink
 from learnblock.runtime.values import plain
 from learnblock.runtime.watcher import Watcher
 
@@ -55,7 +56,8 @@ class TeamRun:
     Args:
         jobs: the runs by the names of their robots, in the order in which they take turns. What
             the options of the first one say of the world, its pace and the time holds for all.
-        trace: takes the lines of the trace, such as a file; None for none.
+        trace: the file of the trace; None for none.
+        lines: takes the lines of the trace themselves; None for nothing.
         watch: creates what receives the events of the robot with a name.
         debug: creates what pauses a robot's program; None for no pauses.
         monitored: whether the robots have monitors, for a page.
@@ -74,6 +76,7 @@ class TeamRun:
         jobs: Mapping[str, Job],
         *,
         trace: TraceSink | None = None,
+        lines: LineSink | None = None,
         watch: Callable[[str], Watcher] = lambda _: Watcher(),
         debug: Callable[[str], Debugger | None] = lambda _: None,
         monitored: bool = False,
@@ -82,7 +85,7 @@ class TeamRun:
         logs: Mapping[str, RunLog] | None = None,
     ) -> None:
         self.jobs = dict(jobs)
-        self.trace = Trace(trace)
+        self.trace = Trace(trace, lines=lines)
         twins = [name for name, job in self.jobs.items() if _twin(job)]
         #: Whether the same programs, world and seed give the same run.
         self.is_deterministic = len(twins) == len(self.jobs)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache, partial
 from inspect import isroutine
-from typing import Any, Protocol
+from typing import Any
 
 import msgspec
 
@@ -17,6 +17,7 @@ from learnblock.installation import version
 from learnblock.runtime.log.events import QUESTIONS
 from learnblock.runtime.log.keeping import RunLog, TeamLog
 from learnblock.runtime.log.sensing import keep_operations, keep_readings
+from learnblock.runtime.trace_sinks import LineSink, TraceSink, about
 from learnblock.runtime.turns import CountedSteps
 from learnblock.runtime.values import is_small, plain
 
@@ -37,23 +38,24 @@ MOST_COLLISIONS = 1000
 _encode = msgspec.json.Encoder(enc_hook=plain).encode
 
 
-class TraceSink(Protocol):
-    """Takes the lines of a trace as they are written: a file, or what looks at the run."""
-
-    def write(self, lines: bytes, /) -> object: ...
-
-
 class Trace:
     """Lines of JSON, written and hashed as events happen.
 
     Args:
         file: where the lines are written to, if anywhere.
         log: the log of the run, if there is one; it keeps the same lines.
+        lines: takes the lines themselves, if anything looks at the run.
     """
 
-    def __init__(self, file: TraceSink | None = None, log: RunLog | None = None) -> None:
+    def __init__(
+        self,
+        file: TraceSink | None = None,
+        log: RunLog | None = None,
+        lines: LineSink | None = None,
+    ) -> None:
         self._file = file
         self.log = log
+        self.lines = lines
         self._hash = hashlib.sha256()
         #: Lines to be hashed together: that takes a tenth of the time.
         self._unhashed: list[bytes] = []
@@ -62,7 +64,7 @@ class Trace:
 
     def write(self, line: Mapping[str, Any]) -> None:
         text = _encode(line) + b"\n"
-        self._write_text(text)
+        self._write_text(text, lambda lines: lines.keep(line))
         if self.log:
             self.log.happened(line.get("t", 0.0), text)
 
@@ -71,19 +73,28 @@ class Trace:
         if self.log:
             self.log.happened(line["t"], _encode(line) + b"\n")
 
-    def write_steps(self, time: float, text: bytes) -> None:
-        """Write lines about the program's steps, which are already JSON."""
-        self._write_text(text)
+    def write_steps(self, time: float, text: bytes, steps: Sequence[Mapping[str, Any]]) -> None:
+        """Write lines about the program's steps, which are already JSON.
+
+        Args:
+            time: their time.
+            text: the lines.
+            steps: the same, if `lines` wants them.
+        """
+        self._write_text(text, lambda lines: lines.keep_steps(time, steps))
         if self.log:
             self.log.stepped(time, text)
 
-    def _write_text(self, text: bytes) -> None:
+    def _write_text(self, text: bytes, keep: Callable[[LineSink], object]) -> None:
         with self._writing:
             self._unhashed.append(text)
             if len(self._unhashed) >= _HASHED_TOGETHER:
                 self._hash_lines()
             if self._file:
                 self._file.write(text)
+            # One that holds no lines yet may be false.
+            if self.lines is not None:
+                keep(self.lines)
 
     @property
     def sha256(self) -> str:
@@ -111,7 +122,7 @@ class MemberTrace(Trace):
     """
 
     def __init__(self, shared: Trace, log: RunLog, team: TeamLog | None) -> None:
-        super().__init__(log=log)
+        super().__init__(log=log, lines=shared.lines)
         self._shared = shared
         self._team = team
 
@@ -127,8 +138,8 @@ class MemberTrace(Trace):
         if self._team and not _DECISIVE.isdisjoint(line):
             self._team.happened(line["t"], _encode(line) + b"\n")
 
-    def _write_text(self, text: bytes) -> None:
-        self._shared._write_text(text)  # noqa: SLF001 - of the same class
+    def _write_text(self, text: bytes, keep: Callable[[LineSink], object]) -> None:
+        self._shared._write_text(text, keep)  # noqa: SLF001 - of the same class
 
 
 @dataclass(frozen=True, slots=True)
@@ -274,11 +285,12 @@ class Recorder(Witness):
         noted, self._noted = self._noted, []
         time = self.time()
         if self._turns:
-            for text in noted:
-                self._turns.step(time, text)
+            for step in noted:
+                self._turns.step(time, step)
             return
         before, between, after = self._frame(time)
-        self.trace.write_steps(time, f"{before}{between.join(noted)}{after}".encode())
+        text = f"{before}{between.join(noted)}{after}".encode()
+        self.trace.write_steps(time, text, self._abouts(noted, after))
 
     def printed(self, text: str) -> None:
         self._write("print", text.removesuffix("\n"))
@@ -348,7 +360,12 @@ class Recorder(Witness):
 
     def _write_step(self, time: float, text: str) -> None:
         before, _, after = self._frame(time)
-        self.trace.write_steps(time, f"{before}{text}{after}".encode())
+        line = f"{before}{text}{after}".encode()
+        self.trace.write_steps(time, line, self._abouts([text], after))
+
+    def _abouts(self, steps: Sequence[str], after: str) -> Sequence[Mapping[str, Any]]:
+        """What the lines of steps are about, if the trace has anything that looks at them."""
+        return [about(step, after) for step in steps] if self.trace.lines is not None else ()
 
     def _command(self, told: "_Told", function: Function, *args: object) -> Any:
         # A loop may command the same speed a hundred times per second: only changes are recorded.

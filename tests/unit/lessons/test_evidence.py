@@ -4,8 +4,9 @@ from msgspec import structs
 
 from learnblock import robots, running
 from learnblock.lessons.checks import Drives, Ends, Happens, Printed
-from learnblock.lessons.evidence import Collector
+from learnblock.lessons.evidence import evidence_so_far
 from learnblock.lessons.judging import judge
+from learnblock.lessons.trace_lines import TraceLines
 from learnblock.lessons.trying import read_program
 from learnblock.running import Job, Options, ProgramRun
 from learnblock.runtime.trace import MOST_COLLISIONS, Recorder, Trace
@@ -33,20 +34,20 @@ class Looking(Watcher):
 
 def test_a_run_can_be_judged_while_it_goes_on():
     source, robot = read_program(PROGRAM), robots.find("sim-ebo")
-    collector = Collector()
+    lines = TraceLines()
     checks = (Drives(at_least=300), Happens(what=Printed(what="there")), Ends())
     step = structs.replace(STEP, check=checks)
 
     def look():
-        run_so_far = collector.evidence(run.recorder.time())
+        run_so_far = evidence_so_far(lines, run.recorder.time())
         return [one.state for one in judge(step, source.tree, run_so_far, None)]
 
     watcher = Looking(look)
     job = Job(running.program(source, robot), robot, Options(world="empty"))
-    run = ProgramRun(job, trace=collector, watcher=watcher)
+    run = ProgramRun(job, lines=lines, watcher=watcher)
     report = run.run()
     assert watcher.seen == [["open", "met", "open"]]
-    over = collector.evidence(report.time, report, {"": report.collisions})
+    over = evidence_so_far(lines, report.time, report, {"": report.collisions})
     assert [one.state for one in judge(step, source.tree, over, None)] == ["met"] * 3
 
 

@@ -1,9 +1,16 @@
 """The lines of a trace are kept small, and read back as they were written."""
 
+import io
+
 import msgspec
 import pytest
 
+from learnblock import robots, running
 from learnblock.lessons.trace_lines import TraceLines, kind_of
+from learnblock.running import Job, Options
+from learnblock.running.team import TeamRun
+from learnblock.runtime.inline import InlineWorker
+from runs import EXAMPLES
 
 LINES = [
     {"run": {"world": "square"}},
@@ -80,3 +87,18 @@ def test_what_no_recorder_wrote_is_left_out(text):
 
 def test_the_last_of_two_times_counts_as_in_any_json():
     assert [*written(b'{"t":1.0,"line":3,"t":2.0}\n')] == [{"line": 3, "t": 2.0}]
+
+
+@pytest.mark.parametrize("names", [("tags.bt",), ("flower.bt", "several/keeper.bt")])
+def test_who_looks_at_a_run_in_its_process_gets_the_lines_of_its_file(names):
+    robot, options = robots.find("sim-ebo"), Options(world="empty", seconds=3)
+    jobs = {
+        name: Job(running.program(running.read(EXAMPLES / name), robot), robot, options)
+        for name in names
+    }
+    file, lines = io.BytesIO(), TraceLines()
+    TeamRun(jobs, trace=file, lines=lines, worker=InlineWorker).run()
+    assert encoded(lines) == file.getvalue()
+    read = written(file.getvalue())
+    assert len(read.steps()) == len(lines.steps())
+    assert [*read.of_kind("line")] == [*lines.of_kind("line")]

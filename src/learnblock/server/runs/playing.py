@@ -16,7 +16,8 @@ from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.escalation import PATIENCE, Patience
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.program import Program
-from learnblock.runtime.trace import Recorder, TraceSink
+from learnblock.runtime.trace import Recorder
+from learnblock.runtime.trace_sinks import LineSink
 from learnblock.server import messages
 from learnblock.server.runs.escalation import escalate_async
 from learnblock.server.runs.function_call import FunctionCall
@@ -148,7 +149,7 @@ class Playing:
 
     def set_breakpoints(self, blocks: Iterable[str]) -> None:
         """Pause before these blocks only."""
-        self.run.set_breakpoints(lines(self.played, blocks))
+        self.run.set_breakpoints(first_lines(self.played, blocks))
 
     def ended(self, report: Report) -> messages.Ended:
         """Describe how the run ended."""
@@ -225,7 +226,7 @@ def prepared(
     listener: Listener,
     *,
     breakpoints: Iterable[str] = (),
-    trace: TraceSink | None = None,
+    lines: LineSink | None = None,
     paused: bool = False,
 ) -> Playing:
     """Prepare a run.
@@ -235,16 +236,16 @@ def prepared(
         job: its run.
         listener: receives the reports of the run.
         breakpoints: the blocks before which it pauses.
-        trace: takes the lines of the trace; None for nothing.
+        lines: takes the lines of the trace; None for nothing.
         paused: pause before the first line.
     """
     watcher = RunWatcher(listener)
     log = RunLog(job.program)
     run = ProgramRun(
         job,
-        trace=trace,
+        lines=lines,
         watcher=watcher,
-        debugger=Debugger(lines(played, breakpoints), paused=paused),
+        debugger=Debugger(first_lines(played, breakpoints), paused=paused),
         log=log,
         lacking=played.lacking,
         monitored=True,
@@ -259,7 +260,7 @@ def looking_at(played: Played, log: RunLog) -> Looking:
     return Looking(log, [played.block_at(line) for line in range(1, count + 1)])
 
 
-def lines(played: Played, blocks: Iterable[str]) -> frozenset[int]:
+def first_lines(played: Played, blocks: Iterable[str]) -> frozenset[int]:
     """The lines of Python that begin these blocks."""
     numbers = map(played.python_line, blocks)
     return frozenset(line for line in numbers if line is not None)

@@ -11,10 +11,10 @@ from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.program import Program
 from learnblock.runtime.status import State
-from learnblock.runtime.trace import TraceSink
+from learnblock.runtime.trace_sinks import LineSink
 from learnblock.server.runs.looking import Looking
 from learnblock.server.runs.player import Player
-from learnblock.server.runs.playing import Played, Playing, follow, lines, looking_at
+from learnblock.server.runs.playing import Played, Playing, first_lines, follow, looking_at
 from learnblock.server.runs.watcher import RunWatcher
 
 if TYPE_CHECKING:
@@ -170,17 +170,15 @@ class Participant:
 
     def debugger(self) -> Debugger:
         """What pauses the program."""
-        return Debugger(lines(self.played, self.breakpoints), paused=self.paused)
+        return Debugger(first_lines(self.played, self.breakpoints), paused=self.paused)
 
 
-async def play_together(
-    participants: Sequence[Participant], trace: TraceSink | None = None
-) -> None:
+async def play_together(participants: Sequence[Participant], lines: LineSink | None = None) -> None:
     """Run programs in one world from the beginning; if they can't begin, the pages show why.
 
     Args:
         participants: the robots, in the order in which they take turns.
-        trace: takes the lines of the trace; None for nothing.
+        lines: takes the lines of the trace; None for nothing.
 
     Raises:
         LearnBlockError: there is no room for all robots.
@@ -193,7 +191,7 @@ async def play_together(
     logs = {name: RunLog(job.program) for name, job in jobs.items()}
     team = TeamRun(
         jobs,
-        trace=trace,
+        lines=lines,
         watch=watchers.__getitem__,
         debug=debuggers.__getitem__,
         monitored=True,

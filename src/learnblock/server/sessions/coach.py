@@ -8,13 +8,13 @@ from anyio import to_thread
 
 from learnblock.blocks.block_sets import BlockSet
 from learnblock.errors import LearnBlockError
-from learnblock.lessons.evidence import Collector
 from learnblock.lessons.expert import Experts
 from learnblock.lessons.judging import Verdict, judge
 from learnblock.lessons.lesson import Step
 from learnblock.lessons.reading import OpenLesson
 from learnblock.project.files.lesson_folder import EVERYWHERE, GOALS, LessonFolder, Progress
 from learnblock.project.files.project import Project
+from learnblock.runtime.trace_sinks import LineSink
 from learnblock.server import catalog, messages
 from learnblock.server.runs.viewers import Viewer, Viewers
 from learnblock.server.sessions import lesson_stage as stage
@@ -214,13 +214,13 @@ class Coach:
 
     # Runs.
 
-    def watch(self) -> tuple[Collector, float]:
-        """Begin to judge a run that is about to start; return its collector and its limit in s."""
+    def watch(self) -> tuple[LineSink, float]:
+        """Begin to judge a run that is about to start: what takes its lines, and its limit in s."""
         self._forget_run()
         self._judge = RunJudge(
             self._opened, self.number, self._pupil.parts, self._experts, self._told
         )
-        return self._judge.collector, self.step.seconds
+        return self._judge.lines, self.step.seconds
 
     def ended(self) -> None:
         """Judge the run, whose programs have all ended."""

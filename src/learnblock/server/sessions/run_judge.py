@@ -11,10 +11,11 @@ from anyio import to_thread
 
 from learnblock.errors import LearnBlockError
 from learnblock.language.tree.nodes import Program as Tree
-from learnblock.lessons.evidence import Collector, Evidence
+from learnblock.lessons.evidence import Evidence, evidence_so_far
 from learnblock.lessons.expert import Experts
 from learnblock.lessons.judging import Verdict, judge
 from learnblock.lessons.opened import OpenLesson
+from learnblock.lessons.trace_lines import TraceLines
 from learnblock.server.sessions.parts import Parts
 
 #: Seconds between two looks at a running program; at least this many times the length of a look.
@@ -70,8 +71,8 @@ class RunJudge:
         self._experts = experts
         self._tell = tell
         self._tree = parts.first.document.good.tree
-        #: Takes the trace of the run.
-        self.collector = Collector()
+        #: The lines of the run's trace so far; its recorder adds to them in another thread.
+        self.lines = TraceLines()
         self._over = asyncio.Event()
         self._is_forgotten = False
         self._task = asyncio.create_task(self._follow())
@@ -116,7 +117,7 @@ class RunJudge:
         own = next(iter(found))
         report = reports.get(own)
         collisions = {name: player.collisions for name, player in found.items()}
-        evidence = self.collector.evidence(0.0, report, collisions, own)
+        evidence = evidence_so_far(self.lines, 0.0, report, collisions, own)
         now = report.time if report else _last_time(evidence)
         evidence = dataclasses.replace(evidence, now=now, team=reports)
         step, world = self._opened.step(self._step), world_of(self._opened, self._step)

@@ -14,7 +14,7 @@ from learnblock.project.files.history import PastRun
 from learnblock.robots import RobotEntry
 from learnblock.running import Options, may_use_network
 from learnblock.running.job import Job
-from learnblock.runtime.trace import TraceSink
+from learnblock.runtime.trace_sinks import LineSink
 from learnblock.server import messages
 from learnblock.server.runs.function_call import FunctionCall
 from learnblock.server.runs.player import Player
@@ -31,8 +31,8 @@ SEED = 0
 class RunObserver(Protocol):
     """Judges the runs of a project."""
 
-    def watch(self) -> tuple[TraceSink, float]:
-        """Begin to judge a run that is about to start: what takes its trace, and its limit in s."""
+    def watch(self) -> tuple[LineSink, float]:
+        """Begin to judge a run that is about to start: what takes its lines, and its limit in s."""
 
     def ended(self) -> None:
         """Judge the run, whose programs have all ended."""
@@ -148,19 +148,19 @@ class Runs:
         self._endings.clear()
         self._last_run = (time(), await self._project.archive.keep_version("run"))
         jobs = [await self._job(part, member, part.document) for part, member in self._robots]
-        trace = None
+        lines = None
         if coach := self._project.coach:
-            trace, seconds = coach.watch()
+            lines, seconds = coach.watch()
             jobs[0] = replace(jobs[0], options=replace(jobs[0].options, seconds=seconds))
         try:
-            await self._start(jobs, trace, player if paused else None)
+            await self._start(jobs, lines, player if paused else None)
         except Exception:
             if coach:
                 coach.ended()
             raise
 
     async def _start(
-        self, jobs: Sequence[Job], trace: TraceSink | None, paused: Player | None
+        self, jobs: Sequence[Job], lines: LineSink | None, paused: Player | None
     ) -> None:
         if len(jobs) == 1:
             [(part, player)] = self._robots
@@ -169,7 +169,7 @@ class Runs:
                 jobs[0],
                 player,
                 breakpoints=part.breakpoints,
-                trace=trace,
+                lines=lines,
                 paused=player is paused,
             )
             await player.run(playing)
@@ -185,7 +185,7 @@ class Runs:
             )
             for (part, player), job in zip(self._robots, jobs, strict=True)
         ]
-        await play_together(participants, trace)
+        await play_together(participants, lines)
 
     async def try_out(self, part: Part, player: Player, call: FunctionCall) -> None:
         """Run a single function on one of the robots instead of the programs."""
