@@ -329,8 +329,8 @@ def test_a_scan_without_robots_finds_nothing(own_home):
     assert list(Robot.scan(0.4)) == []
 
 
-# The paper's programs, unchanged. The worlds may run faster than real time, but the wire has no time
-# of its own; so the program is slower to react, and the tolerances allow for it.
+# The paper's programs, unchanged. The worlds may run faster than real time, but the wire has no
+# time of its own; so the program is slower to react, and the tolerances allow for it.
 
 
 def test_it_follows_the_line_into_its_curve_like_its_twin(monkeypatch):
