@@ -29,8 +29,18 @@ end
 @pytest.fixture
 def pupil(sit_down, server):
     """A pupil whose program has run, and has missed its goal."""
-    pupil = sit_down(server, empty=True)
+    return after_a_run(sit_down(server, empty=True, flat=True))
+
+
+@pytest.fixture
+def onlooker(sit_down, server):
+    """The same, with the picture of the world."""
+    return after_a_run(sit_down(server, empty=True))
+
+
+def after_a_run(pupil):
     pupil.choose("World", "Square")
+    pupil.choose("Speed", "Fastest")
     pupil.write("blocktext", DRIVING)
     pupil.wait_until_saved()
     pupil.run_to_the_end()
@@ -71,35 +81,35 @@ def test_the_chip_of_a_goal_asks_about_it(pupil):
     expect_answer(pupil, re.compile("^Why was the goal .* not reached"))
 
 
-def test_the_robot_is_asked_about_the_moment_that_is_shown(pupil):
-    look(pupil, 1.5)
-    pupil.page.locator(".world-view").press("y")
-    expect_answer(pupil, "What was the robot doing at 1.5 s?", "move_straight(60)")
-    pupil.picture("robot")
-    others = pupil.page.get_by_role("heading", name="Other questions about this moment")
+def test_the_robot_is_asked_about_the_moment_that_is_shown(onlooker):
+    look(onlooker, 1.5)
+    onlooker.page.locator(".world-view").press("y")
+    expect_answer(onlooker, "What was the robot doing at 1.5 s?", "move_straight(60)")
+    onlooker.picture("robot")
+    others = onlooker.page.get_by_role("heading", name="Other questions about this moment")
     expect(others).to_be_visible()
-    pupil.page.get_by_role("button", name="Why did the robot not stand still at 1.5 s?").click()
-    expect_answer(pupil, "Why did the robot not stand still at 1.5 s?")
+    onlooker.page.get_by_role("button", name="Why did the robot not stand still at 1.5 s?").click()
+    expect_answer(onlooker, "Why did the robot not stand still at 1.5 s?")
 
 
-def test_the_question_about_the_robot_is_in_a_menu_and_on_the_world(pupil):
-    look(pupil, 0.5)
-    pupil.page.get_by_role("button", name="Why? Why is the robot doing this?").click()
-    expect_answer(pupil, "What was the robot doing at 0.5 s?")
-    look(pupil, 2.5)
-    pupil.command("View and robot", "Why is the robot doing this?")
-    expect_answer(pupil, "What was the robot doing at 2.5 s?")
+def test_the_question_about_the_robot_is_in_a_menu_and_on_the_world(onlooker):
+    look(onlooker, 0.5)
+    onlooker.page.get_by_role("button", name="Why? Why is the robot doing this?").click()
+    expect_answer(onlooker, "What was the robot doing at 0.5 s?")
+    look(onlooker, 2.5)
+    onlooker.command("View and robot", "Why is the robot doing this?")
+    expect_answer(onlooker, "What was the robot doing at 2.5 s?")
 
 
-def test_a_click_on_the_robot_asks_about_it(pupil):
-    look(pupil, 1.5)
-    pupil.page.locator(".world-view").press("t")
-    x, y = robot(pupil)
-    pupil.page.mouse.click(x, y, button="right")
-    expect_answer(pupil, "What was the robot doing at 1.5 s?")
-    pupil.tab("Console")
-    pupil.page.mouse.click(x, y)
-    expect_answer(pupil, "What was the robot doing at 1.5 s?")
+def test_a_click_on_the_robot_asks_about_it(onlooker):
+    look(onlooker, 1.5)
+    onlooker.page.locator(".world-view").press("t")
+    x, y = robot(onlooker)
+    onlooker.page.mouse.click(x, y, button="right")
+    expect_answer(onlooker, "What was the robot doing at 1.5 s?")
+    onlooker.tab("Console")
+    onlooker.page.mouse.click(x, y)
+    expect_answer(onlooker, "What was the robot doing at 1.5 s?")
 
 
 def test_a_variable_is_asked_about(pupil):

@@ -83,16 +83,33 @@ def _listed_files():
 def pytest_collection_modifyitems(config, items):
     if not config.stash[IS_GATE]:
         return
+    if missing := _listed_in(config.args) - {name_of(item) for item in items}:
+        _report(f"{LIST} lists tests that do not exist: {sorted(missing)}", config)
     kept = set(_smoke(items)) & set(_samples(items)) - set(_exhaustive(items))
     config.hook.pytest_deselected(items=[item for item in items if item not in kept])
     items[:] = [item for item in items if item in kept]
 
 
+def _listed_in(folders):
+    """Return the names of the listed tests in these folders: `testpaths` may be changed."""
+    asked = [Path(folder).absolute() for folder in folders]
+    return {
+        name
+        for name in listed()
+        if any((TESTS / name.partition("::")[0]).is_relative_to(folder) for folder in asked)
+    }
+
+
+def _report(error, config):
+    """Report an error as one of collecting: a worker that raised it would end without a word."""
+    config.hook.pytest_collectreport(
+        report=pytest.CollectReport(str(LIST), "failed", longrepr=error, result=[])
+    )
+
+
 def _smoke(items):
     """Return the unit tests and the listed ones of the other folders."""
     names = listed()
-    if missing := names - {name_of(item) for item in items}:
-        raise pytest.UsageError(f"{LIST} lists tests that do not exist: {sorted(missing)}")
     return [item for item in items if folder_of(item) not in FOLDERS or name_of(item) in names]
 
 

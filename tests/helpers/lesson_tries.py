@@ -1,16 +1,20 @@
 """Many programs tried in a step of a lesson, in one batch."""
 
 import hashlib
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from functools import cache
 
 import msgspec
 
+from learnblock.lessons.checks import Ends
 from learnblock.lessons.judging import is_done
 from learnblock.lessons.mutants import Mutant
 from learnblock.lessons.reading import OpenLesson, find_lesson
-from learnblock.lessons.trying import Attempt, JudgedRun, StepRuns, attempts, read_program, try_step
+from learnblock.lessons.trying import Attempt, JudgedRun, StepRuns, attempts, read_program
 from learnblock.running.batch import Batch, WarmProcess
+from learnblock.running.job import Job
+from learnblock.runtime.inline import InlineWorker
 
 #: A lesson that comes with LearnBlock, read once by all tests.
 read_once = cache(find_lesson)
@@ -24,6 +28,8 @@ def tried(
     sources: Sequence[str],
     wanted: Sequence[Attempt],
     kept: WarmProcess | None = None,
+    *,
+    seconds: float | None = None,
 ) -> list[list[JudgedRun]]:
     """Try programs: the results of each, in the order of the attempts.
 
@@ -33,21 +39,37 @@ def tried(
         sources: the programs.
         wanted: the attempts of each.
         kept: a process that makes the runs, so that not every batch starts one.
+        seconds: the limit of each run with a single robot; by default that of the step.
     """
-    if opened.step(step).partners:
-        return [_in_order(try_step(opened, step, one, wanted), wanted) for one in sources]
     made: dict[tuple[int, int], JudgedRun] = {}
     with opened.world_file(step) as file:
-        programs = [StepRuns(opened, step, read_program(one), file) for one in sources]
-        jobs = [runs.job(attempt) for runs in programs for attempt in wanted]
+        # The programs of lessons can be trusted, and a team takes turns in one thread much faster.
+        programs = [
+            StepRuns(opened, step, read_program(one), file, worker=InlineWorker) for one in sources
+        ]
+        if opened.step(step).partners:
+            return [[_only(runs, attempt) for attempt in wanted] for runs in programs]
+        jobs = [_limited(runs.job(attempt), seconds) for runs in programs for attempt in wanted]
         for index, result in Batch(jobs, kept=kept).results():
             program, number = divmod(index, len(wanted))
             made[program, number] = programs[program].judged(wanted[number], result)
     return [[made[one, two] for two in range(len(wanted))] for one in range(len(sources))]
 
 
-def _in_order(found: Iterable[JudgedRun], wanted: Sequence[Attempt]) -> list[JudgedRun]:
-    return sorted(found, key=lambda one: wanted.index(one.attempt))
+def _limited(job: Job, seconds: float | None) -> Job:
+    return job if seconds is None else replace(job, options=replace(job.options, seconds=seconds))
+
+
+def _longest(opened: OpenLesson, step: int) -> float:
+    """After how many seconds a program that still runs has failed a check, and so can be ended."""
+    tried = opened.step(step)
+    ends = [check.within for check in tried.check if isinstance(check, Ends) and check.within]
+    return min([tried.seconds, *(within + 0.5 for within in ends)])
+
+
+def _only(runs: StepRuns, attempt: Attempt) -> JudgedRun:
+    [(_, result)] = runs.results([attempt])
+    return runs.judged(attempt, result)
 
 
 def behaviour(trace: bytes) -> str:
@@ -78,14 +100,16 @@ def tried_until_failed(
         kept: as of `tried`.
     """
     wanted = [one.attempt for one in right]
-    first = tried(opened, step, sources, wanted[:1], kept)
+    seconds = _longest(opened, step)
+    first = tried(opened, step, sources, wanted[:1], kept, seconds=seconds)
     open_ = [
         number
         for number, [one] in enumerate(first)
         if is_done(one.verdicts) or behaviour(one.result.trace) == behaviour(right[0].result.trace)
     ]
     if wanted[1:]:
-        more = tried(opened, step, [sources[number] for number in open_], wanted[1:], kept)
+        left = [sources[number] for number in open_]
+        more = tried(opened, step, left, wanted[1:], kept, seconds=seconds)
         for number, others in zip(open_, more, strict=True):
             first[number] += others
     return first

@@ -23,6 +23,7 @@ from learnblock.running.result import RunResult
 from learnblock.running.team import TeamRun
 from learnblock.runtime.ending import How
 from learnblock.runtime.limits import Limits
+from learnblock.runtime.process import ProcessWorker, Worker
 from learnblock.simulator import WorldDescription
 
 
@@ -161,6 +162,7 @@ class StepRuns:
         world: the name or the path of the world: see `OpenLesson.world_file`.
         limits: the resources that each program may use.
         switch: ends the runs.
+        worker: creates the worker of each program of a team; a process by default.
     """
 
     opened: OpenLesson
@@ -169,6 +171,7 @@ class StepRuns:
     world: str | None
     limits: Limits = Limits()  # noqa: RUF009 - it is frozen
     switch: StopSwitch = field(default_factory=StopSwitch)
+    worker: Callable[[], Worker] = ProcessWorker
 
     def results(
         self, wanted: Sequence[Attempt], at_once: int | None = None
@@ -239,7 +242,7 @@ class StepRuns:
             if self.switch.is_stopped:
                 return
             lines = TraceLines()
-            run = TeamRun(self._team(attempt), lines=lines)
+            run = TeamRun(self._team(attempt), lines=lines, worker=self.worker)
             with self.switch.ends(run.stop):
                 reports = run.run().robots
             own = reports[OWN_ROBOT]

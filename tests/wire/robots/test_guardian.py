@@ -15,6 +15,7 @@ from learnblock.ice import Adapter, Servant
 from learnblock.ice.robocomp import Layout, interfaces
 from learnblock.robots.guardian import Guardian
 from learnblock.robots.rcis import Robot, Settings
+from processes import runs, wait_until_gone
 from twins import let_pass, x_of
 from waiting import wait_for
 
@@ -36,20 +37,6 @@ for _ in range(600):
 """
 #: Seconds within which the motors must stop, and the mm that count as standing still.
 LIMIT, STILL = 0.5, 1.0
-
-
-def runs(pid):
-    """Whether a process is running, and not a zombie."""
-    try:
-        status = Path(f"/proc/{pid}/stat").read_text()
-    except (FileNotFoundError, ProcessLookupError):
-        return False
-    # The state follows the name in brackets.
-    return status.rpartition(")")[2].split()[0] != "Z"
-
-
-def wait_until_gone(pid):
-    wait_for(lambda: not runs(pid), "its guardian ends")
 
 
 @pytest.fixture

@@ -25,7 +25,7 @@ every_program = pytest.mark.parametrize(
     "path", PROGRAMS, ids=lambda path: path.parent.name if path.stem == "program" else path.stem
 )
 seeds = st.integers(min_value=0, max_value=2**32).map(BlockTrees)
-many = settings(suppress_health_check=list(HealthCheck), database=None, derandomize=True)
+many = settings(suppress_health_check=list(HealthCheck))
 
 
 def written(program, previous=None):

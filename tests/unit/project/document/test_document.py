@@ -407,7 +407,7 @@ def test_every_program_is_the_same_from_each_of_its_views(path):
 
 
 @given(st.integers(min_value=0))
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=100)
 def test_random_programs_are_the_same_from_each_of_their_views(seed):
     assert_same_from_each_view(document(language.format(Trees(seed).program())))
 
@@ -421,7 +421,7 @@ def assert_same_from_each_view(one):
 
 
 @given(st.text(max_size=60), st.sampled_from(["blocktext", "python"]))
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=100)
 def test_any_typed_text_becomes_a_document(text, notation):
     one = document().with_text(notation, text)
     assert getattr(one, notation) == text.removeprefix("\ufeff")

@@ -137,13 +137,12 @@ projects = st.builds(
 
 
 @given(projects)
-@settings(derandomize=True)
 def test_any_project_is_read_as_it_was_written(project):
     assert project == decode(encode(project), project.name)
 
 
 @given(st.binary(max_size=300))
-@settings(max_examples=300, derandomize=True)
+@settings(max_examples=300)
 def test_any_bytes_are_a_project_or_refused(data):
     assert_read_or_refused(data)
 
@@ -157,13 +156,13 @@ _keys = ("learnblock", "blocktext", "python", "workspace", "robot", "world", "br
 
 
 @given(st.dictionaries(st.sampled_from(_keys) | texts, _json, max_size=6))
-@settings(max_examples=500, derandomize=True)
+@settings(max_examples=500)
 def test_any_json_is_a_project_or_refused(values):
     assert_read_or_refused(json.dumps({"learnblock": 1, "blocktext": [], **values}).encode())
 
 
 @given(st.integers(min_value=0), st.binary(max_size=4))
-@settings(max_examples=300, derandomize=True)
+@settings(max_examples=300)
 def test_a_file_with_a_mistake_is_a_project_or_refused(place, put):
     workspace = Document.from_text("x = 1\n", "learnblock.robots.sim_ebo", builtin()).workspace
     data = encode(Project("p", SQUARE, "x=1\n", workspace))
@@ -284,7 +283,6 @@ def test_a_name_is_the_same_in_each_unicode_form(folder):
 
 
 @given(st.text(max_size=120))
-@settings(derandomize=True)
 def test_any_wish_leads_to_a_valid_name(tmp_path_factory, wish):
     folder = ProjectFolder(tmp_path_factory.mktemp("projects"))
     first = folder.free_name(wish)
@@ -492,7 +490,6 @@ def test_a_program_with_mistakes_has_no_python(folder):
 
 
 @given(st.text(max_size=40), st.sampled_from(["a.bt", "a.py", "a.learnblock", "a", ""]))
-@settings(derandomize=True)
 def test_any_text_is_imported_or_refused(tmp_path_factory, text, filename):
     folder = ProjectFolder(tmp_path_factory.mktemp("projects"))
     try:

@@ -1,7 +1,7 @@
 from itertools import pairwise
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from clocks import Clock
@@ -98,7 +98,6 @@ def test_runs_are_listed_newest_first_up_to_a_limit(history):
 
 
 @given(st.binary(max_size=200))
-@settings(derandomize=True)
 def test_a_damaged_list_of_runs_does_not_prevent_a_run(tmp_path_factory, data):
     history = History("p", tmp_path_factory.mktemp("history"))
     (history.folder / "runs.json").write_bytes(data)

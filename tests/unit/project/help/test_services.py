@@ -347,7 +347,7 @@ def test_a_description_works_while_the_text_has_mistakes():
     st.integers(-2, 9),
     st.integers(-2, 60),
 )
-@settings(max_examples=150, derandomize=True)
+@settings(max_examples=150)
 def test_any_position_in_any_text_has_an_answer(text, notation, line, column):
     one = document("x = 1\n").with_text(notation, text)
     found = complete(one, notation, line, column)
