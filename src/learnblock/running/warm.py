@@ -22,8 +22,9 @@ from time import monotonic, process_time
 from types import FrameType
 from typing import NoReturn
 
-from learnblock import skills
+from learnblock import robots, skills
 from learnblock.i18n import Phrase
+from learnblock.installation import version
 from learnblock.running.job import Job, unpacked
 from learnblock.running.plain import is_plain
 from learnblock.running.program_run import ProgramRun
@@ -39,6 +40,7 @@ from learnblock.runtime.inline import InlineWorker
 from learnblock.runtime.limits import MEGABYTE, Limits
 from learnblock.runtime.process import ProcessWorker, Worker
 from learnblock.runtime.watcher import Watcher
+from learnblock.storage import skill_files
 
 #: Before each result: the index of its job, whether its program was isolated, and its length.
 HEAD = struct.Struct(">I?I")
@@ -127,7 +129,7 @@ def main() -> None:
         while length := stream.read(8):
             jobs, at_once = unpacked(stream.read(int.from_bytes(length)))
             for job in jobs:
-                job.robot.load()
+                _load(job)
             if not gc.get_freeze_count():
                 # A child that collected what we have loaded would copy all of it.
                 gc.freeze()
@@ -139,6 +141,17 @@ def main() -> None:
                 return
             if runs.is_stopped:
                 return
+
+
+def _load(job: Job) -> None:
+    """Read what each child would read again, since it can't keep it for the next one."""
+    robot = job.robot.load()
+    robot.known_equipment()
+    # Our caller has made such a world, too: it is possible.
+    robot.check_wishes(job.options.wishes)
+    robots.entries()
+    skill_files.plugins()
+    version()
 
 
 def _skill_modules() -> Iterator[str]:

@@ -4,10 +4,10 @@ import os
 import sys
 from collections.abc import Callable, Iterable
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from importlib.metadata import EntryPoint
+    from importlib.metadata import EntryPoint, EntryPoints
 
 #: The folders of packages with the times at which they last changed.
 _State = tuple[tuple[str, int], ...]
@@ -21,7 +21,7 @@ def entry_points(group: str) -> "Iterable[EntryPoint]":
     """
     from importlib import metadata  # noqa: PLC0415 - slow, and few callers need it at once
 
-    return _found(metadata.entry_points, group, _state())
+    return _all(metadata.entry_points, _state()).select(group=group)
 
 
 def _state() -> _State:
@@ -36,7 +36,7 @@ def _changed(folder: str) -> int:
         return 0
 
 
-@lru_cache(maxsize=16)
-def _found(search: Callable[..., Any], group: str, state: _State) -> "Iterable[EntryPoint]":  # noqa: ARG001 - searched again after a change
-    points: Iterable[EntryPoint] = search(group=group)
-    return points
+@lru_cache(maxsize=4)
+def _all(search: "Callable[[], EntryPoints]", state: _State) -> "EntryPoints":  # noqa: ARG001 - searched again after a change
+    """The entry points of all groups: a search for one of them reads the same files."""
+    return search()
