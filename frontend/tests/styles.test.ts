@@ -7,7 +7,7 @@ import { expect, test } from "vitest";
 const SOURCES = fileURLToPath(new URL("../src", import.meta.url));
 const THEME = "ui/theme.css";
 /** Its lengths are millimetres of a world. */
-const IN_MILLIMETRES = "features/world-editor/shapes.css";
+const IN_MILLIMETRES = "views/world/plan/shapes.css";
 const DECLARATION = /(?<=^|[\s;{])(-{0,2}[a-z][\w-]*)\s*:\s*([^;{}]*)(?=[;}])/g;
 const COLOUR =
   /#[\da-f]{3,8}\b|\b(?:rgb|hsl|hwb|lab|lch|oklab|oklch|color|light-dark)a?\(|(?<![\w-])(?:black|silver|gr[ae]y|white|maroon|red|purple|fuchsia|green|lime|olive|yellow|navy|blue|teal|aqua|orange|pink|gold|brown|cyan|magenta|violet|indigo|crimson|tomato)(?![\w-])/i;

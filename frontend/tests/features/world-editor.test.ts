@@ -1,6 +1,5 @@
 import { expect, test } from "vitest";
 import { boundsOf, defaultsOf, fieldsOf } from "../../src/features/world-editor/fields";
-import { SORTS, type Sort, type Thing } from "../../src/features/world-editor/sorts";
 import {
   added,
   created,
@@ -10,32 +9,22 @@ import {
   removed,
   replaced,
   snapped,
-  thingAt,
   turned,
 } from "../../src/features/world-editor/things";
 import { WorldEdit } from "../../src/features/world-editor/world-edit";
+import { SORTS, type Sort, type Thing, thingAt } from "../../src/views/world/plan/sorts";
 import type { WorldValues } from "../../src/views/world/scenery/description";
-
-function world(): WorldValues {
-  const lists = Object.fromEntries(SORTS.map((sort) => [sort, []]));
-  const floor = { size: [2000, 1000], colour: "white" };
-  return {
-    title: "",
-    floor,
-    ...lists,
-    goal: { reach: [], follow: [], visit: [], tour: [], stop: [], show: [], avoid: [] },
-  } as unknown as WorldValues;
-}
+import { emptyWorld } from "../worlds";
 
 /** A world with a line and a tag, so that every sort can be made. */
 function furnished(): WorldValues {
-  const [withLine] = added(world(), "line", created(world(), "line", [0, 0]));
+  const [withLine] = added(emptyWorld(), "line", created(emptyWorld(), "line", [0, 0]));
   return added(withLine, "tag", created(withLine, "tag", [0, 0]))[0];
 }
 
 test("goals need the line or tag that they name", () => {
-  expect(missing(world(), "follow")).toBe("line");
-  expect(missing(world(), "visit")).toBe("tag");
+  expect(missing(emptyWorld(), "follow")).toBe("line");
+  expect(missing(emptyWorld(), "visit")).toBe("tag");
   expect(SORTS.filter((sort) => missing(furnished(), sort))).toEqual([]);
 });
 
@@ -53,14 +42,14 @@ test.each(SORTS)("a %s that was made fits the schema's defaults", (sort) => {
 
 test("a thing that moves there and back is where it was", () => {
   for (const sort of ["wall", "box", "cylinder", "face", "light", "line"] as const) {
-    const [there, ref] = added(world(), sort, created(world(), sort, [0, 0]));
+    const [there, ref] = added(emptyWorld(), sort, created(emptyWorld(), sort, [0, 0]));
     const away = replaced(there, ref, moved(there, ref, 120, -80) as Thing);
     expect(moved(away, ref, -120, 80)).toEqual(thingAt(there, ref));
   }
 });
 
 test("a thing stays on the floor", () => {
-  const [there, ref] = added(world(), "box", created(world(), "box", [0, 0]));
+  const [there, ref] = added(emptyWorld(), "box", created(emptyWorld(), "box", [0, 0]));
   expect(moved(there, ref, 9999, 9999)).toMatchObject({ x: 1000, y: 500 });
 });
 
@@ -74,7 +63,7 @@ test("four quarter turns leave a thing as it was", () => {
 
 /** A world whose variants move a box called "crate". */
 function withCrate(): WorldValues {
-  const [there, ref] = added(world(), "box", { ...created(world(), "box", [0, 0]), name: "crate" });
+  const [there, ref] = added(emptyWorld(), "box", { ...created(emptyWorld(), "box", [0, 0]), name: "crate" });
   expect(ref.index).toBe(0);
   return {
     ...there,
@@ -119,7 +108,7 @@ test("bounds come from the schema", () => {
 
 function drafted(): WorldEdit {
   const draft = new WorldEdit();
-  draft.open(world());
+  draft.open(emptyWorld());
   return draft;
 }
 

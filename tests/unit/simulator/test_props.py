@@ -88,7 +88,7 @@ def test_props_may_stand_around_the_floor(tmp_path: Path) -> None:
 
 
 def test_the_plan_of_the_world_editor_draws_props_as_wide_as_their_bodies() -> None:
-    source = (ROOT / "frontend/src/features/world-editor/shapes.ts").read_text(encoding="utf-8")
+    source = (ROOT / "frontend/src/views/world/plan/shapes.ts").read_text(encoding="utf-8")
     drawn = dict(re.findall(r"^  (\w+): \[(\[\d+, \d+\]|\d+), \"#", source, re.MULTILINE))
 
     for kind in get_args(PropKind):

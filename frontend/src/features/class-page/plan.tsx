@@ -2,12 +2,10 @@
 
 import { useLayoutEffect, useRef } from "preact/hooks";
 
+import { theme } from "../../model/preferences";
 import type { Plan, Seat } from "../../protocol/classroom";
-import { css } from "../../views/world/scenery/colours";
+import { planOf } from "../../views/world/plan/plan";
 import type { WorldValues } from "../../views/world/scenery/description";
-import { shapesOf } from "../world-editor/shapes";
-import { svg } from "../world-editor/svg";
-import { allThings } from "../world-editor/things";
 
 /** mm: the margin around the floor, and half the length of the robot's arrow. */
 const MARGIN = 30;
@@ -24,8 +22,8 @@ export function SmallWorld({ plan, seat, label }: Props) {
   const things = useRef<SVGGElement>(null);
   const world = plan?.world as WorldValues | undefined;
   useLayoutEffect(() => {
-    if (world) things.current?.replaceChildren(...drawn(world));
-  }, [plan?.scene, plan?.pupil]);
+    if (world) things.current?.replaceChildren(...planOf(world));
+  }, [plan?.scene, plan?.pupil, theme.value]);
   if (!world) return <div class="small-world empty" />;
   const [width, depth] = world.floor.size;
   const size = [width + 2 * MARGIN, depth + 2 * MARGIN];
@@ -47,12 +45,6 @@ export function SmallWorld({ plan, seat, label }: Props) {
       )}
     </svg>
   );
-}
-
-function drawn(world: WorldValues): SVGElement[] {
-  const [width, depth] = world.floor.size;
-  const floor = svg("rect", { x: -width / 2, y: -depth / 2, width, height: depth, fill: css(world.floor.colour) });
-  return [floor, ...allThings(world).flatMap((ref) => shapesOf(world, ref))];
 }
 
 /** Points of an SVG polyline from x and y in mm, one after the other. */

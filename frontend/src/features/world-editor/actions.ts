@@ -4,7 +4,7 @@ import { effect, type ReadonlySignal, signal } from "@preact/signals";
 import { t } from "../../i18n";
 import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
-import { svg } from "./svg";
+import { svg } from "../../views/world/plan/svg";
 
 const PICTURES = {
   new: "M7 3h7l4 4v14H7zM14 3v4h4M12.500 11v6M9.500 14h6",

@@ -7,9 +7,8 @@ import type { FromPage, UnreachableGoal } from "../../protocol/messages";
 import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
 import { Throttle } from "../../ui/throttle";
+import { allThings, type Ref, SORTS, type Sort } from "../../views/world/plan/sorts";
 import type { WorldValues } from "../../views/world/scenery/description";
-import { SORTS, type Sort } from "./sorts";
-import { allThings, type Ref } from "./things";
 import { nameOf } from "./words";
 import type { WorldEdit } from "./world-edit";
 

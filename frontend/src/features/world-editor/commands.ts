@@ -1,21 +1,9 @@
 /** Commands on a draft, for buttons and keys. */
 
+import type { Sort } from "../../views/world/plan/sorts";
+import { key, type Ref, thingAt } from "../../views/world/plan/sorts";
 import type { XY } from "../../views/world/scenery/description";
-import type { Sort } from "./sorts";
-import {
-  added,
-  allowedPlace,
-  created,
-  duplicated,
-  GRID,
-  key,
-  moved,
-  type Ref,
-  removed,
-  replaced,
-  thingAt,
-  turned,
-} from "./things";
+import { added, allowedPlace, created, duplicated, GRID, moved, removed, replaced, turned } from "./things";
 import type { WorldEdit } from "./world-edit";
 
 /** Degrees by which a button or key turns. */

@@ -7,6 +7,7 @@ import type { WorldToEdit } from "../../protocol/messages";
 import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
 import { UnsavedEdits } from "../../ui/storage";
+import type { Ref, Sort } from "../../views/world/plan/sorts";
 import type { WorldValues } from "../../views/world/scenery/description";
 import { type Action, WorldEditorActions } from "./actions";
 import type { Carried } from "./carrying";
@@ -18,9 +19,8 @@ import { Plan } from "./plan";
 import { Properties } from "./properties";
 import { hasPlace, Putting } from "./putting";
 import { Saving } from "./saving";
-import type { Sort } from "./sorts";
 import { Templates } from "./templates";
-import { type Ref, snapped } from "./things";
+import { snapped } from "./things";
 import { WorldEdit } from "./world-edit";
 
 /** The content of a new world. */

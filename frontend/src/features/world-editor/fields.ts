@@ -1,7 +1,7 @@
 /** The properties of each sort of object and their bounds, from the schema of world files. */
 
+import type { Sort, Thing } from "../../views/world/plan/sorts";
 import schema from "./schema.json";
-import type { Sort, Thing } from "./sorts";
 
 /** A key of an object with its allowed values. */
 export type Field = { readonly key: string; readonly optional: boolean } & (

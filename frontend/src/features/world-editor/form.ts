@@ -1,13 +1,13 @@
 /** A form for all properties of an object; it refuses values that a world file does not allow. */
 
 import { t, translated } from "../../i18n";
+import type { Thing } from "../../views/world/plan/sorts";
 import { rgb } from "../../views/world/scenery/colours";
 import type { Colour, PartValues, XY } from "../../views/world/scenery/description";
 import { type Field, fieldsOf, type TableName } from "./fields";
 import { checked, numeric } from "./inputs";
 import { partList } from "./parts";
 import { pointList } from "./points";
-import type { Thing } from "./sorts";
 import type { Take, TakeList, Update } from "./updates";
 
 /** A field's table, key and value, and the receiver of a new value. */

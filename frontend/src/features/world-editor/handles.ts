@@ -1,9 +1,9 @@
 /** The handles of the selected object: they turn, resize and bend it. */
 
+import type { Sort, Thing } from "../../views/world/plan/sorts";
 import type { LineValues, XY } from "../../views/world/scenery/description";
 import { between, forward, from, headingOf, type Pose, wrapped } from "../../views/world/scenery/geometry";
 import { boundsOf } from "./fields";
-import type { Sort, Thing } from "./sorts";
 import { hasPath } from "./things";
 
 /** Turning with a handle rounds to these degrees. */

@@ -4,9 +4,9 @@ import { effect, type ReadonlySignal } from "@preact/signals";
 import { t } from "../../i18n";
 import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
+import type { Sort } from "../../views/world/plan/sorts";
+import { svg } from "../../views/world/plan/svg";
 import { type Carried, carries } from "./carrying";
-import type { Sort } from "./sorts";
-import { svg } from "./svg";
 import { missing } from "./things";
 import type { WorldEdit } from "./world-edit";
 

@@ -3,13 +3,14 @@
 import { effect, type ReadonlySignal, untracked } from "@preact/signals";
 import { t } from "../../i18n";
 import { Cleanup } from "../../ui/cleanup";
+import { groundOf } from "../../views/world/plan/ground";
+import { shapesOf } from "../../views/world/plan/shapes";
+import { allThings, key, type Ref, same, thingAt } from "../../views/world/plan/sorts";
+import { set, svg } from "../../views/world/plan/svg";
 import type { WorldValues, XY } from "../../views/world/scenery/description";
-import { groundOf } from "./ground";
 import { type Handle, handlesOf } from "./handles";
 import type { Putting } from "./putting";
-import { shapesOf } from "./shapes";
-import { set, svg } from "./svg";
-import { allowedPlace, allThings, GRID, key, moved, type Ref, replaced, same, snapped, thingAt } from "./things";
+import { allowedPlace, GRID, moved, replaced, snapped } from "./things";
 import { Viewport } from "./viewport";
 import { thingInWords } from "./words";
 import type { WorldEdit } from "./world-edit";
@@ -132,7 +133,7 @@ export class Plan {
 
   private draw(world: WorldValues | null, selected: Ref | null): void {
     if (!world) return;
-    this.floor.replaceChildren(...groundOf(world));
+    this.floor.replaceChildren(...groundOf(world), svg("path", { d: "M0 -60 V60 M-60 0 H60", class: "axes" }));
     const refs = allThings(world);
     this.forget(new Set(refs.map(key)));
     for (const ref of refs) this.drawThing(world, ref, same(ref, selected));

@@ -1,9 +1,8 @@
 /** The sort of object that the user is about to put on the plan, and where. */
 
 import { signal } from "@preact/signals";
-
+import type { Sort } from "../../views/world/plan/sorts";
 import type { XY } from "../../views/world/scenery/description";
-import type { Sort } from "./sorts";
 
 /** Goals without a place of their own are added at once. */
 const PLACELESS: ReadonlySet<Sort> = new Set(["follow", "visit", "avoid"]);

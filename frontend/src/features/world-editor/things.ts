@@ -1,47 +1,15 @@
 /** The objects of a world, handled in the same way for all sorts. */
 
+import { isGoal, listOf, type Ref, type Sort, type Thing, thingAt } from "../../views/world/plan/sorts";
 import type { LineValues, WorldValues, XY } from "../../views/world/scenery/description";
 import { between, cornersOf, radians, wrapped } from "../../views/world/scenery/geometry";
 import { defaultsOf } from "./fields";
-import { SORTS, type Sort, type Thing } from "./sorts";
 
-/** The `index`th object of a sort. */
-export interface Ref {
-  readonly sort: Sort;
-  readonly index: number;
-}
-
-type GoalSort = keyof WorldValues["goal"];
-const GOALS: readonly Sort[] = ["reach", "follow", "visit", "tour", "stop", "show", "avoid"] satisfies GoalSort[];
 /** Objects that may be outside the floor. */
 const FREE: readonly Sort[] = ["wall", "line", "prop", "reach", "tour", "stop", "show"];
 /** A grid of 5 mm or less would be too fine to notice. */
 export const GRID = 10;
 const FARTHEST = 5000;
-
-function isGoal(sort: Sort): sort is GoalSort {
-  return GOALS.includes(sort);
-}
-
-export function key({ sort, index }: Ref): string {
-  return `${sort}:${index}`;
-}
-
-export function same(a: Ref | null, b: Ref | null): boolean {
-  return a?.sort === b?.sort && a?.index === b?.index;
-}
-
-export function listOf(world: WorldValues, sort: Sort): readonly Thing[] {
-  return (isGoal(sort) ? world.goal[sort] : world[sort]) as unknown as readonly Thing[];
-}
-
-export function thingAt(world: WorldValues, { sort, index }: Ref): Thing | undefined {
-  return listOf(world, sort)[index];
-}
-
-export function allThings(world: WorldValues): Ref[] {
-  return SORTS.flatMap((sort) => listOf(world, sort).map((_, index) => ({ sort, index })));
-}
 
 function withList(world: WorldValues, sort: Sort, list: readonly Thing[]): WorldValues {
   if (isGoal(sort)) return { ...world, goal: { ...world.goal, [sort]: list } };

@@ -1,8 +1,8 @@
 /** The part of the world that the plan shows: positions in mm, y down as in SVG. */
 
+import { set } from "../../views/world/plan/svg";
 import type { XY } from "../../views/world/scenery/description";
 import { between } from "../../views/world/scenery/geometry";
-import { set } from "./svg";
 
 /** The margin around the floor, as a fraction of its size. */
 const MARGIN = 0.06;

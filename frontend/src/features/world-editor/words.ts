@@ -1,10 +1,11 @@
 /** Descriptions of objects, for the list and for screen readers. */
 
 import { t } from "../../i18n";
+import type { Sort, Thing } from "../../views/world/plan/sorts";
+import { listOf, type Ref } from "../../views/world/plan/sorts";
 import type { WorldValues } from "../../views/world/scenery/description";
 import { defaultsOf } from "./fields";
-import type { Sort, Thing } from "./sorts";
-import { hasPath, listOf, placeOf, type Ref } from "./things";
+import { hasPath, placeOf } from "./things";
 
 /** The name of an object: "Box 2", "Box 3: bench", "Face 1: joy". */
 export function nameOf(world: WorldValues, { sort, index }: Ref): string {

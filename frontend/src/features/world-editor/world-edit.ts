@@ -3,7 +3,7 @@
 import { computed, signal } from "@preact/signals";
 
 import type { WorldValues } from "../../views/world/scenery/description";
-import type { Ref } from "./things";
+import type { Ref } from "../../views/world/plan/sorts";
 
 const MOST_STEPS = 300;
 

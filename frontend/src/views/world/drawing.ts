@@ -1,7 +1,8 @@
 /** The drawing on the floor, in pieces; as it grows, only the newest piece is rebuilt. */
 
-import { Color, Group, Mesh } from "three";
+import { Group, Mesh } from "three";
 import type { Stroke } from "../../model/drawing";
+import { isDark } from "./scenery/colours";
 import { LINE_PAINT } from "./scenery/floor";
 import { type Ribbon, ribbons } from "./scenery/ribbon";
 
@@ -13,8 +14,6 @@ const PIECE = 400;
 /** A dark stroke on a dark floor has a light edge, mm wide. */
 const EDGE = 3;
 const LIGHT_EDGE = "#dfe5ff";
-/** The lightness, 0 to 1, below which a floor or a stroke is dark. */
-const DARK = 0.35;
 
 export class FloorDrawing {
   readonly object = new Group();
@@ -45,9 +44,9 @@ export class FloorDrawing {
 
   /** Draw on a floor of this colour, what is drawn already too. */
   on(floor: string): void {
-    const isDark = lightnessOf(floor) < DARK;
-    if (isDark === this.isOnDark) return;
-    this.isOnDark = isDark;
+    const onDark = isDark(floor);
+    if (onDark === this.isOnDark) return;
+    this.isOnDark = onDark;
     const { strokes } = this;
     this.clear();
     this.show(strokes);
@@ -90,14 +89,10 @@ export class FloorDrawing {
     }
     this.piece.geometry.dispose();
     const strokes = this.ribbons.map(({ ribbon }) => ribbon);
-    const edges = this.isOnDark ? strokes.filter(({ colour }) => lightnessOf(colour) < DARK) : [];
+    const edges = this.isOnDark ? strokes.filter(({ colour }) => isDark(colour)) : [];
     const wide = edges.map((ribbon) => ({ ...ribbon, width: ribbon.width + 2 * EDGE, colour: LIGHT_EDGE }));
     this.piece.geometry = ribbons([...wide, ...strokes], HEIGHT);
   }
-}
-
-function lightnessOf(colour: string): number {
-  return new Color(colour).getHSL({ h: 0, s: 0, l: 0 }).l;
 }
 
 function ribbonOf({ color, width }: Stroke, points: Ribbon["points"]): Ribbon {

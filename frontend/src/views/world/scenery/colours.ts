@@ -44,6 +44,42 @@ export function friendly(colour: Colour): string {
   return (typeof colour === "string" && FRIENDLY[colour]) || css(colour);
 }
 
+/** Colours darker than this are dark. */
+const DARK = 0.35;
+
+export function isDark(colour: string): boolean {
+  return lightnessOf(colour) < DARK;
+}
+
+/** The lightness of a colour in the notation of style sheets, 0 to 1: of its light, not of its numbers. */
+export function lightnessOf(colour: string): number {
+  const light = lightOf(colour);
+  return (Math.max(...light) + Math.min(...light)) / 2;
+}
+
+/** A colour with a share of its light. */
+export function dimmed(colour: string, share: number): string {
+  const levels = lightOf(colour).map((light) => Math.round(255 * encoded(light * share)));
+  return `rgb(${levels.join(",")})`;
+}
+
+/** Its red, green and blue light, 0 to 1. */
+function lightOf(colour: string): number[] {
+  const pairs = colour.startsWith("#") ? (colour.match(/[\da-f]{2}/gi) ?? []) : [];
+  const levels = pairs.length
+    ? pairs.map((pair) => Number.parseInt(pair, 16))
+    : (colour.match(/\d+/g) ?? []).map(Number);
+  return levels.map((level) => decoded(level / 255));
+}
+
+function decoded(level: number): number {
+  return level <= 0.04045 ? level / 12.92 : ((level + 0.055) / 1.055) ** 2.4;
+}
+
+function encoded(light: number): number {
+  return light <= 0.0031308 ? light * 12.92 : 1.055 * light ** (1 / 2.4) - 0.055;
+}
+
 /** The colour of walls in the simulator that have none of their own. */
 const WALL: readonly [number, number, number] = [205, 200, 185];
 

@@ -3,7 +3,8 @@
 import { Color, Group, Mesh, MeshBasicMaterial, type Object3D } from "three";
 import { friendly } from "./colours";
 import type { FloorValues, WorldValues, XY } from "./description";
-import { legible, mat, RIM } from "./mat";
+import { legible, RIM } from "./floor-colours";
+import { mat } from "./mat";
 import type { Palette } from "./palette";
 import type { Pictures } from "./pictures";
 import { ribbons } from "./ribbon";

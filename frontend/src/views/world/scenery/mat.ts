@@ -2,7 +2,6 @@
 
 import {
   type BufferGeometry,
-  Color,
   ExtrudeGeometry,
   Group,
   Mesh,
@@ -15,26 +14,21 @@ import {
   ShapeGeometry,
 } from "three";
 import { friendly } from "./colours";
-import type { FloorValues, LineValues, XY } from "./description";
-import { picturePaint, type Squares, squaresPaint } from "./floor-paint";
+import type { FloorValues, XY } from "./description";
+import { CELL, coloursOf, RIM } from "./floor-colours";
+import { picturePaint, squaresPaint } from "./floor-paint";
 import type { Palette } from "./palette";
 import type { Pictures } from "./pictures";
 import { PAINT, painted } from "./solids";
 
-/** The side of a square of the grid, mm. */
-const CELL = 100;
-/** The rounding of the mat's corners, the width of its coloured rim, and how thick it is. */
+/** The rounding of the mat's corners, and how thick it is. */
 const CORNER = 60;
-export const RIM = 26;
 const THICKNESS = 14;
 /** A floor without a wall around it is a table. */
 const TABLE = 60;
 
 /** The order of drawing from front to back: what is hidden then costs little. */
 export const BEHIND = { floor: 0.1, slab: 0.2, ground: 0.3, sky: 0.4 } as const;
-
-/** Colours darker than this are dark, 0 to 1. */
-const DARK = 0.35;
 
 /** How far below the floor the ground is, mm. */
 export function depthBelow({ border }: FloorValues): number {
@@ -65,35 +59,6 @@ function surface(name: string, floor: FloorValues, palette: Palette, pictures: P
     });
   }
   return mesh;
-}
-
-/** A floor at night that black lines are visible on. */
-const MOONLIT = ["#949ed2", "#8a94ca"] as const;
-
-/** The colours for a floor with lines on it. */
-export function legible(palette: Palette, lines: readonly LineValues[]): Palette {
-  const isDark = (colour: string) => new Color(colour).getHSL({ h: 0, s: 0, l: 0 }).l < DARK;
-  const [floor] = palette.mat;
-  if (!isDark(floor) || !lines.some(({ colour }) => isDark(friendly(colour)))) return palette;
-  return { ...palette, mat: MOONLIT };
-}
-
-/** The colour of a floor, of its lighter squares. */
-export function colourOf(floor: FloorValues, palette: Palette): string {
-  return coloursOf(floor, palette).even;
-}
-
-/** The colours of a floor; a white one is left to the theme. */
-export function coloursOf({ colour }: FloorValues, { mat: [even, odd], thin, bold }: Palette): Squares {
-  if (colour === "white") return { even, odd, thin, bold };
-  const own = new Color(friendly(colour));
-  const line = own.getHSL({ h: 0, s: 0, l: 0 }).l > 0.4 ? "#1e2850" : "#dce4ff";
-  return {
-    even: own.getStyle(),
-    odd: own.clone().multiplyScalar(0.92).getStyle(),
-    thin: { colour: line, opacity: 0.16 },
-    bold: { colour: line, opacity: 0.3 },
-  };
 }
 
 /** Lay the squares so that a bold line goes through the middle of the floor. */

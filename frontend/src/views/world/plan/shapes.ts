@@ -1,8 +1,8 @@
 /** The shapes of each sort of object in the plan. */
 
-import { theme } from "../../model/preferences";
-import { iconSource } from "../../ui/icons";
-import { friendly, MARKS } from "../../views/world/scenery/colours";
+import { theme } from "../../../model/preferences";
+import { iconSource } from "../../../ui/icons";
+import { friendly, MARKS } from "../scenery/colours";
 import type {
   BoardValues,
   BoxValues,
@@ -21,11 +21,11 @@ import type {
   WallValues,
   WorldValues,
   XY,
-} from "../../views/world/scenery/description";
-import { cornersOf, type Pose } from "../../views/world/scenery/geometry";
-import { paletteOf, wallColour } from "../../views/world/scenery/palette";
+} from "../scenery/description";
+import { cornersOf, type Pose } from "../scenery/geometry";
+import { paletteOf, wallColour } from "../scenery/palette";
+import { listOf, type Ref } from "./sorts";
 import { chain, svg } from "./svg";
-import { listOf, type Ref } from "./things";
 import "./shapes.css";
 
 type Shapes = SVGElement[];

@@ -1,0 +1,14 @@
+import { SORTS } from "../src/views/world/plan/sorts";
+import type { WorldValues } from "../src/views/world/scenery/description";
+
+/** A world without objects. */
+export function emptyWorld(): WorldValues {
+  const lists = Object.fromEntries(SORTS.map((sort) => [sort, []]));
+  const floor = { size: [2000, 1000], colour: "white", border: 0 };
+  return {
+    title: "",
+    floor,
+    ...lists,
+    goal: { reach: [], follow: [], visit: [], tour: [], stop: [], show: [], avoid: [] },
+  } as unknown as WorldValues;
+}
