@@ -133,8 +133,8 @@ def test_help_shows_the_block_with_its_values_in_both_texts(pupil):
 @pytest.mark.parametrize(
     ("language", "waiting", "turning"),
     [
-        ("en", "wait until obstacle ahead within 200 mm?", "turn right by 90 °"),
-        ("es", "obstáculo delante a menos de 200 mm?", "girar 90 ° a la derecha"),
+        ("en", "wait until obstacle ahead within 200 mm", "turn right by 90 °"),
+        ("es", "hay un obstáculo delante a menos de 200 mm", "girar 90 ° a la derecha"),
     ],
 )
 def test_a_screen_reader_reads_blocks_as_their_sentences(
