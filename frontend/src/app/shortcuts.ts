@@ -3,6 +3,7 @@
 import { t } from "../i18n";
 import type { Page } from "../model/page";
 import { matches, SHORTCUTS, type ShortcutWord } from "../ui/shortcuts";
+import { isTyped } from "../ui/typing";
 import { nextRegion } from "../views/regions";
 
 const ACTIONS: Readonly<Record<ShortcutWord, (page: Page) => void>> = {
@@ -46,17 +47,13 @@ export function listen(page: Page): () => void {
   };
 }
 
-/** Undo and redo also work outside the views. */
-function undoOrRedo({ context: { program }, project }: Page, event: KeyboardEvent): void {
-  if (project.atStart.value || event.defaultPrevented || !(event.ctrlKey || event.metaKey) || isField(event.target))
-    return;
+/** Undo and redo also work outside the views; in a field they are those of its text, and a dialog has none. */
+function undoOrRedo({ context: { program }, dialogs, project }: Page, event: KeyboardEvent): void {
+  const isElsewhere = project.atStart.value || dialogs.open.value !== null || isTyped(event.target);
+  if (isElsewhere || event.defaultPrevented || !(event.ctrlKey || event.metaKey)) return;
   const key = event.key.toLowerCase();
   if (key === "z" && !event.shiftKey) program.undo();
   else if (key === "y" || key === "z") program.redo();
-}
-
-function isField(target: EventTarget | null): boolean {
-  return target instanceof HTMLElement && (target.isContentEditable || target.matches("input, textarea"));
 }
 
 function saves({ context: { program }, toasts }: Page): void {

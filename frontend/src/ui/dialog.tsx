@@ -5,6 +5,7 @@ import { useLayoutEffect, useRef } from "preact/hooks";
 
 import { t } from "../i18n";
 import { IconButton } from "./button";
+import { followTyping } from "./typing";
 import "./dialog.css";
 
 interface Props {
@@ -20,7 +21,7 @@ interface Props {
 
 export function Dialog({ title, close, cancel = close, size = "small", head, children }: Props) {
   const dialog = useRef<HTMLDialogElement>(null);
-  useLayoutEffect(() => (dialog.current ? hold(dialog.current, close, cancel) : undefined), []);
+  useLayoutEffect(() => (dialog.current ? opened(dialog.current, close, cancel) : undefined), []);
   return (
     // biome-ignore lint/a11y/useKeyWithClickEvents: a click beside the dialog closes it, like Escape
     <dialog
@@ -39,6 +40,15 @@ export function Dialog({ title, close, cancel = close, size = "small", head, chi
       </div>
     </dialog>
   );
+}
+
+function opened(dialog: HTMLDialogElement, close: () => void, cancel: () => void): () => void {
+  const release = hold(dialog, close, cancel);
+  const stop = followTyping(dialog);
+  return () => {
+    stop();
+    release();
+  };
 }
 
 /** Show it; call the result to close it and return the focus. */

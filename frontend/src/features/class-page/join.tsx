@@ -1,7 +1,7 @@
 /** The page on which children come in: word, name, pictures. */
 
 import { useSignal } from "@preact/signals";
-import { useEffect } from "preact/hooks";
+import { useEffect, useRef } from "preact/hooks";
 
 import { say, t } from "../../i18n";
 import { Icon } from "../../ui/icons";
@@ -74,7 +74,15 @@ function Door({ joining, open }: { joining: Joining; open: boolean }) {
   );
 }
 
+/** A reference to a field that has the focus as soon as it is shown. */
+function useFocused() {
+  const field = useRef<HTMLInputElement>(null);
+  useEffect(() => field.current?.focus(), []);
+  return field;
+}
+
 function Word({ joining, next }: { joining: Joining; next: () => void }) {
+  const field = useFocused();
   return (
     <form
       onSubmit={(event) => {
@@ -85,6 +93,7 @@ function Word({ joining, next }: { joining: Joining; next: () => void }) {
       <label class="class-field">
         {t("page-class-word")}
         <input
+          ref={field}
           name="word"
           required
           autocomplete="off"
@@ -111,6 +120,7 @@ interface WhoProps {
 }
 
 function Who({ joining, open, next, back }: WhoProps) {
+  const field = useFocused();
   return (
     <form
       onSubmit={(event) => {
@@ -121,6 +131,7 @@ function Who({ joining, open, next, back }: WhoProps) {
       <label class="class-field">
         {t("page-class-name")}
         <input
+          ref={field}
           name="name"
           required
           autocomplete="off"

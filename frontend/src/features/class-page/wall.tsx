@@ -208,6 +208,7 @@ function HintDialog({ stream, to, close }: { stream: ClassStream; to: Seat | "al
         <label class="field">
           {t("page-class-hint-text")}
           <textarea
+            autofocus
             rows={3}
             maxLength={300}
             required

@@ -1,0 +1,74 @@
+"""Whatever opens has the focus where one types next, and no letter typed there is a shortcut."""
+
+import re
+
+from playwright.sync_api import expect
+
+from browser.pupil import WORKSPACE
+
+#: What a menu's command ends with if it opens something.
+OPENS = re.compile(r"…$")
+MENUS = "header [aria-haspopup=menu], .world-place [aria-haspopup=menu]"
+#: Letters that are shortcuts of Blockly: palette, workspace, move, duplicate, clean up, next stack.
+LETTERS = "twmdcn"
+#: The first field of a dialog that is in sight, and where the focus is.
+TYPING = """() => {
+    const dialog = document.querySelector("dialog[open]");
+    const all = "input:not([type=checkbox], [type=radio], [type=range], [type=color],"
+        + " [type=file]), textarea, [contenteditable=true]";
+    const bottom = dialog.getBoundingClientRect().bottom;
+    const fields = [...dialog.querySelectorAll(all)].filter((field) => {
+        return field.checkVisibility() && field.getBoundingClientRect().top < bottom;
+    });
+    const { activeElement } = document;
+    const text = activeElement.value ?? activeElement.textContent;
+    return { fields: fields.length, typing: fields.includes(activeElement), text };
+}"""
+#: The blocks of the program with their places.
+PLACES = f"""() => [...document.querySelectorAll("{WORKSPACE} > .blocklyBlockCanvas [data-id]")]
+    .map((block) => [block.dataset.id, block.getAttribute("transform")])"""
+
+
+def opening_commands(page):
+    """Return the menus of the page, each with the commands that open something."""
+    for menu in page.locator(MENUS).all():
+        if not menu.is_visible():
+            continue
+        menu.click()
+        items = page.locator("[role=menu] [role=menuitem]", has_text=OPENS)
+        texts = [item.get_attribute("aria-label") for item in items.all()]
+        page.keyboard.press("Escape")
+        yield menu, texts
+
+
+def test_every_dialog_of_the_menus_has_the_focus_in_its_first_field(sit_down, server):
+    pupil = sit_down(server, empty=True, flat=True, stage="coder")
+    page = pupil.page
+    expect(page.locator(".lbGroupIcon").first).to_be_visible()
+    before = page.evaluate(PLACES)
+    lost, opened = [], 0
+    for menu, commands in opening_commands(page):
+        for command in commands:
+            menu.click()
+            page.get_by_role("menuitem", name=command, exact=True).click()
+            # A command may open a window of the system instead, which a page cannot see.
+            dialog = page.locator("dialog[open]")
+            if not dialog.count():
+                continue
+            opened += 1
+            if page.evaluate(TYPING)["fields"]:
+                expect(page.locator("dialog[open] :focus")).to_be_editable()
+                page.keyboard.type(LETTERS)
+                typed = page.evaluate(TYPING)
+                # A number takes no letters, and a name that is already there is replaced.
+                if not typed["typing"]:
+                    lost.append((command, typed))
+            else:
+                page.keyboard.type(LETTERS)
+            assert dialog.count() == 1, command
+            while dialog.count():
+                page.keyboard.press("Escape")
+            expect(dialog).to_have_count(0)
+    assert lost == []
+    assert opened > 15
+    assert page.evaluate(PLACES) == before
