@@ -51,13 +51,6 @@ export interface Asked {
   block: string | null;
 }
 
-export interface AtSeat {
-  kind: "AtSeat";
-  work: Work;
-  successes?: number;
-  scene?: Scene | null;
-}
-
 export interface BeginRobot {
   kind: "BeginRobot";
   request?: number;
@@ -2022,20 +2015,6 @@ export interface WhySentence {
   inner: string | null;
 }
 
-export interface Work {
-  project?: string;
-  robot?: string;
-  pose?: [number, number, number] | null;
-  way?: number[];
-  state?: "done" | "ended" | "held" | "idle" | "input" | "paused" | "running" | "starting";
-  goals?: ("failed" | "open" | "reached")[];
-  lesson?: string | Record<string, string>;
-  step?: number;
-  steps?: number;
-  stars?: number;
-  error?: Record<string, unknown> | null;
-}
-
 export interface Workspace {
   stacks: Block[][];
   variables: Variable[];
@@ -2323,7 +2302,6 @@ export type ToPage =
   | RobotBegun
   | RobotMade
   | Robots
-  | AtSeat
   | SettingsTable
   | Tabs
   | TabOpened

@@ -1,5 +1,6 @@
 """The page's types match the messages of the server."""
 
+import re
 from typing import Annotated
 
 import msgspec
@@ -33,6 +34,10 @@ def test_a_field_with_a_default_may_be_absent():
 
 def test_a_message_is_recognised_by_its_kind():
     assert '  kind: "EditText";' in typescript()
+
+
+def test_the_page_has_no_types_of_what_only_the_server_of_a_class_receives():
+    assert not re.findall(r"\b(AtSeat|Work)\b", typescript())
 
 
 def test_a_message_sent_as_an_array_is_a_tuple():

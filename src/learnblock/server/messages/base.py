@@ -29,6 +29,10 @@ class ToPage(Message, frozen=True):
     """A message to a page."""
 
 
+class ToClass(Message, frozen=True):
+    """A message to the server of a class, which takes it out of those to a page."""
+
+
 class Role(StrEnum):
     """The role of a page in a class towards the program that it shows."""
 

@@ -5,7 +5,7 @@ from typing import Any, Literal
 from msgspec import Struct
 
 from learnblock.lessons.lesson import LessonText
-from learnblock.server.messages.base import StateName, ToPage
+from learnblock.server.messages.base import StateName, ToClass
 from learnblock.server.messages.worlds import Scene
 
 GoalState = Literal["open", "reached", "failed"]
@@ -43,7 +43,7 @@ class Work(Struct, frozen=True, omit_defaults=True):
     error: Words | None = None
 
 
-class AtSeat(ToPage, frozen=True):
+class AtSeat(ToClass, frozen=True):
     """What a page works on; only on a connection that asks for it, and at most twice a second.
 
     Args:

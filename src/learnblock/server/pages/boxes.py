@@ -82,7 +82,7 @@ class OutboxFullError(Exception):
 class Parcel:
     """A message, and the bytes that follow it."""
 
-    message: messages.ToPage
+    message: messages.ToPage | messages.ToClass
     data: bytes | None = None
 
 
@@ -94,7 +94,7 @@ class Outbox:
         self._replaceable: dict[type, Parcel] = {}
         self._filled = asyncio.Event()
 
-    def put(self, message: messages.ToPage, data: bytes | None = None) -> None:
+    def put(self, message: messages.ToPage | messages.ToClass, data: bytes | None = None) -> None:
         """Queue a message; drop it once the page is too far behind."""
         waiting = self._replaceable.get(type(message))
         if waiting:

@@ -33,7 +33,7 @@ class PageSeat:
         send: sends it a message, which the class's server takes out.
     """
 
-    def __init__(self, send: Callable[[messages.ToPage], object]) -> None:
+    def __init__(self, send: Callable[[messages.AtSeat], object]) -> None:
         self._send = send
         self._work = Work()
         self._successes = 0
