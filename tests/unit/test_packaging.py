@@ -16,6 +16,8 @@ from places import ROOT
 
 pytestmark = pytest.mark.slow
 
+MESSAGES = "src/learnblock/server/messages/tags.py"
+
 
 def build(folder, target, out, path):
     """Let hatchling make an sdist or a wheel with only `path` on the path."""
@@ -128,14 +130,15 @@ def test_the_page_comes_with_the_licences_of_its_bundled_packages(sdist):
 
 @pytest.fixture
 def changed(sdist, tmp_path):
-    """A function that returns a copy of the sdist in which a file has one more line."""
+    """A function that returns a copy of the sdist with a change in one of its files."""
 
-    def change(name):
+    def change(name, old="", new="# changed\n"):
         # Links take no time; the changed file takes the place of one.
         copy = shutil.copytree(sdist, tmp_path / "copy", copy_function=os.link)
         text = (copy / name).read_text(encoding="utf-8")
         (copy / name).unlink()
-        (copy / name).write_text(f"{text}# changed\n", encoding="utf-8")
+        changed = text.replace(old, new) if old else text + new
+        (copy / name).write_text(changed, encoding="utf-8")
         return copy
 
     return change
@@ -144,6 +147,18 @@ def changed(sdist, tmp_path):
 @pytest.mark.parametrize("source", ["frontend/src/main.tsx", "src/learnblock/i18n/es/file.ftl"])
 def test_a_page_older_than_its_sources_is_rebuilt(changed, tmp_path, source):
     assert_rebuilt(changed(source), tmp_path)
+
+
+def test_a_page_whose_messages_have_changed_is_rebuilt(changed, tmp_path):
+    folder = changed(MESSAGES, "names: dict[str, int]", "names: dict[str, float | str]")
+    assert_rebuilt(folder, tmp_path)
+
+
+def test_a_comment_in_the_messages_leaves_the_page_as_it_is(changed, tmp_path):
+    folder = changed(MESSAGES)
+    without_node = tmp_path / "bin"
+    without_node.mkdir()
+    assert build(folder, "wheel", tmp_path / "out", without_node)
 
 
 def test_outdated_weights_are_rebuilt(changed, tmp_path):

@@ -1,13 +1,12 @@
 """The weights for emotions are converted correctly, compared with another computation."""
 
-import importlib.util
 import json
 
 import cv2
 import numpy as np
 import pytest
 
-from places import ROOT
+from build_parts import part_of_build
 
 CHANNELS = {"dense0": (3, 8), "dense1": (8, 12), "dense2": (12, 16), "dense3": (16, 20)}
 
@@ -15,10 +14,7 @@ CHANNELS = {"dense0": (3, 8), "dense1": (8, 12), "dense2": (12, 16), "dense3": (
 @pytest.fixture(scope="module")
 def maker():
     pytest.importorskip("onnx")
-    spec = importlib.util.spec_from_file_location("hatch_weights", ROOT / "hatch_weights.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    return part_of_build("hatch_weights")
 
 
 @pytest.fixture(scope="module")

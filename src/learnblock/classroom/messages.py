@@ -1,6 +1,6 @@
 """The conversation of a class: with the teacher's wall, and what a pupil's page exchanges with it.
 
-``python -m learnblock.classroom.typescript`` writes the page's types from this module.
+The build writes the page's types from this module (`learnblock.classroom.typescript`).
 """
 
 from typing import Annotated, Any, Literal

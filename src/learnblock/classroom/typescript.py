@@ -1,16 +1,14 @@
 """The types of a class's pages, written from `learnblock.classroom.messages`.
 
-python -m learnblock.classroom.typescript > frontend/src/protocol/classroom.ts
+The build writes them into ``frontend/src/protocol/classroom.ts``.
 """
-
-import sys
 
 from learnblock.classroom import messages as ours
 from learnblock.classroom.pins import Picture
 from learnblock.server.typescript import module
 
 _HEADER = """\
-/** The conversation of a class; written by `python -m learnblock.classroom.typescript`. */
+/** The conversation of a class; written by `hatch_types.py`. */
 
 import type { Phrase } from "../i18n";
 """
@@ -28,7 +26,3 @@ def typescript() -> str:
     return module(
         _HEADER, unions, aliases, (ours.Join, ours.Joined, ours.NotJoined, ours.AboutClass)
     )
-
-
-if __name__ == "__main__":
-    sys.stdout.write(typescript())

@@ -1,10 +1,9 @@
 """The checks of lessons as a JSON Schema, from which the lesson editor makes its forms.
 
-``python -m learnblock.lessons.check_schema > frontend/src/features/lesson-editor/schema.json``
+The build writes it into ``frontend/src/features/lesson-editor/schema.json``.
 """
 
 import json
-import sys
 
 import msgspec
 
@@ -14,7 +13,3 @@ from learnblock.lessons.checks import Check
 def check_schema() -> str:
     """The schema of each kind of check and of event, by its name, as JSON text."""
     return json.dumps(msgspec.json.schema(Check)["$defs"], indent=1) + "\n"
-
-
-if __name__ == "__main__":
-    sys.stdout.write(check_schema())

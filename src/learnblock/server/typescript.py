@@ -1,10 +1,8 @@
 """The page's types, written from `learnblock.server.messages`, and those of worlds and robots.
 
-python -m learnblock.server.typescript > frontend/src/protocol/messages.ts
-python -m learnblock.server.typescript world > frontend/src/protocol/world.ts
+The build writes them into ``frontend/src/protocol`` as ``messages.ts`` and ``world.ts``.
 """
 
-import sys
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, get_args
 
@@ -17,13 +15,13 @@ from learnblock.project.document import views
 from learnblock.server import messages
 
 _HEADER = """\
-/** The conversation with the server; written by `python -m learnblock.server.typescript`. */
+/** The conversation with the server; written by `hatch_types.py`. */
 
 import type { Phrase } from "../i18n";
 import type { RobotDescription, WorldFile } from "./world";
 """
 _WORLD_HEADER = """\
-/** Worlds and robots as in their files; by `python -m learnblock.server.typescript world`. */
+/** Worlds and robots as in their files; written by `hatch_types.py`. */
 """
 _SCALARS: dict[type[inspect.Type], str] = {
     inspect.StrType: "string",
@@ -74,7 +72,7 @@ def module(
         f"export type {name} = {_written(inspect.type_info(alias))};\n"
         for name, alias in aliases.items()
     ]
-    parts += [_interface(struct) for struct in _structs([*kinds.values(), *alone])]
+    parts += [_interface(struct) for struct in structs_of([*kinds.values(), *alone])]
     parts += [
         f"export type {name} =\n  | " + "\n  | ".join(_members(kind)) + ";\n"
         for name, kind in kinds.items()
@@ -107,7 +105,7 @@ def limits(union: Any) -> str:
             for field in struct.fields
             if (most := _max_length(field.type)) is not None
         }
-        for struct in _structs([inspect.type_info(union)])
+        for struct in structs_of([inspect.type_info(union)])
     }
     written = json.format(
         json.encode({name: lengths for name, lengths in longest.items() if lengths})
@@ -133,7 +131,7 @@ def _members(kind: inspect.Type) -> Iterator[str]:
     yield from map(_written, kind.types if isinstance(kind, inspect.UnionType) else [kind])
 
 
-def _structs(kinds: Any) -> list[inspect.StructType]:
+def structs_of(kinds: Any) -> list[inspect.StructType]:
     """Every struct used in the messages, in alphabetical order."""
     structs: dict[str, inspect.StructType] = {}
     ahead = list(kinds)
@@ -225,7 +223,3 @@ def _choices(kind: inspect.LiteralType | inspect.EnumType) -> Iterable[Any]:
 def _bracketed(kind: inspect.Type) -> str:
     text = _written(kind)
     return f"({text})" if " | " in text else text
-
-
-if __name__ == "__main__":
-    sys.stdout.write(world_typescript() if sys.argv[1:] == ["world"] else typescript())

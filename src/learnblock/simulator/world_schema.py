@@ -1,10 +1,9 @@
 """The content of a world's file as a JSON Schema, from which the world editor makes its forms.
 
-``python -m learnblock.simulator.world_schema > frontend/src/features/world-editor/schema.json``
+The build writes it into ``frontend/src/features/world-editor/schema.json``.
 """
 
 import json
-import sys
 
 import msgspec
 
@@ -14,7 +13,3 @@ from learnblock.simulator.world_description import WorldFile
 def world_schema() -> str:
     """The schema of each table of a world's file, by the table's name, as JSON text."""
     return json.dumps(msgspec.json.schema(WorldFile)["$defs"], indent=1) + "\n"
-
-
-if __name__ == "__main__":
-    sys.stdout.write(world_schema())

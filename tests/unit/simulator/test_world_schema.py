@@ -1,13 +1,6 @@
 import msgspec
 
 from learnblock.simulator.world_schema import world_schema
-from places import ROOT
-
-PAGE = ROOT / "frontend" / "src" / "features" / "world-editor" / "schema.json"
-
-
-def test_the_schema_of_the_page_is_up_to_date() -> None:
-    assert PAGE.read_text(encoding="utf-8") == world_schema()
 
 
 def test_the_schema_has_the_bounds_of_a_box() -> None:

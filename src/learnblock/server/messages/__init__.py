@@ -2,7 +2,7 @@
 
 A page first sends `Open` or `New`; all other messages are about the project that it has opened.
 Each message is a JSON object with a `kind`; only camera frames are binary (see `CameraFrame`).
-``python -m learnblock.server.typescript`` writes the page's types from this module.
+The build writes the page's types from this module (`learnblock.server.typescript`).
 
 A message is named once, in the module of its subject, and its base says who may send it.
 """
