@@ -796,6 +796,7 @@ export interface KnownRobot {
   used?: boolean;
   is_busy?: boolean;
   add_on?: string;
+  looking?: boolean;
 }
 
 export interface LessonAttempt {
