@@ -80,6 +80,14 @@ def test_the_guides_example_of_a_driver_that_waits_prints_what_it_says(capsys):
     assert capsys.readouterr().out == f"{said}\n"
 
 
+def test_the_guides_asynchronous_robot_is_told_and_tells_what_the_guide_says(own_home, capsys):
+    (own_home / "robots").mkdir()
+    (own_home / "robots" / "pi_ball.py").write_text(code("pi_ball.py"))
+    exec(code("check_pi_ball.py"), {})  # noqa: S102 - our own guide
+    said = re.findall(r"print\(.*\)  # (.*)", code("check_pi_ball.py"))
+    assert capsys.readouterr().out.splitlines() == said
+
+
 #: The environment that the guide advises without a Raspberry Pi.
 ADVISED = dict(re.findall(r"`(GPIOZERO_\w+|PYTHONWARNINGS)=(\w+)`", GUIDE))
 

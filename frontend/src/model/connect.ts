@@ -24,6 +24,8 @@ export interface Listed {
   readonly isBusy: boolean;
   /** The command that installs the packages that it needs; empty if it has them. */
   readonly addOn: string;
+  /** Whether the first look for it has not ended. */
+  readonly isLooking: boolean;
   /** How it is reached; null if it does not answer. */
   readonly found: NearbyRobot | null;
 }
@@ -122,6 +124,6 @@ export function lists(nearby: RobotsNearby | null, state: RobotConnected) {
 }
 
 function listed(id: string, robot: string, known: KnownRobot | undefined, found: NearbyRobot | null): Listed {
-  const { name = "", is_busy: isBusy = false, add_on: addOn = "" } = known ?? {};
-  return { id, robot, name, isBusy, addOn, found };
+  const { name = "", is_busy: isBusy = false, add_on: addOn = "", looking: isLooking = false } = known ?? {};
+  return { id, robot, name, isBusy, addOn, isLooking, found };
 }

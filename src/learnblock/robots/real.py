@@ -56,6 +56,9 @@ class RealRobot(Client, Generic[SettingsT]):
     #: The voltages of its empty and its full battery; None if it does not report the voltage.
     battery_range: ClassVar[tuple[float, float] | None] = None
 
+    #: How long `scan` may take on the page, in seconds; at most 5 for slow ones, as by Bluetooth.
+    scan_seconds: ClassVar[float] = 2.0
+
     #: Where it was when its motors were stopped; None if it does not know.
     _end: Pose | None = None
 

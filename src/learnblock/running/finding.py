@@ -1,6 +1,7 @@
 """Finds real robots that answer."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from contextlib import suppress
 from typing import Any
 
 from learnblock.robots import RobotEntry, entries
@@ -10,6 +11,8 @@ from learnblock.storage.settings import Settings, Table
 
 #: How many robots that were used before are remembered.
 _MOST_USED = 20
+#: The most seconds that a driver has to find its robots.
+LONGEST_SCAN = 5.0
 #: Seconds that a driver may take longer than it should; then the look at it is given up.
 _LATE = 5.0
 
@@ -38,27 +41,33 @@ def real_kind(entry: RobotEntry) -> type[RealRobot[Any]] | None:
     return kind if issubclass(kind, RealRobot) else None
 
 
-def find(entry: RobotEntry, seconds: float) -> tuple[Mapping[str, Any], ...]:
-    """The settings that reach each robot of a kind that answers; none if its driver fails.
+def find(
+    entry: RobotEntry, report: Callable[[Mapping[str, Any]], object]
+) -> tuple[Mapping[str, Any], ...]:
+    """The settings that reach each robot of a kind that answers, until its driver fails or hangs.
 
-    The driver has the rights that it has in a run.
+    The driver has the rights that it has in a run, and the time that its class asks for.
 
     Args:
         entry: the robot.
-        seconds: the time limit.
+        report: called with the settings of each robot as it is found, in another thread.
     """
     kind = real_kind(entry)
     if kind is None:
         return ()
 
-    def scan() -> tuple[Mapping[str, Any], ...]:
-        give_up(kind.known_rights())
-        return tuple(kind.scan(seconds))
+    found: list[Mapping[str, Any]] = []
 
-    try:
-        return in_own_thread(scan, seconds=seconds + _LATE)
-    except Exception:  # noqa: BLE001 - a driver may raise any exception; connecting says what
-        return ()
+    def scan() -> None:
+        give_up(kind.known_rights())
+        for settings in kind.scan(min(kind.scan_seconds, LONGEST_SCAN)):
+            found.append(settings)
+            report(settings)
+
+    # A driver may raise any exception; connecting says what.
+    with suppress(Exception):
+        in_own_thread(scan, seconds=LONGEST_SCAN + _LATE)
+    return tuple(found)
 
 
 def missing_add_on(entry: RobotEntry) -> str:

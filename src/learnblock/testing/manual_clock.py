@@ -20,11 +20,16 @@ NANOSECONDS = 1_000_000_000
 
 @dataclass(eq=False)
 class _Wait:
-    """A thread that waits until a moment, in nanoseconds."""
+    """A thread that waits until a moment, in nanoseconds, or until something else has happened."""
 
     thread: threading.Thread
     until: int
+    has_happened: Callable[[], bool]
     is_over: bool = False
+
+    @property
+    def is_waiting(self) -> bool:
+        return not self.is_over and not self.has_happened()
 
 
 class ManualClock:
@@ -57,7 +62,7 @@ class ManualClock:
 
     def wait(self, event: threading.Event, seconds: float) -> bool:
         """Wait until the event is set or its time has come; return whether it is set."""
-        with self._waiting(seconds) as wait:
+        with self._waiting(seconds, event.is_set) as wait:
             while not event.is_set() and not wait.is_over:
                 with self._changed:
                     self._changed.wait(GLANCE)
@@ -67,7 +72,7 @@ class ManualClock:
         self, condition: threading.Condition, predicate: Callable[[], bool], seconds: float
     ) -> bool:
         """Wait until the predicate holds or its time has come; return whether it holds."""
-        with self._waiting(seconds) as wait:
+        with self._waiting(seconds, _never) as wait:
             while not predicate() and not wait.is_over:
                 condition.wait(GLANCE)
         return predicate()
@@ -120,10 +125,10 @@ class ManualClock:
         return done.result()
 
     @contextmanager
-    def _waiting(self, seconds: float) -> Iterator[_Wait]:
+    def _waiting(self, seconds: float, has_happened: Callable[[], bool]) -> Iterator[_Wait]:
         with self._changed:
             until = self._now + _nanoseconds(seconds)
-            wait = _Wait(threading.current_thread(), until, is_over=until == self._now)
+            wait = _Wait(threading.current_thread(), until, has_happened, until == self._now)
             self._waits.append(wait)
             self._changed.notify_all()
         try:
@@ -135,6 +140,9 @@ class ManualClock:
 
     def _first(self, until: float) -> _Wait | None:
         """The wait that ends first, if it ends by then."""
+        self._require(
+            lambda: all(wait.is_waiting for wait in self._waits), "threads notice their events"
+        )
         with self._changed:
             due = (wait for wait in self._waits if wait.until <= until and not wait.is_over)
             return min(due, key=lambda wait: wait.until, default=None)
@@ -151,7 +159,7 @@ class ManualClock:
         """Whether a thread waits for time to pass, once it does or has ended."""
 
         def waits() -> bool:
-            return any(wait.thread is thread and not wait.is_over for wait in self._waits)
+            return any(wait.thread is thread and wait.is_waiting for wait in self._waits)
 
         self._require(
             lambda: waits() or not thread.is_alive(), f"{thread.name} waits again or ends"
@@ -167,6 +175,11 @@ class ManualClock:
                     raise TimeoutError(f"in vain: {what}")
                 # The end of a thread notifies no one.
                 self._changed.wait(GLANCE)
+
+
+def _never() -> bool:
+    """For a predicate, which only the thread that holds the condition may call."""
+    return False
 
 
 def _nanoseconds(seconds: float) -> int:

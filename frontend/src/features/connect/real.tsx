@@ -188,9 +188,10 @@ function Away({ title, robots, show }: AwayProps) {
 }
 
 /** The word for why a robot is not there: without its add-on, nothing can find it. */
-function state({ isBusy, addOn }: Listed): string {
+function state({ isBusy, addOn, isLooking }: Listed): string {
   if (addOn) return "page-connect-needs-add-on";
-  return isBusy ? "page-connect-busy" : "page-connect-away";
+  if (isBusy) return "page-connect-busy";
+  return isLooking ? "page-connect-looking" : "page-connect-away";
 }
 
 function AwayRobot({ robot, show }: { robot: Listed; show: (next: Aside) => void }) {

@@ -21,6 +21,10 @@ robot-not-loaded = The robot '{ $name }' can't be loaded ({ $reason }).
 # The guardian of a robot without a watchdog.
 robot-computer-froze = This computer was frozen or too busy for half a second, so the motors of '{ $robot }' were stopped. Close other programs if this happens often, and run the program again.
 robot-guardian-ended = The process that stops '{ $robot }' in an emergency has ended, so the robot can't be driven safely. Run the program again.
+# The link of a robot whose library is asynchronous. $reason is the library's error, in English.
+robot-link-silent = The robot at { $place } stopped answering. Is it on and in range?
+robot-link-broke = The connection to the robot at { $place } was lost ({ $reason }). Is it on and in range?
+robot-link-closed = The connection to the robot at { $place } is closed. Run the program again.
 robot-needs-no-setup = The robot '{ $name }' needs no setup.
 robot-missing-add-on = The robot '{ $robot }' needs an add-on that is not installed. Install it with: { $command }
 robot-missing-package = The robot '{ $robot }' needs the Python package { $package }. Install it where LearnBlock is installed.

@@ -19,6 +19,10 @@ robot-not-loaded = No se puede cargar el robot '{ $name }' ({ $reason }).
 # The guardian of a robot without a watchdog.
 robot-computer-froze = Este ordenador estuvo parado o demasiado ocupado durante medio segundo, así que se pararon los motores de '{ $robot }'. Cierra otros programas si pasa a menudo y vuelve a ejecutar el programa.
 robot-guardian-ended = El proceso que para '{ $robot }' en una emergencia ha terminado, así que no es seguro conducir el robot. Vuelve a ejecutar el programa.
+# La conexión con un robot cuya biblioteca es asíncrona. $reason es el error de la biblioteca, en inglés.
+robot-link-silent = El robot en { $place } ha dejado de responder. ¿Está encendido y cerca?
+robot-link-broke = Se ha perdido la conexión con el robot en { $place } ({ $reason }). ¿Está encendido y cerca?
+robot-link-closed = La conexión con el robot en { $place } está cerrada. Ejecuta el programa otra vez.
 robot-needs-no-setup = El robot '{ $name }' no necesita preparación.
 robot-missing-add-on = El robot '{ $robot }' necesita un complemento que no está instalado. Instálalo con: { $command }
 robot-missing-package = El robot '{ $robot }' necesita el paquete de Python { $package }. Instálalo donde está instalado LearnBlock.

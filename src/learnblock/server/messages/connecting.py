@@ -96,6 +96,7 @@ class KnownRobot(Struct, frozen=True, omit_defaults=True):
         used: whether it was connected on this computer before.
         is_busy: whether a program or another page uses it now.
         add_on: the command that installs the packages that it needs; empty if it has them.
+        looking: whether the first look for it has not ended.
     """
 
     robot: str
@@ -103,6 +104,7 @@ class KnownRobot(Struct, frozen=True, omit_defaults=True):
     used: bool = False
     is_busy: bool = False
     add_on: str = ""
+    looking: bool = False
 
 
 class RobotsNearby(ToPage, frozen=True):

@@ -16,8 +16,6 @@ from learnblock.running import finding
 from learnblock.server import messages
 from learnblock.server.runs.viewers import Viewer, Viewers
 
-#: The seconds that a driver has to find its robots.
-LIMIT = 2.0
 #: Seconds until robots of a kind are looked for again: a robot that answers is not disturbed.
 AGAIN, AGAIN_AFTER_FOUND = 1.0, 6.0
 #: Seconds until the kinds are listed again: a file that failed to load may be corrected by then.
@@ -61,6 +59,8 @@ class Nearby:
         self._searching: asyncio.Task[None] | None = None
         self._found: dict[str, tuple[Found, ...]] = {}
         self._missed: dict[str, int] = {}
+        #: The kinds whose first look has ended.
+        self._looked: set[str] = set()
         #: The kinds that a program elsewhere on this computer uses.
         self._elsewhere: set[str] = set()
         self._known: dict[str, messages.KnownRobot] = {}
@@ -95,10 +95,10 @@ class Nearby:
         if self._searching:
             self._searching.cancel()
             self._searching = None
-        self._found, self._last = {}, None
+        self._found, self._looked, self._last = {}, set(), None
 
     async def finish_looking(self, robot: str) -> None:
-        """Return once no robot of a kind is being looked for; a look takes `LIMIT` at most."""
+        """Return once no robot of a kind is being looked for; a look takes a few seconds."""
         if robot in self._looks:
             await asyncio.wait([self._looks[robot]])
 
@@ -133,16 +133,32 @@ class Nearby:
                     self._note(entry, settings)
                     self._elsewhere.discard(entry.name)
                     self._elsewhere |= {entry.name} if used else set()
+            self._looked.add(entry.name)
             self.show()
             await asyncio.sleep(AGAIN_AFTER_FOUND if self._found.get(entry.name) else AGAIN)
 
     def _begin_to_look(self, entry: RobotEntry) -> "asyncio.Task[tuple[Settings, bool]]":
         """The look at a kind that is under way, or else a new one."""
         if entry.name not in self._looks:
-            look = to_thread.run_sync(_look, entry, limiter=self._limiter, abandon_on_cancel=True)
+            loop = asyncio.get_running_loop()
+
+            def report(chosen: Mapping[str, Any]) -> None:
+                loop.call_soon_threadsafe(self._note_early, entry, chosen)
+
+            look = to_thread.run_sync(
+                _look, entry, report, limiter=self._limiter, abandon_on_cancel=True
+            )
             self._looks[entry.name] = asyncio.create_task(look)
             self._looks[entry.name].add_done_callback(lambda _: self._looks.pop(entry.name))
         return self._looks[entry.name]
+
+    def _note_early(self, entry: RobotEntry, chosen: Mapping[str, Any]) -> None:
+        """Show a robot before the look at its kind has ended."""
+        robot = _found(entry, chosen)
+        if self._pages and not self._is_busy(entry.name) and self.find(robot.shown.id) is None:
+            same = (*self._found.get(entry.name, ()), robot)
+            self._found[entry.name] = same[:_MOST_OF_A_KIND]
+            self.show()
 
     def _note(self, entry: RobotEntry, found: Settings) -> None:
         self._missed[entry.name] = 0 if found else self._missed.get(entry.name, 0) + 1
@@ -157,13 +173,19 @@ class Nearby:
             return
         nearby = (robot.shown for same in self._found.values() for robot in same)
         known = (
-            structs.replace(robot, is_busy=self._is_used(robot.robot))
+            structs.replace(
+                robot, is_busy=self._is_used(robot.robot), looking=self._is_new(robot.robot)
+            )
             for robot in self._known.values()
         )
         shown = messages.RobotsNearby(tuple(nearby), tuple(known))
         if shown != self._last:
             self._last = shown
             self._pages.send(shown)
+
+    def _is_new(self, name: str) -> bool:
+        """Whether the search has not looked for a kind yet."""
+        return self._searching is not None and name not in self._looked
 
     def _is_used(self, name: str) -> bool:
         return self._is_busy(name) or name in self._elsewhere
@@ -182,9 +204,11 @@ class Nearby:
         return known
 
 
-def _look(entry: RobotEntry) -> tuple[Settings, bool]:
+def _look(
+    entry: RobotEntry, report: Callable[[Mapping[str, Any]], object]
+) -> tuple[Settings, bool]:
     """The settings that reach each robot of a kind, and whether another program uses it."""
-    settings = finding.find(entry, LIMIT)
+    settings = finding.find(entry, report)
     return settings, not settings and finding.is_in_use(entry)
 
 

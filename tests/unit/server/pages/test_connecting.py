@@ -43,6 +43,10 @@ class Robot(RealRobot[Settings]):
             note("look")
             Event().wait(0.3)
             note("looked")
+        if (FOLDER / "endless").exists():
+            yield {{"address": "10.0.0.8"}}
+            note(f"may take {{seconds:g}} s")
+            Event().wait()
         if (FOLDER / "on").exists():
             yield {{"address": "10.0.0.7"}}
 
@@ -79,6 +83,9 @@ class Robot:
         self.folder = folder
         folder.mkdir()
         self.switch_on()
+
+    def hang_after_the_first(self):
+        (self.folder / "endless").touch()
 
     def switch_on(self):
         (self.folder / "on").touch()
@@ -154,6 +161,37 @@ def test_a_robot_is_not_connected_while_it_is_looked_for(page, robot):
     robot.await_note("look")
     connect(page)
     assert robot.notes[:3] == ["look", "looked", "connect 10.0.0.1"]
+
+
+def test_a_robot_is_shown_while_its_driver_still_looks_for_others(page, robot):
+    robot.hang_after_the_first()
+    page.say("FindRobots", on=True)
+    while not (found := found_of(nearby := page.hear("RobotsNearby"), "mine")):
+        pass
+    assert found[0]["place"] == "10.0.0.8"
+    assert known_of(nearby, "mine")["looking"] is True
+
+
+@pytest.mark.parametrize(("asked", "given"), [("", "2"), ("4.5", "4.5"), ("60", "5")])
+def test_the_class_of_a_robot_says_how_long_a_look_may_take_five_seconds_at_most(
+    page, robot, home, asked, given
+):
+    if asked:
+        source = home / "robots" / "mine.py"
+        source.write_text(
+            source.read_text().replace("    rights =", f"    scan_seconds = {asked}\n    rights =")
+        )
+    robot.hang_after_the_first()
+    page.say("FindRobots", on=True)
+    robot.await_note(f"may take {given} s")
+
+
+def test_a_kind_is_being_looked_for_until_its_first_look_has_ended(page, robot):
+    robot.switch_off()
+    page.say("FindRobots", on=True)
+    assert known_of(page.hear("RobotsNearby"), "mine")["looking"] is True
+    while "looking" in known_of(page.hear("RobotsNearby"), "mine"):
+        pass
 
 
 def test_a_robot_that_is_switched_off_disappears(page, robot):

@@ -29,6 +29,7 @@ page-connect-disconnect = Disconnect
 page-connect-connected = Connected
 page-connect-needs-add-on = Needs an add-on. Install it in a terminal, then restart LearnBlock:
 page-connect-busy = In use by another page or a program
+page-connect-looking = Looking for it…
 page-connect-away = Not found
 page-connect-help = Help me
 page-connect-help-named = Help me find { $robot }

@@ -26,6 +26,7 @@ page-connect-disconnect = Desconectar
 page-connect-connected = Conectado
 page-connect-needs-add-on = Necesita un complemento. Instálalo en una terminal y reinicia LearnBlock:
 page-connect-busy = En uso por otra página o un programa
+page-connect-looking = Buscándolo…
 page-connect-away = No encontrado
 page-connect-help = Ayúdame
 page-connect-help-named = Ayúdame a encontrar { $robot }
