@@ -31,7 +31,6 @@ from learnblock.runtime.lockstep import LockStepClock
 from learnblock.runtime.log.instrumenting import instrument
 from learnblock.runtime.log.noting import Noting
 from learnblock.runtime.messages import (
-    LONGEST_NAME,
     LONGEST_PROMPT,
     MOST_NUMBERS,
     Contained,
@@ -48,13 +47,12 @@ from learnblock.runtime.output import LineWriter
 from learnblock.runtime.own_files import own_frame, own_place
 from learnblock.runtime.userrandom import use_own_random
 from learnblock.runtime.usertime import use_robot_time
-from learnblock.runtime.values import described, encodable, shortened
+from learnblock.runtime.values import encodable, shortened
+from learnblock.runtime.variable_texts import described_variables
 from learnblock.runtime.wire import Wire
 
 #: The modules of the built-in robots.
 _ROBOTS = "learnblock.robots."
-#: The most bytes of a function's variables, and of the program's, that are described.
-_MOST_DESCRIBED = 24 * 1024
 
 
 def main() -> None:
@@ -253,6 +251,8 @@ class _Program:
         """Check at every line, from the first one, whether the program pauses."""
         self._wire.control = control
         self._gate = Gate(self._wire, self._setup.filename)
+        if self._noting:
+            self._gate.before_pause = self._noting.flush
         on_line = unless_shown(self._wire.turn, self._gate)
         self._end_lines = start_line_events(self._code, self._setup.source, on_line)
 
@@ -297,8 +297,8 @@ class _Program:
         if frame is None:
             # A thread that does not run the program's code.
             return Variables({}, {}, whens)
-        local = {} if frame.f_locals is frame.f_globals else _described(frame.f_locals)
-        return Variables(local, _described(frame.f_globals), whens)
+        local = {} if frame.f_locals is frame.f_globals else described_variables(frame.f_locals)
+        return Variables(local, described_variables(frame.f_globals), whens)
 
     def _fault(self, error: BaseException) -> Fault:
         failed = failed_code(error, self._setup.filename, self._setup.source)
@@ -339,21 +339,6 @@ def _stop_program(number: int, frame: FrameType | None) -> NoReturn:  # noqa: AR
 
 def _print_to(output: LineWriter, *values: object, **options: Any) -> None:
     print(*values, **{"file": output, **options})  # noqa: T201 - the program's own print
-
-
-def _described(variables: Any) -> dict[str, str]:
-    """The variables as text, as many as fit into a message."""
-    texts: dict[str, str] = {}
-    left = _MOST_DESCRIBED
-    for name, value in list(variables.items()):
-        if name.startswith("__") or isinstance(value, Client) or callable(value):
-            continue
-        shown, text = shortened(encodable(name), LONGEST_NAME - 3), described(value)
-        left -= len(shown.encode()) + len(text.encode())
-        if left < 0:
-            break
-        texts[shown] = text
-    return texts
 
 
 if __name__ == "__main__":

@@ -32,6 +32,8 @@ class Gate:
         self._listened = monotonic()
         #: Called with each line before the program may pause; does nothing without a robot.
         self.on_line: OnLine = bool
+        #: Called before the program pauses: what it has noted must be known by then.
+        self.before_pause: Callable[[], object] = bool
 
     def __call__(self, number: int) -> None:
         if monotonic() - self._listened > LISTENING_PERIOD:
@@ -44,6 +46,7 @@ class Gate:
 
     def _hold(self, number: int, depth: int) -> None:
         if self._wire.control.holds(number, depth):
+            self.before_pause()
             self._wire.hold(number, depth)
 
 

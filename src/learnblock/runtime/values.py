@@ -14,6 +14,8 @@ _PLAIN = frozenset({type(None), bool, float})
 _LARGEST = 2**63
 # The address of an object differs between two runs of a program.
 _ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")
+# An object that says no more than its class.
+_BARE = re.compile(r"<(?:[\w<>]+\.)*(\w+) object>")
 
 
 def is_small(value: Any) -> bool:
@@ -48,6 +50,15 @@ def described(value: object) -> str:
     except Exception as error:  # noqa: BLE001 - a pupil's __repr__ may raise anything
         return f"<{type(error).__name__} in its own description>"
     return shortened(encodable(_ADDRESS.sub("", text)))
+
+
+def without_module(text: str) -> str:
+    """A description in which an object that has none of its own is named by its class.
+
+    >>> without_module("[<__main__.Driver object>, 3]")
+    '[Driver, 3]'
+    """
+    return _BARE.sub(r"\1", text)
 
 
 def shortened(text: str, longest: int = LONGEST_VALUE) -> str:

@@ -10,7 +10,7 @@ from learnblock.cli import main
 from learnblock.runtime.log.events import Op
 from learnblock.why.calls import Called, Layer, calls
 from learnblock.why.graph_picture import COLOURS, colour, picture
-from logged_runs import logged_example, logged_text
+from logged_runs import logged_example, logged_file, logged_text
 
 PROGRAM = """\
 def side(mm):
@@ -166,3 +166,38 @@ def test_another_file_is_refused(tmp_path):
     done = CliRunner().invoke(main, ["calls", str(other)])
     assert done.exit_code == 2
     assert "other.why is not the log of a run" in done.output
+
+
+METHODS = """\
+from learnblock.robots.sim_ebo import Robot
+
+robot = Robot()
+
+
+class Driver:
+    def __init__(self, mm):
+        self.mm = mm
+
+    def __repr__(self):
+        return "driver"
+
+    def side(self):
+        robot.drive_distance(self.mm)
+        robot.turn(90)
+
+
+driver = Driver(100)
+for _ in range(2):
+    driver.side()
+"""
+
+
+def test_a_method_is_between_the_program_and_its_skills(tmp_path):
+    path = tmp_path / "methods.py"
+    path.write_text(METHODS, encoding="utf-8")
+    graph = calls(logged_file(path, "sim-ebo").history)
+    edges = {(edge.caller.name, edge.callee.name): edge.count for edge in graph.edges}
+    assert edges[graph.program.name, "Driver.__init__"] == 1
+    assert edges[graph.program.name, "Driver.side"] == 2
+    assert edges["Driver.side", "drive_distance"] == 2
+    assert (graph.program.name, "drive_distance") not in edges

@@ -1,5 +1,6 @@
 /** A table that is updated often: changed cells flash, the others are not touched. */
 
+import { t } from "../../i18n";
 import { icon } from "../../ui/icons";
 import { button, element } from "./elements";
 
@@ -42,9 +43,23 @@ export interface Jumping {
 
 function makeRow([name, ...values]: Row, asking: Asking | null, jumping: Jumping | null): HTMLTableRowElement {
   const cells = values.map(() => element("td"));
-  if (jumping) cells.push(element("td", { class: "jumps" }, jumper(-1, name, jumping), jumper(1, name, jumping)));
-  const head = element("th", { scope: "row" }, asking ? asker(name, asking) : name);
+  const isPart = partOf(name) !== "";
+  if (jumping) {
+    const jumps = isPart ? [] : [jumper(-1, name, jumping), jumper(1, name, jumping)];
+    cells.push(element("td", { class: "jumps" }, ...jumps));
+  }
+  const head = element("th", { scope: "row" }, asking && !isPart ? asker(name, asking) : lastName(name));
+  head.style.setProperty("--depth", `${name.split(".").length - 1}`);
   return element("tr", { "data-name": name }, head, ...cells);
+}
+
+/** The object that a row is a part of: `driver` for `driver.speed`; empty for a variable. */
+function partOf(name: string): string {
+  return name.slice(0, Math.max(0, name.lastIndexOf(".")));
+}
+
+function lastName(name: string): string {
+  return name.slice(name.lastIndexOf(".") + 1);
 }
 
 function asker(name: string, asking: Asking): HTMLButtonElement {
@@ -65,11 +80,55 @@ function sameRows(body: HTMLTableSectionElement, rows: readonly Row[]): boolean 
   return body.rows.length === rows.length && rows.every(([name], index) => body.rows[index]?.dataset.name === name);
 }
 
+/** Shows and hides the rows of an object's parts. */
+class Parts {
+  private readonly opened = new Set<string>();
+
+  constructor(private readonly body: HTMLTableSectionElement) {}
+
+  show(): void {
+    for (const row of this.body.rows) {
+      const name = row.dataset.name ?? "";
+      row.hidden = !this.isShown(name);
+      row.querySelector(".open-object")?.setAttribute("aria-expanded", `${this.opened.has(name)}`);
+    }
+  }
+
+  /** A button that opens an object, or closes it. */
+  opener(name: string): HTMLButtonElement {
+    const made = button("open-object", () => {
+      if (!this.opened.delete(name)) this.opened.add(name);
+      this.show();
+    });
+    made.append(icon("lineAfter"));
+    made.title = made.ariaLabel = t("page-variables-open", { name });
+    return made;
+  }
+
+  private isShown(name: string): boolean {
+    const object = partOf(name);
+    return !object || (this.opened.has(object) && this.isShown(object));
+  }
+}
+
 export function createTable(asking: Asking | null = null, jumping: Jumping | null = null): Table {
   const title = element("caption");
   const head = element("tr");
   const body = element("tbody");
   const dom = element("table", {}, title, element("thead", {}, head), body);
+  const parts = new Parts(body);
+
+  function makeRows(rows: readonly Row[]): void {
+    const objects = new Set(rows.map(([name]) => partOf(name)));
+    const made = rows.map((row) => {
+      const [name] = row;
+      const one = makeRow(row, asking, jumping);
+      if (objects.has(name)) one.cells[0]?.prepend(parts.opener(name));
+      return one;
+    });
+    body.replaceChildren(...made);
+    parts.show();
+  }
 
   function show(caption: string, named: readonly string[], rows: readonly Row[], flashing = Infinity): void {
     const columns = jumping ? [...named, jumping.heading()] : named;
@@ -78,7 +137,7 @@ export function createTable(asking: Asking | null = null, jumping: Jumping | nul
     if (head.textContent !== columns.join("")) {
       head.replaceChildren(...columns.map((column) => element("th", { scope: "col" }, column)));
     }
-    if (!sameRows(body, rows)) body.replaceChildren(...rows.map((row) => makeRow(row, asking, jumping)));
+    if (!sameRows(body, rows)) makeRows(rows);
     rows.forEach(([, ...values], index) => {
       const cells = body.rows[index]?.cells;
       values.forEach((value, column) => {

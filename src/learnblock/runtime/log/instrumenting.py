@@ -2,7 +2,8 @@
 
 Each expression that the log wants to know is put into a call of a noting function, which returns
 its value unchanged. Lines stay as they are, so that errors, breakpoints and the trace do, too.
-Left alone is what only Python itself can say: classes, generators, coroutines, comprehensions.
+Left alone is what only Python itself can say: generators, coroutines, comprehensions, and what is
+in a class, of whose methods only the calls are noted.
 """
 
 import ast
@@ -18,6 +19,7 @@ from learnblock.runtime.log.syntax import (
     changed_list,
     declarations,
     has_yield,
+    is_implicit,
     names_captured,
     names_read,
     names_written,
@@ -48,7 +50,6 @@ _HARMLESS_BASES = frozenset({"math", "robot", "time"})
 _STATES = frozenset({"active", "time"})
 #: Inside these nothing is noted.
 _ALONE = (
-    ast.ClassDef,
     ast.AsyncFunctionDef,
     ast.Lambda,
     ast.ListComp,
@@ -311,14 +312,51 @@ class _Instrumenting(ast.NodeTransformer):
         self._control, self._branch, self._function = context
         return node
 
+    def visit_ClassDef(self, node: ast.ClassDef) -> ast.AST:
+        """Note the calls of the methods, and nothing else in a class."""
+        for method in node.body:
+            if isinstance(method, ast.FunctionDef) and not is_implicit(method):
+                self._note_calls(method, f"{node.name}.{method.name}")
+        return node
+
+    def _note_calls(self, method: ast.FunctionDef, name: str) -> None:
+        if has_yield(method):
+            return
+        number = self._begin(method, Kind.FUNCTION, name=name, first=method.lineno)
+        self._end(number, method.end_lineno)
+        ahead = [*declarations(method.body)]
+        # Without the arguments: to describe an object may call its methods.
+        method.body = self._enclosed(method, number, (), ahead, method.body[len(ahead) :])
+
     def _function_body(self, node: ast.FunctionDef, number: int) -> list[ast.stmt]:
         ahead = [*declarations(node.body)]
-        body = self.block(node.body[len(ahead) :]) or [ast.Pass(lineno=node.lineno, col_offset=0)]
+        return self._enclosed(
+            node,
+            number,
+            tuple(arg.arg for arg in node.args.args),
+            ahead,
+            self.block(node.body[len(ahead) :]),
+        )
+
+    def _enclosed(
+        self,
+        node: ast.FunctionDef,
+        number: int,
+        arguments: Iterable[str],
+        ahead: list[ast.stmt],
+        body: list[ast.stmt],
+    ) -> list[ast.stmt]:
+        """A function's body, with a note where it is entered and left."""
         # The line where Python says that the function begins, so that it isn't a line of its body.
         at = node.decorator_list[0] if node.decorator_list else node
-        values = ast.Tuple([ast.Name(arg.arg, ast.Load()) for arg in node.args.args], ast.Load())
+        values = ast.Tuple([ast.Name(name, ast.Load()) for name in arguments], ast.Load())
         left = self._statement(LEAVE, number, ast.Constant(None), at)
-        enclosed = ast.Try(body=body, handlers=[], orelse=[], finalbody=[left])
+        enclosed = ast.Try(
+            body=body or [ast.Pass(lineno=node.lineno, col_offset=0)],
+            handlers=[],
+            orelse=[],
+            finalbody=[left],
+        )
         ast.copy_location(enclosed, at)
         return [*ahead, self._statement(ENTER, number, values, at), enclosed]
 

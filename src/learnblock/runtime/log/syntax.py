@@ -70,6 +70,12 @@ def declarations(body: Sequence[ast.stmt]) -> Iterable[ast.stmt]:
         yield statement
 
 
+def is_implicit(method: ast.FunctionDef) -> bool:
+    """Whether Python itself calls a method, such as ``__repr__`` while a value is described."""
+    name = method.name
+    return name.startswith("__") and name.endswith("__") and name not in {"__init__", "__call__"}
+
+
 def has_yield(node: ast.FunctionDef) -> bool:
     """Whether a function is a generator."""
     return any(isinstance(inner, ast.Yield | ast.YieldFrom) for inner in ast.walk(node))

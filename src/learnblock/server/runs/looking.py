@@ -1,10 +1,13 @@
 """Looks back at a run: its moments, and its call graph."""
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from threading import Lock, Thread
 from time import monotonic
 from typing import TYPE_CHECKING, Protocol
+
+from msgspec.structs import replace
 
 from learnblock.runtime.log.blocks import Block, Stream
 from learnblock.runtime.log.noting import TICK
@@ -103,8 +106,11 @@ class Looking:
         """
         with self._turn():
             values = self._now().last_values()
-        is_late = any(now.get(value.name, value.value) != value.value for value in values)
-        return messages.ValuesThere(() if is_late else values)
+        if any(_is_late(value, now) for value in values):
+            return messages.ValuesThere()
+        return messages.ValuesThere(
+            tuple(replace(value, value=now.get(value.name, value.value)) for value in values)
+        )
 
     def calls(self, first: float, last: float | None) -> messages.CallGraph:
         """The call graph of a part of the run."""
@@ -170,6 +176,12 @@ class Looking:
             with self._turn():
                 world = self._reading.world if self._reading else None
                 more = world is not None and world.prepare()
+
+
+def _is_late(value: messages.ValueThere, now: Mapping[str, str]) -> bool:
+    """Whether the log has another value than the program; it cuts long ones and has no objects."""
+    is_whole = not re.search(r"<|\.\.\.| more", value.value)
+    return is_whole and now.get(value.name, value.value) != value.value
 
 
 def call_graph(graph: "Calls") -> messages.CallGraph:

@@ -2,10 +2,16 @@
 
 import pytest
 
+from learnblock import robots, running
+from learnblock.running import Options, ProgramRun
+from learnblock.runtime.debugger import Debugger
+from learnblock.runtime.log.keeping import RunLog
+from learnblock.runtime.process import ThreadWorker
+from learnblock.runtime.watcher import Watcher
 from learnblock.server import messages
 from learnblock.server.runs.live_timeline import LiveTimeline
 from learnblock.server.runs.looking import Looking
-from logged_runs import logged_blocks
+from logged_runs import logged_blocks, logged_file
 
 
 class Log:
@@ -49,3 +55,62 @@ def test_a_log_that_lags_behind_a_paused_program_tells_no_values():
     assert values["corners"] == "3"
     assert looking.values({"corners": "3"}).values
     assert looking.values({"corners": "4"}).values == ()
+
+
+OBJECT = """\
+from learnblock.robots.sim_ebo import Robot
+
+robot = Robot()
+
+
+class Driver:
+    pass
+
+
+driver = Driver()
+count = 1 + 1
+robot.sleep(1)
+"""
+
+
+def test_an_object_is_named_as_among_the_variables(tmp_path):
+    path = tmp_path / "program.py"
+    path.write_text(OBJECT, encoding="utf-8")
+    blocks = logged_file(path, "sim-ebo").blocks
+    looking = Looking(Log(blocks), [f"b{line}" for line in range(1, 20)])
+    values = looking.values({"driver": "Driver", "count": "2"}).values
+    assert {one.name: one.value for one in values} == {"driver": "Driver", "count": "2"}
+
+
+class AtPause(Watcher):
+    """Reads the values beside the lines when the program pauses."""
+
+    def __init__(self, log, debugger):
+        self.looking = Looking(log, [f"b{line}" for line in range(1, 20)])
+        self.debugger = debugger
+        self.values = {}
+
+    def held(self, line, variables):
+        found = self.looking.values({**variables.shared, **variables.local}).values
+        self.values = {one.block: one.value for one in found}
+        self.debugger.resume()
+
+
+def test_a_program_that_pauses_at_a_breakpoint_has_its_values_beside_its_lines(tmp_path):
+    path = tmp_path / "program.py"
+    path.write_text(OBJECT, encoding="utf-8")
+    entry = robots.find("sim-ebo")
+    program = running.program(running.read(path), entry)
+    log, debugger = RunLog(program), Debugger([12])
+    watcher = AtPause(log, debugger)
+    run = ProgramRun(
+        program,
+        entry,
+        Options(),
+        worker=ThreadWorker,
+        watcher=watcher,
+        debugger=debugger,
+        log=log,
+    )
+    assert run.run().ended == "finished"
+    assert watcher.values == {"b10": "Driver", "b11": "2"}

@@ -6,6 +6,7 @@ page-variables-value = Value
 page-variables-stack = In { $functions }
 page-variables-local = In this function
 page-variables-shared = Global
+page-variables-open = Show the parts of { $name }
 page-variables-whens = Event
 page-variables-state = State
 page-variables-time = Active for

@@ -6,6 +6,7 @@ page-variables-value = Valor
 page-variables-stack = En { $functions }
 page-variables-local = En esta función
 page-variables-shared = Globales
+page-variables-open = Mostrar las partes de { $name }
 page-variables-whens = Evento
 page-variables-state = Estado
 page-variables-time = Activo desde hace
