@@ -23,7 +23,8 @@ end
 @pytest.fixture
 def pupil(sit_down, server):
     """A pupil with a run of one second, and a newer one of two."""
-    pupil = sit_down(server, empty=True)
+    pupil = sit_down(server, empty=True, flat=True)
+    pupil.choose("Speed", "Fastest")
     for times in (1, 2):
         pupil.write("blocktext", DRIVING.format(times=times))
         pupil.wait_until_saved()

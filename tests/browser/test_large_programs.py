@@ -7,6 +7,8 @@ import pytest
 from playwright.sync_api import expect
 
 from browser.pupil import LONGEST_RUN
+from learnblock.project.files.folder import ProjectFolder
+from learnblock.project.files.project import Project
 
 # Programs of 5,000 lines, which a busy machine draws slowly.
 pytestmark = pytest.mark.timeout(400)
@@ -35,9 +37,16 @@ MAIN = "\nmain:\n    step_0(1)\nend\n"
 PROGRAM = SHORT + "".join(FUNCTION.format(number=number) for number in range(FUNCTIONS)) + MAIN
 #: Statements in one list; the last one is at the end of the scrollbar.
 LIST = "main:\n" + "".join(f"    x = {number}\n" for number in range(1200)) + "end\n"
+BRIEF = """
+def step_{number}():
+    function.sleep(1)
+    function.stop_bot()
+end
+"""
 #: More functions than are drawn at once.
+COUNT = 120
 MANY = "main:\n    function.sleep(1)\nend\n" + "".join(
-    FUNCTION.format(number=number) for number in range(4 * FUNCTIONS)
+    BRIEF.format(number=number) for number in range(COUNT)
 )
 #: When blocks begin to load: note what can be seen, and paste a line at the start of the text.
 WATCH = """
@@ -59,20 +68,17 @@ watcher.observe(document, { subtree: true, childList: true });
 
 
 @pytest.fixture
-def pupil(sit_down, server):
-    """A pupil who has begun a project."""
-    pupil = sit_down(server, viewport={"width": 1800, "height": 900})
-    pupil.begin("long")
-    pupil.show("Blocks", "Block-Text")
-    return pupil
+def open_program(sit_down, server):
+    """A function that opens a saved program as a pupil."""
 
+    def open_program(text):
+        projects = ProjectFolder(server.home / "projects")
+        projects.write(Project(projects.free_name("long"), text))
+        pupil = sit_down(server, viewport={"width": 1800, "height": 900}, flat=True)
+        pupil.sees("blocktext", text.splitlines()[1])
+        return pupil
 
-def open_program(pupil, text):
-    """Save a program, and open it anew."""
-    pupil.write("blocktext", text)
-    pupil.wait_until_saved()
-    pupil.page.reload()
-    pupil.sees("blocktext", text.splitlines()[1])
+    return open_program
 
 
 def function(pupil, number):
@@ -102,26 +108,27 @@ def saved(pupil, server):
 
 
 @pytest.mark.certain
-def test_the_text_of_a_long_program_is_shown_before_its_blocks_and_an_edit_meanwhile_is_kept(pupil):
-    pupil.write("blocktext", MANY)
-    expect_functions(pupil, 4 * FUNCTIONS)
-    pupil.wait_until_saved()
+def test_the_text_of_a_long_program_is_shown_before_its_blocks_and_an_edit_meanwhile_is_kept(
+    open_program,
+):
+    pupil = open_program(MANY)
+    expect_functions(pupil, COUNT)
     pupil.page.add_init_script(WATCH)
     pupil.page.reload()
     pupil.sees("blocktext", "added = 7")
     seen = pupil.page.evaluate("() => loadings")
     assert [one["loads"] for one in seen] == [True]
     assert "function.sleep(1)" in seen[0]["text"]
-    expect_functions(pupil, 4 * FUNCTIONS)
+    expect_functions(pupil, COUNT)
     expect(pupil.blocks("variables_set").filter(has_text="added")).to_have_count(1)
     pupil.wait_until_saved()
     pupil.page.reload()
-    expect_functions(pupil, 4 * FUNCTIONS)
+    expect_functions(pupil, COUNT)
     pupil.sees("blocktext", "added = 7", "function.sleep(1)")
 
 
-def test_functions_of_a_long_program_are_folded_and_one_opens_with_a_click(pupil):
-    open_program(pupil, PROGRAM)
+def test_functions_of_a_long_program_are_folded_and_one_opens_with_a_click(open_program):
+    pupil = open_program(PROGRAM)
     expect_functions(pupil)
     expect(pupil.blocks("lb_rest")).to_have_count(FUNCTIONS)
     pupil.picture("folded")
@@ -131,8 +138,8 @@ def test_functions_of_a_long_program_are_folded_and_one_opens_with_a_click(pupil
     pupil.picture("open")
 
 
-def test_an_edit_beside_folded_functions_changes_nothing_in_them(pupil, server):
-    open_program(pupil, PROGRAM)
+def test_an_edit_beside_folded_functions_changes_nothing_in_them(open_program, server):
+    pupil = open_program(PROGRAM)
     expect_functions(pupil)
     before = saved(pupil, server)
     pupil.fill(pupil.blocks("lb_skill_sleep").locator("> .blocklyShadow").first, "4")
@@ -143,8 +150,8 @@ def test_an_edit_beside_folded_functions_changes_nothing_in_them(pupil, server):
     expect(pupil.blocks("lb_rest")).to_have_count(FUNCTIONS)
 
 
-def test_a_block_in_an_opened_function_is_edited_and_undone(pupil):
-    open_program(pupil, PROGRAM)
+def test_a_block_in_an_opened_function_is_edited_and_undone(open_program):
+    pupil = open_program(PROGRAM)
     expect_functions(pupil)
     unfold(pupil, 1)
     pupil.fill(pupil.blocks("math_change").locator("> .blocklyShadow").first, "4")
@@ -154,9 +161,9 @@ def test_a_block_in_an_opened_function_is_edited_and_undone(pupil):
     expect(pupil.blocks("lb_rest")).to_have_count(FUNCTIONS - 1)
 
 
-def test_a_new_name_of_a_function_reaches_calls_that_are_not_drawn(pupil, server):
+def test_a_new_name_of_a_function_reaches_calls_that_are_not_drawn(open_program, server):
     calls = "def last():\n" + 4 * "    step_0(2)\n" + "end\n"
-    open_program(pupil, PROGRAM + calls)
+    pupil = open_program(PROGRAM + calls)
     expect_functions(pupil, FUNCTIONS + 2)
     pupil.fill(function(pupil, 0).get_by_text("step_0", exact=True).first, "jump")
     pupil.sees("blocktext", "def jump(x):")
@@ -165,8 +172,8 @@ def test_a_new_name_of_a_function_reaches_calls_that_are_not_drawn(pupil, server
     assert "step_0(" not in text
 
 
-def test_a_program_that_pauses_in_a_folded_function_shows_where(pupil):
-    open_program(pupil, PROGRAM)
+def test_a_program_that_pauses_in_a_folded_function_shows_where(open_program):
+    pupil = open_program(PROGRAM)
     expect_functions(pupil)
     pupil.click_beside("blocktext", pupil.line_of("blocktext", "y = x + 2"))
     pupil.choose("Speed", "Fastest")
@@ -177,9 +184,9 @@ def test_a_program_that_pauses_in_a_folded_function_shows_where(pupil):
     pupil.press("Stop")
 
 
-def test_the_search_finds_a_block_that_is_not_drawn(pupil):
+def test_the_search_finds_a_block_that_is_not_drawn(open_program):
     last = PROGRAM + "def last():\n    x = 1\n    x = 2\n    x = 3\n    x = 98765\nend\n"
-    open_program(pupil, last)
+    pupil = open_program(last)
     expect_functions(pupil, FUNCTIONS + 2)
     expect(number(pupil, 98765)).to_have_count(0)
     pupil.select_block(pupil.blocks("lb_skill_sleep").first)
@@ -189,8 +196,8 @@ def test_the_search_finds_a_block_that_is_not_drawn(pupil):
     expect(number(pupil, 98765)).to_be_visible()
 
 
-def test_a_long_list_of_statements_is_drawn_where_it_is_in_sight(pupil, server):
-    open_program(pupil, LIST)
+def test_a_long_list_of_statements_is_drawn_where_it_is_in_sight(open_program, server):
+    pupil = open_program(LIST)
     expect(number(pupil, 0)).to_have_count(1)
     expect(pupil.blocks("lb_rest")).to_have_count(1)
     assert pupil.blocks("variables_set").count() < 200

@@ -213,26 +213,26 @@ def words(text):
 
 
 def test_a_lesson_of_level_3_is_played_by_mouse(own_server, sit_down):
-    player = Player(sit_down(own_server, start=True), "3-04-lists-tour")
+    player = Player(sit_down(own_server, start=True, flat=True), "3-04-lists-tour")
     player.play()
     player.expect_finished(stars=5)
 
 
 def test_a_lesson_of_level_2_is_played_by_keyboard(own_server, sit_down):
-    player = TypingPlayer(sit_down(own_server, start=True), "2-05-counting")
+    player = TypingPlayer(sit_down(own_server, start=True, flat=True), "2-05-counting")
     player.play()
     player.expect_finished(stars=5)
 
 
 def test_a_lesson_of_level_1_is_played_by_touch_on_a_phone(own_server, sit_down):
-    pupil = sit_down(own_server, start=True, viewport=PHONE, has_touch=True)
+    pupil = sit_down(own_server, start=True, viewport=PHONE, has_touch=True, flat=True)
     player = TouchingPlayer(pupil, "1-03-square")
     player.play()
     player.expect_finished(stars=5)
 
 
 def test_a_lesson_is_read_in_spanish(own_server, sit_down):
-    pupil = sit_down(own_server, start=True, language="es")
+    pupil = sit_down(own_server, start=True, language="es", flat=True)
     opened = find_lesson("2-02-follow-a-line")
     pupil.page.get_by_role("button", name=re.compile("^2 · ")).click()
     pupil.page.locator(".lesson-card").get_by_role("button", name="Sigue la línea").first.click()
