@@ -11,7 +11,9 @@ import { coloursOf } from "../../../src/views/world/scenery/floor-colours";
 import { paletteOf } from "../../../src/views/world/scenery/palette";
 import { emptyWorld } from "../../worlds";
 
-const COLOURS = ["white", "black", "red", "brown", "yellow"].map(friendly).concat("rgb(12,200,3)", "#808080");
+const COLOURS = (["white", "black", "red", "brown", "yellow"] as const)
+  .map((colour) => friendly(colour))
+  .concat("rgb(12,200,3)", "#808080");
 
 /** The colours of the floor and of its other squares in a plan. */
 function floorColours(world: WorldValues): (string | null | undefined)[] {
