@@ -238,6 +238,8 @@ def page_dialogs(visitor):
 def filled_dialogs(visitor):
     """Dialogs in which something was opened or added."""
     visitor.opens("page-project-menu", "page-sets-menu")
+    visitor.dialog.locator("[aria-expanded=false]").first.click()
+    yield "block set, blocks of a tab"
     visitor.press("page-sets-save-as", visitor.dialog)
     yield "block set, save as"
     visitor.escape()
@@ -505,6 +507,8 @@ PAGE_DIALOGS = {
 }
 #: The walks of what Starter does not show.
 EXPLORED = (looking_back,)
+#: The walks for which the page draws the world; the others are about what lies over it.
+BESIDE_THE_WORLD = (views, menus, runs, looking_back, extras)
 #: The walks of the working page.
 WALKS = (
     views,

@@ -26,7 +26,7 @@ NEEDS = {"cozmo": "pycozmo", "ev3": None, "ebo": None, "thymio": "thymiodirect"}
 
 @pytest.fixture
 def pupil(sit_down, own_server):
-    return sit_down(own_server, empty=True)
+    return sit_down(own_server, empty=True, flat=True)
 
 
 @pytest.fixture

@@ -46,7 +46,16 @@ SAME = "before => document.querySelector('.camera canvas').toDataURL() === befor
 @pytest.fixture
 def pupil(sit_down, server):
     """A pupil whose program has run."""
-    pupil = sit_down(server, empty=True)
+    return after_a_run(sit_down(server, empty=True, flat=True))
+
+
+@pytest.fixture
+def onlooker(sit_down, server):
+    """The same, with the picture of the world."""
+    return after_a_run(sit_down(server, empty=True))
+
+
+def after_a_run(pupil):
     pupil.write("blocktext", COUNTING)
     pupil.wait_until_saved()
     pupil.run_to_the_end()
@@ -69,15 +78,15 @@ def variable(pupil, name):
     return pupil.page.get_by_role("row", name=re.compile(f"^{name} "))
 
 
-def test_a_moment_of_the_run_shows_the_world_the_variables_and_the_block(pupil):
-    look(pupil, 1.5)
-    expect(variable(pupil, "count")).to_contain_text("2")
-    expect(pupil.blocks("lb_skill_sleep")).to_have_class(re.compile("lbRunning"))
-    expect(pupil.page.locator(".status")).to_contain_text("Looking back: 1.5 of 3.0 s")
-    expect(pupil.page.locator(".chips")).to_contain_text("87 mm")
-    pupil.picture("looking-back")
-    look(pupil, 0.5)
-    expect(variable(pupil, "count")).to_contain_text("1")
+def test_a_moment_of_the_run_shows_the_world_the_variables_and_the_block(onlooker):
+    look(onlooker, 1.5)
+    expect(variable(onlooker, "count")).to_contain_text("2")
+    expect(onlooker.blocks("lb_skill_sleep")).to_have_class(re.compile("lbRunning"))
+    expect(onlooker.page.locator(".status")).to_contain_text("Looking back: 1.5 of 3.0 s")
+    expect(onlooker.page.locator(".chips")).to_contain_text("87 mm")
+    onlooker.picture("looking-back")
+    look(onlooker, 0.5)
+    expect(variable(onlooker, "count")).to_contain_text("1")
 
 
 def test_the_console_shows_what_was_printed_by_then(pupil):
@@ -104,16 +113,16 @@ def test_the_plot_marks_the_moment_and_keeps_its_readings(pupil):
     expect(readings).to_be_visible()
 
 
-def test_the_camera_shows_the_picture_of_the_moment(pupil):
-    pupil.page.get_by_role("button", name="View and robot").click()
-    pupil.page.get_by_role("menuitemcheckbox", name="Robot camera").click()
-    picture = pupil.page.locator(".camera canvas")
+def test_the_camera_shows_the_picture_of_the_moment(onlooker):
+    onlooker.page.get_by_role("button", name="View and robot").click()
+    onlooker.page.get_by_role("menuitemcheckbox", name="Robot camera").click()
+    picture = onlooker.page.locator(".camera canvas")
     present = pixels(picture)
-    look(pupil, 0.1)
-    pupil.page.wait_for_function(CHANGED, arg=present)
-    pupil.picture("looking-back-camera")
-    pupil.press("Back to now")
-    pupil.page.wait_for_function(SAME, arg=present)
+    look(onlooker, 0.1)
+    onlooker.page.wait_for_function(CHANGED, arg=present)
+    onlooker.picture("looking-back-camera")
+    onlooker.press("Back to now")
+    onlooker.page.wait_for_function(SAME, arg=present)
 
 
 def pixels(canvas):

@@ -32,7 +32,7 @@ WAVE = "main:\n    function.expressJoy()\nend\n"
 
 
 def test_a_new_project_has_the_name_that_its_owner_gives_it(own_server, sit_down):
-    pupil = sit_down(own_server)
+    pupil = sit_down(own_server, flat=True)
     pupil.begin("My patrol")
     pupil.expect_project("My patrol")
     expect(pupil.dialog()).to_have_count(0)
@@ -40,7 +40,7 @@ def test_a_new_project_has_the_name_that_its_owner_gives_it(own_server, sit_down
 
 def test_a_renamed_project_keeps_its_program_and_its_address(own_server, sit_down):
     # The first page makes the project of an example, whose name the new one cannot have.
-    pupil = sit_down(own_server)
+    pupil = sit_down(own_server, flat=True)
     pupil.begin()
     wave(pupil)
     pupil.project("Rename…")
@@ -89,7 +89,7 @@ def test_no_change_is_lost_when_the_server_is_killed(own_server, sit_down):
 
 @pytest.mark.certain
 def test_saved_changes_survive_a_crash_of_the_computer(own_server, sit_down):
-    pupil = sit_down(own_server, empty=True)
+    pupil = sit_down(own_server, empty=True, flat=True)
     pupil.choose("World", "Line")
     wave(pupil)
     pupil.wait_until_saved()
@@ -104,7 +104,7 @@ def test_saved_changes_survive_a_crash_of_the_computer(own_server, sit_down):
 
 @pytest.mark.certain
 def test_what_was_typed_without_a_server_survives_closing_the_page(own_server, sit_down):
-    pupil = sit_down(own_server, empty=True)
+    pupil = sit_down(own_server, empty=True, flat=True)
     wave(pupil)
     pupil.wait_until_saved()
     own_server.kill()
@@ -124,7 +124,7 @@ def test_what_was_typed_without_a_server_survives_closing_the_page(own_server, s
 
 @pytest.mark.certain
 def test_the_browser_asks_before_it_closes_a_page_with_unsaved_changes(own_server, sit_down):
-    pupil = sit_down(own_server, empty=True)
+    pupil = sit_down(own_server, empty=True, flat=True)
     own_server.kill()
     pupil.put_cursor("blocktext", "pass")
     pupil.page.keyboard.type("# ")
@@ -136,7 +136,7 @@ def test_the_browser_asks_before_it_closes_a_page_with_unsaved_changes(own_serve
 
 @pytest.mark.certain
 def test_where_a_page_and_another_program_change_the_same_line_the_page_asks(own_server, sit_down):
-    pupil = sit_down(own_server, empty=True)
+    pupil = sit_down(own_server, empty=True, flat=True)
     wave(pupil)
     pupil.wait_until_saved()
     file = own_server.home / "projects" / "program.learnblock"
@@ -171,7 +171,7 @@ def test_a_new_tab_finds_the_program_still_running_when_the_page_was_closed(pupi
 
 
 def test_a_project_is_copied_opened_again_and_deleted(own_server, sit_down):
-    pupil = sit_down(own_server, empty=True)
+    pupil = sit_down(own_server, empty=True, flat=True)
     wave(pupil)
     pupil.wait_until_saved()
     pupil.project("Save as…")

@@ -228,7 +228,7 @@ def test_on_a_laptop_the_run_bar_and_the_tabs_are_whole_and_the_world_is_large(
 
 
 def test_the_robot_in_the_bar_is_shown_by_its_picture(sit_down, server):
-    pupil = sit_down(server, empty=True)
+    pupil = sit_down(server, empty=True, flat=True)
     picture = pupil.menu("Robot").locator("img")
     expect(picture).to_be_visible()
     expect(picture).to_have_js_property("naturalWidth", 320)

@@ -24,7 +24,7 @@ NEVER_IDLE = "globalThis.requestIdleCallback = () => 0;"
 @pytest.fixture
 def newcomer(own_server, sit_down):
     """A pupil on the start page of a server without projects."""
-    return sit_down(own_server, start=True)
+    return sit_down(own_server, start=True, flat=True)
 
 
 def section(pupil, name):
@@ -95,7 +95,7 @@ def test_a_newcomer_runs_a_program_with_one_click_and_changes_it_with_the_next(b
 
 
 def test_the_start_page_loads_no_editor_and_no_world(own_server, sit_down):
-    pupil = sit_down(own_server)
+    pupil = sit_down(own_server, flat=True)
     loaded = []
     pupil.context.add_init_script(NEVER_IDLE)
     pupil.context.on("request", lambda request: loaded.append(request.url))
@@ -105,7 +105,7 @@ def test_the_start_page_loads_no_editor_and_no_world(own_server, sit_down):
 
 
 def test_the_last_project_is_one_click_away(own_server, sit_down):
-    pupil = sit_down(own_server, empty=True)
+    pupil = sit_down(own_server, empty=True, flat=True)
     go_home(pupil)
     expect(pupil.page.get_by_role("heading", level=1)).to_have_text("program")
     pupil.page.get_by_role("button", name="Continue").click()
@@ -114,7 +114,7 @@ def test_the_last_project_is_one_click_away(own_server, sit_down):
 
 def test_the_last_lesson_is_named_with_its_step_and_stars(own_server, sit_down):
     small_lesson.put_in(own_server.home)
-    pupil = sit_down(own_server, start=True)
+    pupil = sit_down(own_server, start=True, flat=True)
     lesson = pupil.page.locator(".lesson-card", has_text="My lesson")
     lesson.get_by_role("button", name="First drive").first.click()
     pupil.expect_project("First drive")
@@ -176,7 +176,7 @@ def test_new_programs_and_examples_use_the_chosen_robot_where_it_can_run_them(ne
 
 
 def test_a_project_that_is_not_open_is_renamed_copied_exported_and_deleted(own_server, sit_down):
-    pupil = sit_down(own_server, empty=True)
+    pupil = sit_down(own_server, empty=True, flat=True)
     go_home(pupil)
     choose(pupil, "program", "Rename…")
     pupil.answer("dance")
@@ -195,7 +195,8 @@ def test_a_project_that_is_not_open_is_renamed_copied_exported_and_deleted(own_s
     assert _projects(own_server) == ["waltz"]
 
 
-def test_a_project_has_a_picture_of_its_last_run(newcomer, own_server):
+def test_a_project_has_a_picture_of_its_last_run(sit_down, own_server):
+    newcomer = sit_down(own_server, start=True)
     show_examples(newcomer).get_by_role("button", name=re.compile("^Turn right")).click()
     newcomer.expect_project("Turn right")
     expect(newcomer.page.locator("[data-region=world] canvas")).to_be_visible()
@@ -234,7 +235,7 @@ def test_a_dropped_file_opens_as_a_project(newcomer):
 
 
 def test_an_address_of_no_project_leads_to_the_start_page(own_server, sit_down):
-    pupil = sit_down(own_server, start=True)
+    pupil = sit_down(own_server, start=True, flat=True)
     pupil.page.goto(own_server.address_of("nowhere"))
     expect_start(pupil)
     pupil.expect_note("no project")
@@ -271,7 +272,7 @@ def _file(server, name):
 
 
 def test_teachers_are_told_what_learnblock_grade_does(own_server, sit_down):
-    teacher = sit_down(own_server, start=True)
+    teacher = sit_down(own_server, start=True, flat=True)
     teacher.page.get_by_role("button", name="For teachers").click()
     expect(teacher.dialog()).to_contain_text("Grade a whole class")
     teacher.picture("teachers")
@@ -283,7 +284,7 @@ def test_teachers_are_told_what_learnblock_grade_does(own_server, sit_down):
 
 
 def test_undo_has_no_effect_on_the_start_page(sit_down, server):
-    pupil = sit_down(server, empty=True)
+    pupil = sit_down(server, empty=True, flat=True)
     name = pupil.name_of_project()
     go_home(pupil)
     pupil.page.keyboard.press("Control+z")

@@ -96,7 +96,8 @@ def visit(sit_down, axe):
 @pytest.mark.parametrize("walk", states.WALKS)
 def test_no_state_of_the_working_page_has_a_fault(visit, server, walk, size):
     stage = "explorer" if walk in states.EXPLORED else "starter"
-    assert visit(walk, server, size, empty=True, stage=stage) == []
+    flat = walk not in states.BESIDE_THE_WORLD
+    assert visit(walk, server, size, empty=True, stage=stage, flat=flat) == []
 
 
 @pytest.mark.parametrize("size", SIZES)
