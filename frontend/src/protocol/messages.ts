@@ -525,6 +525,7 @@ export interface Ended {
   ended: string;
   message?: Phrase | null;
   block?: string | null;
+  line?: number;
   time?: number;
   distance?: number | null;
   goals?: GoalNow[];
@@ -1593,6 +1594,7 @@ export interface RunState {
   state: "done" | "ended" | "held" | "idle" | "input" | "paused" | "running" | "starting";
   block?: string | null;
   speed?: number | null;
+  held_by?: "breakpoint" | "pause" | "step";
 }
 
 export interface RunStep {

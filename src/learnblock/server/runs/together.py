@@ -177,9 +177,14 @@ class Participant:
         """Looks back at the run of this robot."""
         return looking_at(self.played, log)
 
+    @property
+    def stops(self) -> frozenset[int]:
+        """The lines of Python before which its program pauses."""
+        return lines(self.played, self.breakpoints)
+
     def debugger(self) -> Debugger:
         """What pauses the program."""
-        return Debugger(lines(self.played, self.breakpoints), paused=self.paused)
+        return Debugger(self.stops, paused=self.paused)
 
 
 async def play_together(
@@ -215,7 +220,16 @@ async def play_together(
         watcher = watchers[member.name]
         watcher.run = MemberRun(team, member, debuggers)
         looking = participant.looking(logs[member.name])
-        playings.append(Playing(participant.played, watcher.run, watcher, looking))
+        playings.append(
+            Playing(
+                participant.played,
+                watcher.run,
+                watcher,
+                looking,
+                breakpoints=participant.stops,
+                paused=participant.paused,
+            )
+        )
     try:
         for playing, participant in zip(playings, participants, strict=True):
             await participant.player.begin(playing)
