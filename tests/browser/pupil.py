@@ -682,7 +682,7 @@ class Pupil:
 
     def run_to_the_end(self):
         """Run the program to its end."""
-        begun = self.page.locator(".console-lines .note")
+        begun = self.page.locator(".console-lines .run")
         before = begun.count()
         self.press("Run")
         # The last run has ended too, and this one may be over before anyone looks.

@@ -150,7 +150,7 @@ def test_the_page_s_own_lines_in_the_console_change_their_language(pupil):
     console = pupil.page.locator(".console-lines")
     expect(console).to_contain_text("Detenido por un error")
     expect(console).not_to_contain_text("Stopped by an error")
-    expect(console.locator(".note").last).to_have_text("Iniciado")
+    expect(console.locator(".run").last).to_contain_text("Ejecución 1")
 
 
 def test_a_mistake_is_explained_in_the_chosen_language(pupil):

@@ -99,6 +99,7 @@ def test_a_breakpoint_set_at_a_line_is_shown_at_its_block_and_pauses_the_program
     expect(pupil.editor("python").locator(".cm-held")).to_have_text("four = twice(2)")
     pupil.press("Step")
     expect(pupil.editor("blocktext").locator(".cm-held")).to_have_text("    double = n * 2")
+    pupil.state("Paused after a step")
     variables = pupil.tab("Variables")
     expect(variables.locator("tr[data-name=n]")).to_contain_text("2")
     pupil.press("Step")
@@ -171,6 +172,24 @@ def test_an_endless_program_is_stopped_with_a_reason_and_the_page_stays_usable(
     pupil.press("Run")
     expect(pupil.tab("Console").locator(".good")).to_contain_text("Finished")
     assert pupil.foreign == []
+
+
+def test_an_error_leads_from_the_console_to_its_line_or_block(pupil):
+    pupil.write("blocktext", "main:\n    zero = 0\n    ten = 10 / zero\nend\n")
+    pupil.sees("python", "ten = 10 / zero")
+    pupil.press("Run")
+    console = pupil.tab("Console")
+    lead = console.locator(".bad .lead")
+    expect(lead).to_have_text("Block-Text, line 3")
+    pupil.put_cursor("blocktext", "main")
+    lead.click()
+    pupil.expect_cursor_in("blocktext", 3)
+    pupil.show("blocks")
+    expect(lead).to_contain_text("Block “")
+    lead.click()
+    expect(pupil.blocks("math_arithmetic").locator("xpath=..")).to_be_visible()
+    pupil.press("Run")
+    expect(console.locator(".run")).to_have_count(2)
 
 
 @pytest.mark.certain

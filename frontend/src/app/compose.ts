@@ -91,6 +91,16 @@ function makeStores(connection: Connection, toasts: Toasts, dialogs: Dialogs) {
   };
 }
 
+/** What finds statements and mistakes in the views of a program. */
+function places(views: Views, program: Program): Pick<Context, "openView" | "reveal" | "goTo" | "describeStep"> {
+  return {
+    openView: computed(() => views.programView(program.state.value.origin)),
+    reveal: (block) => views.reveal(block),
+    goTo: (problem) => views.goTo(problem),
+    describeStep: (view, block) => views.describeStep(view, block),
+  };
+}
+
 function makeModel(connection: Connection, toasts: Toasts, dialogs: Dialogs, stores: Stores) {
   const { blockSets, customBlocks, tags } = stores;
   const program = new Program(connection, new BrowserDrafts());
@@ -111,7 +121,7 @@ function makeModel(connection: Connection, toasts: Toasts, dialogs: Dialogs, sto
     ways: computed(() => (keptRuns.ways.value.length > 0 ? keptRuns.ways.value : ghost.ways.value)),
     ghost: ghost.robot,
     shownBlocks: blockSets.shown,
-    reveal: (block) => views.reveal(block),
+    ...places(views, program),
     select: (block) => (views.selected.value = block),
     robotColor: (name) => (tabs.tabs.value.length > 0 ? tabs.colorOf(name) : null),
     lookingBack,

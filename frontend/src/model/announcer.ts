@@ -5,6 +5,7 @@ import { t, worldName } from "../i18n";
 import type { Ended, RobotLink, RunState, Telemetry } from "../protocol/messages";
 import type { Context } from "./context";
 import { sentence } from "./run-result";
+import { stateInWords } from "./running";
 
 /** Waits before announcing errors, so typing a line does not announce each half-typed state. */
 const QUIET = 1500;
@@ -33,10 +34,11 @@ export class Announcer {
     this.polite.value = text === this.polite.value ? `${text} ` : text;
   }
 
-  private runState({ state }: RunState): void {
+  private runState(run: RunState): void {
+    const { state } = run;
     if (state === "starting") this.reached.clear();
     if (state !== "ended") this.isFollowing = state !== "idle";
-    if (state !== "ended" && state !== "idle") this.say(t(`page-bar-state-${state}`));
+    if (state !== "ended" && state !== "idle") this.say(stateInWords(run));
   }
 
   private goals({ goals = [] }: Telemetry): void {

@@ -3,7 +3,7 @@
 import type { ReadonlySignal } from "@preact/signals";
 
 import type { Connection } from "../protocol/connection";
-import type { BlockSet, CustomBlock, Problem, Robot, RobotChoice } from "../protocol/messages";
+import type { BlockSet, CustomBlock, Problem, Robot, RobotChoice, View } from "../protocol/messages";
 import type { AskingWhy } from "./asking-why";
 import type { Way } from "./kept-runs";
 import type { LookingBack } from "./looking-back";
@@ -14,6 +14,8 @@ export interface Context {
   readonly connection: Connection;
   readonly program: Program;
   readonly running: Running;
+  /** The view of the program that mistakes are shown in: the one that was edited last, if it is open. */
+  readonly openView: ReadonlySignal<View>;
   /** The error of the last run, as a problem in each view. */
   readonly runError: ReadonlySignal<readonly Problem[]>;
   /** The robots to choose. */
@@ -30,6 +32,9 @@ export interface Context {
   readonly tagNames: ReadonlySignal<Readonly<Record<string, number>>>;
   /** Shows a statement, given by its block's id, in every view. */
   reveal(block: string): void;
+  /** Shows a problem in its view, and a statement as that view shows it. */
+  goTo(problem: Problem): void;
+  describeStep(view: View, block: string): string;
   /** Reports the statement, given by its block's id, that the user has selected in a view; null without one. */
   select(block: string | null): void;
   /** The colour of a robot's tab; null if the project has only one robot. */

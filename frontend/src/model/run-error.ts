@@ -3,8 +3,9 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
 
 import { type Phrase, say, t } from "../i18n";
-import type { Ended, Place, Problem, View } from "../protocol/messages";
-import type { Program } from "./program";
+import type { Ended, Notation, Problem } from "../protocol/messages";
+import { lineIn } from "./line-in-view";
+import type { Program, ProgramState } from "./program";
 import type { Running } from "./running";
 
 /** The meanings of Python's most common errors. */
@@ -24,18 +25,19 @@ const MEANINGS: Readonly<Record<string, string>> = {
 export function runError(program: Program, running: Running): ReadonlySignal<readonly Problem[]> {
   const ran = computed(() => running.ended.value && program.state.peek().python);
   return computed(() => {
-    const { python, places } = program.state.value;
+    const state = program.state.value;
     const ended = running.ended.value;
-    return ended?.ended === "error" && ran.value === python ? problemsOf(ended, places) : [];
+    return ended?.ended === "error" && ran.value === state.python ? problemsOf(ended, state) : [];
   });
 }
 
-function problemsOf(ended: Ended, places: readonly Place[]): readonly Problem[] {
-  const place = places.find(([block]) => block === ended.block);
+function problemsOf(ended: Ended, state: ProgramState): readonly Problem[] {
+  const place = state.places.find(([block]) => block === ended.block);
   if (!place) return [];
   const [block, blocktext, , python] = place;
   const shared = { code: "run", message: { code: explained(ended.message ?? "") }, severity: "error", block } as const;
-  const inText = (view: View, line: number) => (line > 0 ? [{ ...shared, view, line }] : []);
+  const inText = (view: Notation, first: number) =>
+    first > 0 ? [{ ...shared, view, line: lineIn(view, state, place, ended.line ?? 0) }] : [];
   return [{ ...shared, view: "blocks" }, ...inText("blocktext", blocktext), ...inText("python", python)];
 }
 

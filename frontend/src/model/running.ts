@@ -2,7 +2,7 @@
 
 import { batch, computed, signal } from "@preact/signals";
 
-import type { Phrase } from "../i18n";
+import { type Phrase, t } from "../i18n";
 import type { Connection } from "../protocol/connection";
 import type {
   Bumped,
@@ -31,6 +31,11 @@ const BUMP_SHOWN = 3;
 
 /** States in which a program waits for the user of the debugger. */
 export const PAUSED: ReadonlySet<RunState["state"]> = new Set(["paused", "held"]);
+
+/** The state of a program in words. */
+export function stateInWords({ state, held_by = "pause" }: RunState): string {
+  return t(state === "held" ? `page-bar-held-${held_by}` : `page-bar-state-${state}`);
+}
 
 /** What the page shows of a program and its robot at one time. */
 interface Shown {

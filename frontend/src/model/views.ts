@@ -69,6 +69,11 @@ export class Views {
     return this.isSplit ? views.includes(area) : area === view;
   }
 
+  /** A view of the program that is open, the one that was `edited` last if possible. */
+  programView(edited: View): View {
+    return this.shows(edited) ? edited : preferences.value.layout.view;
+  }
+
   show(area: Area): void {
     if (area === "world") return;
     this.area.value = area;

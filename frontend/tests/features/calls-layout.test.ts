@@ -54,3 +54,22 @@ test("functions that call one another are beside each other, before the next lay
   expect(xs).toEqual([...xs].sort((a, b) => a - b));
   expect(new Set(xs).size).toBe(4);
 });
+
+test("in a narrow panel each layer has a row below what calls it, and nothing is beside the panel", () => {
+  const calls = graph(
+    [0, 1, 2, 3, 4, 5],
+    [
+      [0, 1],
+      [1, 2],
+      [2, 3],
+      [3, 4],
+      [4, 5],
+    ],
+  );
+  const { places, columns, width } = lay(calls, 534);
+  expect(width).toBeLessThanOrEqual(534);
+  const ys = places.map(({ y }) => y);
+  expect(ys).toEqual([...ys].sort((a, b) => a - b));
+  expect(columns.map(({ isRow }) => isRow)).toEqual(Array(6).fill(true));
+  expect(lay(calls).width).toBeGreaterThan(534);
+});

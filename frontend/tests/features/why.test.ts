@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 
-import { branches } from "../../src/features/why/in-view";
+import { branches } from "../../src/model/line-in-view";
 
 test("elif and else of a statement are found, and not those inside it", () => {
   const text = ["x = 1", "if a:", "    if b:", "        c", "    else:", "        d", "    end", "elif e:", "    f"];

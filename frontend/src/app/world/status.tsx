@@ -2,6 +2,7 @@
 
 import { say, t } from "../../i18n";
 import { usePage } from "../../model/page";
+import { stateInWords } from "../../model/running";
 import { Icon } from "../../ui/icons";
 
 export function Status() {
@@ -16,7 +17,7 @@ export function Status() {
               seconds: past.value.time.toFixed(1),
               end: (timeline.value?.end ?? 0).toFixed(1),
             })
-          : `${t(`page-bar-state-${state.value.state}`)} · ${(telemetry.value?.time ?? 0).toFixed(1)} s`}
+          : `${stateInWords(state.value)} · ${(telemetry.value?.time ?? 0).toFixed(1)} s`}
         {factor !== null && !past.value && ` · ${t("page-bar-times", { factor })}`}
       </span>
       {variant > 0 && <span class="chip state">{t("page-worlds-variant", { number: variant })}</span>}

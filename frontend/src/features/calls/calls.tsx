@@ -26,6 +26,8 @@ const LEVELS = 4;
 const PERIOD = 1000;
 /** The longest name in a box, in characters. */
 const LONGEST = 20;
+/** The names of functions would be too small below this. */
+const LEAST_SCALE = 0.7;
 /** The room for the names of the columns, in pixels. */
 const HEADING = 20;
 
@@ -33,10 +35,11 @@ export function Calls() {
   const { lookingBack } = usePage();
   const span = useSpan();
   const graph = useCalls(span);
-  const laid = useLaid(graph);
+  const panel = useRef<HTMLDivElement>(null);
+  const laid = useLaid(graph, useWidth(panel, graph !== null));
   if (!graph) return <p class="calls-none">{t("page-calls-none")}</p>;
   return (
-    <div class="calls-panel">
+    <div class="calls-panel" ref={panel}>
       <SpanFields span={span} shown={graph.last} />
       {!graph.edges?.length && <p class="calls-none">{t("calls-none")}</p>}
       {laid?.graph.edges?.length && graph.edges?.length ? (
@@ -47,19 +50,34 @@ export function Calls() {
 }
 
 /** The graph with its layout, whose library is loaded when it is first needed. */
-export function useLaid(graph: CallGraph | null): (Laid & { graph: CallGraph }) | null {
+export function useLaid(graph: CallGraph | null, room = Infinity): (Laid & { graph: CallGraph }) | null {
   const laid = useSignal<(Laid & { graph: CallGraph }) | null>(null);
   useEffect(() => {
     let given = true;
     if (graph)
       void import("./layout").then(({ lay }) => {
-        if (given) laid.value = { ...lay(graph), graph };
+        if (given) laid.value = { ...lay(graph, room), graph };
       });
     return () => {
       given = false;
     };
-  }, [graph, laid]);
+  }, [graph, laid, room]);
   return laid.value;
+}
+
+/** The width of an element that is on the page, in pixels. */
+function useWidth(element: { readonly current: HTMLElement | null }, isShown: boolean): number {
+  const width = useSignal(Infinity);
+  useEffect(() => {
+    if (!isShown || !element.current) return undefined;
+    const sizes = new ResizeObserver(([entry]) => {
+      // It has none while another tab is shown.
+      if (entry?.contentRect.width) width.value = entry.contentRect.width;
+    });
+    sizes.observe(element.current);
+    return () => sizes.disconnect();
+  }, [element, isShown, width]);
+  return width.value;
 }
 
 /** The calls of a span; without an end, up to the moment that is shown, or of the whole run. */
@@ -113,14 +131,13 @@ export function Picture({ graph, laid, marked, look }: PictureProps) {
     <div class="calls" data-selectable>
       <svg
         ref={root}
-        width={laid.width}
-        height={laid.height + HEADING}
+        style={{ inlineSize: `${laid.width}px`, minInlineSize: `${LEAST_SCALE * laid.width}px` }}
         viewBox={`0 ${-HEADING} ${laid.width} ${laid.height + HEADING}`}
         role="group"
         aria-label={t("page-calls-title", { robot: graph.robot })}
       >
-        {laid.columns.map(({ layer, x }) => (
-          <text key={layer} class="call-layer" x={x} y={-4}>
+        {laid.columns.map(({ layer, x, y, isRow }) => (
+          <text key={layer} class={`call-layer ${isRow ? "row" : ""}`} x={x} y={y}>
             {t(LAYERS[layer] ?? LAYERS[0])}
           </text>
         ))}

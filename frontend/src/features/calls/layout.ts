@@ -1,4 +1,4 @@
-/** Where the functions of a call graph are drawn: each layer has a column, to the right of what calls it. */
+/** Where the functions of a call graph are drawn: each layer has a column, to the right of what calls it, or a row. */
 
 import { Graph, layout } from "@dagrejs/dagre";
 
@@ -8,11 +8,18 @@ import { BOX, type Column, type Laid, type Place } from "./places";
 /** Pixels. */
 const GAPS = { nodesep: 12, ranksep: 52, edgesep: 8 };
 
-/** Lay a graph out from left to right. */
-export function lay(graph: CallGraph): Laid {
+/** Lay a graph out from left to right, or from top to bottom if the room, in pixels, is too narrow for that. */
+export function lay(graph: CallGraph, room = Infinity): Laid {
+  const across = laidOut(graph, "LR");
+  if (across.width <= room) return across;
+  const down = laidOut(graph, "TB");
+  return down.width < across.width ? down : across;
+}
+
+function laidOut(graph: CallGraph, rankdir: "LR" | "TB"): Laid {
   const { functions = [], edges = [] } = graph;
   const drawn = new Graph({ multigraph: true });
-  drawn.setGraph({ rankdir: "LR", ...GAPS, marginx: 8, marginy: 8 });
+  drawn.setGraph({ rankdir, ...GAPS, marginx: 8, marginy: 8 });
   functions.forEach((_, index) => drawn.setNode(`${index}`, { ...BOX }));
   const ranks = ranked(graph);
   edges.forEach(({ caller, callee }, index) => {
@@ -27,7 +34,7 @@ export function lay(graph: CallGraph): Laid {
       : arc(places[caller], places[callee]),
   );
   const { width = 0, height = 0 } = drawn.graph();
-  return { width, height, places, lines, columns: columns(graph, places) };
+  return { width, height, places, lines, columns: rankdir === "LR" ? columns(graph, places) : rows(graph, places) };
 }
 
 /**
@@ -51,11 +58,21 @@ function ranked({ functions = [], edges = [] }: CallGraph): number[] {
   return functions.map(({ layer }, index) => (starts.get(layer) ?? 0) + (depths[index] ?? 0));
 }
 
+/** The names of the layers above their columns. */
 function columns({ functions = [] }: CallGraph, places: readonly Place[]): Column[] {
   const layers = [...new Set(functions.map(({ layer }) => layer))];
   return layers.map((layer) => {
     const xs = places.filter((_, index) => functions[index]?.layer === layer).map(({ x }) => x);
-    return { layer, x: (Math.min(...xs) + Math.max(...xs)) / 2 };
+    return { layer, x: (Math.min(...xs) + Math.max(...xs)) / 2, y: -4 };
+  });
+}
+
+/** The names of the layers at the beginning of their rows. */
+function rows({ functions = [] }: CallGraph, places: readonly Place[]): Column[] {
+  const layers = [...new Set(functions.map(({ layer }) => layer))];
+  return layers.map((layer) => {
+    const ys = places.filter((_, index) => functions[index]?.layer === layer).map(({ y }) => y);
+    return { layer, x: 4, y: Math.min(...ys) - BOX.height / 2 - 6, isRow: true };
   });
 }
 

@@ -8,11 +8,11 @@ export interface Place {
   readonly y: number;
 }
 
-/** A layer of the graph. */
-export interface Column {
+/** A layer of the graph, and where its name is. */
+export interface Column extends Place {
   readonly layer: number;
-  /** Its middle. */
-  readonly x: number;
+  /** Whether it is a row, whose name begins there; else the name is centred there. */
+  readonly isRow?: boolean;
 }
 
 export interface Laid {

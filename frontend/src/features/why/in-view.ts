@@ -1,11 +1,17 @@
 /** Lines in questions and answers, as the views on the screen show them. */
 
 import type { Phrase } from "../../i18n";
+import { lineIn } from "../../model/line-in-view";
 import type { Page } from "../../model/page";
 import type { Asked, Notation, WhySentence } from "../../protocol/messages";
 
-/** The kinds of questions whose subject is a line. */
-const OF_LINES: ReadonlySet<string> = new Set(["line", "not-line", "print", "not-print"]);
+/** The kinds of questions whose subject is a line, and how they ask about a block. */
+const OF_LINES: ReadonlyMap<string, string> = new Map([
+  ["line", "page-why-ask-line-block"],
+  ["not-line", "page-why-ask-not-line-block"],
+  ["print", "page-why-ask-print-block"],
+  ["not-print", "page-why-ask-not-print-block"],
+]);
 
 /** A sentence whose line and code are those of the view that is shown. */
 export function sentenceInView(page: Page, { phrase, block, inner }: WhySentence): Phrase {
@@ -21,6 +27,11 @@ export function sentenceInView(page: Page, { phrase, block, inner }: WhySentence
 }
 
 export function questionInView(page: Page, { question, phrase, block }: Asked): Phrase {
+  const code = OF_LINES.get(question.ask);
+  if (block && code && showsOnlyBlocks(page)) {
+    const subject = page.views.describeStep("blocks", block);
+    if (subject) return { code, values: { ...phrase.values, subject } };
+  }
   const line = block && OF_LINES.has(question.ask) && lineOf(page, block, Number(question.subject));
   return line ? { ...phrase, values: { ...phrase.values, subject: `${line}` } } : phrase;
 }
@@ -34,28 +45,18 @@ function notationOf({ views }: Page): Notation {
 function lineOf(page: Page, block: string, ran: number): number {
   const state = page.context.program.state.value;
   const place = state.places.find(([id]) => id === block);
-  if (!place) return 0;
-  const [, blocktext, blocktextEnd, python, pythonEnd] = place;
-  if (notationOf(page) === "python") return python <= ran && ran <= pythonEnd ? ran : python;
-  const branch = branches(state.python, python, pythonEnd).indexOf(ran);
-  return branches(state.blocktext, blocktext, blocktextEnd)[branch] ?? blocktext;
+  return place ? lineIn(notationOf(page), state, place, ran) : 0;
 }
 
-/** The lines of `elif` and `else` that belong to the statement in some lines of a text. */
-export function branches(text: string, first: number, last: number): number[] {
-  const lines = text.split("\n");
-  const indent = /^\s*/.exec(lines[first - 1] ?? "")?.[0] ?? "";
-  const numbers = Array.from({ length: Math.max(0, last - first) }, (_, index) => first + 1 + index);
-  return numbers.filter((number) => {
-    const line = lines[number - 1] ?? "";
-    return line.startsWith(indent) && /^(?:elif|else)\b/.test(line.slice(indent.length));
-  });
+/** Whether blocks are the only view of the program that the user sees. */
+function showsOnlyBlocks({ views }: Page): boolean {
+  return !views.shows("blocktext") && !views.shows("python") && views.shows("blocks");
 }
 
 /** The code of a line; where only blocks are shown, the block in its own words. */
 function codeOf(page: Page, block: string, line: number): string {
   const { views, context } = page;
-  const words = views.shows("blocktext") || views.shows("python") ? "" : views.describeStep("blocks", block);
+  const words = showsOnlyBlocks(page) ? views.describeStep("blocks", block) : "";
   if (words) return `“${words}”`;
   const text = context.program.state.value[notationOf(page)].split("\n")[line - 1] ?? "";
   return text

@@ -4,9 +4,9 @@ import "./panel.css";
 import "./console.css";
 
 import { effect } from "@preact/signals";
-import { say, t } from "../../i18n";
+import { language, say, t } from "../../i18n";
 import type { Context } from "../../model/context";
-import { warningsAtStart } from "../../model/findings";
+import { placeIn, placeText, warningsAtStart } from "../../model/findings";
 import { explained } from "../../model/run-error";
 import { endingAfter } from "../../model/run-result";
 import { runTitle } from "../../model/run-title";
@@ -14,7 +14,7 @@ import type { Ended, RunShown } from "../../protocol/messages";
 import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
 import { button, element } from "./elements";
-import { Lines } from "./lines";
+import { Lines, type OwnLine } from "./lines";
 import { createQuestion, type Question } from "./question";
 
 export interface ConsoleIsland extends Island {
@@ -25,6 +25,10 @@ export interface ConsoleIsland extends Island {
 
 /** Results that are not errors. */
 const WELL = new Set(["finished", "stopped", "time limit"]);
+
+function timeOfDay(then: Date): string {
+  return new Intl.DateTimeFormat(language.value, { timeStyle: "medium" }).format(then);
+}
 
 /** How a run ended, in one line. */
 function ending({ ended, message, time = 0 }: Ended): string {
@@ -38,6 +42,8 @@ class Console implements ConsoleIsland {
   private readonly question: Question;
   /** Whether the end of the program has been shown, while those of other robots go on. */
   private isDone = false;
+  /** How many runs of this program the console has shown. */
+  private runs = 0;
   private readonly cleanup: Cleanup;
 
   constructor(private readonly context: Context) {
@@ -53,6 +59,8 @@ class Console implements ConsoleIsland {
         clear.textContent = t("page-console-clear");
         this.lines.dom.setAttribute("aria-label", t("page-console-lines"));
         this.lines.dom.dataset.empty = t("page-console-empty");
+        // Lines that are added later lead to this view, too.
+        void context.openView.value;
         this.lines.translate();
       }),
     );
@@ -85,7 +93,10 @@ class Console implements ConsoleIsland {
       connection.on("PrintedByRobots", ({ parts }) => parts.forEach((part) => this.lines.print(part))),
       connection.on("InputWanted", ({ prompt }) => this.question.ask(prompt || t("page-console-asks"))),
       connection.on("Bumped", ({ thing, time }) =>
-        this.lines.add(() => t("page-console-bumped", { thing: say(thing), time: time.toFixed(1) }), "bad"),
+        this.lines.add({
+          words: () => t("page-console-bumped", { thing: say(thing), time: time.toFixed(1) }),
+          sort: "bad",
+        }),
       ),
       connection.on("RunShown", (shown) => this.showRun(shown)),
       connection.on("RunState", ({ state }) => {
@@ -98,23 +109,44 @@ class Console implements ConsoleIsland {
   private started(): void {
     this.isDone = false;
     this.lines.beginRun();
-    this.lines.add(() => t("page-console-started"), "note");
+    const [number, began] = [++this.runs, new Date()];
+    this.lines.add({ words: () => t("page-console-run", { number, time: timeOfDay(began) }), sort: "run" });
     const { shown, more } = warningsAtStart(this.context);
-    for (const { message } of shown) this.lines.add(() => t("page-console-warning", { message }), "warned");
-    if (more > 0) this.lines.add(() => t("page-console-more-warnings", { count: more }), "warned");
+    for (const { message, place } of shown) {
+      const lead = { words: () => placeText(this.context, place), go: () => this.context.goTo(place) };
+      this.lines.add({ words: () => t("page-console-warning", { message }), sort: "warned", lead });
+    }
+    if (more > 0) this.lines.add({ words: () => t("page-console-more-warnings", { count: more }), sort: "warned" });
   }
 
   /** A program that ends before those of other robots is reported again with the whole run. */
   private ended(ended: Ended): void {
     this.question.close();
-    if (!this.isDone) this.lines.add(() => ending(ended), WELL.has(ended.ended) ? "good" : "bad", true);
+    if (!this.isDone) this.lines.add({ words: () => ending(ended), isEnd: true, ...this.described(ended) });
     this.isDone = ended.others ?? false;
+  }
+
+  /** How the end is shown; an error leads to where it happened, in the view that is open. */
+  private described({ ended }: Ended): Pick<OwnLine, "sort" | "lead"> {
+    if (WELL.has(ended)) return { sort: "good" };
+    const { runError, openView } = this.context;
+    const places = runError.peek();
+    const place = () => placeIn(places, openView.value);
+    const words = () => {
+      const shown = place();
+      return shown ? placeText(this.context, shown) : "";
+    };
+    const go = () => {
+      const shown = place();
+      if (shown) this.context.goTo(shown);
+    };
+    return { sort: "bad", lead: { words, go } };
   }
 
   /** Show what a kept run has printed, or the newest one again. */
   private showRun({ run, printed = "" }: RunShown): void {
     this.begin();
-    if (run) this.lines.add(() => t("page-runs-console", { name: runTitle(run) }), "note");
+    if (run) this.lines.add({ words: () => t("page-runs-console", { name: runTitle(run) }), sort: "run" });
     this.lines.beginRun();
     if (printed) this.lines.print({ robot: "", text: printed, until: printed.length });
   }
@@ -122,13 +154,14 @@ class Console implements ConsoleIsland {
   /** Start with an empty console whenever another program is shown. */
   private begin(): void {
     this.isDone = false;
+    this.runs = 0;
     this.question.close();
     this.lines.clear();
   }
 
   private answer(text: string): void {
     const line = `${this.question.prompt} ${text}`;
-    this.lines.add(() => line, "asked");
+    this.lines.add({ words: () => line, sort: "asked" });
     this.context.connection.send({ kind: "Answer", text });
   }
 

@@ -13,7 +13,17 @@ const MOST_WAITING = 2_000_000;
 /** Asks why a text was printed; `after` is the number of texts that this run has printed since. */
 type Ask = (text: string, after: number) => void;
 
-export type Sort = "printed" | "note" | "warned" | "good" | "bad" | "asked";
+export type Sort = "printed" | "run" | "note" | "warned" | "good" | "bad" | "asked";
+
+/** A line of the page itself. */
+export interface OwnLine {
+  readonly sort: Sort;
+  words(): string;
+  /** Whether it is about the end of the run, which is later than all others. */
+  readonly isEnd?: boolean;
+  /** Where it leads, if anywhere. */
+  readonly lead?: { words(): string; go(): void };
+}
 
 /** The lines, added once per frame and scrolled to the end unless the user has scrolled back. */
 export class Lines {
@@ -32,8 +42,7 @@ export class Lines {
   /** The robot whose run is shown, if several print here; else empty. */
   private robot = "";
   private following = true;
-  /** The words of the page's own lines, in the language in use. */
-  private readonly own = new Map<Element, () => string>();
+  private readonly own = new Map<Element, OwnLine>();
 
   /** Asks about the line that the pointer or the focus is on. */
   private readonly why = button("why-line", () => this.askAbout(this.why.parentElement));
@@ -82,21 +91,23 @@ export class Lines {
     else this.follow();
   }
 
-  /** Add a line of the page itself; one about the `end` of the run is later than all others. */
-  add(words: () => string, sort: Sort, end = false): void {
+  /** Add a line of the page itself. */
+  add(own: OwnLine): void {
     this.flush();
     this.open.clear();
-    const line = element("div", { class: sort }, words());
-    this.own.set(line, words);
+    const line = element("div", { class: own.sort }, "");
+    if (own.lead) line.append(button("lead", own.lead.go));
+    write(line, own);
+    this.own.set(line, own);
     // Just before what is printed next: it belongs to the moment at which so much was printed.
-    this.starts.set(line, end ? Number.POSITIVE_INFINITY : (this.until.get(this.robot) ?? 0) - 0.5);
+    this.starts.set(line, own.isEnd ? Number.POSITIVE_INFINITY : (this.until.get(this.robot) ?? 0) - 0.5);
     this.dim(line);
     this.append([line]);
   }
 
-  /** Translate the page's own lines into a different language. */
+  /** Write the page's own lines again, in a different language or for another view. */
   translate(): void {
-    for (const [line, words] of this.own) line.textContent = words();
+    for (const [line, own] of this.own) write(line, own);
     this.why.title = t("page-why-printed");
     this.why.ariaLabel = t("page-why-printed");
   }
@@ -232,6 +243,16 @@ export class Lines {
   }
 }
 
+/** The words of a line of the page itself, before the button that leads on. */
+function write(line: Element, { words, lead }: OwnLine): void {
+  const text = line.firstChild;
+  if (text) text.textContent = lead ? `${words()} ` : words();
+  const button = line.querySelector<HTMLElement>(".lead");
+  if (!button || !lead) return;
+  button.textContent = lead.words();
+  button.hidden = !button.textContent;
+}
+
 /** A line's text, without the button on it. */
 function textOf(line: Element): string {
   return [...line.childNodes].map((part) => (part instanceof Text ? part.data : "")).join("");
@@ -246,6 +267,7 @@ function robotOf(line: Element): string | null {
 /** A line's text after the name of its robot, if several print here. */
 function spoken(line: Element): string {
   const robot = robotOf(line);
+  if (robot === null) return line.textContent ?? "";
   return robot ? `${robot}: ${textOf(line)}` : textOf(line);
 }
 
@@ -253,7 +275,7 @@ function spoken(line: Element): string {
 function printedSince(line: Element): number | null {
   let count = 0;
   for (let next = line.nextElementSibling; next; next = next.nextElementSibling) {
-    if (next.classList.contains("note")) return null;
+    if (next.classList.contains("run")) return null;
     if (robotOf(next) === robotOf(line) && textOf(next)) count += 1;
   }
   return count;

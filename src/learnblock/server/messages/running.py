@@ -10,6 +10,7 @@ from learnblock.monitor.monitor import GoalNow, Link, Seen, State
 from learnblock.server.messages.base import (
     Coordinate,
     FromReader,
+    HeldBy,
     Look,
     Name,
     Pace,
@@ -140,12 +141,14 @@ class RunState(ToPage, frozen=True):
             with its world, ``held`` before a line of code; ``input`` while it waits for `Answer`;
             ``done`` once it has ended while the programs of other robots continue.
         block: the block it is paused at.
+        held_by: why it is held there: at a breakpoint, after a step, or because it was paused.
         speed: the speed of simulated time, as a multiple of real time; None is the fastest.
     """
 
     state: StateName
     block: str | None = None
     speed: float | None = 1.0
+    held_by: HeldBy = "pause"
 
 
 class InputWanted(ToPage, frozen=True):
@@ -218,6 +221,7 @@ class Ended(ToPage, frozen=True):
         ended: one word, such as ``finished``, ``stopped`` or ``error``.
         message: the reason, when it did not end well.
         block: the block with the error.
+        line: the line of the program's Python with the error, from 1; 0 if unknown.
         no_effect: skills that had no effect, each with the missing device.
         custom_block: the file name of the custom block with the error, if it was in one.
         custom_line: the line of its source, from 1; 0 if unknown.
@@ -230,6 +234,7 @@ class Ended(ToPage, frozen=True):
     ended: str
     message: Phrase | None = None
     block: str | None = None
+    line: int = 0
     time: float = 0.0
     distance: float | None = None
     goals: tuple[GoalNow, ...] = ()

@@ -241,22 +241,22 @@ class Player:
 
     def pause(self) -> None:
         if self._playing:
-            self._playing.run.pause()
+            self._playing.pause()
 
     def resume(self) -> None:
         if self._playing:
-            self._playing.run.resume()
+            self._playing.resume()
 
     def step(self, *, over: bool) -> None:
         if self._playing:
-            (self._playing.run.step_over if over else self._playing.run.step)()
+            self._playing.step(over=over)
 
     def set_speed(self, factor: float | None) -> None:
         """Set the speed of this and later runs, as a multiple of real time; None is the fastest."""
         self._speed = factor
         if self._playing:
             self._playing.run.set_speed(factor)
-        self._enter(self._state.state, self._state.block)
+        self._enter(self._state.state, self._state.block, self._state.held_by)
 
     def set_breakpoints(self, blocks: tuple[str, ...]) -> None:
         if self._playing:
@@ -301,7 +301,7 @@ class Player:
 
     def on_held(self, line: int) -> None:
         if self._playing:
-            self._enter("held", self._playing.played.block_at(line))
+            self._enter("held", self._playing.played.block_at(line), self._playing.held_by(line))
 
     def on_variables(self, variables: Variables) -> None:
         whens = tuple(messages.WhenNow(name, *now) for name, now in variables.whens.items())
@@ -357,9 +357,14 @@ class Player:
 
     # Helpers.
 
-    def _enter(self, state: messages.StateName, block: str | None = None) -> None:
+    def _enter(
+        self,
+        state: messages.StateName,
+        block: str | None = None,
+        held_by: messages.HeldBy = "pause",
+    ) -> None:
         self._reporter.flush()
-        before, self._state = self._state, messages.RunState(state, block, self._speed)
+        before, self._state = self._state, messages.RunState(state, block, self._speed, held_by)
         if self._state != before:
             self.viewers.send(self._state)
             self._on_state()

@@ -85,6 +85,8 @@ class Playing:
         watcher: the watcher of `run`.
         looking: looks back at the run; None if no log of it is kept.
         patience: how long it may take to end once it is stopped.
+        breakpoints: the lines of Python before which it pauses.
+        paused: whether it pauses before the first line.
     """
 
     def __init__(
@@ -94,6 +96,9 @@ class Playing:
         watcher: RunWatcher,
         looking: Looking | None = None,
         patience: Patience = PATIENCE,
+        *,
+        breakpoints: frozenset[int] = frozenset(),
+        paused: bool = False,
     ) -> None:
         self.played = played
         self.run = run
@@ -102,6 +107,8 @@ class Playing:
         #: Set when the run has ended and its robot has been released, or when it was given up.
         self.over = asyncio.Event()
         self._patience = patience
+        self._breakpoints = breakpoints
+        self._is_stepping = paused
         #: The thread that runs it; None before it has begun.
         self._thread: threading.Thread | None = None
 
@@ -147,9 +154,28 @@ class Playing:
         measures = self._patience.measures(self.run.stop, self.run.abort)
         return await escalate_async(measures, self.over)
 
+    def pause(self) -> None:
+        self._is_stepping = False
+        self.run.pause()
+
+    def resume(self) -> None:
+        self._is_stepping = False
+        self.run.resume()
+
+    def step(self, *, over: bool) -> None:
+        self._is_stepping = True
+        (self.run.step_over if over else self.run.step)()
+
     def set_breakpoints(self, blocks: Iterable[str]) -> None:
         """Pause before these blocks only."""
-        self.run.set_breakpoints(first_lines(self.played, blocks))
+        self._breakpoints = first_lines(self.played, blocks)
+        self.run.set_breakpoints(self._breakpoints)
+
+    def held_by(self, line: int) -> messages.HeldBy:
+        """Why the program is held before a line."""
+        if line in self._breakpoints:
+            return "breakpoint"
+        return "step" if self._is_stepping else "pause"
 
     def ended(self, report: Report) -> messages.Ended:
         """Describe how the run ended."""
@@ -161,6 +187,7 @@ class Playing:
             ended=report.ended,
             message=error.get("message"),  # type: ignore[arg-type]
             block=self.played.block_at(line) if line else None,
+            line=line,
             custom_block=custom_block,
             custom_line=custom_line,
             tried=self.is_call,
@@ -241,16 +268,17 @@ def prepared(
     """
     watcher = RunWatcher(listener)
     log = RunLog(job.program)
+    stops = first_lines(played, breakpoints)
     run = ProgramRun(
         job,
         lines=lines,
         watcher=watcher,
-        debugger=Debugger(first_lines(played, breakpoints), paused=paused),
+        debugger=Debugger(stops, paused=paused),
         log=log,
         lacking=played.lacking,
         monitored=True,
     )
-    return Playing(played, run, watcher, looking_at(played, log))
+    return Playing(played, run, watcher, looking_at(played, log), breakpoints=stops, paused=paused)
 
 
 def looking_at(played: Played, log: RunLog) -> Looking:

@@ -168,9 +168,14 @@ class Participant:
         """Looks back at the run of this robot."""
         return looking_at(self.played, log)
 
+    @property
+    def stops(self) -> frozenset[int]:
+        """The lines of Python before which its program pauses."""
+        return first_lines(self.played, self.breakpoints)
+
     def debugger(self) -> Debugger:
         """What pauses the program."""
-        return Debugger(first_lines(self.played, self.breakpoints), paused=self.paused)
+        return Debugger(self.stops, paused=self.paused)
 
 
 async def play_together(participants: Sequence[Participant], lines: LineSink | None = None) -> None:
@@ -202,7 +207,16 @@ async def play_together(participants: Sequence[Participant], lines: LineSink | N
         watcher = watchers[participant.name]
         watcher.run = MemberRun(team, participant.name, debuggers)
         looking = participant.looking(logs[participant.name])
-        playings.append(Playing(participant.played, watcher.run, watcher, looking))
+        playings.append(
+            Playing(
+                participant.played,
+                watcher.run,
+                watcher,
+                looking,
+                breakpoints=participant.stops,
+                paused=participant.paused,
+            )
+        )
     try:
         for playing, participant in zip(playings, participants, strict=True):
             await participant.player.begin(playing)

@@ -6,7 +6,8 @@ page-console-copy = Copy
 page-console-clear = Clear
 page-console-asks = The program asks:
 page-console-answer = Answer
-page-console-started = Started
+# $number counts the runs since the program was opened; $time is the time of day.
+page-console-run = Run { $number } · { $time }
 # $message is a whole warning about the program.
 page-console-warning = Warning: { $message }
 page-console-more-warnings = { $count ->

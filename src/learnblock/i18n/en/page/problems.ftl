@@ -10,6 +10,8 @@ page-problems-errors = Errors
 page-problems-warnings = Warnings
 page-problems-last-run = In the last run
 page-problems-place = { $view }, line { $line }
+# $step is a block in its own words.
+page-problems-block = Block “{ $step }”
 page-problems-go-to = Go to the error
 page-problems-stale = { $view } has an error on line { $line }. The other views show the last working program.
 page-problems-stale-somewhere = { $view } has an error. The other views show the last working program.

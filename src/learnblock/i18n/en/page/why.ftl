@@ -21,3 +21,8 @@ page-why-moment = Other questions about this moment
 page-why-variable = Why is it like this?
 page-why-printed = Why was this printed?
 page-why-mark = { $what }: why?
+# $subject is a block in its own words, $time such as " at 2.5 s".
+page-why-ask-print-block = Why did the block “{ $subject }” print its text{ $time }?
+page-why-ask-not-print-block = Why did the block “{ $subject }” not print its text{ $time }?
+page-why-ask-line-block = Why did the block “{ $subject }” run{ $time }?
+page-why-ask-not-line-block = Why did the block “{ $subject }” not run{ $time }?

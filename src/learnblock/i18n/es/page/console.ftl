@@ -6,7 +6,8 @@ page-console-copy = Copiar
 page-console-clear = Vaciar
 page-console-asks = El programa pregunta:
 page-console-answer = Responder
-page-console-started = Iniciado
+# $number counts the runs since the program was opened; $time is the time of day.
+page-console-run = Ejecución { $number } · { $time }
 page-console-warning = Aviso: { $message }
 page-console-more-warnings = { $count ->
     [one] Hay un aviso más entre los problemas.

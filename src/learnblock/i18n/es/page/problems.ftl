@@ -10,6 +10,8 @@ page-problems-errors = Errores
 page-problems-warnings = Avisos
 page-problems-last-run = En la última ejecución
 page-problems-place = { $view }, línea { $line }
+# $step is a block in its own words.
+page-problems-block = Bloque «{ $step }»
 page-problems-go-to = Ir al error
 page-problems-stale = { $view } tiene un error en la línea { $line }. Las otras vistas muestran el último programa correcto.
 page-problems-stale-somewhere = { $view } tiene un error. Las otras vistas muestran el último programa correcto.
