@@ -848,6 +848,8 @@ export interface LessonGoal {
   state?: "failed" | "met" | "open";
   optional?: boolean;
   reason?: Phrase | null;
+  place?: [number, number] | null;
+  nearest?: [number, number] | null;
   earned?: boolean;
   ask?: "" | "bump" | "goal" | "now";
   subject?: string;

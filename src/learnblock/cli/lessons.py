@@ -232,7 +232,7 @@ def _print_tried(tried: "JudgedRun") -> None:
     say("lesson-cli-attempt", robot=tried.attempt.robot, variant=str(tried.attempt.variant))
     for verdict in tried.verdicts:
         mark = {"met": "✓", "failed": "✗", "open": "·"}[verdict.state]
-        reason = f"  {text(verdict.reason)}" if verdict.reason else ""
+        reason = f"  {text(verdict.explanation)}" if verdict.explanation else ""
         click.echo(f"    {mark} {title_of(verdict.check, language())}{reason}")
     if error := tried.result.report.error:
         click.echo(f"    {text(error['message'])}")  # type: ignore[arg-type] # see `Report`
@@ -261,6 +261,7 @@ def _as_object(tried: "JudgedRun", hints: "Sequence[Hint]") -> dict[str, Any]:
             "state": verdict.state,
             "at": verdict.at,
             "reason": verdict.reason,
+            "miss": verdict.miss,
         }
         for verdict in tried.verdicts
     ]
