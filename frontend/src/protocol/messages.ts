@@ -1115,6 +1115,8 @@ export interface New {
   name?: string;
   example?: string | null;
   robot?: string;
+  world?: string;
+  language?: string;
   request?: number;
 }
 
@@ -1141,6 +1143,7 @@ export interface OpenExample {
   name: string;
   example: string;
   robot?: string;
+  language?: string;
   request?: number;
 }
 
@@ -2553,7 +2556,9 @@ export const LIMITS = {
   },
   "New": {
     "name": 100,
-    "robot": 100
+    "robot": 100,
+    "world": 100,
+    "language": 100
   },
   "Open": {
     "name": 100,
@@ -2562,7 +2567,8 @@ export const LIMITS = {
   "OpenExample": {
     "name": 100,
     "example": 100,
-    "robot": 100
+    "robot": 100,
+    "language": 100
   },
   "OpenTab": {
     "name": 100,
