@@ -101,7 +101,14 @@ export class Project {
   /** Create a project of an example, or an empty one in a world. */
   create(name: string, example: string | null = null, world = ""): void {
     this.program.flush();
-    this.connection.send({ kind: "New", name, example, robot: preferences.value.robot, world, language: language.value });
+    this.connection.send({
+      kind: "New",
+      name,
+      example,
+      robot: preferences.value.robot,
+      world,
+      language: language.value,
+    });
   }
 
   /** Open a project of an example as it is; a new one has this name. */

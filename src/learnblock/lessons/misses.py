@@ -166,7 +166,7 @@ def _distance(miss: Miss) -> float:
 def _reach(goal: Reach, run: _Run) -> Miss | None:
     place = (goal.x, goal.y)
     if goal.object is not None:
-        words = Phrase("lesson-miss-object", thing=goal.object, goal=goal_phrase(goal.name))
+        words = Phrase("lesson-miss-object", thing=goal.object)
         return Miss(words, place)
     if not run.path:
         return None
