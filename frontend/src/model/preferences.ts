@@ -50,6 +50,8 @@ export interface Preferences {
   readonly stage: Stage;
   /** The user's robot, for new projects and examples; empty for the usual one. */
   readonly robot: string;
+  /** The world of the last new project; empty for the usual one. */
+  readonly world: string;
   readonly layout: Layout;
 }
 
@@ -75,6 +77,7 @@ const DEFAULTS: Preferences = {
   tourDone: false,
   stage: "starter",
   robot: "",
+  world: "",
   layout: LAYOUT,
 };
 

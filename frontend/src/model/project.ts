@@ -1,7 +1,7 @@
 /** The open project, and the list of all projects. */
 
 import { effect, signal } from "@preact/signals";
-import { type Phrase, say, t, translated, worldName } from "../i18n";
+import { language, type Phrase, say, t, translated, worldName } from "../i18n";
 import { addressedProject, forgetProject, nameNoProject, nameProject, renameProject } from "../protocol/address";
 import type { Connection } from "../protocol/connection";
 import {
@@ -98,15 +98,24 @@ export class Project {
     this.connection.send({ kind: "Open", name, tab });
   }
 
-  create(name: string, example: string | null = null): void {
+  /** Create a project of an example, or an empty one in a world. */
+  create(name: string, example: string | null = null, world = ""): void {
     this.program.flush();
-    this.connection.send({ kind: "New", name, example, robot: preferences.value.robot });
+    this.connection.send({
+      kind: "New",
+      name,
+      example,
+      robot: preferences.value.robot,
+      world,
+      language: language.value,
+    });
   }
 
   /** Open a project of an example as it is; a new one has this name. */
   openExample(name: string, example: string): void {
     this.program.flush();
-    this.connection.send({ kind: "OpenExample", name, example, robot: preferences.value.robot });
+    const { robot } = preferences.value;
+    this.connection.send({ kind: "OpenExample", name, example, robot, language: language.value });
   }
 
   /** Go to the start page. */

@@ -12,6 +12,15 @@ export const VIEWS: readonly View[] = ["blocks", "blocktext", "python"];
 export type Area = View | "world" | "panel";
 export type PanelName = "console" | "variables" | "calls" | "why" | "runs" | "sensors" | "problems" | "result";
 
+/** A place that a run has missed, mm. */
+export interface MissedPlace {
+  readonly place: [number, number];
+  /** Where the robot came nearest. */
+  readonly nearest: [number, number];
+  /** By how much. */
+  readonly words: string;
+}
+
 /** The world in 3D. */
 export interface WorldIsland extends Island {
   /** Adapt to the current size of the element. */
@@ -24,6 +33,10 @@ export interface WorldIsland extends Island {
   readonly hint: ReadonlySignal<string>;
   /** Show in the picture where a value of the robot comes from; null shows none. */
   point(measure: Measure | null): void;
+  /** Mark the places that the last run has missed. */
+  showMissed(places: readonly MissedPlace[]): void;
+  /** Look at a place on the floor, mm. */
+  lookAt(place: readonly [number, number]): void;
 }
 
 /** A view of the program. */

@@ -1,4 +1,5 @@
 import { useSignal } from "@preact/signals";
+import type { ComponentChildren } from "preact";
 import { useId, useLayoutEffect, useRef } from "preact/hooks";
 
 import { t } from "../i18n";
@@ -17,10 +18,12 @@ interface NameFormProps {
   /** Closes the dialog around the form. */
   readonly close: () => void;
   readonly run: (name: string) => void;
+  /** What else is asked, below the name. */
+  readonly children?: ComponentChildren;
 }
 
 /** Asks for a name in a dialog, closes it, and passes the name on. */
-export function NameForm({ name: first, help, action, fault, longest, close, run }: NameFormProps) {
+export function NameForm({ name: first, help, action, fault, longest, close, run, children }: NameFormProps) {
   const name = useSignal(first);
   const input = useRef<HTMLInputElement>(null);
   const about = useId();
@@ -51,6 +54,7 @@ export function NameForm({ name: first, help, action, fault, longest, close, run
       <p id={about} role="status" class={wrong ? "refused" : "dim"}>
         {wrong || help}
       </p>
+      {children}
       <Actions cancel={close}>
         <button type="submit" class="button filled">
           {action}

@@ -232,7 +232,7 @@ def _print_judged(judged: "JudgedRun") -> None:
     say("lesson-cli-attempt", robot=judged.attempt.robot, variant=str(judged.attempt.variant))
     for verdict in judged.verdicts:
         mark = {"met": "✓", "failed": "✗", "open": "·"}[verdict.state]
-        reason = f"  {text(verdict.reason)}" if verdict.reason else ""
+        reason = f"  {text(verdict.explanation)}" if verdict.explanation else ""
         click.echo(f"    {mark} {title_of(verdict.check, language())}{reason}")
     if error := judged.result.report.error:
         click.echo(f"    {text(error['message'])}")  # type: ignore[arg-type] # see `Report`
@@ -261,6 +261,7 @@ def _as_object(judged: "JudgedRun", hints: "Sequence[Hint]") -> dict[str, Any]:
             "state": verdict.state,
             "at": verdict.at,
             "reason": verdict.reason,
+            "miss": verdict.miss,
         }
         for verdict in judged.verdicts
     ]

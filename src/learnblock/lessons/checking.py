@@ -161,7 +161,7 @@ def _not_met(tried: JudgedRun, verdict: Verdict) -> Phrase:
         robot=tried.attempt.robot,
         variant=str(tried.attempt.variant),
         check=describe(verdict.check),
-        reason=verdict.reason or "",
+        reason=verdict.explanation or "",
     )
 
 

@@ -31,6 +31,7 @@ from learnblock.lessons.describing import event_words, pattern_words, times_word
 from learnblock.lessons.evidence import Evidence, Moment, Placed
 from learnblock.lessons.happening import fits, heading_between, moments
 from learnblock.lessons.lesson import Step
+from learnblock.lessons.misses import Miss, missed
 from learnblock.runtime.ending import How
 from learnblock.simulator import WorldDescription
 
@@ -47,6 +48,7 @@ class Verdict:
         state: ``met`` or ``failed`` once it is decided, ``open`` before.
         at: when it was decided, in seconds of the robot's time; None if that is not known.
         reason: why it failed.
+        miss: by how much, and where, if that is known.
     """
 
     check: Check
@@ -54,6 +56,12 @@ class Verdict:
     state: State
     at: float | None = None
     reason: Phrase | None = None
+    miss: Miss | None = None
+
+    @property
+    def explanation(self) -> Phrase | None:
+        """What a person reads of why it failed: by how much, if that is known."""
+        return self.miss.words if self.miss else self.reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,11 +98,7 @@ def judge(
         experts: judges by the lesson's Python; without it, such checks stay open.
     """
     judgement = _Judgement(step, program, evidence, world, experts)
-    return tuple(
-        Verdict(check, index, finding.state, finding.at, finding.reason)
-        for index, check in enumerate(step.check)
-        for finding in [judgement.finding(check)]
-    )
+    return tuple(judgement.verdict(check, index) for index, check in enumerate(step.check))
 
 
 def is_done(verdicts: Sequence[Verdict]) -> bool:
@@ -109,6 +113,14 @@ class _Judgement:
     evidence: Evidence | None
     world: WorldDescription | None
     experts: ExpertJudge | None
+
+    def verdict(self, check: Check, index: int) -> Verdict:
+        found = self.finding(check)
+        miss = None
+        if found.state == "failed" and self.evidence is not None:
+            evidence = self.evidence if check.robot is None else self.evidence.of(check.robot)
+            miss = missed(check, evidence, self.world)
+        return Verdict(check, index, found.state, found.at, found.reason, miss)
 
     def finding(self, check: Check) -> Finding:
         if isinstance(check, Uses | Size):

@@ -1,6 +1,6 @@
 """Running a program from its file to its report, for the command line and the page."""
 
-from learnblock.running.examples import example
+from learnblock.running.examples import example, example_text
 from learnblock.running.job import Job, Options
 from learnblock.running.network import (
     allow_network,
@@ -35,6 +35,7 @@ __all__ = [
     "check",
     "choose_robot",
     "example",
+    "example_text",
     "folder_on_network",
     "forbid_network",
     "lacking",

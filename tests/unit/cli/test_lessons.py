@@ -112,7 +112,7 @@ def test_a_lesson_that_is_right_passes_its_check(lesson):
 def test_a_solution_that_fails_is_named_with_robot_variant_and_reason(lesson):
     change(lesson / "teacher/solutions/square.bt", "200", "100")
     result = call("check", lesson, "--robot", "sim-ev3", "--variants", 0)
-    row = "sim-ev3, variant 0: Reach all goals. The goal 'four corners' was not reached."
+    row = "sim-ev3, variant 0: Reach all goals. The first corner: 100 mm short."
     assert row in result.stdout
     assert result.exit_code == ExitCode.MISTAKES
 
@@ -145,7 +145,7 @@ def test_trying_says_which_checks_a_program_meets(lesson, tmp_path):
     program = tmp_path / "mine.bt"
     program.write_text(SQUARE.replace("200", "100"))
     result = call("try", lesson, 1, program, "--robot", "sim-ebo", "--variants", 0)
-    assert "✗ Reach all goals.  The goal 'four corners' was not reached." in result.stdout
+    assert "✗ Reach all goals.  The first corner: " in result.stdout
     assert "✓ Use a loop." in result.stdout
     assert result.exit_code == ExitCode.MISTAKES
     program.write_text(SQUARE)

@@ -95,8 +95,8 @@ WORDS = [
     (Turns(by=-360), "Turn by -360° in all.", "Gira -360° en total."),
     (
         Ends(within=30),
-        "The program ends by itself within 30 s, without an error.",
-        "El programa termina por sí mismo en menos de 30 s, sin errores.",
+        "The program runs to its end within 30 s.",
+        "El programa llega a su final en menos de 30 s.",
     ),
     (
         Prints(lines=("1", "2")),
@@ -118,8 +118,8 @@ WORDS = [
         "Usa tu función f al menos dos veces.",
     ),
     (Size(blocks=6), "Use at most 6 blocks.", "Usa 6 bloques como máximo."),
-    (Ends(robot="two"), "two: The program ends by itself, without an error.",
-     "two: El programa termina por sí mismo, sin errores."),
+    (Ends(robot="two"), "two: The program runs to its end.",
+     "two: El programa llega a su final."),
 ]  # fmt: skip
 EVENTS = [
     (GoalReached(name="a"), "the goal 'a' is reached"),

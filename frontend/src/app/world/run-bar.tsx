@@ -19,13 +19,13 @@ export function RunBar() {
 }
 
 function RunButtons() {
-  const { context, controls } = usePage();
+  const { context, controls, lessons } = usePage();
   const active = context.running.active.value;
   const waiting = context.running.waits.value;
   return (
     <div
       id="run"
-      class={showsDebugger.value ? "run-group crowded" : "run-group"}
+      class={["run-group", showsDebugger.value && "crowded", lessons.isAsking && "quiet"].filter(Boolean).join(" ")}
       role="group"
       aria-label={t("page-bar-running")}
       data-tour="run"

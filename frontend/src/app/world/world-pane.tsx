@@ -1,5 +1,7 @@
 /** The world, the chips and menus over its picture, and the run controls below it. */
 
+import { useEffect } from "preact/hooks";
+
 import { GhostFindings, GhostLegend } from "../../features/ghost/ghost";
 import { Legend } from "../../features/runs/legend";
 import { ShownRun } from "../../features/runs/shown";
@@ -19,6 +21,9 @@ import "./world-pane.css";
 
 export function WorldPane() {
   const page = usePage();
+  const missed = page.lessons.missed.value;
+  const world = page.views.world.value;
+  useEffect(() => world?.showMissed(missed), [world, missed]);
   return (
     <section
       id="world"

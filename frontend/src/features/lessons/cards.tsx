@@ -8,7 +8,6 @@ import { usePage } from "../../model/page";
 import { preferences } from "../../model/preferences";
 import { plainTitle } from "../../model/robots";
 import type { LessonChoice } from "../../protocol/messages";
-import { IconButton } from "../../ui/button";
 import { chooseFile, chooseFolder } from "../../ui/files";
 import { Icon } from "../../ui/icons";
 import { Menu, type MenuItem } from "../../ui/menu";
@@ -123,14 +122,6 @@ function Card({ lesson, isNext, isReadOnly }: CardProps) {
       </button>
       {(project || own || lessons.teaches.value) && (
         <span class="lesson-tools">
-          {project && !isReadOnly && (
-            <IconButton
-              icon="restart"
-              word="page-lesson-again"
-              values={{ title }}
-              onClick={() => lessons.start(lesson, true)}
-            />
-          )}
           <LessonMenu lesson={lesson} isReadOnly={isReadOnly} />
         </span>
       )}
@@ -143,8 +134,13 @@ function LessonMenu({ lesson, isReadOnly }: { lesson: LessonChoice; isReadOnly: 
   const { lessons } = usePage();
   const making = usePage().lessonMaking;
   const { dialogs } = usePage();
-  const { name, own = false } = lesson;
+  const { name, own = false, project = "" } = lesson;
   const title = inLanguage(lesson.title);
+  const again: MenuItem = {
+    text: t("page-lesson-again", { title }),
+    icon: "restart",
+    run: () => lessons.start(lesson, true),
+  };
   const notes: MenuItem = {
     text: t("page-lesson-notes"),
     icon: "lesson",
@@ -170,6 +166,7 @@ function LessonMenu({ lesson, isReadOnly }: { lesson: LessonChoice; isReadOnly: 
   const teaches = lessons.teaches.value;
   const writes = teaches && !isReadOnly;
   const groups = [
+    { items: project && !isReadOnly ? [again] : [] },
     { items: [...(teaches ? [notes] : []), ...(own && writes ? [change] : []), ...(writes ? [copy] : [])] },
     { items: own ? [...(teaches ? [whole] : []), pupils] : [] },
     { items: own && writes ? [remove] : [] },

@@ -17,7 +17,7 @@ export function Goals() {
   if (goals.value.length === 0) return null;
   return (
     <div class="lesson-goals">
-      <h3>{t("page-lesson-goals")}</h3>
+      <h3 class="hidden">{t("page-lesson-goals")}</h3>
       <ul>
         {goals.value.map((goal, index) => (
           <Goal key={index} goal={goal} />
@@ -38,8 +38,22 @@ function Goal({ goal }: { goal: LessonGoal }) {
         <span class="hidden"> {t(`page-lesson-goal-${state}`)}</span>
         {state === "failed" && reason && <span class="lesson-reason">{say(reason)}</span>}
       </span>
+      <Show goal={goal} />
       <Why goal={goal} />
     </li>
+  );
+}
+
+/** Looks at where a goal was missed. */
+function Show({ goal: { say: words, state, place } }: { goal: LessonGoal }) {
+  const { views } = usePage();
+  if (state !== "failed" || !place) return null;
+  const name = `${t("page-lesson-show")} ${sayWords(words)}`;
+  return (
+    <button type="button" class="button bordered" aria-label={name} onClick={() => views.world.value?.lookAt(place)}>
+      <Icon name="eye" />
+      {t("page-lesson-show")}
+    </button>
   );
 }
 

@@ -2,16 +2,18 @@
 
 import { computed, signal } from "@preact/signals";
 
-import { language, say, t } from "../../i18n";
+import { language, type Phrase, say, t } from "../../i18n";
 import type { Announcer } from "../../model/announcer";
 import { browserId } from "../../model/browser-id";
-import { preferences } from "../../model/preferences";
+import { arrange, preferences } from "../../model/preferences";
 import type { Program } from "../../model/program";
+import type { MissedPlace } from "../../model/views";
 import type { Connection } from "../../protocol/connection";
 import {
   type LessonAttempt,
   type LessonChecked,
   type LessonChoice,
+  type LessonGoal,
   type LessonGoals,
   type LessonHints,
   type LessonNotes,
@@ -42,6 +44,20 @@ export function sayWords({ text = "", phrase = null }: LessonWords): string {
   return phrase ? say(phrase) : inLanguage(text);
 }
 
+/** More marks would hide the world. */
+const MOST_MISSED = 3;
+
+/** Where a goal was missed; nothing if it was not, or has no place. */
+function missedPlace({ state, place, nearest, reason }: LessonGoal): readonly MissedPlace[] {
+  if (state !== "failed" || !place || !nearest || !reason) return [];
+  const { gap } = reason.values ?? {};
+  return [{ place, nearest, words: say(isPhrase(gap) ? gap : reason) }];
+}
+
+function isPhrase(value: unknown): value is Phrase {
+  return typeof value === "object" && value !== null && "code" in value;
+}
+
 interface Others {
   readonly program: Program;
   readonly announcer: Announcer;
@@ -60,6 +76,8 @@ export class Lessons {
   readonly checked = signal<LessonChecked | null>(null);
   readonly hints = signal<LessonHints | null>(null);
   readonly quiz = signal<QuizJudged | null>(null);
+  /** The answers that are chosen, by their indices. */
+  readonly chosen = signal<readonly number[]>([]);
   readonly puzzle = signal<PuzzleJudged | null>(null);
   /** What a lesson has for the teacher; null until the server has sent it. */
   readonly notes = signal<LessonNotes | null>(null);
@@ -70,6 +88,12 @@ export class Lessons {
   /** What is known of the goals since the step was shown. */
   private readonly news = signal<LessonGoals | null>(null);
   private readonly live = signal(false);
+  /** The lesson that was shown last. */
+  private opened = "";
+  /** The places that the last run has missed, the first ones of several. */
+  readonly missed = computed(() =>
+    this.live.value ? [] : this.goals.value.flatMap(missedPlace).slice(0, MOST_MISSED),
+  );
   private readonly browser = browserId();
 
   constructor(
@@ -102,12 +126,25 @@ export class Lessons {
   reset(): void {
     this.shown.value = this.news.value = this.checked.value = this.hints.value = null;
     this.quiz.value = this.puzzle.value = null;
+    this.chosen.value = [];
     this.failed.value = this.live.value = false;
   }
 
   /** Whether the program of a lesson runs and is being judged. */
   get isLive(): boolean {
     return this.live.value;
+  }
+
+  /** Whether the step asks something that has not been answered, right or wrong. */
+  get isAsking(): boolean {
+    const { quiz = null, puzzle = null } = this.shown.value ?? {};
+    const isOpen = (question: { solved?: boolean } | null, judged: unknown) => question && !question.solved && !judged;
+    return Boolean(isOpen(quiz, this.quiz.value) || isOpen(puzzle, this.puzzle.value));
+  }
+
+  /** Whether each step that has stars has earned one. */
+  get isFinished(): boolean {
+    return this.steps.value.every(({ stars = 0, earned = 0 }) => stars === 0 || earned > 0);
   }
 
   list(): void {
@@ -117,6 +154,7 @@ export class Lessons {
   /** Go on with a lesson, or begin it. */
   start(lesson: Pick<LessonChoice, "name" | "title">, again = false): void {
     this.others.program.flush();
+    this.opened = "";
     const { robot } = preferences.value;
     const name = inLanguage(lesson.title).slice(0, 80);
     this.connection.send({ kind: "StartLesson", lesson: lesson.name, name, robot, again });
@@ -150,8 +188,14 @@ export class Lessons {
     this.connection.send({ kind: "TakeHint" });
   }
 
-  answerQuiz(choices: readonly number[]): void {
-    this.connection.send({ kind: "AnswerQuiz", choices: [...choices] });
+  choose(answers: readonly number[]): void {
+    this.quiz.value = null;
+    this.chosen.value = answers;
+  }
+
+  answerQuiz(): void {
+    const { value: choices } = this.chosen;
+    if (choices.length > 0) this.connection.send({ kind: "AnswerQuiz", choices: [...choices] });
   }
 
   answerPuzzle(order: readonly number[]): void {
@@ -199,6 +243,9 @@ export class Lessons {
     const before = this.shown.peek();
     if (before?.name !== shown.name || before?.step !== shown.step) this.reset();
     this.news.value = null;
+    // The output of another project would take the lesson's room.
+    if (shown.name && shown.name !== this.opened) arrange({ panel: false });
+    this.opened = shown.name ?? "";
     this.shown.value = shown.name ? shown : null;
   }
 

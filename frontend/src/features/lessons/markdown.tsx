@@ -4,7 +4,7 @@ import { lexer, type Token, type Tokens } from "marked";
 import type { ComponentChildren, FunctionComponent } from "preact";
 
 import type { Workspace } from "../../protocol/messages";
-import { DrawnBlocks } from "./drawn-blocks";
+import { DrawnProgram } from "./drawn-blocks";
 
 interface Props {
   readonly text: string;
@@ -90,7 +90,7 @@ function List({ list, props, depth }: { list: Tokens.List; props: Props; depth: 
 function Code({ code, drawings }: { code: Tokens.Code; drawings: Props["drawings"] }) {
   const source = code.text.replace(/^\n+|\n+$/g, "");
   const drawing = code.lang?.trim() === "blocks" ? drawings[source] : undefined;
-  if (drawing) return <DrawnBlocks key={source} workspace={drawing} text={source} />;
+  if (drawing) return <DrawnProgram key={source} workspace={drawing} text={source} />;
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: a keyboard user must be able to scroll it
     <pre tabIndex={0}>

@@ -16,7 +16,7 @@ import { Hints } from "./hints";
 import { inLanguage } from "./lessons";
 import type { MarkdownPart } from "./markdown";
 import { Puzzle } from "./puzzle";
-import { Quiz } from "./quiz";
+import { Quiz, QuizAnswer } from "./quiz";
 import "./lessons.css";
 
 export function LessonPane() {
@@ -39,6 +39,7 @@ function Pane({ shown }: { shown: LessonShown }) {
       <div class="lesson-head">
         <Place shown={shown} />
         <Stars />
+        <RestartButton shown={shown} />
         <button
           type="button"
           class="button"
@@ -55,17 +56,18 @@ function Pane({ shown }: { shown: LessonShown }) {
         {stepTitle(shown)}
       </h2>
       {!folded.value && (
-        <>
+        <div class="lesson-content">
           <Body shown={shown} />
+          <Task shown={shown} />
           <Foot shown={shown} />
-        </>
+        </div>
       )}
       <Party />
     </section>
   );
 }
 
-/** On a phone: one line, which opens as a sheet. */
+/** On a phone: a line with the question or the goals; the line opens everything as a sheet. */
 function Line({ shown }: { shown: LessonShown }) {
   const open = useSignal(false);
   const { context, askingWhy } = usePage();
@@ -84,14 +86,18 @@ function Line({ shown }: { shown: LessonShown }) {
         <Stars />
         <Icon name="up" />
       </button>
+      {!open.value && <Task shown={shown} />}
+      {!open.value && <ShortFoot shown={shown} />}
       {open.value && (
         <Dialog title={stepTitle(shown)} close={close} size="large">
           <div class="lesson-sheet">
             <div class="lesson-head">
               <Place shown={shown} />
               <Stars />
+              <RestartButton shown={shown} />
             </div>
             <Body shown={shown} />
+            <Task shown={shown} />
             <Foot shown={shown} />
           </div>
         </Dialog>
@@ -163,11 +169,21 @@ function Body({ shown }: { shown: LessonShown }) {
     // biome-ignore lint/a11y/noNoninteractiveTabindex: a keyboard user must be able to scroll it
     <div id="lesson-body" class="lesson-body" ref={body} tabIndex={0} role="group" aria-label={t("page-lesson-text")}>
       {Part && <Part key={`${name} ${step}`} text={inLanguage(text)} lesson={name} drawings={drawings} />}
-      <Goals />
-      {shown.quiz && <Quiz key={`quiz ${step}`} quiz={shown.quiz} />}
       {shown.puzzle && <Puzzle key={`puzzle ${step}`} puzzle={shown.puzzle} drawings={drawings} />}
       <Hints />
       <Everywhere />
+    </div>
+  );
+}
+
+/** What the pupil has to do: it stays in sight while the text is scrolled. */
+function Task({ shown: { quiz, step = 1 } }: { shown: LessonShown }) {
+  const hasGoals = usePage().lessons.goals.value.length > 0;
+  if (!quiz && !hasGoals) return null;
+  return (
+    <div class="lesson-task">
+      {quiz && <Quiz key={step} quiz={quiz} />}
+      <Goals />
     </div>
   );
 }
@@ -177,9 +193,23 @@ function Foot({ shown }: { shown: LessonShown }) {
     <div class="lesson-foot">
       <HintButton shown={shown} />
       <CheckButton shown={shown} />
-      <RestartButton shown={shown} />
+      {shown.quiz && <QuizAnswer quiz={shown.quiz} />}
       <span class="lesson-space" />
       <StepButtons shown={shown} />
+    </div>
+  );
+}
+
+/** Below the task on a phone: only what belongs to it now. */
+function ShortFoot({ shown }: { shown: LessonShown }) {
+  const { lessons } = usePage();
+  const isDone = (lessons.steps.value[(shown.step ?? 1) - 1]?.earned ?? 0) > 0;
+  if (!shown.quiz && !isDone) return null;
+  return (
+    <div class="lesson-foot">
+      {shown.quiz && <QuizAnswer quiz={shown.quiz} />}
+      <span class="lesson-space" />
+      {isDone && <StepButtons shown={shown} />}
     </div>
   );
 }
@@ -243,6 +273,8 @@ function StepButtons({ shown: { step = 1, steps = [] } }: { shown: LessonShown }
   const { lessons } = usePage();
   const isActive = usePage().context.running.active.value;
   const hasStar = (lessons.steps.value[step - 1]?.earned ?? 0) > 0;
+  // The question comes first: until it is answered, the way past it is not what stands out.
+  const look = hasStar ? "button filled" : lessons.isAsking ? "button dim" : "button bordered";
   return (
     <>
       <IconButton
@@ -254,7 +286,7 @@ function StepButtons({ shown: { step = 1, steps = [] } }: { shown: LessonShown }
       {step < steps.length ? (
         <button
           type="button"
-          class={hasStar ? "button filled" : "button bordered"}
+          class={look}
           aria-disabled={isActive ? "true" : undefined}
           onClick={() => isActive || lessons.showStep(step + 1)}
         >
@@ -270,9 +302,10 @@ function StepButtons({ shown: { step = 1, steps = [] } }: { shown: LessonShown }
 
 /** After the last step: back to the other lessons. */
 function Finish() {
-  const { project } = usePage();
+  const { project, lessons } = usePage();
+  const look = lessons.isFinished ? "button filled" : "button bordered";
   return (
-    <button type="button" class="button filled" onClick={() => project.leave()}>
+    <button type="button" class={look} onClick={() => project.leave()}>
       {t("page-lesson-finish")}
     </button>
   );

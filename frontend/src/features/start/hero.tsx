@@ -4,8 +4,10 @@ import type { ComponentChildren } from "preact";
 
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
+import { preferences } from "../../model/preferences";
 import type { ExampleChoice, LessonChoice, ProjectEntry } from "../../protocol/messages";
 import { Icon } from "../../ui/icons";
+import { RobotPicture } from "../../ui/robots/picture";
 import { pictureOf } from "../examples/pictures";
 import { exampleText, exampleTitle } from "../examples/words";
 import { inLanguage } from "../lessons/lessons";
@@ -15,6 +17,8 @@ import { tryExample } from "./try-example";
 
 /** The program that newcomers try. */
 const FIRST = "first-square";
+/** The robot that is shown to a user who has not chosen one. */
+const USUAL = "sim-ebo";
 
 export function Hero() {
   const { project } = usePage();
@@ -102,7 +106,7 @@ interface CardProps {
 function Card({ over, title, text, picture, children }: CardProps) {
   return (
     <section class="start-hero" aria-labelledby="start-title" data-region="start">
-      {picture && <img src={picture} alt="" />}
+      {picture ? <img src={picture} alt="" /> : <RobotPicture robot={preferences.value.robot || USUAL} />}
       <div class="start-hero-text">
         <span class="start-over">{over}</span>
         <h1 id="start-title">{title}</h1>

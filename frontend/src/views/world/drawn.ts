@@ -21,6 +21,8 @@ export interface Drawn {
   /** Where the robot and the first goal with a place are in the picture: -1 to 1, to the right and up. */
   readonly robot: XY;
   readonly goal: XY | null;
+  /** Where the other goals are. */
+  readonly others: readonly XY[];
   /** Whether the beams, the arrow of the heading, the trail and the place of a sensor are shown. */
   readonly marks: Marks;
   /** The number of effects that have begun so far, such as confetti. */
@@ -29,7 +31,7 @@ export interface Drawn {
 
 /** @param effects that have begun so far. */
 export function drawn(subject: Subject, camera: PerspectiveCamera, marks: Marks, effects: number): Drawn {
-  const { x, y, reach, height, goal, screens } = subject;
+  const { x, y, reach, height, goal, others = [], screens } = subject;
   camera.updateMatrixWorld();
   // The corners of a square in the robot's outline, not around it.
   const half = reach * Math.SQRT1_2;
@@ -41,6 +43,7 @@ export function drawn(subject: Subject, camera: PerspectiveCamera, marks: Marks,
     share: (Math.max(...ups) - Math.min(...ups)) / 2,
     robot: placeOf(camera, x, y, 0),
     goal: goal && placeOf(camera, ...goal, 0),
+    others: others.map(([east, north]) => placeOf(camera, east, north, 0)),
     marks,
     effects,
   };

@@ -1,4 +1,4 @@
-/** Places the camera so that the robot is large and its first goal is in sight. */
+/** Places the camera so that the robot is large and its goals are in sight: all, or if they are too far away, the first. */
 
 import { Vector3 } from "three";
 
@@ -13,6 +13,8 @@ export const INNER = 0.8;
 /** The robot's part of the picture's height: the least, and the most beside its goal. */
 const LEAST = 0.14;
 const MOST = 0.3;
+/** The robot's least part beside all of its goals: with a smaller one, only the first goal has to be in sight. */
+const LEAST_OF_ALL = 0.1;
 /** Without a goal: its largest part of the height and of the width, and how far it is from the middle, to leave room ahead. */
 const ALONE = { height: 0.42, width: 0.28, aside: 0.38, below: 0.2 };
 /** What a turn from the south by 90 degrees costs, and what a robot that looks into the camera is worth. */
@@ -47,6 +49,8 @@ export interface Subject {
   readonly height: number;
   /** The first goal, or a line on the floor; null if there is none. */
   readonly goal: XY | null;
+  /** The other goals. */
+  readonly others?: readonly XY[];
   /** What may hide it. */
   readonly screens: readonly Screen[];
 }
@@ -58,8 +62,16 @@ export interface View {
 
 /** The best of many places for the camera. */
 export function frame(subject: Subject, aspect: number): View {
-  let best: { eye: Eye; score: number } | null = null;
-  const isBetter = (score: number) => score > (best?.score ?? Number.NEGATIVE_INFINITY);
+  if (subject.others?.length) {
+    const eye = best(subject, aspect);
+    if (eye.shows(subject) && eye.share(subject) >= LEAST_OF_ALL) return eye.view;
+  }
+  return best({ ...subject, others: [] }, aspect).view;
+}
+
+function best(subject: Subject, aspect: number): Eye {
+  let found: { eye: Eye; score: number } | null = null;
+  const isBetter = (score: number) => score > (found?.score ?? Number.NEGATIVE_INFINITY);
   for (const steepness of STEEPNESSES) {
     for (const turn of TURNS) {
       for (const part of subject.goal ? PARTS : PARTS.slice(0, 1)) {
@@ -68,11 +80,11 @@ export function frame(subject: Subject, aspect: number): View {
         const clear = worth(eye.share(subject), turn, subject.heading);
         // What is hidden is looked for only where it matters: there are many places.
         const score = isBetter(clear) ? clear - eye.hidden(subject) : clear;
-        if (isBetter(score)) best = { eye, score };
+        if (isBetter(score)) found = { eye, score };
       }
     }
   }
-  return (best?.eye ?? new Eye(subject.x, subject.y, STEEPNESSES[0], 0, aspect)).view;
+  return found?.eye ?? new Eye(subject.x, subject.y, STEEPNESSES[0], 0, aspect);
 }
 
 /** How good a picture is; one with too small a robot is worse than all others. */
@@ -84,7 +96,7 @@ function worth(share: number, turn: number, heading: number): number {
 
 /** The nearest camera that has everything in the inner part of its picture. */
 function nearest(subject: Subject, steepness: number, turn: number, part: number, aspect: number): Eye | null {
-  const [goalX, goalY] = subject.goal ?? [subject.x, subject.y];
+  const [goalX, goalY] = middleOf(subject);
   const [x, y] = [subject.x + part * (goalX - subject.x), subject.y + part * (goalY - subject.y)];
   const eye = new Eye(x, y, steepness, turn, aspect);
   for (let distance = NEAREST; distance < FARTHEST; distance *= STEP) {
@@ -95,6 +107,13 @@ function nearest(subject: Subject, steepness: number, turn: number, part: number
     return eye;
   }
   return null;
+}
+
+/** The middle of the goals; without any, the robot. */
+function middleOf({ x, y, goal, others = [] }: Subject): XY {
+  const places = goal ? [goal, ...others] : [[x, y] as const];
+  const middle = (values: readonly number[]) => (Math.min(...values) + Math.max(...values)) / 2;
+  return [middle(places.map(([east]) => east)), middle(places.map(([, north]) => north))];
 }
 
 /** A camera that looks at a point on the floor. It makes no vectors: thousands of places are tried. */
@@ -147,8 +166,9 @@ class Eye {
     this.y += right * this.east - away * this.north;
   }
 
-  shows({ x, y, reach, height, goal }: Subject): boolean {
+  shows({ x, y, reach, height, goal, others = [] }: Subject): boolean {
     if (goal && !(this.has(goal[0], goal[1], 0) && this.has(goal[0], goal[1], height))) return false;
+    if (others.some(([east, north]) => !(this.has(east, north, 0) && this.has(east, north, height)))) return false;
     const r = reach * Math.SQRT1_2;
     for (const east of [x - r, x + r]) {
       for (const north of [y - r, y + r]) {

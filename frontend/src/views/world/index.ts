@@ -26,5 +26,6 @@ function withoutPicture(): WorldIsland {
     dom.textContent = t("page-world-no3d");
   });
   const nothing = () => undefined;
-  return { dom, framesDrawn: 0, tools: [], hint: signal(""), resize: nothing, point: nothing, destroy: end };
+  const still = { resize: nothing, point: nothing, showMissed: nothing, lookAt: nothing };
+  return { dom, framesDrawn: 0, tools: [], hint: signal(""), ...still, destroy: end };
 }

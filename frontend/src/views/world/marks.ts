@@ -179,13 +179,12 @@ function starAt([x, y]: XY, goal: number, { start }: WorldValues): Object3D {
   return one;
 }
 
-/** Where the first goal is that has a place. */
-export function firstGoal({ goal, tag }: WorldValues): XY | null {
+/** The places of the goals that have one, the first goal's first. */
+export function goalPlaces({ goal, tag }: WorldValues): readonly XY[] {
   const visited = goal.visit.flatMap(({ id }) => tag.filter((one) => one.id === id));
-  const toured = goal.tour.flatMap(({ points }) => points.slice(0, 1).map(([x, y]) => ({ x, y })));
+  const toured = goal.tour.flatMap(({ points }) => points.map(([x, y]) => ({ x, y })));
   const shown = goal.show.filter(({ radius }) => radius !== null);
-  const [first] = [...goal.reach, ...visited, ...toured, ...goal.stop, ...shown];
-  return first ? [first.x, first.y] : null;
+  return [...goal.reach, ...visited, ...toured, ...goal.stop, ...shown].map(({ x, y }): XY => [x, y]);
 }
 
 /** mm: showing a line farther away would make the robot too small. */

@@ -5,7 +5,7 @@ import type { GoalNow, Robot, Scene } from "../../protocol/messages";
 import { type Beams, beams } from "./beams";
 import type { Subject } from "./framing";
 import { screensOf } from "./hiding";
-import { farthestLine, firstGoal, type GoalMark, goalMarks, Signs, startMark } from "./marks";
+import { farthestLine, type GoalMark, goalMarks, goalPlaces, Signs, startMark } from "./marks";
 import type { Moment } from "./motion";
 import { nameplate } from "./nameplate";
 import { origin } from "./origin";
@@ -106,8 +106,8 @@ export class Stage {
     const robot = this.robots[0];
     const { x, y, heading } = robot?.pose ?? { x: 0, y: 0, heading: 0 };
     const size = { reach: robot?.reach ?? 100, height: robot?.height ?? 100 };
-    const goal = firstGoal(this.world) ?? farthestLine(this.world, x, y);
-    return { x, y, heading, ...size, goal, screens: screensOf(this.world) };
+    const [goal = farthestLine(this.world, x, y), ...others] = goalPlaces(this.world);
+    return { x, y, heading, ...size, goal, others, screens: screensOf(this.world) };
   }
 
   /** Where a goal is, by its number in telemetry; where our robot is if it has no place. */

@@ -5,7 +5,7 @@ import { t } from "../../i18n";
 import type { Context } from "../../model/context";
 import type { Measure } from "../../model/measures";
 import { type ThemeName, theme } from "../../model/preferences";
-import type { WorldIsland } from "../../model/views";
+import type { MissedPlace, WorldIsland } from "../../model/views";
 import type { Scene, Sound, Telemetry } from "../../protocol/messages";
 import { Cleanup } from "../../ui/cleanup";
 import type { Tool } from "../../ui/tool";
@@ -19,6 +19,7 @@ import { Hand } from "./hand";
 import { HeldKeys } from "./held-keys";
 import { worldKeys } from "./keys";
 import { MeasureMarks } from "./measure-marks";
+import { Missed } from "./missed";
 import { Motion } from "./motion";
 import { PictureLabel } from "./picture-label";
 import { Placing } from "./placing";
@@ -58,6 +59,7 @@ export class World implements WorldIsland {
   private readonly placing: Placing;
   private readonly held: HeldKeys;
   private readonly hand: Hand;
+  private readonly missed = new Missed();
   private stage: Stage | null = null;
   private moved = false;
   private drawnScene = "";
@@ -126,7 +128,18 @@ export class World implements WorldIsland {
     this.way.point(measure === "Driven");
   }
 
+  showMissed(places: readonly MissedPlace[]): void {
+    this.missed.show(places);
+    this.view.invalidate();
+  }
+
+  lookAt([x, y]: readonly [number, number]): void {
+    this.cameras.centre([x, y]);
+    this.view.invalidate();
+  }
+
   destroy(): void {
+    this.missed.clear();
     this.cleanup.dispose();
     this.sizes.disconnect();
     this.label.destroy();
@@ -155,6 +168,7 @@ export class World implements WorldIsland {
       ...this.way.objects,
       this.marks.bearing.object,
       this.drawing.object,
+      this.missed.object,
       this.effects.object,
       this.placing.handle.object,
     );

@@ -6,6 +6,16 @@ import type { XY } from "../../../src/views/world/scenery/description";
 
 const EBO: Subject = { x: -400, y: 0, heading: 0, reach: 75, height: 120, goal: [410, 0], screens: [] };
 const SMALL: Subject = { x: -100, y: 100, heading: 0, reach: 55, height: 75, goal: [900, -800], screens: [] };
+const SQUARE: Subject = {
+  ...{ x: 0, y: 0, heading: 0, reach: 70, height: 60, screens: [] },
+  ...{
+    goal: [300, 0],
+    others: [
+      [300, -300],
+      [0, -300],
+    ],
+  },
+};
 const LONELY: Subject = { x: 0, y: 0, heading: 90, reach: 75, height: 120, goal: null, screens: [] };
 
 function cameraFor(subject: Subject, aspect: number): PerspectiveCamera {
@@ -46,6 +56,19 @@ describe.each([
       const seen = new Vector3(x, y, 0).project(camera);
       expect(Math.max(Math.abs(seen.x), Math.abs(seen.y))).toBeLessThan(INNER);
     }
+  });
+
+  it("all goals that are near are in the inner part", () => {
+    const camera = cameraFor(SQUARE, aspect);
+    for (const [x, y] of [[0, 0], SQUARE.goal ?? [0, 0], ...(SQUARE.others ?? [])] as const) {
+      const seen = new Vector3(x, y, 0).project(camera);
+      expect(Math.max(Math.abs(seen.x), Math.abs(seen.y))).toBeLessThan(INNER);
+    }
+  });
+
+  it("a goal that is far away does not make the robot tiny", () => {
+    const camera = cameraFor({ ...SQUARE, others: [[4000, 4000]] }, aspect);
+    expect(shareOf(SQUARE, camera)).toBeGreaterThan(0.05);
   });
 
   it("the camera looks down by 25 to 35 degrees", () => {

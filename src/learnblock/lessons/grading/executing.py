@@ -277,7 +277,7 @@ def _world(packed_one: bytes, step: int) -> WorldDescription | None:
 
 
 def _check_result(verdict: Verdict) -> CheckResult:
-    reason = {} if verdict.reason is None else in_each_language(verdict.reason)
+    reason = {} if verdict.explanation is None else in_each_language(verdict.explanation)
     at = None if verdict.at is None else round(verdict.at, 3)
     return CheckResult(verdict.state, at, reason)
 

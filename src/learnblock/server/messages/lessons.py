@@ -234,7 +234,9 @@ class LessonGoal(Struct, frozen=True, omit_defaults=True):
         say: what the pupil reads.
         state: ``open`` until it is decided.
         optional: whether the step is done without it.
-        reason: why it failed.
+        reason: why it failed: by how much, if that is known.
+        place: what was missed, (x mm, y mm), if it has a place.
+        nearest: how near to it the robot came.
         earned: whether its star was earned before.
         ask: the kind of question about the run that leads to why it failed; "" for none.
         subject: what that question is about.
@@ -244,6 +246,8 @@ class LessonGoal(Struct, frozen=True, omit_defaults=True):
     state: Literal["open", "met", "failed"] = "open"
     optional: bool = False
     reason: Phrase | None = None
+    place: tuple[float, float] | None = None
+    nearest: tuple[float, float] | None = None
     earned: bool = False
     ask: Literal["", "now", "goal", "bump"] = ""
     subject: str = ""

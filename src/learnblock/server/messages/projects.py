@@ -49,11 +49,15 @@ class New(Own, frozen=True):
         example: the example to start with; None for an empty program.
         robot: the user's robot, for an empty program and for an example that it can run; empty for
             the default.
+        world: the world of an empty program; empty for the default.
+        language: the code of the language in which the example speaks.
     """
 
     name: Name = "program"
     example: str | None = None
     robot: ShortText = ""
+    world: ShortText = ""
+    language: ShortText = "en"
 
 
 class OpenExample(Own, frozen=True):
@@ -63,11 +67,13 @@ class OpenExample(Own, frozen=True):
         name: the name of a new project; a number is added if it is taken.
         example: the example.
         robot: the user's robot, used if it can run the example; empty for that of the example.
+        language: the code of the language in which the example speaks.
     """
 
     name: Name
     example: Name
     robot: ShortText = ""
+    language: ShortText = "en"
 
 
 class CloseProject(Look, frozen=True):

@@ -33,7 +33,7 @@ async def _new(page: Page, message: messages.New) -> None:
 
 @HANDLERS.add
 async def _open_example(page: Page, message: messages.OpenExample) -> None:
-    wanted = messages.New(message.name, message.example, message.robot)
+    wanted = messages.New(message.name, message.example, message.robot, language=message.language)
     project = await to_thread.run_sync(new_project, wanted)
     unchanged = await page.sessions.find_unchanged(project)
     if unchanged:
@@ -177,16 +177,17 @@ def new_project(message: messages.New) -> Project:
     """Create a project with the program of an example, or with an empty one."""
     if message.example is None:
         robot = robots.find(message.robot or running.DEFAULT_ROBOT).name
-        return Project(name=message.name, blocktext=EMPTY, robot=robot, world=DEFAULT_WORLD)
+        world = message.world or DEFAULT_WORLD
+        return Project(name=message.name, blocktext=EMPTY, robot=robot, world=world)
     example = catalog.example(message.example)
     project = Project(name=message.name, world=example.world)
-    project = project.with_parts(list(_parts(example.name)))
+    project = project.with_parts(list(_parts(example.name, message.language)))
     if message.robot and catalog.suits(message.robot, example.name):
         return replace(project, robot=message.robot)
     return project
 
 
-def _parts(example: str) -> Iterator[ProjectPart]:
+def _parts(example: str, language: str) -> Iterator[ProjectPart]:
     for program, robot, count in catalog.example_programs(example):
-        text = running.read_text(running.example(f"{program}.bt"))
+        text = running.example_text(program, language)
         yield ProjectPart(program.rpartition("/")[2], text, robot=robot, count=count)

@@ -341,11 +341,18 @@ class Coach:
 
     def _tell_steps(self) -> None:
         """Send the pages the earned stars."""
-        verdicts = self._looked.verdicts if self._looked else ()
         steps = view.steps(self._opened, self._progress.whole)
         self._pupil.viewers.send(
-            messages.LessonGoals(view.goals(verdicts, self._progress.done), steps=steps)
+            messages.LessonGoals(view.goals(self._verdicts, self._progress.done), steps=steps)
         )
+
+    @property
+    def _verdicts(self) -> tuple[Verdict, ...]:
+        """What pages show of the checks."""
+        if self._looked is None:
+            return ()
+        has_run = self._looked.evidence is not None
+        return self._looked.verdicts if has_run else view.untried(self._looked.verdicts)
 
     def _shown(self) -> messages.LessonShown:
         step, done = self.step, self._progress.done
@@ -358,7 +365,7 @@ class Coach:
             step=self.number,
             text=view.plain(step.text),
             drawings=view.drawings(step, puzzle.pieces if puzzle else ()),
-            goals=view.goals(self._looked.verdicts if self._looked else (), done),
+            goals=view.goals(self._verdicts, done),
             attempts=len(catalog.attempts_of(self._opened, self.number)) if step.check else 0,
             everywhere=EVERYWHERE in done.stars,
             hints=done.hints,

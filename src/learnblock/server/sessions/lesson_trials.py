@@ -136,7 +136,9 @@ class LessonCheck(_Trial[messages.LessonChecked]):
             for verdict in judged.verdicts
             if not verdict.check.optional and verdict.state != "met"
         ]
-        reasons = tuple(verdict.reason or Phrase("server-lesson-not-met") for verdict in missed)
+        reasons = tuple(
+            verdict.explanation or Phrase("server-lesson-not-met") for verdict in missed
+        )
         result = messages.LessonAttempt(*wanted, passed=not missed, reasons=reasons[:3])
         attempts = tuple(
             result if (attempt.robot, attempt.variant) == wanted else attempt

@@ -2,6 +2,7 @@
 
 import random
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from itertools import count, islice
 from typing import Literal
 
@@ -37,18 +38,31 @@ def words(text: str | Mapping[str, str] | Phrase) -> messages.LessonWords:
 
 def goals(verdicts: Sequence[Verdict], done: StepProgress) -> tuple[messages.LessonGoal, ...]:
     """The checks of a step, with their verdicts."""
+    return tuple(_goal(verdict, done) for verdict in verdicts)
+
+
+def untried(verdicts: Sequence[Verdict]) -> tuple[Verdict, ...]:
+    """Verdicts before the first run: what the program still lacks is open, not missed."""
     return tuple(
-        messages.LessonGoal(
-            say=words(verdict.check.say or describe(verdict.check)),
-            state=verdict.state,
-            optional=verdict.check.optional,
-            reason=verdict.reason if verdict.state == "failed" else None,
-            earned=f"check-{verdict.index}" in done.stars,
-            ask=question[0],
-            subject=question[1],
-        )
+        replace(verdict, state="open", reason=None) if verdict.state == "failed" else verdict
         for verdict in verdicts
-        for question in (_question(verdict),)
+    )
+
+
+def _goal(verdict: Verdict, done: StepProgress) -> messages.LessonGoal:
+    ask, subject = _question(verdict)
+    has_failed = verdict.state == "failed"
+    miss = verdict.miss if has_failed else None
+    return messages.LessonGoal(
+        say=words(verdict.check.say or describe(verdict.check)),
+        state=verdict.state,
+        optional=verdict.check.optional,
+        reason=verdict.explanation if has_failed else None,
+        place=miss.place if miss else None,
+        nearest=miss.nearest if miss else None,
+        earned=f"check-{verdict.index}" in done.stars,
+        ask=ask,
+        subject=subject,
     )
 
 

@@ -56,11 +56,15 @@ page-lesson-stars = { $stars ->
    *[other] { $earned } of { $stars } stars in this step
 }
 page-lesson-fold = Show or hide the instructions
+# Instead of a drawing of the program, which is open anyway.
+page-lesson-program-there = It is the program in your editor.
 page-lesson-previous = Previous step
 page-lesson-next = Next
 page-lesson-finish = Finish
 page-lesson-restart = Start this step again
 page-lesson-goals = Goals
+# Looks at the place in the world where a goal was missed.
+page-lesson-show = Show
 page-lesson-optional = (bonus)
 page-lesson-goal-open = not reached yet
 page-lesson-goal-met = reached

@@ -52,11 +52,15 @@ page-lesson-stars = { $stars ->
    *[other] { $earned } de { $stars } estrellas en este paso
 }
 page-lesson-fold = Mostrar u ocultar las instrucciones
+# Instead of a drawing of the program, which is open anyway.
+page-lesson-program-there = Es el programa que tienes en el editor.
 page-lesson-previous = Paso anterior
 page-lesson-next = Siguiente
 page-lesson-finish = Terminar
 page-lesson-restart = Empezar este paso otra vez
 page-lesson-goals = Metas
+# Looks at the place in the world where a goal was missed.
+page-lesson-show = Mostrar
 page-lesson-optional = (extra)
 page-lesson-goal-open = sin alcanzar todavía
 page-lesson-goal-met = alcanzada
@@ -97,7 +101,7 @@ page-lesson-puzzle-good = { $count ->
 
 ## Todas las variantes y todos los robots
 
-page-lesson-everywhere = Comprobar en todo
+page-lesson-everywhere = Probar en todo
 page-lesson-everywhere-help = Comprobar en todas las variantes del mundo y con todos los robots de este paso
 page-lesson-everywhere-stop = Detener la comprobación
 page-lesson-everywhere-title = Todas las variantes y robots

@@ -1,0 +1,95 @@
+"""Places on a robot's way, and how far it is from one of them, in words."""
+
+import math
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+
+from learnblock.i18n import Phrase
+from learnblock.lessons.evidence import Moment, Placed
+from learnblock.lessons.happening import STILL, heading_between
+
+XY = tuple[float, float]
+
+#: mm: places that are nearer to each other give no direction.
+_NO_WAY = 20
+
+
+def xy(placed: Placed) -> XY:
+    """Where a robot was."""
+    return placed.x, placed.y
+
+
+def nearest_point(way: Sequence[Placed], place: XY) -> XY:
+    """The point of a way that is nearest to a place."""
+    points = [_on_piece(xy(before), xy(after), place) for before, after in pairwise(way)]
+    return min(points or [xy(way[0])], key=lambda point: math.dist(point, place))
+
+
+def _on_piece(begin: XY, end: XY, place: XY) -> XY:
+    """The point between two others that is nearest to a place."""
+    (x, y), (dx, dy) = begin, (end[0] - begin[0], end[1] - begin[1])
+    square = dx * dx + dy * dy
+    if square == 0:
+        return begin
+    share = min(1.0, max(0.0, ((place[0] - x) * dx + (place[1] - y) * dy) / square))
+    return x + share * dx, y + share * dy
+
+
+def place_at(path: Sequence[Placed], moment: Moment) -> XY:
+    """Where the robot was at a moment."""
+    before = [placed for placed in path if placed.moment.time <= moment.time]
+    return xy(before[-1] if before else path[0])
+
+
+def direction(begin: XY, end: XY) -> float:
+    """The heading from one place to another, in degrees clockwise from the east."""
+    return math.degrees(math.atan2(begin[1] - end[1], end[0] - begin[0]))
+
+
+def longest_stand(
+    path: Sequence[Placed], is_there: Callable[[XY], bool] = lambda _: True
+) -> tuple[float, XY]:
+    """The most seconds for which the robot stood still, and where."""
+    longest, where, since = 0.0, xy(path[-1]), path[0]
+    for placed in path:
+        moved = math.dist(xy(since), xy(placed)) > STILL[0]
+        turned = abs(heading_between(since.heading, placed.heading)) > STILL[1]
+        if moved or turned or not is_there(xy(placed)):
+            since = placed
+        elif placed.moment.time - since.moment.time > longest:
+            longest, where = placed.moment.time - since.moment.time, xy(since)
+    return longest, where
+
+
+def gap_words(before: XY, nearest: XY, place: XY) -> Phrase:
+    """How far a point is from a place, seen from where the robot came from."""
+    away, way = math.dist(nearest, place), math.dist(before, place)
+    if way < _NO_WAY:
+        return length_words("away", away)
+    ahead = ((place[0] - before[0]) / way, (place[1] - before[1]) / way)
+    dx, dy = nearest[0] - place[0], nearest[1] - place[1]
+    along, left = ahead[0] * dx + ahead[1] * dy, ahead[0] * dy - ahead[1] * dx
+    if abs(along) >= abs(left):
+        return length_words("short" if along < 0 else "past", away)
+    return length_words("left" if left > 0 else "right", away)
+
+
+def length_words(where: str, mm: float) -> Phrase:
+    """A length and where it lacks: ``short``, ``past``, ``left``, ``right`` or ``away``."""
+    return Phrase(f"lesson-gap-{where}", mm=rounded_mm(mm))
+
+
+def turn_words(off: float) -> Phrase:
+    """Degrees by which a robot faces too far to one side."""
+    return Phrase(f"lesson-gap-turned-{'right' if off > 0 else 'left'}", degrees=round(abs(off)))
+
+
+def rounded_mm(value: float) -> int:
+    """A length that can be read at a glance: to 10 mm, a short one to 5 mm."""
+    step = 10 if value >= 50 else 5
+    return max(step, round(value / step) * step)
+
+
+def rounded_seconds(value: float) -> float:
+    """Seconds to a tenth."""
+    return round(value, 1)
