@@ -16,6 +16,8 @@ export type PanelName = "console" | "variables" | "calls" | "why" | "runs" | "se
 export interface WorldIsland extends Island {
   /** Adapt to the current size of the element. */
   resize(): void;
+  /** Draw at the best quality now, for a picture that is kept. */
+  drawBest(): void;
   /** The number of frames drawn, for benchmarks. */
   readonly framesDrawn: number;
   /** What the user can do in the world, for menus and keys; empty if the browser cannot draw in 3D. */
@@ -67,6 +69,11 @@ export class Views {
     const { views, view, panel } = preferences.value.layout;
     if (area === "panel") return panel;
     return this.isSplit ? views.includes(area) : area === view;
+  }
+
+  /** A view of the program that is open, the one that was `edited` last if possible. */
+  programView(edited: View): View {
+    return this.shows(edited) ? edited : preferences.value.layout.view;
   }
 
   show(area: Area): void {

@@ -2523,7 +2523,7 @@ export const LIMITS = {
   },
   "KeepPicture": {
     "project": 100,
-    "content": 20000
+    "content": 80000
   },
   "LibraryFile": {
     "filename": 100,

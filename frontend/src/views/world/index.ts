@@ -26,5 +26,6 @@ function withoutPicture(): WorldIsland {
     dom.textContent = t("page-world-no3d");
   });
   const nothing = () => undefined;
-  return { dom, framesDrawn: 0, tools: [], hint: signal(""), resize: nothing, point: nothing, destroy: end };
+  const world = { dom, framesDrawn: 0, tools: [], hint: signal("") };
+  return { ...world, resize: nothing, drawBest: nothing, point: nothing, destroy: end };
 }
