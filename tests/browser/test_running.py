@@ -184,10 +184,10 @@ def test_an_error_leads_from_the_console_to_its_line_or_block(pupil):
     pupil.put_cursor("blocktext", "main")
     lead.click()
     pupil.expect_cursor_in("blocktext", 3)
-    pupil.show("blocks")
+    pupil.show("Blocks")
     expect(lead).to_contain_text("Block “")
     lead.click()
-    expect(pupil.blocks("math_arithmetic").locator("xpath=..")).to_be_visible()
+    expect(pupil.blocks("math_arithmetic")).to_be_visible()
     pupil.press("Run")
     expect(console.locator(".run")).to_have_count(2)
 

@@ -25,6 +25,8 @@ export interface MissedPlace {
 export interface WorldIsland extends Island {
   /** Adapt to the current size of the element. */
   resize(): void;
+  /** Draw at the best quality now, for a picture that is kept. */
+  drawBest(): void;
   /** The number of frames drawn, for benchmarks. */
   readonly framesDrawn: number;
   /** What the user can do in the world, for menus and keys; empty if the browser cannot draw in 3D. */

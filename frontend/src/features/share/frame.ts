@@ -7,12 +7,16 @@ const SKY = "#dceaf8";
 /** Where a higher picture is cut: buttons lie over its top, so its middle is lower. */
 const LOW = 0.65;
 
+/** `best` for a picture that is looked at longer than a moment; it takes longer, too. */
+export type Quality = "best" | "usual";
+
 /** Draw the world into a picture, which it fills; return whether there was a world to draw. */
-export function drawWorld(world: WorldIsland, brush: CanvasRenderingContext2D): boolean {
+export function drawWorld(world: WorldIsland, brush: CanvasRenderingContext2D, quality: Quality = "usual"): boolean {
   const source = world.dom.querySelector("canvas");
   if (!source?.width || !source.offsetParent) return false;
   // It draws the world now; a browser may forget what a canvas shows after that.
-  world.resize();
+  if (quality === "best") world.drawBest();
+  else world.resize();
   const { width, height } = brush.canvas;
   const scale = Math.max(width / source.width, height / source.height);
   const [across, down] = [source.width * scale, source.height * scale];

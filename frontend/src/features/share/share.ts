@@ -7,7 +7,7 @@ import type { Page } from "../../model/page";
 import { Cleanup } from "../../ui/cleanup";
 import { saveFile } from "../../ui/files";
 import { Film, filmFormat } from "./film";
-import { drawWorld, fillSky, newBrush } from "./frame";
+import { drawWorld, fillSky, newBrush, type Quality } from "./frame";
 
 const PICTURE = [1280, 720] as const;
 const FILM = [854, 480] as const;
@@ -27,7 +27,7 @@ export class Share {
   /** Save a picture of the world as it is now, with the name of the project. */
   async takePicture(): Promise<void> {
     const brush = newBrush(...PICTURE);
-    if (!this.drawFrame(brush)) return;
+    if (!this.drawFrame(brush, "best")) return;
     const png = await new Promise<Blob | null>((done) => brush.canvas.toBlob(done, "image/png"));
     if (png) saveFile(`${this.title}.png`, png, "image/png");
   }
@@ -71,9 +71,9 @@ export class Share {
     return this.page.project.name.peek();
   }
 
-  private drawFrame(brush: CanvasRenderingContext2D): boolean {
+  private drawFrame(brush: CanvasRenderingContext2D, quality: Quality = "usual"): boolean {
     const world = this.page.views.world.peek();
-    if (!world || !drawWorld(world, brush)) return false;
+    if (!world || !drawWorld(world, brush, quality)) return false;
     fillSky(brush);
     this.writeCaption(brush);
     return true;

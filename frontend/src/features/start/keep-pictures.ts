@@ -8,8 +8,9 @@ import { LIMITS } from "../../protocol/messages";
 import { inBase64 } from "../../ui/files";
 import { drawWorld, fillSky, newBrush } from "../share/frame";
 
-const WIDTH = 480;
-const HEIGHT = 270;
+/** The hero of the start page is as large. */
+const WIDTH = 960;
+const HEIGHT = 540;
 const QUALITIES = [0.8, 0.65, 0.5, 0.35];
 /** The ms after which the world of a project that has just been opened is drawn. */
 const DRAWN = 3000;
@@ -46,7 +47,7 @@ export function keepPictures({ context: { connection, program }, project, views 
 /** A small copy of the world's canvas; null if nothing is drawn there. */
 function pictureOf(world: WorldIsland): HTMLCanvasElement | null {
   const brush = newBrush(WIDTH, HEIGHT);
-  if (!drawWorld(world, brush) || isBlank(brush)) return null;
+  if (!drawWorld(world, brush, "best") || isBlank(brush)) return null;
   fillSky(brush);
   return brush.canvas;
 }

@@ -26,6 +26,6 @@ function withoutPicture(): WorldIsland {
     dom.textContent = t("page-world-no3d");
   });
   const nothing = () => undefined;
-  const still = { resize: nothing, point: nothing, showMissed: nothing, lookAt: nothing };
+  const still = { resize: nothing, drawBest: nothing, point: nothing, showMissed: nothing, lookAt: nothing };
   return { dom, framesDrawn: 0, tools: [], hint: signal(""), ...still, destroy: end };
 }

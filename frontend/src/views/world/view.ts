@@ -22,11 +22,9 @@ import { COAT, PAINT } from "./scenery/solids";
 const SHARPEST = 2;
 const REFLECTIONS = 0.4;
 /** The first and best quality, with and without a graphics card: a moving picture must leave a processor to the program. */
-const FIRST = { fast: 0, slow: 5 } as const;
+const FIRST = { fast: 0, slow: 4 } as const;
 /** Without a graphics card, a picture in which nothing moves is drawn with this many times the pixels, after ms. */
 const STILL = { sharpness: 1.5, shadows: 1024, after: 350 } as const;
-/** ms from frame to frame without a graphics card, on average: more would take the processor from the program. */
-const CALM = 30;
 
 export class View {
   readonly scene = new Scene();
@@ -102,9 +100,10 @@ export class View {
 
   private draw(now: number): void {
     this.frame = 0;
-    if (!this.fast && now < this.due) return this.invalidate();
+    // More frames would take the processor from the program.
+    if (now < this.due) return this.invalidate();
     // A late frame is made up for by the next one, but a pause is not.
-    this.due = Math.max(this.due + CALM, now);
+    this.due = Math.max(this.due + this.quality.pace, now);
     this.render(now);
   }
 
@@ -135,6 +134,17 @@ export class View {
     if (this.frame) return;
     this.sharpen(STILL.sharpness * this.screen, STILL.shadows);
     this.renderer.render(this.scene, this.camera);
+  }
+
+  /** Draw the world at its best quality, for a picture that is kept. */
+  renderBest(): void {
+    const usual = this.quality;
+    this.apply(QUALITIES[0] as Quality);
+    this.sharpen(Math.max(STILL.sharpness, this.screen), this.quality.shadows);
+    this.renderer.shadowMap.needsUpdate = true;
+    this.renderer.render(this.scene, this.camera);
+    this.apply(usual);
+    this.invalidate();
   }
 
   private sharpen(ratio: number, shadows: number): void {

@@ -122,6 +122,10 @@ export class World implements WorldIsland {
     this.view.resize(this.frame.clientWidth, this.frame.clientHeight);
   }
 
+  drawBest(): void {
+    this.view.renderBest();
+  }
+
   /** Show in the picture where a value comes from. */
   point(measure: Measure | null): void {
     this.marks.point(measure);

@@ -5,9 +5,21 @@ function drive(qualities: Qualities, every: number, seconds: number): void {
   for (let now = 0; now < seconds * 1000; now += every) qualities.note(now, true);
 }
 
+it("no step shows its pixels: a slower computer draws fewer frames", () => {
+  expect(Math.min(...QUALITIES.map(({ sharpness }) => sharpness))).toBe(0.75);
+  expect(QUALITIES.at(-1)?.pace).toBeGreaterThan(100);
+});
+
+it("a step that waits between frames is not too slow for that", () => {
+  const apply = vi.fn();
+  const step = QUALITIES.findIndex(({ pace }) => pace === 50);
+  drive(new Qualities(step, apply), 52, 60);
+  expect(apply).toHaveBeenCalledTimes(1);
+});
+
 it("slow frames lower the quality step by step", () => {
   const apply = vi.fn();
-  drive(new Qualities(0, apply), 60, 60);
+  drive(new Qualities(0, apply), 140, 120);
   expect(apply.mock.calls.map(([quality]) => quality)).toEqual(QUALITIES);
 });
 
@@ -48,12 +60,12 @@ it("each long pause raises a lowered quality by one step, up to the first one", 
 it("a better quality that is too slow is left at once", () => {
   const apply = vi.fn();
   const qualities = new Qualities(0, apply);
-  drive(qualities, 60, 60);
+  drive(qualities, 140, 60);
   const lowest = apply.mock.lastCall?.[0];
   qualities.note(61_000, false);
   apply.mockClear();
 
-  for (let i = 0; i < 20; i++) qualities.note(70_000 + 60 * i, true);
+  for (let i = 0; i < 20; i++) qualities.note(70_000 + 140 * i, true);
 
   expect(apply).toHaveBeenCalledTimes(2);
   expect(apply.mock.lastCall?.[0]).toBe(lowest);

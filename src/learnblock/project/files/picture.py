@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from learnblock.errors import LearnBlockError
 
 #: The limit of a picture in bytes.
-LARGEST_PICTURE = 20_000
+LARGEST_PICTURE = 80_000
 #: The limit of a side in pixels, so that a small file does not become a huge picture in a browser.
 LARGEST_SIDE = 1000
 
