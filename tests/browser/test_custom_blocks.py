@@ -158,7 +158,6 @@ def test_a_block_shows_its_translated_text_in_each_language(bench, pupil):
     bench.edit("slalom")
     bench.dialog.get_by_role("textbox", name="Text on the block, Spanish").fill("hacer eslalon")
     bench.dialog.get_by_role("combobox", name="Category").fill("Dance")
-    bench.dialog.get_by_role("combobox", name="Colour").select_option("motor")
     bench.dialog.get_by_role("combobox", name="Add language…").select_option("DE")
     bench.dialog.get_by_role("textbox", name="corners, German").fill("Ecken")
     bench.tab("Configuration")

@@ -72,3 +72,17 @@ def test_every_dialog_of_the_menus_has_the_focus_in_its_first_field(sit_down, se
     assert lost == []
     assert opened > 15
     assert page.evaluate(PLACES) == before
+
+
+def test_a_click_on_the_search_is_followed_by_its_words(sit_down, server):
+    pupil = sit_down(server, empty=True, flat=True)
+    page = pupil.page
+    page.locator(".lbSearch").click()
+    page.keyboard.type("list")
+    field = page.locator(".lbSearchHead input")
+    expect(field).to_have_value("list")
+    expect(page.locator(".lbPaletteHead .lbSearchHead")).to_be_visible()
+    page.keyboard.press("Control+a")
+    page.keyboard.type("pen")
+    expect(field).to_have_value("pen")
+    expect(page.locator(".blocklyFlyout .lb_skill_pen_down")).to_be_visible()

@@ -1,7 +1,6 @@
 """The palette on a phone, the buttons beside the program, and quick drops."""
 
 import re
-from itertools import pairwise
 
 import pytest
 from playwright.sync_api import expect
@@ -41,6 +40,18 @@ DROP_AT_ONCE = """([block, x, y]) => {
 def phone(sit_down, server):
     """A pupil with a phone and an empty program."""
     return sit_down(server, stage="starter", viewport=PHONE, has_touch=True, empty=True)
+
+
+#: The sentences of the blocks that the open palette does not show whole beside its scroll bar.
+CUT = """() => {
+    const shown = [...document.querySelectorAll(".blocklyFlyout")];
+    const palette = shown.find((one) => one.getBoundingClientRect().width > 0);
+    const end = palette.getBoundingClientRect().right - 8;
+    const blocks = [...palette.querySelectorAll(".blocklyBlockCanvas > .blocklyBlock")];
+    return blocks
+        .filter((one) => one.querySelector(".blocklyPath").getBoundingClientRect().right > end)
+        .map((one) => one.textContent);
+}"""
 
 
 def test_a_block_dropped_in_the_frame_in_which_it_arrives_snaps_in(sit_down, server):
@@ -193,34 +204,48 @@ def test_the_bin_is_there_while_a_block_is_dragged_and_once_one_has_been_thrown_
 def test_the_buttons_of_the_zoom_are_large_enough_for_a_finger(sit_down, server):
     tablet = {"width": 1024, "height": 768}
     pupil = sit_down(server, stage="starter", viewport=tablet, has_touch=True, empty=True)
-    expect(pupil.page.locator(".lbToolFace")).to_have_count(4)
-    for button in pupil.page.locator(".lbToolFace").all():
+    buttons = pupil.page.locator(".zoom-buttons button, .lbToolFace")
+    expect(buttons).to_have_count(4)
+    for button in buttons.all():
         box = button.bounding_box()
         assert box["width"] >= 44
         assert box["height"] >= 44
 
 
-def test_the_zoom_and_the_bin_are_above_each_other_at_the_edge(sit_down, server):
-    pupil = sit_down(server, stage="starter", empty=True)
-    faces = [one.bounding_box() for one in pupil.page.locator(".lbToolFace").all()]
-    faces.sort(key=lambda box: box["y"])
-    [right] = {round(box["x"] + box["width"]) for box in faces}
+@pytest.mark.parametrize("language", ["en", "es"])
+@pytest.mark.parametrize("width", [820, 1024, 1366])
+def test_the_buttons_of_the_zoom_are_beside_the_program_and_not_over_it(
+    sit_down, server, language, width
+):
+    view = {"width": width, "height": 768}
+    pupil = sit_down(
+        server, stage="starter", language=language, viewport=view, empty=True, flat=True
+    )
+    head = pupil.page.locator(".program-head").bounding_box()
     blocks = pupil.page.locator("[data-region=blocks]").bounding_box()
-    assert blocks["x"] + blocks["width"] - right < 40
-    for upper, lower in pairwise(faces):
-        assert upper["y"] + upper["height"] < lower["y"]
+    for button in pupil.page.locator(".zoom-buttons button").all():
+        box = button.bounding_box()
+        assert box["x"] + box["width"] <= head["x"] + head["width"]
+        assert box["y"] + box["height"] <= blocks["y"]
 
 
-def test_a_long_block_is_whole_while_the_pointer_is_at_the_palette(sit_down, server):
-    pupil = sit_down(server, stage="starter", language="es", empty=True)
-    palette = pupil.page.locator(".blocklyFlyout:visible")
-    block = palette.locator(".lb_skill_turn_left")
-    block.hover(position={"x": 20, "y": 12})
-    box = block.bounding_box()
-    end = box["x"] + box["width"] - 12
-    assert end > palette.bounding_box()["x"] + palette.bounding_box()["width"]
-    at = "([x, y]) => !!document.elementFromPoint(x, y).closest('.lb_skill_turn_left')"
-    assert pupil.page.evaluate(at, [end, box["y"] + box["height"] / 2])
+@pytest.mark.parametrize("language", ["en", "es"])
+@pytest.mark.parametrize("size", [(1366, 768), (1024, 768), (820, 1180), (390, 844)])
+def test_the_first_blocks_of_each_group_are_whole_beside_the_scroll_bar(
+    sit_down, server, language, size
+):
+    view = dict(zip(("width", "height"), size, strict=True))
+    pupil = sit_down(
+        server, stage="starter", language=language, viewport=view, empty=True, flat=True
+    )
+    expect(pupil.page.locator(".lbGroupIcon").first).to_be_visible()
+    cut = []
+    for group in pupil.page.locator(".blocklyToolboxCategory:not(.lbSearch)").all():
+        group.click()
+        expect(pupil.page.locator(".blocklyFlyout:visible .blocklyPath").first).to_be_visible()
+        cut += pupil.page.evaluate(CUT)
+        pupil.page.keyboard.press("Escape")
+    assert cut == []
 
 
 def test_a_palette_without_room_leaves_no_piece_of_its_head(sit_down, server):
@@ -274,3 +299,19 @@ def add(pupil, group, kind, words=""):
     sheet.locator(f".{kind} > .blocklyPath").first.tap(position={"x": 5, "y": 14})
     expect(pupil.blocks(kind)).to_be_visible()
     expect(sheet).to_have_count(0)
+
+
+def test_a_ready_event_is_an_event_with_its_condition(sit_down, server):
+    pupil = sit_down(server, stage="starter", empty=True, flat=True)
+    pupil.take("Events", "lb_when")
+    pupil.page.locator(".areas").get_by_role("button", name="Block-Text").click()
+    pupil.sees("blocktext", 'when key_pressed = function.is_key_pressed("space"):')
+
+
+@pytest.mark.parametrize(("stage", "count"), [("starter", 0), ("explorer", 0), ("coder", 1)])
+def test_events_are_named_before_they_are_made_from_coder_on(sit_down, server, stage, count):
+    pupil = sit_down(server, stage=stage, empty=True, flat=True)
+    pupil.open_category("Events")
+    expect(pupil.page.locator(".blocklyFlyout:visible .lb_when").first).to_be_visible()
+    button = pupil.page.locator(".blocklyFlyout:visible .blocklyFlyoutButton")
+    expect(button.filter(has_text="New event")).to_have_count(count)

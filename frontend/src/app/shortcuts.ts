@@ -6,7 +6,7 @@ import { matches, SHORTCUTS, type ShortcutWord } from "../ui/shortcuts";
 import { isTyped } from "../ui/typing";
 import { nextRegion } from "../views/regions";
 
-const ACTIONS: Readonly<Record<ShortcutWord, (page: Page) => void>> = {
+const ACTIONS: Readonly<Record<ShortcutWord, (page: Page) => unknown>> = {
   "page-bar-run": ({ controls }) => controls.run(),
   "page-bar-stop": ({ controls }) => controls.stop(),
   "page-bar-pause-or-resume": ({ controls }) => controls.pauseOrResume(),
@@ -16,7 +16,8 @@ const ACTIONS: Readonly<Record<ShortcutWord, (page: Page) => void>> = {
   "page-settings-previous-region": ({ views }) => nextRegion(views, -1),
   "page-project-open": ({ dialogs }) => dialogs.show("open"),
   "page-settings-saves": saves,
-  "page-settings-shortcuts": ({ dialogs }) => dialogs.show("shortcuts"),
+  // On a block: its help.
+  "page-settings-shortcuts": ({ dialogs, views }) => views.explain() || dialogs.show("shortcuts"),
 };
 
 /** Those that need no open project. */

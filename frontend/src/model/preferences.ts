@@ -100,7 +100,14 @@ export function arrange(change: Partial<Layout>): void {
 const FIRST_SHOWN: Readonly<Record<Stage, Partial<Layout>>> = {
   starter: { split: false, view: "blocks", panel: false },
   explorer: { split: false, view: "blocks", panel: false },
-  coder: { split: true, views: ["blocks", "python"], view: "python", panel: true },
+  // At 1366 px the first line of a Python program is whole beside the blocks.
+  coder: {
+    split: true,
+    views: ["blocks", "python"],
+    view: "python",
+    panel: true,
+    weights: { blocks: 46, blocktext: 40, python: 54 },
+  },
 };
 
 export function chooseStage(stage: Stage): void {

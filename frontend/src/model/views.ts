@@ -41,12 +41,18 @@ export interface WorldIsland extends Island {
   lookAt(place: readonly [number, number]): void;
 }
 
+/** A change of the size of the blocks: one step, or back to the usual one. */
+export type Zoom = "in" | "out" | "reset";
+
 /** A view of the program. */
 export interface ViewIsland extends Island {
   focus(): void;
   reveal(block: string): void;
   /** A statement as this view shows it, in one line; empty if it does not know the statement. */
   describeStep(block: string): string;
+  zoom?(change: Zoom): void;
+  /** Show help on what has the focus in it; return whether there is any. */
+  explain?(): boolean;
   /** Both from 1; column 0 is the line's first word. */
   goTo?(line: number, column: number): void;
 }
@@ -141,6 +147,15 @@ export class Views {
   /** A statement as a view shows it, in one line. */
   describeStep(view: View, block: string): string {
     return this.islands.get(view)?.describeStep(block) ?? "";
+  }
+
+  /** Show help on what has the focus in a view; return whether there is any. */
+  explain(): boolean {
+    return [...this.islands.values()].some((island) => island.explain?.());
+  }
+
+  zoomBlocks(change: Zoom): void {
+    this.islands.get("blocks")?.zoom?.(change);
   }
 
   focus(view: View): void {

@@ -42,7 +42,7 @@ export const OTHER_KEYS: Readonly<Record<string, readonly (readonly [string, str
   "page-shell-blocks": [
     ["T", "page-settings-toolbox"],
     ["Ctrl+B", "page-blocks-search-blocks"],
-    ["Ctrl+I", "page-blocks-help-key"],
+    ["F1, Ctrl+I", "page-blocks-help-key"],
     ["W", "page-settings-workspace"],
     ["←↑↓→", "page-settings-move-cursor"],
     ["Enter", "page-settings-edit-block"],

@@ -52,6 +52,7 @@ function ProgramHead() {
       <StaleNote />
       <ShownBlocks />
       <UndoButtons />
+      {!isNarrow && views.shows("blocks") && <ZoomButtons />}
     </div>
   );
 }
@@ -84,6 +85,25 @@ function UndoButtons() {
     <div class="undo-buttons">
       <IconButton icon="undo" word="page-bar-undo" off={readOnly || !canUndo} onClick={() => program.undo()} />
       <IconButton icon="redo" word="page-bar-redo" off={readOnly || !canRedo} onClick={() => program.redo()} />
+    </div>
+  );
+}
+
+const ZOOM = { in: "plus", out: "minus", reset: "follow" } as const;
+
+/** A phone has none: two fingers zoom. */
+function ZoomButtons() {
+  const { views } = usePage();
+  return (
+    <div role="group" class="zoom-buttons" aria-label={t("page-blocks-zoom")}>
+      {(["out", "in", "reset"] as const).map((change) => (
+        <IconButton
+          key={change}
+          icon={ZOOM[change]}
+          word={`page-blocks-zoom-${change}`}
+          onClick={() => views.zoomBlocks(change)}
+        />
+      ))}
     </div>
   );
 }

@@ -1,4 +1,4 @@
-/** The form for a block besides its code: category, colour, and words in each language. */
+/** The form for a block besides its code: category, which gives it its colour, and words in each language. */
 
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
@@ -9,7 +9,6 @@ import { Committed } from "./committed";
 import type { Editing } from "./editing";
 import { WordsTable } from "./words-table";
 
-const TYPES = ["motor", "perceptual", "proprioceptive", "express", "control", "operator", "others"] as const;
 const LONGEST_NAME = LIMITS.SaveCustomBlock.name;
 
 export function Form({ editing }: { editing: Editing }) {
@@ -35,7 +34,7 @@ export function Form({ editing }: { editing: Editing }) {
 
 function Choices({ editing: { draft, block, palette } }: { editing: Editing }) {
   const categories = useCategories(palette);
-  const { name = "", category = "", type = "", shape = [] } = block.value ?? {};
+  const { name = "", category = "", shape = [] } = block.value ?? {};
   return (
     <>
       <label class="field">
@@ -53,19 +52,6 @@ function Choices({ editing: { draft, block, palette } }: { editing: Editing }) {
             </option>
           ))}
         </datalist>
-      </label>
-      <label class="field">
-        {t("page-custom-colour")}
-        <select
-          value={type}
-          onChange={({ currentTarget }) => draft.configure(name, (one) => ({ ...one, type: currentTarget.value }))}
-        >
-          {TYPES.map((one) => (
-            <option key={one} value={one}>
-              {t(`page-custom-type-${one}`)}
-            </option>
-          ))}
-        </select>
       </label>
       <p class="field">
         {t("page-custom-shape")}

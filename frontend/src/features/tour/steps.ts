@@ -5,6 +5,8 @@ import { VIEWS } from "../../model/views";
 
 export interface Step {
   readonly name: "add" | "change" | "run" | "texts" | "robot";
+  /** Whether it has no button that passes over it: without a block there is nothing to change or run. */
+  readonly mustBeDone?: true;
   /** The value of `data-tour`; of several elements, the first visible one. */
   readonly target: string;
   /** Whether the user has done it since the step began. */
@@ -21,7 +23,12 @@ export interface Moment {
 }
 
 export const STEPS: readonly Step[] = [
-  { name: "add", target: "blocks", isDone: (now, before) => now.statements > before.statements },
+  {
+    name: "add",
+    target: "blocks",
+    mustBeDone: true,
+    isDone: (now, before) => now.statements > before.statements,
+  },
   {
     name: "change",
     target: "blocks",

@@ -40,7 +40,7 @@ function Steps() {
   };
   useEffect(() => {
     views.show("blocks");
-    card.current?.querySelector<HTMLElement>(".filled")?.focus();
+    card.current?.focus();
   }, []);
   useEffect(() => (step ? follow(step.target, ring.current, card.current) : undefined), [step]);
   useEffect(() => {
@@ -59,6 +59,7 @@ function Steps() {
         class="tour-card"
         aria-labelledby="tour-title"
         data-region="tour"
+        tabIndex={-1}
         onKeyDown={({ key }) => key === "Escape" && end()}
       >
         <Card step={step} number={at.value + 1} />
@@ -71,9 +72,11 @@ function Steps() {
               {t("page-tour-back")}
             </button>
           )}
-          <button type="button" class="button filled" onClick={() => go(at.value + 1)}>
-            {at.value + 1 < STEPS.length ? t("page-tour-next") : t("page-tour-done")}
-          </button>
+          {!step.mustBeDone && (
+            <button type="button" class="button filled" onClick={() => go(at.value + 1)}>
+              {at.value + 1 < STEPS.length ? t("page-tour-next") : t("page-tour-done")}
+            </button>
+          )}
         </div>
       </section>
     </>

@@ -5,6 +5,7 @@ import * as Blockly from "blockly/core";
 import { faceSource } from "../../ui/face";
 import { type IconName, iconSource } from "../../ui/icons";
 import { type Group, inkOf, STYLES } from "./groups";
+import { beforeDrawing } from "./patches";
 
 const SIZE = 20;
 const FACE_SIZE = 26;
@@ -72,13 +73,10 @@ class BlockIcon extends Picture {
 
 /** Call it once, before the first block is created. */
 export function showIcons(): void {
-  const block = Blockly.BlockSvg.prototype;
-  const { initSvg } = block;
-  block.initSvg = function (this: Blockly.BlockSvg) {
-    addIcon(this);
-    addFace(this);
-    initSvg.call(this);
-  };
+  beforeDrawing((block) => {
+    addIcon(block);
+    addFace(block);
+  });
 }
 
 function addIcon(block: Blockly.BlockSvg): void {

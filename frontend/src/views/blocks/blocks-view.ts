@@ -3,10 +3,11 @@
 import { effect, untracked } from "@preact/signals";
 import { language, t } from "../../i18n";
 import type { Context } from "../../model/context";
-import type { ThemeName } from "../../model/preferences";
-import { theme } from "../../model/preferences";
+import type { Stage, ThemeName } from "../../model/preferences";
+import { preferences, theme } from "../../model/preferences";
 import { plainTitle, servingWords } from "../../model/robots";
 import { valuesInWords } from "../../model/values-there";
+import type { Zoom } from "../../model/views";
 import type { BlockSet, Workspace } from "../../protocol/messages";
 import type { Island } from "../../ui/island";
 import { room } from "../../ui/screen";
@@ -27,6 +28,10 @@ export interface BlocksIsland extends Island {
   reveal(block: string): void;
   describeStep(block: string): string;
   resize(): void;
+  /** Show help on what has the focus; return whether there is any. */
+  explain(): boolean;
+  /** Enlarge or shrink the program, or show it in its usual size. */
+  zoom(change: Zoom): void;
 }
 
 let prepared = false;
@@ -73,6 +78,7 @@ class Blocks implements BlocksIsland {
       context.connection.on("PaletteChanged", () => void this.load(language.peek())),
       effect(() => this.showCustomBlocks()),
       effect(() => this.showRobot()),
+      effect(() => this.showStage(preferences.value.stage)),
       effect(() => this.showBlocks(context.shownBlocks.value)),
       effect(() => this.showTheme(theme.value)),
       effect(() => this.arrange(room.value === "narrow")),
@@ -102,6 +108,14 @@ class Blocks implements BlocksIsland {
 
   describeStep(block: string): string {
     return this.editor?.describeStep(block) ?? "";
+  }
+
+  explain(): boolean {
+    return this.editor?.explain() ?? false;
+  }
+
+  zoom(change: Zoom): void {
+    this.editor?.zoom(change);
   }
 
   resize(): void {
@@ -287,6 +301,11 @@ class Blocks implements BlocksIsland {
 
   private showRobot(): void {
     if (this.robot.title) this.editor?.refreshPalette();
+  }
+
+  /** The palette offers more to those who know more. */
+  private showStage(stage: Stage): void {
+    if (stage) this.editor?.refreshPalette();
   }
 
   private showBreakpoints(): void {

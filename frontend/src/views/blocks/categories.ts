@@ -3,9 +3,11 @@
 import * as Blockly from "blockly/core";
 
 import { t } from "../../i18n";
+import { preferences } from "../../model/preferences";
 import { actionsOf } from "./actions";
 import { SKILL } from "./menus";
 import type { PaletteTab } from "./palette";
+import { readyHats } from "./ready-hats";
 import { freeWhenName, whenNames } from "./when-block";
 
 type Items = Blockly.utils.toolbox.FlyoutItemInfo[];
@@ -48,15 +50,24 @@ function skillOf(item: Item): string {
   return "type" in item ? (item.type ?? "").replace(SKILL, "") : "";
 }
 
+/** First what is ready; from Explorer on, empty events follow; from Coder on, they can be named at once. */
 function whenItems(workspace: Blockly.WorkspaceSvg): Items {
+  const { stage } = preferences.peek();
+  const ready = readyHats(workspace) as unknown as Items;
+  const make = stage === "coder" ? [button(NEW_WHEN, t("page-blocks-new-when"))] : [];
+  const empty = stage === "starter" ? [] : emptyWhens(workspace);
+  return [...make, ...empty, ...ready, ...usesOfWhens(workspace)];
+}
+
+function emptyWhens(workspace: Blockly.WorkspaceSvg): Items {
   const name = freeWhenName(workspace, t("page-blocks-when-name"));
-  const templates = [false, true].map((condition) =>
-    block("lb_when", { fields: { NAME: name }, extraState: { condition } }),
-  );
-  const uses = whenNames(workspace).flatMap((when) =>
+  return [false, true].map((condition) => block("lb_when", { fields: { NAME: name }, extraState: { condition } }));
+}
+
+function usesOfWhens(workspace: Blockly.WorkspaceSvg): Items {
+  return whenNames(workspace).flatMap((when) =>
     ["lb_activate", "lb_deactivate", "lb_state", "lb_time"].map((type) => block(type, { fields: { WHEN: when } })),
   );
-  return [button(NEW_WHEN, t("page-blocks-new-when")), ...templates, ...uses];
 }
 
 function block(type: string, state: object): Item {

@@ -6,6 +6,7 @@ import { t } from "../../i18n";
 import { colourOf, partsOf } from "./colours";
 import { colourPanel } from "./fields/colour-panel";
 import { openPanel } from "./fields/panel";
+import { beforeDrawing } from "./patches";
 
 const NAME = "LB_COLOUR";
 const PARTS = ["red", "green", "blue"] as const;
@@ -72,12 +73,7 @@ function picture(colour: string | null): string {
 
 /** Call it once, before the first block is created. */
 export function mixColours(): void {
-  const block = Blockly.BlockSvg.prototype;
-  const { initSvg } = block;
-  block.initSvg = function (this: Blockly.BlockSvg) {
-    addMixer(this);
-    initSvg.call(this);
-  };
+  beforeDrawing(addMixer);
 }
 
 function addMixer(block: Blockly.BlockSvg): void {

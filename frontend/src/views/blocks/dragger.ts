@@ -9,6 +9,14 @@ import * as Blockly from "blockly/core";
  */
 export const EDGE = { slowBlockStartDistance: Infinity, slowMouseSpeed: 0.2, fastMouseSpeed: 0.6 };
 
+/** As in Scratch, in units of the workspace: how near a block snaps in, stays, and how much it prefers where it is. */
+const SNAPPING = { snapRadius: 48, connectingSnapRadius: 68, currentConnectionPreference: 20 };
+
+/** Call it once, before the first workspace is created. */
+export function snapAsInScratch(): void {
+  Object.assign(Blockly.config, SNAPPING);
+}
+
 /** The editor has it while something is dragged: the bin is needed then. */
 const DRAGGING = "lb-dragging";
 

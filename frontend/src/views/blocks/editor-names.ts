@@ -2,18 +2,17 @@
 
 import * as Blockly from "blockly/core";
 
+import { afterEditorOpens } from "./patches";
+
 const { DropDownDiv, WidgetDiv } = Blockly;
 
 /** Call it once, before the first field is opened. */
 export function nameEditors(): void {
-  const field = Blockly.Field.prototype;
-  const { showEditor } = field;
-  field.showEditor = function (this: Blockly.Field, event) {
-    showEditor.call(this, event);
+  afterEditorOpens((field) => {
     const menu = DropDownDiv.getContentDiv().querySelector("[role=listbox]");
     const input = WidgetDiv.getDiv()?.querySelector(".blocklyHtmlInput");
-    for (const opened of [menu, input]) opened?.setAttribute("aria-label", nameOf(this));
-  };
+    for (const opened of [menu, input]) opened?.setAttribute("aria-label", nameOf(field));
+  });
 }
 
 /** What kind of value it is, and the sentence of the block that it is a part of. */

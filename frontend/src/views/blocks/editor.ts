@@ -3,6 +3,7 @@
 import { ScrollMetricsManager, ScrollOptions } from "@blockly/plugin-scroll-options";
 import * as Blockly from "blockly/core";
 import type { ThemeName } from "../../model/preferences";
+import type { Zoom } from "../../model/views";
 import type { BlockSet, Workspace } from "../../protocol/messages";
 import { actionsOf, type BlockActions, setActions } from "./actions";
 import { registerCategories } from "./categories";
@@ -14,6 +15,7 @@ import { Loading } from "./loading";
 import { Loose } from "./loose";
 import { Marks, visible } from "./marks";
 import { MEDIA } from "./media";
+import { explainFocused } from "./menus";
 import type { Palette } from "./palette";
 import { PaletteFlyout } from "./palette-flyout";
 import { PaletteSheet } from "./palette-sheet";
@@ -27,8 +29,12 @@ import { limitTabs, toolboxOf } from "./shown";
 import { Sight } from "./sight";
 import { Sync } from "./sync";
 import { themeOf } from "./themes";
-import { drawTools } from "./tools";
+import { drawBin } from "./tools";
 import { Words, wordsOf } from "./words";
+
+/** The usual size of the blocks, and the room around them in units of the workspace. */
+const SCALE = 0.85;
+const MARGIN = 40;
 
 /** The state that an editor passes to the editor that replaces it in a different language. */
 interface View {
@@ -71,7 +77,7 @@ export class BlockEditor {
   ) {
     const usual = options(palette, theme, actions.shownBlocks());
     this.workspace = Blockly.inject(host, compact ? compacted(usual) : usual);
-    drawTools(this.workspace);
+    drawBin(this.workspace);
     // The server handles undo for all views.
     this.workspace.MAX_UNDO = 0;
     this.sync = new Sync(this.workspace, this.workspace.connectionChecker as Checker);
@@ -170,9 +176,30 @@ export class BlockEditor {
     this.workspace.setIsReadOnly(on);
   }
 
+  /** Adapt to the size of the view; the program stays where it is, also while a block is dragged beyond its edges. */
   resize(): void {
+    this.whenStill(() => this.resizeNow());
+  }
+
+  private resizeNow(): void {
+    const { scrollX, scrollY } = this.workspace;
     this.toolbox?.fit();
     Blockly.svgResize(this.workspace);
+    if (this.workspace.scrollX !== scrollX || this.workspace.scrollY !== scrollY)
+      this.workspace.scroll(scrollX, scrollY);
+  }
+
+  /** Show the help on the block with the focus; return whether there is one. */
+  explain(): boolean {
+    return this.focused !== null && explainFocused(this.workspace);
+  }
+
+  /** Change the size around the middle of the view; the usual size shows the program's upper left corner. */
+  zoom(change: Zoom): void {
+    if (change !== "reset") return this.workspace.zoomCenter(change === "in" ? 1 : -1);
+    const { left, top } = this.workspace.getBlocksBoundingBox();
+    this.workspace.setScale(SCALE);
+    this.workspace.scroll((MARGIN - left) * SCALE, (MARGIN - top) * SCALE);
   }
 
   focus(): void {
@@ -220,6 +247,7 @@ export class BlockEditor {
     block.getSvgRoot().addEventListener("animationend", () => block.removeClass("lbRevealed"), { once: true });
   }
 
+  /** Scroll to a block if it is not in sight. */
   scrollTo(block: Blockly.BlockSvg): void {
     this.workspace.scrollBoundsIntoView(block.getBoundingRectangleWithoutChildren());
   }
@@ -332,7 +360,7 @@ function options(palette: Palette, theme: ThemeName, set: BlockSet): Blockly.Blo
     trashcan: true,
     sounds: false,
     grid: { spacing: 24, length: 2, colour: "var(--dots)", snap: false },
-    zoom: { controls: true, wheel: false, pinch: true, startScale: 0.85, maxScale: 2.5, minScale: 0.25 },
+    zoom: { controls: false, wheel: false, pinch: true, startScale: SCALE, maxScale: 2.5, minScale: 0.25 },
     move: { scrollbars: true, drag: true, wheel: true },
     plugins: {
       blockDragger: Dragger,
@@ -351,7 +379,6 @@ function compacted(usual: Blockly.BlocklyOptions): Blockly.BlocklyOptions {
     horizontalLayout: true,
     toolboxPosition: "end",
     trashcan: false,
-    zoom: { ...usual.zoom, controls: false },
     plugins: { ...usual.plugins, toolbox: PaletteStrip, flyoutsHorizontalToolbox: PaletteSheet },
   };
 }

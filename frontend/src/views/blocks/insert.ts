@@ -3,6 +3,7 @@
 import * as Blockly from "blockly/core";
 
 import { t } from "../../i18n";
+import { onPaletteClick } from "./patches";
 
 type Block = Blockly.BlockSvg;
 type State = Blockly.serialization.blocks.State;
@@ -10,24 +11,12 @@ type State = Blockly.serialization.blocks.State;
 /** Between a block and what is above it, in units of the workspace. */
 const GAP = 40;
 
-/** Private members of a Blockly gesture. */
-interface Clicking {
-  readonly flyout: Blockly.IFlyout | null;
-  readonly targetBlock: Block | null;
-  doBlockClick(): void;
-}
-
 /** In Blockly a click in a palette that closes itself puts the block on top of the program. */
 export function insertOnClick(): void {
-  const gesture = Blockly.Gesture.prototype as unknown as Clicking;
-  const { doBlockClick } = gesture;
-  gesture.doBlockClick = function (this: Clicking) {
-    const { flyout, targetBlock } = this;
-    if (!flyout?.autoClose || !targetBlock) return doBlockClick.call(this);
-    const workspace = flyout.targetWorkspace;
-    const state = Blockly.serialization.blocks.save(targetBlock);
-    if (workspace && state) insertWhereFits(state, workspace);
-  };
+  onPaletteClick((block, workspace) => {
+    const state = Blockly.serialization.blocks.save(block);
+    if (state) insertWhereFits(state, workspace);
+  });
 }
 
 /** Add a block at the end of the program in sight, or into the selected block if it is a value. */

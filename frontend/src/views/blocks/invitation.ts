@@ -35,8 +35,6 @@ export class Invitation {
     const { workspace } = this;
     this.dom.hidden = isLoading || workspace.isReadOnly() || !isEmpty(workspace);
     if (this.dom.hidden) return;
-    const { left } = workspace.getMetricsManager().getAbsoluteMetrics();
-    this.dom.style.setProperty("--beside", `${left}px`);
     this.dom.style.setProperty("--below", `${lowest(workspace)}px`);
   }
 }

@@ -6,6 +6,7 @@ import { t } from "../../i18n";
 import "./menus.css";
 import { actionsOf, type BlockActions } from "./actions";
 import { showHelp } from "./help";
+import { KEYS, leaveOutSelection } from "./patches";
 import { hasCondition, toggleCondition, toggleWord } from "./when-block";
 
 /** The prefix of a skill block's type; the skill's name follows. */
@@ -14,7 +15,7 @@ export const SKILL = "lb_skill_";
 type Item = Blockly.ContextMenuRegistry.RegistryItem;
 type Scope = Blockly.ContextMenuRegistry.Scope;
 
-const { CTRL_CMD, SHIFT, I, Z, Y, F9 } = Blockly.utils.KeyCodes as unknown as Record<string, number>;
+const { CTRL_CMD, SHIFT, I, Z, Y, F9 } = KEYS;
 const { COPY, CUT, FOCUS_TOOLBOX, FOCUS_WORKSPACE, START_MOVE, START_MOVE_STACK } = Blockly.ShortcutItems.names;
 
 /** Replace and add keys and menu entries, for all workspaces at once. */
@@ -41,34 +42,50 @@ export function registerMenus(): void {
   for (const item of [undoItem, redoItem, helpItem, whyItem, breakpointItem, showItem, editOwnItem, conditionItem])
     replaceItem(item);
   commentStatementsOnly();
+  countWithoutShadows();
+  joinLinesOnly();
   for (const by of [-1, 1] as const) replaceItem(runItem(by));
   leaveOutSelection();
 }
 
 /** The texts have no place for the comment of a value: only what has one can lose it. */
 function commentStatementsOnly(): void {
-  const item = Blockly.ContextMenuRegistry.registry.getItem("blockComment") as Item & {
-    preconditionFn: (scope: Scope, opening: Event) => string;
-  };
-  const { preconditionFn } = item;
-  replaceItem({
-    ...item,
-    preconditionFn: (scope: Scope, opening: Event) => {
-      const isValue = !!scope.block?.outputConnection && !scope.block.hasIcon(Blockly.icons.CommentIcon.TYPE);
-      return isValue ? "hidden" : preconditionFn(scope, opening);
-    },
-  } as Item);
+  restrictItem("blockComment", (block) => !block.outputConnection || block.hasIcon(Blockly.icons.CommentIcon.TYPE));
 }
 
-/** Blockly says of every entry of a menu whether it is selected, which only choices in a list can be. */
-function leaveOutSelection(): void {
-  const item = Blockly.MenuItem.prototype;
-  const { createDom } = item;
-  item.createDom = function () {
-    const dom = createDom.call(this);
-    if (dom.role === "menuitem") dom.removeAttribute("aria-selected");
-    return dom;
+/** A sentence is on one line; programs from elsewhere may have blocks with a line for each value. */
+function joinLinesOnly(): void {
+  restrictItem("blockInline", (block) => !block.getInputsInline());
+}
+
+/** Show one of Blockly's entries for some blocks only. */
+function restrictItem(id: string, allows: (block: Blockly.BlockSvg) => boolean): void {
+  const item = itemOf(id);
+  const preconditionFn = (scope: Scope, opening: Event) =>
+    scope.block && !allows(scope.block) ? "hidden" : item.preconditionFn(scope, opening);
+  replaceItem({ ...item, preconditionFn } as Item);
+}
+
+/** A block with its usual values is one block, as children count. */
+function countWithoutShadows(): void {
+  const displayText = ({ block }: Scope) => {
+    const count = block ? countOf(block) : 1;
+    const words = Blockly.Msg[count === 1 ? "DELETE_BLOCK" : "DELETE_X_BLOCKS"] ?? "";
+    return words.replace("%1", String(count));
   };
+  replaceItem({ ...itemOf("blockDelete"), displayText } as Item);
+}
+
+/** The blocks that are deleted with a block: those inside it, but not those below. */
+function countOf(block: Blockly.BlockSvg): number {
+  const below = new Set(block.getNextBlock()?.getDescendants(false));
+  return block.getDescendants(false).filter((one) => !one.isShadow() && !below.has(one)).length;
+}
+
+type Conditional = Item & { preconditionFn: (scope: Scope, opening: Event) => string };
+
+function itemOf(id: string): Conditional {
+  return Blockly.ContextMenuRegistry.registry.getItem(id) as Conditional;
 }
 
 function replaceKey(name: string, keys: (number | undefined)[][], act: (own: BlockActions) => void): void {
@@ -144,12 +161,17 @@ function registerHelpKey(): void {
     keyCodes: [registry.createSerializedKey(I!, [CTRL_CMD!])],
     preconditionFn: (workspace) => focusedBlock(workspace) !== null,
     callback: (workspace, event) => {
-      const block = focusedBlock(workspace);
       event.preventDefault();
-      if (block) showHelp(block);
-      return block !== null;
+      return explainFocused(workspace);
     },
   });
+}
+
+/** Show the help on the block with the focus; return whether there is one. */
+export function explainFocused(workspace: Blockly.WorkspaceSvg): boolean {
+  const block = focusedBlock(workspace);
+  if (block) showHelp(block);
+  return block !== null;
 }
 
 function focusedBlock(workspace: Blockly.WorkspaceSvg): Blockly.BlockSvg | null {

@@ -2,13 +2,11 @@
 
 import * as Blockly from "blockly/core";
 
-const { BlockFlyoutInflater, registry } = Blockly;
+import { PaletteFlyout } from "./palette-flyout";
+import { leaveOutRoles } from "./patches";
+import { splitWords } from "./wrapping";
 
-/** Private members of a Blockly connection: its highlight element has a role. */
-interface Lit {
-  getSourceBlock(): Blockly.BlockSvg;
-  setAriaRole(element: Element): void;
-}
+const { BlockFlyoutInflater, registry } = Blockly;
 
 /**
  * Blockly gives each connection of a palette block a role that is invalid in a list, and makes the
@@ -16,12 +14,7 @@ interface Lit {
  */
 export function offerPlainly(): void {
   registry.register(registry.Type.FLYOUT_INFLATER, "block", PlainInflater, true);
-  const connection = Blockly.RenderedConnection.prototype as unknown as Lit;
-  const { setAriaRole } = connection;
-  connection.setAriaRole = function (this: Lit, element) {
-    if (this.getSourceBlock().isInFlyout) element.removeAttribute("role");
-    else setAriaRole.call(this, element);
-  };
+  leaveOutRoles();
 }
 
 class PlainInflater extends BlockFlyoutInflater {
@@ -29,6 +22,7 @@ class PlainInflater extends BlockFlyoutInflater {
     const item = super.load(state, flyout);
     const block = item.getElement() as Blockly.BlockSvg;
     disown(block);
+    if (flyout instanceof PaletteFlyout) splitWords(block, flyout.room);
     // The reason is in the heading above it.
     if ((state as { lacking?: boolean }).lacking) block.addClass("lbLacking");
     return item;

@@ -6,17 +6,14 @@ import * as Blockly from "blockly/core";
 const SCALE = 0.74;
 /** CSS pixels. */
 export const HEAD_HEIGHT = 48;
-const LEAST_WIDTH = 238;
-/** Beside a program with little room, longer blocks are cut until the pointer or the focus is in the palette. */
-const MOST_WIDTH = { narrow: 252, wide: 330 };
+/** One width for all groups, because the program beside them would move; longer sentences have several lines. */
+const WIDTH = { narrow: 252, wide: 330 };
 /** The room of the scrollbar beside the blocks; the style sheet makes it thinner than this. */
 const SCROLLBAR = 12;
-/** From this width on, the program has room beside the widest palette. */
+/** From this width on, the program has room beside the wide palette. */
 const WIDE = 1000;
 
 export class PaletteFlyout extends Blockly.VerticalFlyout {
-  /** It only grows, because the program beside it moves. */
-  private widest = LEAST_WIDTH;
   /** Called when it opens, closes or changes its size. */
   changed: () => void = () => {};
 
@@ -58,9 +55,14 @@ export class PaletteFlyout extends Blockly.VerticalFlyout {
     }
   }
 
-  private get mostWidth(): number {
+  /** The longest line of a block, in units of the workspace. */
+  get room(): number {
+    return (this.fullWidth - SCROLLBAR) / this.getFlyoutScale() - this.left;
+  }
+
+  protected get fullWidth(): number {
     const isWide = this.targetWorkspace.getInjectionDiv().clientWidth >= WIDE;
-    return isWide ? MOST_WIDTH.wide : MOST_WIDTH.narrow;
+    return isWide ? WIDTH.wide : WIDTH.narrow;
   }
 
   private get left(): number {
@@ -69,11 +71,8 @@ export class PaletteFlyout extends Blockly.VerticalFlyout {
 
   protected override reflowInternal_(): void {
     this.workspace_.scale = this.getFlyoutScale();
-    const widths = this.getContents().map((item) => item.getElement().getBoundingRectangle().getWidth());
-    const content = (Math.max(0, ...widths) + this.left) * this.workspace_.scale + SCROLLBAR;
-    this.widest = Math.max(this.widest, Math.min(this.mostWidth, Math.ceil(content)));
-    if (this.getWidth() === this.widest) return;
-    this.width_ = this.widest;
+    if (this.getWidth() === this.fullWidth) return;
+    this.width_ = this.fullWidth;
     this.position();
     this.targetWorkspace.resizeContents();
     this.targetWorkspace.recordDragTargets();

@@ -28,6 +28,10 @@ export class PaletteSheet extends PaletteFlyout {
     return this.top;
   }
 
+  protected override get fullWidth(): number {
+    return this.targetWorkspace.getMetricsManager().getViewMetrics().width;
+  }
+
   override position(): void {
     if (!this.isVisible() || !this.targetWorkspace.isVisible()) return;
     const { width, height } = this.targetWorkspace.getMetricsManager().getViewMetrics();

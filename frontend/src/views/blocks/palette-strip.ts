@@ -5,6 +5,7 @@ import * as Blockly from "blockly/core";
 import { t } from "../../i18n";
 import { icon } from "../../ui/icons";
 import { PaletteToolbox } from "./palette-toolbox";
+import { asTab, focusable } from "./patches";
 
 /** A swipe down of this length closes the sheet, in CSS pixels. */
 const SWIPE = 48;
@@ -49,6 +50,7 @@ export class PaletteStrip extends PaletteToolbox {
   }
 
   protected override placeHead(): void {
+    this.workspace_.getInjectionDiv().style.setProperty("--palette", "0px");
     const isOpen = this.palette.isVisible();
     this.head.hidden = !isOpen;
     this.head.style.top = `${this.palette.headTop}px`;
@@ -81,7 +83,7 @@ export class PaletteStrip extends PaletteToolbox {
   }
 
   protected override onKeyDown_(event: KeyboardEvent): void {
-    const item = Blockly.getFocusManager().getFocusedNode() as unknown as Blockly.IToolboxItem | null;
+    const item = asTab(Blockly.getFocusManager().getFocusedNode());
     if (!OPENING.has(event.key) || !item || !this.getToolboxItems().includes(item)) return super.onKeyDown_(event);
     event.preventDefault();
     event.stopPropagation();
@@ -131,7 +133,7 @@ export class PaletteStrip extends PaletteToolbox {
   private closeSheet(): void {
     const item = this.getSelectedItem();
     this.setSelectedItem(null);
-    if (item) Blockly.getFocusManager().focusNode(item as unknown as Blockly.IFocusableNode);
+    if (item) Blockly.getFocusManager().focusNode(focusable(item));
   }
 
   private escape(event: KeyboardEvent): void {

@@ -10,6 +10,7 @@ import { MORE } from "./offers";
 import type { PaletteFlyout } from "./palette-flyout";
 import { GroupItem, groupIcon } from "./palette-group";
 import { nameRow, tabOf } from "./palette-rows";
+import { focusable } from "./patches";
 
 /** Whether the palette stays open, where there is room for it. */
 const pinned = computed(() => preferences.value.layout.pinned);
@@ -121,7 +122,7 @@ export class PaletteToolbox extends Blockly.Toolbox {
 
   override getRestoredFocusableNode(previous: Blockly.IFocusableNode | null): Blockly.IFocusableNode | null {
     const open = this.getSelectedItem() ?? this.usualGroup;
-    if (!previous || previous === this) return open as unknown as Blockly.IFocusableNode | null;
+    if (!previous || previous === this) return open && focusable(open);
     return super.getRestoredFocusableNode(previous);
   }
 
@@ -159,8 +160,15 @@ export class PaletteToolbox extends Blockly.Toolbox {
   }
 
   protected placeHead(): void {
+    this.workspace_.getInjectionDiv().style.setProperty("--palette", `${this.coveredWidth}px`);
     this.head.hidden = !this.palette.isVisible();
     this.head.style.width = `${this.palette.getWidth()}px`;
+  }
+
+  /** What the palette takes of the view's width while it stays open, in CSS pixels; a palette that closes covers it. */
+  protected get coveredWidth(): number {
+    const stays = this.palette.isVisible() && !this.palette.autoClose;
+    return this.getWidth() + (stays ? this.palette.getWidth() : 0);
   }
 
   protected showTitle(item: Selectable | null): void {

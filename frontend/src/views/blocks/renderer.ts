@@ -3,6 +3,8 @@
 import * as Blockly from "blockly/core";
 
 import { arrangeOptional } from "./optional";
+import { PaletteFlyout } from "./palette-flyout";
+import { linesOf } from "./wrapping";
 
 type Block = Blockly.BlockSvg;
 type Measurable = Blockly.blockRendering.Measurable;
@@ -41,6 +43,24 @@ function widthOf(word: string): number {
 }
 
 class Info extends Blockly.zelos.RenderInfo {
+  /** @param room the width in which the sentence is broken into lines, which Blockly only has for inputs; null for one line */
+  constructor(
+    renderer: Blockly.zelos.Renderer,
+    block: Block,
+    private readonly room: number | null,
+  ) {
+    super(renderer, block);
+  }
+
+  protected override createRows_(): void {
+    super.createRows_();
+    const { room, block_: block, constants_: constants } = this;
+    if (room === null) return;
+    const { InputRow } = Blockly.blockRendering;
+    this.rows = this.rows.flatMap((row) => (row instanceof InputRow ? linesOf(row, block, room, constants) : [row]));
+    this.inputRows = this.rows.filter((row) => row instanceof InputRow);
+  }
+
   override addInput_(input: Blockly.Input, row: Blockly.blockRendering.Row): void {
     super.addInput_(input, row);
     const place = row.elements.at(-1);
@@ -55,6 +75,23 @@ class Info extends Blockly.zelos.RenderInfo {
     const isLastWord = !after && before instanceof Blockly.blockRendering.Field && !this.outputConnection;
     return isLastWord ? usual + LAST_WORD : usual;
   }
+}
+
+/** Around a value in a block, such as "cuando" before it. */
+const AROUND = 110;
+
+/** The width that a block of the palette may have, in units of the workspace; null for those of the program. */
+function roomBeside(block: Block): number | null {
+  const flyout = block.isInFlyout ? block.workspace.targetWorkspace?.getFlyout() : null;
+  if (!(flyout instanceof PaletteFlyout)) return null;
+  return block.getParent() ? flyout.room - AROUND : flyout.room;
+}
+
+/** Whether a block on one line is wider than a room. */
+function isWider(renderer: Renderer, block: Block, room: number): boolean {
+  const info = new Info(renderer, block, null);
+  info.measure();
+  return info.width > room;
 }
 
 function isEmpty(place: Place): boolean {
@@ -102,7 +139,8 @@ function wordOn(block: Block, name: string): SVGTextElement {
 class Renderer extends Blockly.zelos.Renderer {
   protected override makeRenderInfo_(block: Block): Blockly.zelos.RenderInfo {
     arrangeOptional(block);
-    return new Info(this, block);
+    const room = roomBeside(block);
+    return new Info(this, block, room !== null && isWider(this, block, room) ? room : null);
   }
 
   protected override makeDrawer_(block: Block, info: Blockly.blockRendering.RenderInfo): Blockly.zelos.Drawer {

@@ -8,15 +8,15 @@ import { t } from "../../i18n";
 import type { Block } from "../../protocol/messages";
 import { icon } from "../../ui/icons";
 import { actionsOf } from "./actions";
-import { wordsFor } from "./meanings";
-import { found } from "./offers";
+import { labelsOf } from "./lines";
+import { found, type Item as Offered, type Section } from "./offers";
 import type { GroupInfo } from "./palette-group";
 import { paletteWords } from "./palette-words";
+import { searchedIn, searchPlugin } from "./patches";
+import { type Nearest, SearchIndex } from "./search-index";
 
 type FlyoutItem = Blockly.utils.toolbox.FlyoutItemInfo;
 type Item = Blockly.utils.toolbox.ToolboxItemInfo;
-type Offered = Blockly.utils.toolbox.BlockInfo;
-type State = Blockly.serialization.blocks.State;
 const KIND = "search";
 /** Shorter searches only find words of the same length. */
 const SHORTEST = 3;
@@ -27,24 +27,14 @@ export function searchTab(): Blockly.utils.toolbox.ToolboxItemInfo {
   return tab as unknown as Blockly.utils.toolbox.ToolboxItemInfo;
 }
 
-/** The plugin's private members that are used here. */
-interface Searching {
-  readonly searchField?: HTMLInputElement;
-  readonly blockSearcher: {
-    blockTypesMatching(words: string): FlyoutItem[];
-    indexBlockText(words: string, block: Offered): void;
-  };
-  getAvailableBlocks(item: Item, found: Set<Offered>): void;
-}
-
 /** Translate the palette's search and include the last typed letter. */
 export function registerSearchTab(): void {
   const { TOOLBOX_ITEM } = Blockly.registry.Type;
-  const Plugin = Blockly.registry.getClass(TOOLBOX_ITEM, KIND) as unknown as typeof Blockly.ToolboxCategory;
-  class SearchTab extends Plugin {
+  class SearchTab extends searchPlugin(KIND) {
     /** Every workspace has a search, and the plugin's own value would give all of them the same id. */
     protected readonly SEARCH_INPUT_ID = Blockly.utils.idGenerator.getNextUniqueId();
     private words: string | null = null;
+    private index: SearchIndex | null = null;
     /** The search field, in the flyout's head. */
     readonly head = document.createElement("div");
 
@@ -54,21 +44,23 @@ export function registerSearchTab(): void {
       // The plugin searches on keydown, before the input has the new letter.
       this.head.addEventListener("input", () => this.matchBlocks());
       nameTab(dom, this.rowContents_);
+      // At the end of the click: during it, the browser moves the focus to the tab.
+      dom.addEventListener("click", () => focusOpened(this, this.parentToolbox_ as Blockly.Toolbox));
       // The head is only shown with a flyout, which needs an item.
       this.flyoutItems_ = [nothing("")];
       return dom;
     }
 
+    /** Replaces the plugin's index, which knows each field alone; ours waits for the first search. */
+    protected initBlockSearcher(): void {}
+
     /** Replaces the plugin's method. */
     matchBlocks(): void {
-      const plugin = this as unknown as Searching;
-      const words = plugin.searchField?.value.trim() ?? "";
+      const words = searchedIn(this);
       if (words === this.words) return;
-      if (this.words === null) indexMore(plugin, this.workspace_);
       this.words = words;
-      const matching = words ? plugin.blockSearcher.blockTypesMatching(words) : [];
-      this.flyoutItems_ = matching.length ? sorted(matching, this.workspace_) : [nothing(words)];
-      if (words) announce(matching.length);
+      this.index ??= new SearchIndex(this.workspace_);
+      this.flyoutItems_ = words ? foundBy(words, this.index, this.workspace_) : [nothing("")];
       this.parentToolbox_.refreshSelection();
     }
 
@@ -94,29 +86,24 @@ function focusTab(tab: Blockly.ToolboxCategory, palette: Blockly.Toolbox): boole
   return true;
 }
 
-/**
- * Let blocks be found by their whole sentences, of which the plugin knows only each field, and by words that they do
- * not show. The page opens faster if this waits for the first search.
- */
-function indexMore(plugin: Searching, workspace: Blockly.WorkspaceSvg): void {
-  const offered = new Set<Offered>();
-  for (const item of tabsOf(workspace)) plugin.getAvailableBlocks(item, offered);
-  const undrawn = new Blockly.Workspace();
-  for (const block of offered) {
-    if (!block.type) continue;
-    const sentence = sentenceOf(Blockly.serialization.blocks.append(block as State, undrawn));
-    for (const words of [sentence, ...wordsFor(block.type, t)]) plugin.blockSearcher.indexBlockText(words, block);
-  }
-  undrawn.dispose();
+/** A second click closes a palette that does not stay open: the search field is hidden then. */
+function focusOpened(tab: Blockly.ToolboxCategory, palette: Blockly.Toolbox): void {
+  if (palette.getSelectedItem() === tab) focusTab(tab, palette);
+}
+
+/** The blocks with these words, and those that others call so; or else the most similar ones. */
+function foundBy(words: string, index: SearchIndex, workspace: Blockly.WorkspaceSvg): FlyoutItem[] {
+  const matching = index.matching(words);
+  const known = new Set(matching);
+  const foreign = index.foreign(words).map((near) => withoutKnown(near, known));
+  const near = matching.length || foreign.length ? foreign : index.similar(words);
+  announce([...matching, ...near.flatMap(({ blocks }) => blocks)].length);
+  const items = [...sorted(matching, workspace), ...near.flatMap((one) => headed(one, workspace))];
+  return items.length ? items : [nothing(words)];
 }
 
 function tabsOf(workspace: Blockly.WorkspaceSvg): readonly Item[] {
   return workspace.options.languageTree?.contents ?? [];
-}
-
-function sentenceOf({ inputList }: Blockly.Block): string {
-  const fields = inputList.flatMap(({ fieldRow }) => fieldRow);
-  return fields.map((field) => field.getText()).join(" ");
 }
 
 function fillHead(head: HTMLElement, input: HTMLInputElement): void {
@@ -143,11 +130,36 @@ function nameTab(dom: HTMLElement, row: HTMLElement | null): void {
   dom.removeAttribute("id");
 }
 
-/** The found blocks in the order in which they are shown. */
-function sorted(matching: readonly FlyoutItem[], workspace: Blockly.WorkspaceSvg): FlyoutItem[] {
+/** The found blocks in the order in which the palette shows them. */
+function sorted(matching: readonly Offered[], workspace: Blockly.WorkspaceSvg): FlyoutItem[] {
+  return ableFirst(
+    matching,
+    workspace,
+    tabsOf(workspace).flatMap((tab) => (tab as Partial<GroupInfo>).first ?? []),
+  );
+}
+
+/** Blocks with those at the end that the robot can't do; those of `first` come first. */
+function ableFirst(
+  blocks: readonly Offered[],
+  workspace: Blockly.WorkspaceSvg,
+  first: readonly Section[] = [],
+): FlyoutItem[] {
   const { lacks, title } = actionsOf(workspace)?.robot() ?? { lacks: new Set<string>(), title: "" };
-  const first = tabsOf(workspace).flatMap((tab) => (tab as Partial<GroupInfo>).first ?? []);
-  return found(matching, first, lacks, paletteWords(title)) as FlyoutItem[];
+  return found(blocks, first, lacks, paletteWords(title)) as FlyoutItem[];
+}
+
+/** Blocks under a sentence, which is as wide as the palette. */
+function headed({ sentence, blocks }: Nearest, workspace: Blockly.WorkspaceSvg): FlyoutItem[] {
+  const lines = sentence ? labelsOf(sentence) : [];
+  return [...(lines as FlyoutItem[]), ...ableFirst(blocks, workspace)];
+}
+
+/** The blocks that are not known yet; they are from now on. */
+function withoutKnown({ sentence, blocks }: Nearest, known: Set<Offered>): Nearest {
+  const own = blocks.filter((block) => !known.has(block));
+  for (const block of own) known.add(block);
+  return { sentence: own.length ? sentence : "", blocks: own };
 }
 
 function announce(count: number): void {

@@ -2,14 +2,10 @@
 
 import * as Blockly from "blockly/core";
 
+import { type Labelled, labelInputs } from "./patches";
 import { wordOf } from "./renderer";
 
 type Verbosity = Blockly.utils.aria.Verbosity;
-
-/** Private members of a Blockly input. */
-interface Labelled extends Blockly.Input {
-  getLabel(verbosity?: Verbosity, withValue?: boolean): string;
-}
 
 /** Around the words of an input while a whole block is read; they are in no text. */
 const [BEGIN, END] = ["\u0001", "\u0002"];
@@ -18,20 +14,10 @@ const MARKS = new RegExp(`[${BEGIN}${END}]`, "g");
 
 /** Call it once, before the first block is created. */
 export function readSentences(): void {
-  let wholeBlock = false;
-  const input = Blockly.Input.prototype as Labelled;
-  input.getLabel = function (this: Labelled, verbosity, withValue = true) {
-    const words = this.isVisible() ? wordsOf(this, verbosity, withValue) : "";
-    return wholeBlock && words ? `${BEGIN}${words}${END}` : words;
-  };
-  const block = Blockly.BlockSvg.prototype;
-  const { getAriaLabel } = block;
-  block.getAriaLabel = function (this: Blockly.BlockSvg, verbosity) {
-    wholeBlock = true;
-    const label = getAriaLabel.call(this, verbosity);
-    wholeBlock = false;
-    return label.replace(SEAM, " ").replace(MARKS, "");
-  };
+  labelInputs(wordsOf, {
+    mark: (words) => `${BEGIN}${words}${END}`,
+    join: (label) => label.replace(SEAM, " ").replace(MARKS, ""),
+  });
 }
 
 /** The fields of an input, and the sentence of its value or what is missing. */

@@ -52,7 +52,16 @@ page-blocks-open-rest = Show these blocks
 page-blocks-failed = The blocks could not be loaded. Check that LearnBlock is running, then reload the page.
 page-blocks-new-when = New event…
 page-blocks-when-name = my_event
+# The names of events that are ready to use: letters, digits and _ only.
+page-blocks-when-key = key_pressed
+page-blocks-when-bumped = bumped
+page-blocks-when-near = obstacle_near
+page-blocks-when-heard = message_received
 page-blocks-when-prompt = Name of the new event:
+page-blocks-zoom = Size of the blocks
+page-blocks-zoom-in = Zoom in
+page-blocks-zoom-out = Zoom out
+page-blocks-zoom-reset = Reset zoom
 page-blocks-breakpoint = Breakpoint: the program pauses before this block
 page-blocks-add-breakpoint = Add breakpoint
 page-blocks-remove-breakpoint = Remove breakpoint

@@ -52,7 +52,16 @@ page-blocks-open-rest = Mostrar estos bloques
 page-blocks-failed = No se han podido cargar los bloques. Comprueba que LearnBlock está en marcha y recarga la página.
 page-blocks-new-when = Nuevo evento…
 page-blocks-when-name = mi_evento
+# Los nombres de los eventos preparados: solo letras sin tilde, cifras y _.
+page-blocks-when-key = tecla_pulsada
+page-blocks-when-bumped = choque
+page-blocks-when-near = obstaculo_cerca
+page-blocks-when-heard = mensaje_recibido
 page-blocks-when-prompt = Nombre del nuevo evento:
+page-blocks-zoom = Tamaño de los bloques
+page-blocks-zoom-in = Acercar
+page-blocks-zoom-out = Alejar
+page-blocks-zoom-reset = Tamaño normal
 page-blocks-breakpoint = Punto de interrupción: el programa se pausa antes de este bloque
 page-blocks-add-breakpoint = Añadir un punto de interrupción
 page-blocks-remove-breakpoint = Quitar el punto de interrupción

@@ -1,0 +1,114 @@
+/** The blocks of the palette by the words that they say, and by what others call them. */
+
+import * as Blockly from "blockly/core";
+
+import { t } from "../../i18n";
+import { plain } from "../../ui/plain";
+import { wordsFor } from "./meanings";
+import { FOREIGN, foreignNames, nearestWords } from "./near";
+import type { Item } from "./offers";
+import type { GroupInfo, GroupTab } from "./palette-group";
+
+type State = Blockly.serialization.blocks.State;
+
+/** Blocks that do not say the searched words, and a sentence on what they are. */
+export interface Nearest {
+  readonly sentence: string;
+  readonly blocks: readonly Item[];
+}
+
+/** A block, and all that it says and can be found by. */
+interface Entry {
+  readonly block: Item;
+  readonly text: string;
+}
+
+export class SearchIndex {
+  private readonly entries: readonly Entry[];
+
+  constructor(private readonly workspace: Blockly.WorkspaceSvg) {
+    const undrawn = new Blockly.Workspace();
+    const blocks = groupsOf(workspace).flatMap(({ contents }) => contents);
+    this.entries = blocks.flatMap((block) => (block.type ? [entryOf(block, undrawn)] : []));
+    undrawn.dispose();
+  }
+
+  /** The blocks with all of the words; words that only end or contain them count if none begins with them. */
+  matching(words: string): Item[] {
+    const parts = plain(words).split(/\s+/);
+    const begins = this.entries.filter(({ text }) => parts.every((part) => text.includes(` ${part}`)));
+    const found = begins.length
+      ? begins
+      : this.entries.filter(({ text }) => parts.every((part) => text.includes(part)));
+    return found.map(({ block }) => block);
+  }
+
+  /** What others call by these words. */
+  foreign(words: string): Nearest[] {
+    const names = foreignNames(words, (name) => t(`page-search-${name}`));
+    return names.map((name) => ({ sentence: insteadOf(name), blocks: this.ofTypes(FOREIGN[name] ?? []) }));
+  }
+
+  /** The blocks with the most similar word; none if nothing is similar. */
+  similar(words: string): Nearest[] {
+    const known = new Set(this.entries.flatMap(({ text }) => text.split(/[^\p{L}]+/u)));
+    const blocks = new Set(nearestWords(words, known).flatMap((word) => this.matching(word)));
+    return blocks.size ? [{ sentence: t("page-search-nearest", { words }), blocks: [...blocks] }] : [];
+  }
+
+  private ofTypes(types: readonly string[]): Item[] {
+    return types.map((type) => this.ofType(type)).filter((block) => block !== undefined);
+  }
+
+  private ofType(type: string): Item | undefined {
+    const fixed = this.entries.find(({ block }) => block.type === type)?.block;
+    return fixed ?? changingOf(this.workspace).find((block) => block.type === type);
+  }
+}
+
+function insteadOf(name: string): string {
+  const code = `page-search-${name}-say`;
+  const sentence = t(code);
+  return sentence === code ? "" : sentence;
+}
+
+function groupsOf(workspace: Blockly.WorkspaceSvg): readonly GroupInfo[] {
+  const items = workspace.options.languageTree?.contents ?? [];
+  return items.filter((item) => "tabs" in item) as unknown as GroupInfo[];
+}
+
+function entryOf(block: Item, undrawn: Blockly.Workspace): Entry {
+  const type = block.type ?? "";
+  const made = Blockly.serialization.blocks.append(block as unknown as State, undrawn);
+  const fields = made.inputList.flatMap(({ fieldRow }) => fieldRow);
+  const sentence = fields.map((field) => field.getText()).join(" ");
+  const said = [sentence, ...fields.flatMap(choicesOf), type.replaceAll("_", " "), ...wordsFor(type, t)];
+  return { block, text: ` ${plain(said.join(" "))}` };
+}
+
+function choicesOf(field: Blockly.Field): string[] {
+  if (!(field instanceof Blockly.FieldDropdown)) return [];
+  return field.getOptions(true).flatMap(([label]) => (typeof label === "string" ? [label] : []));
+}
+
+/** The blocks that depend on the program; a program without variables is offered one. */
+function changingOf(workspace: Blockly.WorkspaceSvg): Item[] {
+  const tabs = groupsOf(workspace).flatMap((group) => group.tabs);
+  const items = tabs.flatMap(({ custom }) => madeBy(workspace, custom));
+  return tabs.some(({ custom }) => custom === "VARIABLE") ? [...items, ...counting()] : items;
+}
+
+function madeBy(workspace: Blockly.WorkspaceSvg, custom: GroupTab["custom"]): Item[] {
+  const make = custom && workspace.getToolboxCategoryCallback(custom);
+  return make ? (make(workspace) as Item[]).filter(({ kind }) => kind === "block") : [];
+}
+
+function counting(): Item[] {
+  const fields = { VAR: { name: t("page-search-variable") } };
+  const number = (value: number) => ({ shadow: { type: "math_number", fields: { NUM: value } } });
+  const blocks = [
+    { kind: "block", type: "variables_set", fields, inputs: { VALUE: number(0) } },
+    { kind: "block", type: "math_change", fields, inputs: { DELTA: number(1) } },
+  ];
+  return blocks as Item[];
+}

@@ -1,0 +1,103 @@
+/** Breaks the sentences of the palette into lines, so that they are whole beside the program. */
+
+import * as Blockly from "blockly/core";
+
+import { arrangeOptional } from "./optional";
+
+type Row = Blockly.blockRendering.Row;
+type Measurable = Blockly.blockRendering.Measurable;
+
+/** Between two parts of a sentence, and at the edges of statements and of values, in units of the workspace. */
+const BETWEEN = 8;
+const EDGES = { statement: 24, value: 64 };
+/** A line does not begin with a unit or a comma: they belong to the number before them. */
+const UNIT = /^\s*([,.:%°)]|(mm|cm|s|ms|Hz)(?!\p{L}))/u;
+
+/** A word or a value of a sentence. */
+interface Part {
+  readonly width: number;
+  /** Whether a line may begin here: with words, but not with a value, which belongs to the words before it. */
+  readonly begins: boolean;
+}
+
+/** The lines of a row in a room of this width; the row itself if it fits, or holds statements. */
+export function linesOf(
+  row: Row,
+  block: Blockly.BlockSvg,
+  room: number,
+  constants: Blockly.blockRendering.ConstantProvider,
+): Row[] {
+  const starts = row.hasStatement ? [] : lineStarts(row.elements.map(partOf), inside(block, room));
+  if (!starts.length) return [row];
+  const ends = [...starts, row.elements.length];
+  return [0, ...starts].map((start, at) => lineOf(row, row.elements.slice(start, ends[at]), constants));
+}
+
+function inside({ outputConnection }: Blockly.BlockSvg, room: number): number {
+  return room - (outputConnection ? EDGES.value : EDGES.statement);
+}
+
+function lineOf(row: Row, elements: Measurable[], constants: Blockly.blockRendering.ConstantProvider): Row {
+  const line = new Blockly.blockRendering.InputRow(constants);
+  line.elements = elements;
+  line.align = row.align;
+  line.hasInlineInput = elements.some((element) => element instanceof Blockly.blockRendering.InlineInput);
+  line.hasDummyInput = !line.hasInlineInput;
+  return line;
+}
+
+/** The parts that begin a line after the first, by their places. */
+export function lineStarts(parts: readonly Part[], room: number): number[] {
+  const starts: number[] = [];
+  for (let at = 1; at < parts.length; at++) {
+    const start = starts.at(-1) ?? 0;
+    if (widthOf(parts.slice(start, at + 1)) <= room) continue;
+    const last = parts.slice(start + 1, at + 1).findLastIndex(({ begins }) => begins);
+    starts.push(last < 0 ? at : start + 1 + last);
+  }
+  return starts;
+}
+
+function widthOf(parts: readonly Part[]): number {
+  return parts.reduce((sum, { width }) => sum + width + BETWEEN, -BETWEEN);
+}
+
+function partOf(element: Measurable, at: number, all: readonly Measurable[]): Part {
+  const field = fieldOf(element);
+  // The icon of a statement is no line of its own.
+  const isFirst = at === 1 && fieldOf(all[0]) instanceof Blockly.FieldImage;
+  const begins = field instanceof Blockly.FieldLabel && !isFirst && !UNIT.test(field.getText());
+  return { width: element.width, begins };
+}
+
+function fieldOf(element: Measurable | undefined): Blockly.Field | null {
+  return element instanceof Blockly.blockRendering.Field ? element.field : null;
+}
+
+/**
+ * Give words that are longer than a line several lines. A block of the palette is only a pattern of those that are made
+ * of it.
+ */
+export function splitWords(block: Blockly.BlockSvg, room: number): void {
+  arrangeOptional(block);
+  for (const input of block.inputList.filter((one) => one.isVisible())) {
+    // Each half may be too long, too.
+    for (let at = 0; at < input.fieldRow.length; at++) splitField(input, at, inside(block, room));
+  }
+}
+
+function splitField(input: Blockly.Input, at: number, room: number): void {
+  const field = input.fieldRow[at];
+  if (!(field instanceof Blockly.FieldLabel) || !field.isVisible() || field.getSize().width <= room) return;
+  const text = field.getText();
+  const end = lastSpace(text, (room * text.length) / field.getSize().width);
+  if (end <= 0) return;
+  input.insertFieldAt(at, text.slice(0, end));
+  field.setValue(text.slice(end + 1));
+}
+
+/** The place of the last space that is not beyond an end, whatever kind it is; -1 if there is none. */
+function lastSpace(text: string, end: number): number {
+  const spaces = [...text.matchAll(/\s/gu)].map(({ index }) => index);
+  return spaces.findLast((at) => at <= end) ?? -1;
+}
