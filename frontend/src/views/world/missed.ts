@@ -13,6 +13,8 @@ const RADIUS = 46;
 const WIDTH = 9;
 const DASH = 30;
 const HEIGHT = 2.2;
+/** Of the words, which are smaller and lower than the name of a robot. */
+const LABEL = { above: 75, scale: 0.7 } as const;
 /** Over goals, trails and things. */
 const ORDER = 8;
 
@@ -59,8 +61,8 @@ function label({ place, nearest, words }: MissedPlace): Object3D {
   // Beyond the place, seen from the robot, so that it hides neither.
   const [dx, dy] = [place[0] - nearest[0], place[1] - nearest[1]];
   const away = Math.hypot(dx, dy) || 1;
-  sprite.position.x = place[0] + (RADIUS * 2 * dx) / away;
-  sprite.position.y = place[1] + (RADIUS * 2 * dy) / away;
+  sprite.position.set(place[0] + (RADIUS * 2 * dx) / away, place[1] + (RADIUS * 2 * dy) / away, LABEL.above);
+  sprite.scale.multiplyScalar(LABEL.scale);
   sprite.renderOrder = ORDER + 1;
   return sprite;
 }

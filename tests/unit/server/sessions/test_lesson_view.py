@@ -3,6 +3,7 @@
 import pytest
 
 import small_lesson
+from learnblock.i18n import Phrase
 from learnblock.lessons.checks import (
     Collided,
     Drives,
@@ -15,6 +16,7 @@ from learnblock.lessons.checks import (
     Uses,
 )
 from learnblock.lessons.judging import Verdict
+from learnblock.lessons.misses import Miss
 from learnblock.lessons.reading import read_files
 from learnblock.project.files.lesson_folder import StepProgress
 from learnblock.server.sessions import lesson_view as view
@@ -95,3 +97,16 @@ def test_a_check_that_failed_leads_to_a_question_about_the_run(check, question):
 def test_a_check_that_has_not_failed_leads_to_none(state):
     [shown] = view.goals([Verdict(Never(what=Collided()), 0, state)], StepProgress())
     assert (shown.ask, shown.subject) == ("", "")
+
+
+def test_before_the_first_run_nothing_is_missed():
+    verdicts = [Verdict(Uses(construct="loop"), 0, "failed"), Verdict(Size(blocks=9), 1, "met")]
+    shown = view.goals(view.untried(verdicts), StepProgress())
+    assert [goal.state for goal in shown] == ["open", "met"]
+
+
+def test_a_missed_goal_has_its_place_and_says_by_how_much():
+    miss = Miss(Phrase("lesson-miss-stopped", gap="80 mm short"), (300.0, 0.0), (220.0, 0.0))
+    (goal,) = view.goals([Verdict(Ends(), 0, "failed", miss=miss)], StepProgress())
+    assert goal.reason == miss.words
+    assert (goal.place, goal.nearest) == ((300.0, 0.0), (220.0, 0.0))

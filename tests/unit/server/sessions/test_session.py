@@ -402,6 +402,17 @@ def test_a_new_project_can_begin_with_an_example(page):
     assert "activate maincontrol" in page.hear("Document")["blocktext"]
 
 
+def test_an_example_speaks_the_language_of_the_page(page):
+    page.say("New", name="flor", example="flower", language="es")
+    page.hear("Opened")
+    assert "def pétalo(tono):" in page.hear("Document")["blocktext"]
+
+
+def test_a_new_project_can_be_in_any_world(page):
+    page.say("New", name="mine", world="square")
+    assert page.hear("Opened")["world"] == "square"
+
+
 def test_a_name_that_is_taken_gets_a_number(page):
     assert page.open("robot")["name"] == "robot"
     assert page.open("robot")["name"] == "robot 2"

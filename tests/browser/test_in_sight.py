@@ -1,0 +1,119 @@
+"""What matters in a lesson is whole on the screen, in each size and language."""
+
+import re
+
+import pytest
+from playwright.sync_api import expect
+
+from browser.pupil import WORKSPACE
+from learnblock.lessons.reading import find_lesson
+
+SIZES = {"laptop": (1366, 768), "small": (1024, 768), "tablet": (820, 1180), "phone": (390, 844)}
+LANGUAGES = ("en", "es")
+#: The selected elements that are not whole: beyond the page, or cut by a part that scrolls.
+CUT = """(wanted) => [...document.querySelectorAll(wanted)].filter((one) => {
+    const { left, top, right, bottom, width } = one.getBoundingClientRect();
+    if (width === 0) return false;
+    let [x0, y0, x1, y1] = [0, 0, innerWidth, innerHeight];
+    const isFixed = (part) => getComputedStyle(part).position === "fixed";
+    for (let part = one; part && !isFixed(part); part = part.parentElement) {
+        if (part === one) continue;
+        if (getComputedStyle(part).overflow === "visible") continue;
+        const box = part.getBoundingClientRect();
+        [x0, y0] = [Math.max(x0, box.left), Math.max(y0, box.top)];
+        [x1, y1] = [Math.min(x1, box.right), Math.min(y1, box.bottom)];
+    }
+    return left < x0 - 1 || top < y0 - 1 || right > x1 + 1 || bottom > y1 + 1;
+}).map((one) => one.textContent || one.getAttribute("class"))"""
+#: How far the page is larger than the screen.
+BEYOND = """() => [
+    document.documentElement.scrollWidth - innerWidth,
+    document.documentElement.scrollHeight - innerHeight,
+]"""
+DRAWN = "() => { const world = learnblock.views.world.value; world.resize(); return world.drawn; }"
+BLOCKS = f"{WORKSPACE} > .blocklyBlockCanvas .blocklyDraggable > .blocklyPath"
+TASK = ".lesson-choice, .lesson-quiz legend, .lesson-goal"
+RUN = "#run .go"
+CASES = [(size, language) for size in SIZES for language in LANGUAGES]
+
+
+def words(text, language):
+    return text if isinstance(text, str) else text[language]
+
+
+class Reader:
+    """A pupil who has opened a lesson, and does nothing but look."""
+
+    def __init__(self, sit_down, server, size, language):
+        width, height = SIZES[size]
+        viewport = {"width": width, "height": height}
+        self.pupil = sit_down(server, start=True, language=language, viewport=viewport)
+        self.page, self.size, self.language = self.pupil.page, size, language
+
+    def open(self, name):
+        opened = find_lesson(name)
+        self.page.goto(self.page.url + "?test")
+        self.page.get_by_role("button", name=re.compile(f"^{opened.lesson.level} · ")).click()
+        title = words(opened.lesson.title, self.language)
+        self.page.locator(".lesson-card").get_by_role("button", name=title).first.click()
+        expect(self.page.locator(BLOCKS).first).to_be_visible()
+        expect(self.page.locator(TASK).first).to_be_visible()
+        self.page.wait_for_function("() => learnblock.views.world.value?.framesDrawn > 0")
+
+    def go_to(self, number):
+        self.page.evaluate("step => learnblock.lessons.showStep(step)", number)
+        expect(self.page.locator(".lesson-goal").first).to_be_visible()
+
+    def expect_all_in_sight(self):
+        """Wait until the task, the program and Run are whole, and look for robot and goals."""
+        wanted = f"{TASK}, {RUN}" + ("" if self.size == "phone" else f", {BLOCKS}")
+        self.page.wait_for_function(f"(wanted) => ({CUT})(wanted).length === 0", arg=wanted)
+        assert self.page.evaluate(BEYOND) == [0, 0]
+        drawn = self.page.evaluate(DRAWN)
+        places = [drawn["robot"], *([drawn["goal"]] if drawn["goal"] else []), *drawn["others"]]
+        assert max(abs(along) for place in places for along in place) < 1
+
+    def toggle_output(self):
+        self.page.locator(".output-button button").click()
+
+
+@pytest.mark.parametrize(("size", "language"), CASES)
+def test_a_question_and_goals_are_in_sight_beside_program_robot_and_run(
+    own_server, sit_down, size, language
+):
+    reader = Reader(sit_down, own_server, size, language)
+    reader.open("1-03-square")
+    expect(reader.page.locator(".lesson-drawing")).to_have_count(0)
+    reader.expect_all_in_sight()
+    reader.pupil.picture(f"question-{size}-{language}")
+    if size != "phone":
+        reader.toggle_output()
+        reader.expect_all_in_sight()
+        reader.toggle_output()
+    reader.go_to(4)
+    reader.expect_all_in_sight()
+    reader.pupil.picture(f"goals-{size}-{language}")
+
+
+def test_the_output_is_closed_when_a_lesson_opens(own_server, sit_down):
+    reader = Reader(sit_down, own_server, "laptop", "en")
+    reader.page.evaluate(
+        "() => localStorage['learnblock.preferences'] = JSON.stringify("
+        "{ ...JSON.parse(localStorage['learnblock.preferences']), layout: { panel: true } })"
+    )
+    reader.page.reload()
+    reader.open("1-01-first-drive")
+    expect(reader.page.locator("#panel")).to_be_hidden()
+
+
+def test_a_missed_goal_says_by_how_much_and_is_shown(own_server, sit_down):
+    reader = Reader(sit_down, own_server, "laptop", "en")
+    reader.open("1-03-square")
+    reader.go_to(4)
+    expect(reader.page.locator(".lesson-goal.failed")).to_have_count(0)
+    reader.pupil.choose("Speed", "Fastest")
+    reader.pupil.run_to_the_end()
+    missed = reader.page.locator(".lesson-goal.failed").first
+    expect(missed).to_contain_text(re.compile(r"The first corner: \d+ mm short\."))
+    missed.get_by_role("button", name=re.compile("^Show")).click()
+    reader.pupil.picture("missed")
