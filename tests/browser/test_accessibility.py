@@ -147,7 +147,7 @@ def test_the_world_editor_has_no_violation_in_any_theme(pupil, axe):
     for theme in THEMES:
         choose_theme(pupil, theme)
         pupil.press("Edit world")
-        for number, thing in enumerate(("Wall", "Tag", "Line", "Place to reach", "Decoration")):
+        for number, thing in enumerate(("Wall", "Tag", "Line", "Place to reach", "Tree")):
             pupil.put_in_world(thing, up=100 - 60 * number)
         pupil.dialog().get_by_role("button", name="Line to follow", exact=True).click()
         pupil.dialog().get_by_role("button", name="New world", exact=True).click()

@@ -1,9 +1,8 @@
 /** The edited world, with undo and redo. */
 
 import { computed, signal } from "@preact/signals";
-
-import type { WorldValues } from "../../views/world/scenery/description";
 import type { Ref } from "../../views/world/plan/sorts";
+import type { WorldValues } from "../../views/world/scenery/description";
 
 const MOST_STEPS = 300;
 
