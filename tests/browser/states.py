@@ -261,16 +261,19 @@ def filled_dialogs(visitor):
     visitor.escape()
 
 
+SORTS = ("wall", "tag", "line", "reach")
+
+
 def world_editor(visitor):
     """The world editor, empty-handed and with things."""
     visitor.opens("page-bar-world", "page-bar-edit-world")
     expect(visitor.button("page-editor-sort-wall", visitor.dialog)).to_be_visible()
     yield "world editor"
-    for sort in ("wall", "tag", "line", "reach", "prop"):
-        visitor.press(f"page-editor-sort-{sort}", visitor.dialog)
-        yield f"world editor, about to put {sort}"
+    for code in (*(f"page-editor-sort-{sort}" for sort in SORTS), "page-world-kind-tree"):
+        visitor.press(code, visitor.dialog)
+        yield f"world editor, about to put {code}"
         visitor.page.keyboard.press("Enter")
-        yield f"world editor, {sort}"
+        yield f"world editor, {code}"
     visitor.press("page-editor-sort-follow", visitor.dialog)
     yield "world editor, follow"
     visitor.press("page-editor-action-new", visitor.dialog)

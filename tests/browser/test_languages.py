@@ -215,6 +215,7 @@ def world_editor(pupil):
     pupil.page.get_by_role("menuitem").nth(1).click()
     pupil.dialog().locator("[data-sort=box]").click()
     pupil.page.keyboard.press("Enter")
+    pupil.dialog().locator(".editor-more summary").click()
     expect(pupil.dialog().locator("[data-key=height]")).to_be_visible()
     found = visible_texts(pupil, "dialog")
     pupil.picture(f"editor-{len(found)}")

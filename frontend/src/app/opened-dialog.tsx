@@ -81,10 +81,14 @@ export function OpenedDialog() {
 }
 
 function WorldEditorDialog() {
-  const { context, dialogs, project } = usePage();
+  const { context, dialogs, project, toasts } = usePage();
+  const saved = (name: string) => {
+    dialogs.close();
+    toasts.note(t("page-editor-saved", { name }));
+  };
   const load = async () => {
     const { createWorldEditor } = await import("../features/world-editor");
-    return createWorldEditor(context, (name) => project.freeWorldTitle(name));
+    return createWorldEditor(context, (name) => project.freeWorldTitle(name), saved);
   };
   return (
     <Dialog title={t("page-bar-edit-world")} close={() => dialogs.close()} size="whole">

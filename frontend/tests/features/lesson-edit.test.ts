@@ -63,5 +63,5 @@ test("every kind of check and of event has a form with values to begin with", ()
   for (const kind of kindsOf("kind")) expect(newOf("kind", kind).kind).toBe(kind);
   expect(newOf("kind", "never")).toEqual({ kind: "never", what: { event: "collision" } });
   expect(newOf("event", "at")).toEqual({ event: "at", x: 0, y: 0 });
-  expect(fieldsOf("kind", "in_order").map((field) => field.kind)).toEqual(["events", "number"]);
+  expect(fieldsOf("kind", "in_order").map(({ shape }) => shape.kind)).toEqual(["list", "number"]);
 });

@@ -1,9 +1,15 @@
 import { expect, test } from "vitest";
+import { bodiesOf, chainOf } from "../../src/features/world-editor/bodies";
 import { boundsOf, defaultsOf, fieldsOf } from "../../src/features/world-editor/fields";
+import { handlesOf } from "../../src/features/world-editor/handles";
+import { hull } from "../../src/features/world-editor/hull";
+import { GROUPS, wordOf } from "../../src/features/world-editor/offers";
 import {
   added,
   created,
   duplicated,
+  emptied,
+  enlarged,
   missing,
   moved,
   removed,
@@ -12,8 +18,10 @@ import {
   turned,
 } from "../../src/features/world-editor/things";
 import { WorldEdit } from "../../src/features/world-editor/world-edit";
-import { SORTS, type Sort, type Thing, thingAt } from "../../src/views/world/plan/sorts";
-import type { WorldValues } from "../../src/views/world/scenery/description";
+import { allThings, SORTS, type Sort, type Thing, thingAt } from "../../src/views/world/plan/sorts";
+import { colourIn, written } from "../../src/views/world/scenery/colours";
+import type { Colour, WorldValues, XY } from "../../src/views/world/scenery/description";
+import { wrapped } from "../../src/views/world/scenery/geometry";
 import { emptyWorld } from "../worlds";
 
 /** A world with a line and a tag, so that every sort can be made. */
@@ -70,6 +78,71 @@ function withCrate(): WorldValues {
     vary: { start: 0, heading: 0, light: 0, noise: 0, slip: 0, thing: [{ name: "crate", distance: 50 }] },
   };
 }
+
+test.each(["box", "cylinder", "prop", "tag", "reach", "wall"] as const)(
+  "a %s grows, and stays in its bounds",
+  (sort) => {
+    const thing = created(furnished(), sort, [0, 0]);
+    const keys = (grown: Thing) =>
+      Object.keys(thing).filter((key) => JSON.stringify(grown[key]) !== JSON.stringify(thing[key]));
+    expect(keys(enlarged(sort, thing, 1.25)).length).toBeGreaterThan(0);
+    const huge = Array.from({ length: 40 }).reduce((now: Thing) => enlarged(sort, now, 1.25), thing);
+    for (const key of keys(huge).filter((name) => name !== "points")) {
+      expect(huge[key]).toBe(boundsOf(sort, key)[1]);
+    }
+  },
+);
+
+test.each(SORTS)("a handle of a %s that is pulled to where it is changes nothing", (sort) => {
+  const thing = created(furnished(), sort, [100, 50]);
+  const pulled = handlesOf(sort, thing).filter(({ kind }) => kind !== "insert");
+  // Half a turn to the left is half a turn to the right.
+  const facing = (shown: Thing) => ({ ...shown, heading: "heading" in shown ? wrapped(Number(shown.heading)) : null });
+  for (const { at, pull } of pulled) expect(facing(pull(at))).toEqual(facing(thing));
+});
+
+test("a start has no size", () => {
+  const start = created(emptyWorld(), "start", [0, 0]);
+  expect(enlarged("start", start, 1.25)).toEqual(start);
+});
+
+test("an emptied world has no objects and keeps its floor", () => {
+  const after = emptied(furnished());
+  expect([allThings(after), after.floor]).toEqual([[], emptyWorld().floor]);
+});
+
+test("everything that can be in a world is offered once", () => {
+  const offers = Object.values(GROUPS).flat();
+  expect(new Set(offers.map(({ sort }) => sort))).toEqual(new Set(SORTS));
+  expect(new Set(offers.map(wordOf)).size).toBe(offers.length);
+  const kinds = fieldsOf("prop").find(({ key }) => key === "kind")?.shape;
+  expect(new Set(offers.flatMap(({ kind }) => kind ?? []))).toEqual(
+    new Set(kinds?.kind === "choice" ? kinds.options : []),
+  );
+});
+
+test.each(SORTS)("a %s can be pointed at in 3D", (sort) => {
+  const [world, ref] = added(furnished(), sort, created(furnished(), sort, [100, 50]));
+  const chain = chainOf(world, ref);
+  const outlines = bodiesOf(world, ref).flatMap(({ outline }) => outline);
+  expect(chain.length + outlines.length).toBeGreaterThan(1);
+});
+
+test("the hull of points is the corners around them", () => {
+  const points: XY[] = [
+    [0, 0],
+    [4, 0],
+    [2, 1],
+    [4, 3],
+    [0, 3],
+    [2, 3],
+  ];
+  expect(new Set(hull(points).map(String))).toEqual(new Set(["0,0", "4,0", "4,3", "0,3"]));
+});
+
+test.each(["white", [1, 2, 255]] as const)("the colour %s is the same after it was a field's value", (colour) => {
+  expect(colourIn(written(colour as Colour))).toEqual(colour);
+});
 
 test("a renamed thing still moves in the variants of its world", () => {
   const there = withCrate();

@@ -18,8 +18,8 @@ from learnblock.i18n import Phrase
 from learnblock.lessons.lesson import LessonText
 from learnblock.server.http.address import own_address
 from learnblock.server.http.connections import Connections, Listening, most_connections
-from learnblock.server.http.event_loop import EventLoop
 from learnblock.server.http.faults import faults_said_once
+from learnblock.server.http.tls_loop import TlsLoop
 from learnblock.server.last_resort import Deadlines, EndingServer, LastResort
 from learnblock.server.serve import collect_rarely, configured, tcp_socket
 
@@ -142,7 +142,7 @@ def _tls(certificate: Certificate | None) -> dict[str, Any]:
     return {
         "ssl_certfile": certificate.file,
         "ssl_keyfile": certificate.key,
-        "loop": f"{EventLoop.__module__}:{EventLoop.__qualname__}",
+        "loop": f"{TlsLoop.__module__}:{TlsLoop.__qualname__}",
     }
 
 

@@ -33,7 +33,7 @@ def address(tmp_path, connections, monkeypatch):
     """A server whose handshakes must be done in half a second."""
     from learnblock.classroom.certificate import own_certificate
 
-    monkeypatch.setattr("learnblock.server.http.event_loop.PATIENCE", 0.5)
+    monkeypatch.setattr("learnblock.server.http.tls_loop.PATIENCE", 0.5)
     app = Starlette(routes=[Route("/", hello)])
     tls = _tls(own_certificate(tmp_path))
     server = uvicorn.Server(configured(app, connections=connections, **tls))

@@ -4,8 +4,8 @@ import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { t } from "../../i18n";
 import { LIMITS } from "../../protocol/messages";
+import { FormField } from "../../ui/form/field";
 import type { Palette } from "../../views/blocks/palette";
-import { Committed } from "./committed";
 import type { Editing } from "./editing";
 import { WordsTable } from "./words-table";
 
@@ -16,16 +16,13 @@ export function Form({ editing }: { editing: Editing }) {
   const shown = block.value;
   return (
     <div class="custom-block-form">
-      <label class="field">
-        {t("page-custom-name")}
-        <input
-          required
-          maxLength={LONGEST_NAME}
-          title={t("page-custom-name-help")}
-          value={draft.written.value.name}
-          onInput={({ currentTarget }) => draft.change({ name: currentTarget.value })}
-        />
-      </label>
+      <FormField
+        label={t("page-custom-name")}
+        help={t("page-custom-name-help")}
+        shape={{ kind: "text", longest: LONGEST_NAME }}
+        value={draft.written.value.name}
+        take={(name) => draft.change({ name: name ?? "" })}
+      />
       {shown ? <Choices editing={editing} /> : <p class="dim">{t("page-custom-no-block")}</p>}
       {shown && <WordsTable draft={draft} block={shown} preview={editing.shown.value} />}
     </div>
@@ -37,22 +34,13 @@ function Choices({ editing: { draft, block, palette } }: { editing: Editing }) {
   const { name = "", category = "", shape = [] } = block.value ?? {};
   return (
     <>
-      <label class="field">
-        {t("page-custom-category")}
-        <Committed
-          list="custom-block-categories"
-          longest={LONGEST_NAME}
-          value={category}
-          commit={(text) => draft.configure(name, (one) => ({ ...one, category: text }))}
-        />
-        <datalist id="custom-block-categories">
-          {categories.map(([key, title]) => (
-            <option key={key} value={key}>
-              {title}
-            </option>
-          ))}
-        </datalist>
-      </label>
+      <FormField
+        label={t("page-custom-category")}
+        shape={{ kind: "text", longest: LONGEST_NAME, isCommitted: true }}
+        known={categories}
+        value={category}
+        take={(text) => draft.configure(name, (old) => ({ ...old, category: text ?? "" }))}
+      />
       <p class="field">
         {t("page-custom-shape")}
         <span class="dim">{t(shape.includes("blockVertical") ? "page-custom-statement" : "page-custom-value")}</span>

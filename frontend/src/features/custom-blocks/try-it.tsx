@@ -6,8 +6,12 @@ import { say, t } from "../../i18n";
 import { usePage } from "../../model/page";
 import { sentence } from "../../model/run-result";
 import type { Ended } from "../../protocol/messages";
+import { choice } from "../../ui/form/choice";
+import { FormField } from "../../ui/form/field";
 import { type Argument, argumentsOf, parseValue } from "./arguments";
 import type { Editing } from "./editing";
+
+const TRUTHS = ["TRUE", "FALSE"] as const;
 
 type Written = Readonly<Record<string, string>>;
 
@@ -28,14 +32,12 @@ export function TryIt({ editing }: { editing: Editing }) {
     <div class="custom-block-try">
       <form onSubmit={start}>
         {list.map((one) => (
-          <label class="field" key={`${preview?.name} ${one.name}`}>
-            {one.name}
-            <Value
-              argument={one}
-              value={written.value[one.name] ?? one.initial}
-              set={(text) => (written.value = { ...written.value, [one.name]: text })}
-            />
-          </label>
+          <Value
+            key={`${preview?.name} ${one.name}`}
+            argument={one}
+            value={written.value[one.name] ?? one.initial}
+            set={(text) => (written.value = { ...written.value, [one.name]: text })}
+          />
         ))}
         <div class="custom-block-run">
           <button
@@ -61,41 +63,42 @@ interface ValueProps {
   readonly set: (text: string) => void;
 }
 
+/** A field for what is typed for a parameter. */
 function Value({ argument, value, set }: ValueProps) {
+  const common = { label: argument.name, value, take: (text: string | null) => set(text ?? "") };
   const { kind, allowed } = argument;
-  const take = ({ currentTarget }: { currentTarget: HTMLInputElement | HTMLSelectElement }) => set(currentTarget.value);
-  const wrong = parseValue(argument, value) === undefined;
   switch (kind) {
     case "number":
     case "range":
     case "angle": {
-      const { min, max, step = "any" } = allowed;
-      return <input type="number" required {...{ min, max, step }} value={value} onInput={take} />;
+      const { min: least, max: most, step } = allowed;
+      const shape = {
+        kind: "number",
+        ...(least !== undefined && { least }),
+        ...(most !== undefined && { most }),
+      } as const;
+      const number = value === "" ? null : Number(value);
+      const take = (changed: number | null) => set(changed === null ? "" : String(changed));
+      return <FormField {...common} shape={step ? { ...shape, step } : shape} value={number} take={take} />;
     }
     case "choice":
-      return (
-        <select value={value} onChange={take}>
-          {allowed.options?.map(([label, choice]) => (
-            <option key={choice} value={choice}>
-              {label}
-            </option>
-          ))}
-        </select>
-      );
+      return <FormField {...common} {...choice(allowed.options?.map(([words, option]) => [option, words]) ?? [])} />;
     case "truth":
       return (
-        <select value={value} onChange={take}>
-          <option value="TRUE">{t("page-custom-true")}</option>
-          <option value="FALSE">{t("page-custom-false")}</option>
-        </select>
+        <FormField
+          {...common}
+          {...choice(TRUTHS.map((option) => [option, t(`page-custom-${option.toLowerCase()}`)]))}
+        />
       );
     case "colour":
-      return <input type="color" value={value} onInput={take} />;
-    case "list":
-      return <input required aria-invalid={wrong} title={t("page-custom-list-help")} value={value} onInput={take} />;
+      return <FormField {...common} shape={{ kind: "colour" }} />;
+    case "list": {
+      const wrong = parseValue(argument, value) === undefined ? t("page-custom-list-help") : undefined;
+      return <FormField {...common} shape={{ kind: "text" }} wrong={wrong} />;
+    }
     case "text":
     case "tag":
-      return <input value={value} onInput={take} />;
+      return <FormField {...common} shape={{ kind: "text" }} />;
   }
 }
 

@@ -4,8 +4,8 @@ import { useSignal } from "@preact/signals";
 
 import { language, languages, t } from "../../i18n";
 import type { CustomBlockPreview } from "../../protocol/messages";
+import { TextInput } from "../../ui/form/inputs";
 import { type Argument, argumentsOf } from "./arguments";
-import { Committed } from "./committed";
 import { type Configured, languagesOf, type Words, withVariable, withWord } from "./configuration";
 import type { CustomBlockEdit } from "./custom-block-edit";
 
@@ -33,6 +33,8 @@ const OFFERED = [
   "UK",
   "ZH",
 ];
+
+const COMMITTED = { kind: "text", isCommitted: true } as const;
 
 interface Props {
   readonly draft: CustomBlockEdit;
@@ -110,7 +112,12 @@ function Row({ title, field, words = {}, codes, set }: RowProps) {
       <td class="dim">{field && fieldText(field)}</td>
       {codes.map((code) => (
         <td key={code}>
-          <Committed label={`${title}, ${nameOf(code)}`} value={words[code] ?? ""} commit={(text) => set(code, text)} />
+          <TextInput
+            shape={COMMITTED}
+            value={words[code] ?? ""}
+            take={(text) => set(code, text ?? "")}
+            described={{ "aria-label": `${title}, ${nameOf(code)}` }}
+          />
         </td>
       ))}
     </tr>

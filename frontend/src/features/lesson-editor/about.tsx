@@ -5,8 +5,12 @@ import { useId } from "preact/hooks";
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
 import { plainTitle } from "../../model/robots";
+import { choice } from "../../ui/form/choice";
+import { FormField, Problems } from "../../ui/form/field";
+import { Tick } from "../../ui/form/inputs";
+import { Parts } from "../../ui/form/parts";
 import type { LessonContent } from "../lessons/lesson-edit";
-import { Add, ChoiceInput, NumberInput, Part, Problems, TextInput, Tick } from "./inputs";
+import { Translated } from "./inputs";
 
 const LEVELS = [1, 2, 3, 4] as const;
 const MOST_AIMS = 8;
@@ -15,27 +19,26 @@ export function About({ content }: { content: LessonContent }) {
   const making = usePage().lessonMaking;
   return (
     <>
-      <TextInput
+      <Translated
         word="page-maker-title"
         path={["title"]}
         text={content.title}
         take={(title) => making.editContent({ title })}
       />
       <div class="maker-row">
-        <ChoiceInput
-          word="page-maker-level"
+        <FormField
+          label={t("page-maker-level")}
           path={["level"]}
           value={String(content.level)}
-          options={LEVELS.map((one) => [String(one), t(`page-lesson-cards-level-${one}`)] as const)}
+          {...choice(LEVELS.map((level) => [String(level), t(`page-lesson-cards-level-${level}`)] as const))}
           take={(level) => making.editContent({ level: Number(level) })}
         />
-        <NumberInput
-          word="page-maker-minutes"
+        <FormField
+          label={t("page-maker-minutes")}
           path={["minutes"]}
+          shape={{ kind: "number", least: 1, most: 240, step: 1 }}
           value={content.minutes}
-          least={1}
-          most={240}
-          take={(minutes = 0) => making.editContent({ minutes })}
+          take={(minutes) => making.editContent({ minutes: minutes ?? 0 })}
         />
       </div>
       <Aims content={content} />
@@ -46,27 +49,21 @@ export function About({ content }: { content: LessonContent }) {
 
 function Aims({ content: { aims } }: { content: LessonContent }) {
   const making = usePage().lessonMaking;
-  const take = (changed: LessonContent["aims"]) => making.editContent({ aims: changed });
   return (
     <section class="maker-group">
       <h3>{t("page-maker-aims")}</h3>
       <p class="dim">{t("page-maker-aims-help")}</p>
       <Problems path={["aims"]} />
-      {aims.map((aim, index) => (
-        <Part
-          key={index}
-          title={t("page-maker-aim-number", { number: index + 1 })}
-          remove={() => take(aims.toSpliced(index, 1))}
-        >
-          <TextInput
-            word="page-maker-aim"
-            path={["aims", index]}
-            text={aim}
-            take={(text) => take(aims.with(index, text))}
-          />
-        </Part>
-      ))}
-      <Add word="page-maker-add-aim" off={aims.length >= MOST_AIMS} onClick={() => take([...aims, {}])} />
+      <Parts
+        values={aims}
+        take={(changed) => making.editContent({ aims: changed })}
+        title={(number) => t("page-maker-aim-number", { number })}
+        add={t("page-maker-add-aim")}
+        fresh={() => ({})}
+        most={MOST_AIMS}
+      >
+        {(aim, take, index) => <Translated word="page-maker-aim" path={["aims", index]} text={aim} take={take} />}
+      </Parts>
     </section>
   );
 }
@@ -98,12 +95,12 @@ function Robots({ content: { robots } }: { content: LessonContent }) {
       </div>
       <Problems path={["robots"]} />
       {robots.length > 1 && (
-        <ChoiceInput
-          word="page-maker-usual-robot"
+        <FormField
+          label={t("page-maker-usual-robot")}
           path={["robots", 0]}
           value={robots[0] ?? ""}
-          options={robots.map((name) => [name, project.robotTitle(name)] as const)}
-          take={(name) => take([name, ...robots.filter((one) => one !== name)])}
+          {...choice(robots.map((name) => [name, project.robotTitle(name)] as const))}
+          take={(name) => take([name, ...robots.filter((robot) => robot !== name)])}
         />
       )}
     </section>

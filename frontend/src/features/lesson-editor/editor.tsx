@@ -1,14 +1,16 @@
 /** The editor of a lesson: its parts on the left, the chosen one beside them. */
 
 import { useEffect, useRef } from "preact/hooks";
-import { languages, say, t, translated } from "../../i18n";
+import { say, t, translated } from "../../i18n";
 import { usePage } from "../../model/page";
 import { IconButton } from "../../ui/button";
+import { FormContext, type Path } from "../../ui/form/form";
+import { Add } from "../../ui/form/parts";
 import type { LessonEdit } from "../lessons/lesson-edit";
 import { inLanguage } from "../lessons/lessons";
-import { MOST_STEPS, type Path, type Section } from "../lessons/making";
+import { MOST_STEPS, type Section } from "../lessons/making";
 import { About } from "./about";
-import { Add, Languages } from "./inputs";
+import { formOf, Languages } from "./inputs";
 import { Step } from "./step";
 import { Teacher } from "./teacher";
 import "./editor.css";
@@ -32,9 +34,11 @@ export function LessonEditor() {
         <div class="maker-head">
           <h3>{titleOf(draft, section)}</h3>
           {typeof section === "number" && <StepTools draft={draft} index={section} />}
-          <Languages codes={languages} />
+          <Languages />
         </div>
-        <Shown key={section} draft={draft} section={section} />
+        <FormContext.Provider value={formOf(making)}>
+          <Shown key={section} draft={draft} section={section} />
+        </FormContext.Provider>
       </div>
       <Foot draft={draft} />
     </div>
@@ -71,7 +75,7 @@ function Parts({ draft }: { draft: LessonEdit }) {
           {titleOf(draft, section)}
         </button>
       ))}
-      <Add word="page-maker-add-step" off={steps.length >= MOST_STEPS} onClick={() => making.addStep()} />
+      <Add words={t("page-maker-add-step")} off={steps.length >= MOST_STEPS} onClick={() => making.addStep()} />
     </nav>
   );
 }

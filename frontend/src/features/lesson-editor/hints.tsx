@@ -2,9 +2,12 @@
 
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
+import { choice } from "../../ui/form/choice";
+import { FormField } from "../../ui/form/field";
+import { Parts } from "../../ui/form/parts";
 import type { HintContent, StepContent } from "../lessons/lesson-edit";
 import { kindWords } from "./fields";
-import { Add, ChoiceInput, Part, TextInput } from "./inputs";
+import { Translated } from "./inputs";
 
 const LEVELS = [0, 1, 2] as const;
 const MOST = 30;
@@ -12,24 +15,22 @@ const MOST = 30;
 export function Hints({ step, index }: { step: StepContent; index: number }) {
   const making = usePage().lessonMaking;
   const { hint: hints = [], check: checks = [] } = step;
-  const take = (hint: readonly HintContent[]) => making.editStep(index, { hint });
   const names = new Set(checks.map((one) => String(one.name ?? one.kind)));
   if (checks.length === 0 && hints.length === 0) return null;
   return (
     <section class="maker-group">
       <h3>{t("page-maker-hints")}</h3>
       <p class="dim">{t("page-maker-hints-help")}</p>
-      {hints.map((rule, at) => (
-        <Part key={at} title={t("page-maker-hint", { number: at + 1 })} remove={() => take(hints.toSpliced(at, 1))}>
-          <Rule
-            rule={rule}
-            path={["step", index, "hint", at]}
-            names={[...names]}
-            take={(changed) => take(hints.with(at, changed))}
-          />
-        </Part>
-      ))}
-      <Add word="page-maker-add-hint" off={hints.length >= MOST} onClick={() => take([...hints, { say: [{}] }])} />
+      <Parts
+        values={hints}
+        take={(hint) => making.editStep(index, { hint })}
+        title={(number) => t("page-maker-hint", { number })}
+        add={t("page-maker-add-hint")}
+        fresh={() => ({ say: [{}] })}
+        most={MOST}
+      >
+        {(rule, take, at) => <Rule rule={rule} path={["step", index, "hint", at]} names={[...names]} take={take} />}
+      </Parts>
     </section>
   );
 }
@@ -51,15 +52,15 @@ function Rule({ rule, path, names, take }: RuleProps) {
   };
   return (
     <>
-      <ChoiceInput
-        word="page-maker-hint-check"
+      <FormField
+        label={t("page-maker-hint-check")}
         path={[...path, "check"]}
         value={check}
-        options={[["", t("page-maker-any-check")], ...all.map((one) => [one, kindWords(one)] as const)]}
+        {...choice([["", t("page-maker-any-check")], ...all.map((name) => [name, kindWords(name)] as const)])}
         take={choose}
       />
       {LEVELS.map((level) => (
-        <TextInput
+        <Translated
           key={level}
           word={`page-maker-hint-level-${level + 1}`}
           path={[...path, "say", level]}

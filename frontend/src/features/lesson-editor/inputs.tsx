@@ -1,183 +1,80 @@
-/** The inputs of the lesson editor; each shows the mistakes at its place. */
+/** The inputs of the lesson editor: texts in several languages, and the choice of one of them. */
 
-import type { ComponentChildren } from "preact";
-import { useId } from "preact/hooks";
-import { say, t } from "../../i18n";
+import { languages, say, t } from "../../i18n";
 import { usePage } from "../../model/page";
-import { IconButton } from "../../ui/button";
+import { FormField } from "../../ui/form/field";
+import type { Form, Path } from "../../ui/form/form";
 import { languageName } from "../../ui/language-name";
 import type { Texts } from "../lessons/lesson-edit";
 import { inLanguage } from "../lessons/lessons";
-import type { Path } from "../lessons/making";
+import type { LessonMaking } from "../lessons/making";
+
+const LONGEST = 200;
+/** The lines of a long text, and of a program. */
+const LONG = 9;
+const PROGRAM = 8;
+
+/** The server judges all values of a lesson together. */
+export function formOf(making: LessonMaking): Form {
+  return { problems: (path) => making.problemsAt(path).map(({ message }) => say(message)) };
+}
 
 interface Props {
   /** The code of the label. */
   readonly word: string;
   readonly path: Path;
-}
-
-interface FieldProps extends Props {
-  readonly help?: string;
-  readonly children: (id: string, described: Described) => ComponentChildren;
-}
-
-interface Described {
-  readonly "aria-invalid": boolean;
-  readonly "aria-describedby": string;
-}
-
-/** A label, an input, and what is wrong with its value. */
-export function Field({ word, path, help, children }: FieldProps) {
-  const [id, note] = [useId(), useId()];
-  const problems = usePage().lessonMaking.problemsAt(path);
-  return (
-    <div class="field maker-field">
-      <label for={id}>{t(word)}</label>
-      {children(id, { "aria-invalid": problems.length > 0, "aria-describedby": note })}
-      <span id={note}>
-        {help && <span class="dim">{t(help)}</span>}
-        <Problems path={path} />
-      </span>
-    </div>
-  );
-}
-
-/** The mistakes at a place. */
-export function Problems({ path }: { path: Path }) {
-  const problems = usePage().lessonMaking.problemsAt(path);
-  return (
-    <>
-      {problems.map(({ message }) => (
-        <span key={say(message)} class="maker-problem">
-          {say(message)}
-        </span>
-      ))}
-    </>
-  );
-}
-
-interface TextProps extends Props {
   readonly text: Texts | undefined;
   readonly take: (text: Texts) => void;
-  readonly long?: boolean;
+  readonly isLong?: boolean;
   readonly longest?: number;
 }
 
 /** A text in the language in which the teacher writes; that of another language shows what is missing. */
-export function TextInput({ word, path, text = {}, take, long = false, longest = 200 }: TextProps) {
-  const { writing } = usePage().lessonMaking;
-  const code = writing.value;
+export function Translated({ word, path, text = {}, take, isLong = false, longest = LONGEST }: Props) {
+  const code = usePage().lessonMaking.writing.value;
   const other = text[code] ? "" : inLanguage(text);
-  const props = {
-    value: text[code] ?? "",
-    maxLength: longest,
-    lang: code,
-    placeholder: other ? t("page-maker-fallback", { text: other.slice(0, 80) }) : "",
-    onInput: ({ currentTarget }: { currentTarget: { value: string } }) =>
-      take({ ...text, [code]: currentTarget.value }),
-  };
   return (
-    <Field word={word} path={path}>
-      {(id, described) =>
-        long ? <textarea id={id} rows={9} {...props} {...described} /> : <input id={id} {...props} {...described} />
-      }
-    </Field>
+    <FormField
+      label={t(word)}
+      path={path}
+      shape={{ kind: "text", longest, ...(isLong && { rows: LONG }) }}
+      value={text[code] ?? ""}
+      take={(written) => take({ ...text, [code]: written ?? "" })}
+      lang={code}
+      placeholder={other ? t("page-maker-fallback", { text: other.slice(0, 80) }) : ""}
+    />
   );
 }
 
-interface NumberProps extends Props {
-  readonly value: number | undefined;
-  readonly least: number;
-  readonly most: number;
-  readonly whole?: boolean;
-  readonly optional?: boolean;
-  readonly take: (value: number | undefined) => void;
-}
-
-export function NumberInput({ word, path, value, least, most, whole = true, optional = false, take }: NumberProps) {
-  return (
-    <Field word={word} path={path}>
-      {(id, described) => (
-        <input
-          id={id}
-          type="number"
-          min={least}
-          max={most}
-          step={whole ? 1 : "any"}
-          required={!optional}
-          value={value ?? ""}
-          onInput={({ currentTarget }) => take(currentTarget.value === "" ? undefined : Number(currentTarget.value))}
-          {...described}
-        />
-      )}
-    </Field>
-  );
-}
-
-interface ChoiceProps extends Props {
-  readonly value: string;
-  /** Their values and words. */
-  readonly options: readonly (readonly [string, string])[];
-  readonly take: (value: string) => void;
+interface ProgramProps {
+  readonly word: string;
+  readonly path: Path;
+  readonly text: string;
+  readonly take: (text: string) => void;
+  readonly rows?: number;
   readonly help?: string;
 }
 
-export function ChoiceInput({ word, path, help, value, options, take }: ChoiceProps) {
+/** A program, or lines of one. */
+export function ProgramText({ word, path, text, take, rows = PROGRAM, help }: ProgramProps) {
   return (
-    <Field word={word} path={path} help={help}>
-      {(id, described) => (
-        <select id={id} value={value} onChange={({ currentTarget }) => take(currentTarget.value)} {...described}>
-          {options.map(([option, words]) => (
-            <option key={option} value={option}>
-              {words}
-            </option>
-          ))}
-        </select>
-      )}
-    </Field>
-  );
-}
-
-interface TickProps {
-  readonly text: string;
-  readonly value: boolean;
-  readonly take: (value: boolean) => void;
-}
-
-export function Tick({ text, value, take }: TickProps) {
-  return (
-    <label class="check">
-      <input type="checkbox" checked={value} onChange={({ currentTarget }) => take(currentTarget.checked)} />
-      {text}
-    </label>
-  );
-}
-
-/** A part of the form with a button that deletes it. */
-export function Part({ title, remove, children }: { title: string; remove: () => void; children: ComponentChildren }) {
-  return (
-    <fieldset class="maker-part">
-      <legend>{title}</legend>
-      <div class="maker-part-body">{children}</div>
-      <IconButton icon="trash" word="page-maker-remove" values={{ title }} onClick={remove} />
-    </fieldset>
-  );
-}
-
-export function Add({ word, onClick, off = false }: { word: string; onClick: () => void; off?: boolean }) {
-  return (
-    <button type="button" class="button bordered maker-add" disabled={off} onClick={onClick}>
-      {t(word)}
-    </button>
+    <FormField
+      label={t(word)}
+      path={path}
+      help={help}
+      shape={{ kind: "text", rows, isCode: true }}
+      value={text}
+      take={(written) => take(written ?? "")}
+    />
   );
 }
 
 /** The choice of the language in which the teacher writes. */
-export function Languages({ codes }: { codes: readonly string[] }) {
+export function Languages() {
   const { writing } = usePage().lessonMaking;
   return (
     <div class="maker-languages" role="group" aria-label={t("page-maker-languages")}>
-      {codes.map((code) => (
+      {languages.map((code) => (
         <button
           key={code}
           type="button"

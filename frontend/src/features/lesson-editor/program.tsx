@@ -3,8 +3,12 @@
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
 import type { WrittenProgram } from "../../protocol/messages";
+import { choice } from "../../ui/form/choice";
+import { FormField } from "../../ui/form/field";
 import { EMPTY_PROGRAM } from "../lessons/lesson-edit";
-import { ChoiceInput, Field } from "./inputs";
+import { ProgramText } from "./inputs";
+
+const MOST_ROWS = 16;
 
 interface Props {
   /** The index of the step. */
@@ -29,15 +33,15 @@ export function ProgramInput({ index, which }: Props) {
   const path = ["step", index, which];
   return (
     <div class="maker-program">
-      <ChoiceInput
-        word={`page-maker-${which}`}
+      <FormField
+        label={t(`page-maker-${which}`)}
         path={[...path, "notation"]}
         value={source}
-        options={[
+        {...choice([
           ["none", t(none)],
           ["blocktext", t("page-maker-in-blocktext")],
           ["python", t("page-maker-in-python")],
-        ]}
+        ])}
         take={choose}
       />
       {open && open.text !== program?.text && (
@@ -46,19 +50,13 @@ export function ProgramInput({ index, which }: Props) {
         </button>
       )}
       {program && (
-        <Field word={`page-maker-${which}-text`} path={path}>
-          {(id, described) => (
-            <textarea
-              id={id}
-              class="maker-code"
-              rows={Math.min(16, program.text.split("\n").length + 1)}
-              spellcheck={false}
-              value={program.text}
-              onInput={({ currentTarget }) => take({ ...program, text: currentTarget.value })}
-              {...described}
-            />
-          )}
-        </Field>
+        <ProgramText
+          word={`page-maker-${which}-text`}
+          path={path}
+          rows={Math.min(MOST_ROWS, program.text.split("\n").length + 1)}
+          text={program.text}
+          take={(text) => take({ ...program, text })}
+        />
       )}
     </div>
   );

@@ -2,9 +2,11 @@
 
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
+import type { Path } from "../../ui/form/form";
+import { Tick } from "../../ui/form/inputs";
+import { Parts } from "../../ui/form/parts";
 import { EMPTY_PROGRAM, type PuzzleContent, type StepContent } from "../lessons/lesson-edit";
-import type { Path } from "../lessons/making";
-import { Add, Field, Part, Tick } from "./inputs";
+import { ProgramText } from "./inputs";
 
 const MOST = 10;
 
@@ -29,32 +31,19 @@ export function Puzzle({ step, index }: Props) {
       <Tick text={t("page-maker-puzzle-on")} value={puzzle != null} take={turn} />
       {puzzle && (
         <div class="maker-beside">
-          <Field word="page-maker-puzzle-program" path={[...path, "program"]}>
-            {(id, described) => (
-              <textarea
-                id={id}
-                class="maker-code"
-                rows={8}
-                spellcheck={false}
-                value={making.draft.value?.programs[puzzle.program] ?? ""}
-                onInput={({ currentTarget }) => making.editProgram(puzzle.program, currentTarget.value)}
-                {...described}
-              />
-            )}
-          </Field>
-          <Field word="page-maker-distractors" path={[...path, "distractors"]} help="page-maker-lines-help">
-            {(id, described) => (
-              <textarea
-                id={id}
-                class="maker-code"
-                rows={8}
-                spellcheck={false}
-                value={(puzzle.distractors ?? []).join("\n")}
-                onInput={({ currentTarget }) => take({ ...puzzle, distractors: currentTarget.value.split("\n") })}
-                {...described}
-              />
-            )}
-          </Field>
+          <ProgramText
+            word="page-maker-puzzle-program"
+            path={[...path, "program"]}
+            text={making.draft.value?.programs[puzzle.program] ?? ""}
+            take={(text) => making.editProgram(puzzle.program, text)}
+          />
+          <ProgramText
+            word="page-maker-distractors"
+            path={[...path, "distractors"]}
+            help={t("page-maker-lines-help")}
+            text={(puzzle.distractors ?? []).join("\n")}
+            take={(text) => take({ ...puzzle, distractors: text.split("\n") })}
+          />
         </div>
       )}
       {puzzle && <OtherOrders puzzle={puzzle} path={[...path, "also"]} take={take} />}
@@ -71,36 +60,18 @@ interface OrdersProps {
 /** Other orders of the same lines that are as right. */
 function OtherOrders({ puzzle, path, take }: OrdersProps) {
   const making = usePage().lessonMaking;
-  const { also = [] } = puzzle;
-  const takeAll = (orders: readonly string[]) => take({ ...puzzle, also: orders });
   return (
-    <>
-      {also.map((order, at) => (
-        <Part
-          key={at}
-          title={t("page-maker-puzzle-also", { number: at + 2 })}
-          remove={() => takeAll(also.toSpliced(at, 1))}
-        >
-          <Field word="page-maker-puzzle-also-program" path={[...path, at]}>
-            {(id, described) => (
-              <textarea
-                id={id}
-                class="maker-code"
-                rows={8}
-                spellcheck={false}
-                value={order}
-                onInput={({ currentTarget }) => takeAll(also.with(at, currentTarget.value))}
-                {...described}
-              />
-            )}
-          </Field>
-        </Part>
-      ))}
-      <Add
-        word="page-maker-add-order"
-        off={also.length >= MOST}
-        onClick={() => takeAll([...also, making.draft.value?.programs[puzzle.program] ?? ""])}
-      />
-    </>
+    <Parts
+      values={puzzle.also ?? []}
+      take={(also) => take({ ...puzzle, also })}
+      title={(number) => t("page-maker-puzzle-also", { number: number + 1 })}
+      add={t("page-maker-add-order")}
+      fresh={() => making.draft.value?.programs[puzzle.program] ?? ""}
+      most={MOST}
+    >
+      {(order, takeOrder, at) => (
+        <ProgramText word="page-maker-puzzle-also-program" path={[...path, at]} text={order} take={takeOrder} />
+      )}
+    </Parts>
   );
 }

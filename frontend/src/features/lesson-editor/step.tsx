@@ -5,13 +5,15 @@ import { useEffect } from "preact/hooks";
 
 import { language, t } from "../../i18n";
 import { usePage } from "../../model/page";
+import { choice } from "../../ui/form/choice";
+import { FormField } from "../../ui/form/field";
 import { titleOf } from "../block-sets/block-sets";
 import type { Phase, StepContent } from "../lessons/lesson-edit";
 import { inLanguage } from "../lessons/lessons";
 import type { MarkdownPart } from "../lessons/markdown";
 import { Checks } from "./checks";
 import { Hints } from "./hints";
-import { ChoiceInput, NumberInput, TextInput } from "./inputs";
+import { Translated } from "./inputs";
 import { ProgramInput } from "./program";
 import { Puzzle } from "./puzzle";
 import { Quiz } from "./quiz";
@@ -29,17 +31,17 @@ export function Step({ step, index }: Props) {
   return (
     <>
       <div class="maker-row">
-        <TextInput
+        <Translated
           word="page-maker-step-title"
           path={[...path, "title"]}
           text={step.title}
           take={(title) => making.editStep(index, { title })}
         />
-        <ChoiceInput
-          word="page-maker-phase"
+        <FormField
+          label={t("page-maker-phase")}
           path={[...path, "phase"]}
           value={step.phase}
-          options={PHASES.map((one) => [one, t(`page-lesson-phase-${one}`)] as const)}
+          {...choice(PHASES.map((one) => [one, t(`page-lesson-phase-${one}`)] as const))}
           take={(phase) => making.editStep(index, { phase: phase as Phase })}
         />
       </div>
@@ -48,22 +50,19 @@ export function Step({ step, index }: Props) {
       <div class="maker-row">
         <World step={step} index={index} />
         <Blocks step={step} index={index} />
-        <NumberInput
-          word="page-maker-variants"
+        <FormField
+          label={t("page-maker-variants")}
           path={[...path, "variants"]}
+          shape={{ kind: "number", least: 0, most: 100, step: 1 }}
           value={step.variants ?? 0}
-          least={0}
-          most={100}
-          take={(variants) => making.editStep(index, { variants })}
+          take={(variants) => making.editStep(index, { variants: variants ?? undefined })}
         />
-        <NumberInput
-          word="page-maker-seconds"
+        <FormField
+          label={t("page-maker-seconds")}
           path={[...path, "seconds"]}
+          shape={{ kind: "number", least: 1, most: 600 }}
           value={step.seconds ?? 60}
-          least={1}
-          most={600}
-          whole={false}
-          take={(seconds) => making.editStep(index, { seconds })}
+          take={(seconds) => making.editStep(index, { seconds: seconds ?? undefined })}
         />
       </div>
       <Checks step={step} index={index} />
@@ -89,12 +88,12 @@ function Instructions({ step, index }: Props) {
   const shown = step.text[making.writing.value] || inLanguage(step.text);
   return (
     <div class="maker-beside">
-      <TextInput
+      <Translated
         word="page-maker-text"
         path={["step", index, "text"]}
         text={step.text}
         take={(text) => making.editStep(index, { text })}
-        long
+        isLong
         longest={8000}
       />
       <section class="maker-preview" aria-label={t("page-maker-preview")}>
@@ -120,11 +119,11 @@ function World({ step, index }: Props) {
   const all = step.world && !names.includes(step.world) ? [...names, step.world] : names;
   const before = [["", t(index > 0 ? "page-maker-as-before" : "page-maker-robots-world")]] as const;
   return (
-    <ChoiceInput
-      word="page-maker-world"
+    <FormField
+      label={t("page-maker-world")}
       path={["step", index, "world"]}
       value={step.world ?? ""}
-      options={[...before, ...all.map((name) => [name, project.worldTitle(name)] as const)]}
+      {...choice([...before, ...all.map((name) => [name, project.worldTitle(name)] as const)])}
       take={(world) => making.editStep(index, { world: world || undefined })}
     />
   );
@@ -149,12 +148,12 @@ function Blocks({ step, index }: Props) {
     known.set(now, count ? t("page-maker-some-blocks", { count }) : now);
   }
   return (
-    <ChoiceInput
+    <FormField
       key={language.value}
-      word="page-maker-blocks"
+      label={t("page-maker-blocks")}
       path={["step", index, "blocks"]}
       value={now}
-      options={[...known]}
+      {...choice([...known])}
       take={(chosen) => making.editStep(index, { blocks: blocksOf(chosen) })}
     />
   );

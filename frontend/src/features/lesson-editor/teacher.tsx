@@ -5,7 +5,7 @@ import { usePage } from "../../model/page";
 import type { TriedProgram } from "../../protocol/messages";
 import { Icon } from "../../ui/icons";
 import type { LessonEdit } from "../lessons/lesson-edit";
-import { TextInput } from "./inputs";
+import { Translated } from "./inputs";
 
 const LONGEST_NOTES = 20_000;
 
@@ -15,12 +15,12 @@ export function Teacher({ draft }: { draft: LessonEdit }) {
   return (
     <>
       <p class="dim">{t("page-maker-teacher-help")}</p>
-      <TextInput
+      <Translated
         word="page-maker-notes"
         path={["notes"]}
         text={draft.notes}
         take={(notes) => making.edit((one) => ({ ...one, notes }))}
-        long
+        isLong
         longest={LONGEST_NOTES}
       />
       <Trial />
@@ -69,7 +69,7 @@ function Trial() {
       <div role="status">
         {tried && count > 0 && <p>{t("page-maker-trial-done", { done, count })}</p>}
         {tried && !running && count === 0 && <p>{t("page-maker-trial-none")}</p>}
-        {problem && <p class="maker-problem">{say(problem)}</p>}
+        {problem && <p class="form-problem">{say(problem)}</p>}
         <ul class="maker-tried">
           {programs.map((one, index) => (
             <Tried key={index} program={one} />
@@ -88,7 +88,7 @@ function Tried({ program: { sort, step, right = 0, attempts = 0, problems = [] }
       <span>
         {t(`page-maker-tried-${sort}`, { step, right, attempts })}
         {problems.map((one) => (
-          <span key={say(one)} class="maker-problem">
+          <span key={say(one)} class="form-problem">
             {say(one)}
           </span>
         ))}

@@ -8,6 +8,7 @@ import type { Program } from "../../model/program";
 import type { Connection } from "../../protocol/connection";
 import type { EditedStep, LessonExamined, LessonTried, WrittenProgram } from "../../protocol/messages";
 import { bytesOf, saveFile } from "../../ui/files";
+import type { Path } from "../../ui/form/form";
 import { UnsavedEdits } from "../../ui/storage";
 import type { Toasts } from "../../ui/toasts";
 import {
@@ -31,8 +32,6 @@ const UNSAVED = new UnsavedEdits<LessonEdit>("learnblock.lessons");
 
 /** What the editor shows: what the lesson is about, a step by its index, or what is for the teacher. */
 export type Section = "about" | "teacher" | number;
-/** A place in the lesson, such as `["step", 0, "title"]`. */
-export type Path = readonly (string | number)[];
 
 interface Others {
   readonly program: Program;

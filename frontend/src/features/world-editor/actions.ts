@@ -1,6 +1,6 @@
 /** The buttons over the plan. */
 
-import { effect, type ReadonlySignal, signal } from "@preact/signals";
+import { effect, type ReadonlySignal } from "@preact/signals";
 import { t } from "../../i18n";
 import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
@@ -16,6 +16,10 @@ const PICTURES = {
   delete: "M5 7h14M9 7V4h6v3M7 7l1 13h8l1-13M10.500 11v5M13.500 11v5",
   nearer: "M10.500 4a6.500 6.500 0 1 0 0 13 6.500 6.500 0 0 0 0-13M15.500 15.500 21 21M10.500 7.500v6M7.500 10.500h6",
   farther: "M10.500 4a6.500 6.500 0 1 0 0 13 6.500 6.500 0 0 0 0-13M15.500 15.500 21 21M7.500 10.500h6",
+  larger: "M4 20h16V4H4zM12 8v8M8 12h8",
+  smaller: "M4 20h16V4H4zM8 12h8",
+  room: "M12 3l8 4.500v9L12 21l-8-4.500v-9zM4 7.500l8 4.500 8-4.500M12 12v9",
+  plan: "M4 6l5-2 6 2 5-2v14l-5 2-6-2-5 2zM9 4v14M15 6v14",
   share: "M12 4v11M7.500 10.500 12 15l4.500-4.500M5 19h14",
   fit: "M4 9V4h5M20 9V4h-5M4 15v5h5M20 15v5h-5",
 } as const;
@@ -23,24 +27,25 @@ const PICTURES = {
 export interface Action {
   readonly name: keyof typeof PICTURES;
   readonly enabled?: ReadonlySignal<boolean>;
+  /** For a switch, whether it is on. */
+  readonly pressed?: ReadonlySignal<boolean>;
   act(): void;
 }
 
 export class WorldEditorActions implements Island {
   readonly dom = document.createElement("div");
-  /** Whether positions are rounded to the grid. */
-  readonly snaps = signal(true);
   private readonly cleanup = new Cleanup();
 
-  constructor(actions: readonly Action[]) {
+  /** @param word the code of the group's name. */
+  constructor(word: string, actions: readonly Action[]) {
     this.dom.className = "editor-actions";
     this.dom.role = "group";
     this.cleanup.add(
       effect(() => {
-        this.dom.ariaLabel = t("page-editor-actions");
+        this.dom.ariaLabel = t(word);
       }),
     );
-    this.dom.append(...actions.map((action) => this.button(action)), this.snapping());
+    this.dom.append(...actions.map((action) => this.button(action)));
   }
 
   destroy(): void {
@@ -48,34 +53,26 @@ export class WorldEditorActions implements Island {
     this.dom.remove();
   }
 
-  private button({ name, enabled, act }: Action): HTMLButtonElement {
+  private button({ name, enabled, pressed, act }: Action): HTMLButtonElement {
     const button = document.createElement("button");
     button.type = "button";
     button.dataset.action = name;
     button.append(svg("svg", { viewBox: "0 0 24 24", "aria-hidden": "true" }, svg("path", { d: PICTURES[name] })));
+    const label = document.createElement("span");
+    if (pressed) button.append(label);
     button.addEventListener("click", act);
     this.cleanup.add(
       effect(() => {
-        button.ariaLabel = button.title = t(`page-editor-action-${name}`);
+        const words = t(`page-editor-action-${name}`);
         button.disabled = enabled ? !enabled.value : false;
+        if (!pressed) button.ariaLabel = button.title = words;
+        else {
+          // Its words are beside its picture.
+          button.ariaPressed = String(pressed.value);
+          label.textContent = words;
+        }
       }),
     );
     return button;
-  }
-
-  private snapping(): HTMLLabelElement {
-    const label = document.createElement("label");
-    const box = document.createElement("input");
-    const words = document.createElement("span");
-    box.type = "checkbox";
-    box.checked = this.snaps.peek();
-    box.addEventListener("change", () => (this.snaps.value = box.checked));
-    label.append(box, words);
-    this.cleanup.add(
-      effect(() => {
-        words.textContent = t("page-editor-snap");
-      }),
-    );
-    return label;
   }
 }

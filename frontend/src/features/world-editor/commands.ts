@@ -1,11 +1,13 @@
 /** Commands on a draft, for buttons and keys. */
 
-import type { Sort } from "../../views/world/plan/sorts";
 import { key, type Ref, thingAt } from "../../views/world/plan/sorts";
 import type { XY } from "../../views/world/scenery/description";
-import { added, allowedPlace, created, duplicated, GRID, moved, removed, replaced, turned } from "./things";
+import type { Offer } from "./offers";
+import { added, allowedPlace, created, duplicated, enlarged, GRID, moved, removed, replaced, turned } from "./things";
 import type { WorldEdit } from "./world-edit";
 
+/** The factor by which a button or key enlarges. */
+export const LARGER = 1.25;
 /** Degrees by which a button or key turns. */
 export const TURN = 15;
 
@@ -14,10 +16,11 @@ export class Commands {
   constructor(private readonly draft: WorldEdit) {}
 
   /** Add an object at a place, or as near to it as the floor allows. */
-  add(sort: Sort, place: XY): Ref | null {
+  add({ sort, kind }: Offer, place: XY): Ref | null {
     const world = this.draft.world.peek();
     if (!world) return null;
-    const [changed, ref] = added(world, sort, created(world, sort, allowedPlace(world, sort, place)));
+    const thing = created(world, sort, allowedPlace(world, sort, place));
+    const [changed, ref] = added(world, sort, kind ? { ...thing, kind } : thing);
     this.draft.change(changed, "", ref);
     return ref;
   }
@@ -39,6 +42,12 @@ export class Commands {
     const { world, ref } = this.selection();
     const thing = world && ref && thingAt(world, ref);
     if (thing) this.draft.change(replaced(world, ref, turned(thing, degrees)), `turn ${key(ref)}`);
+  }
+
+  enlarge(factor: number): void {
+    const { world, ref } = this.selection();
+    const thing = world && ref && thingAt(world, ref);
+    if (thing) this.draft.change(replaced(world, ref, enlarged(ref.sort, thing, factor)), `enlarge ${key(ref)}`);
   }
 
   /** Move by grid steps, or by a different distance in mm. */

@@ -7,16 +7,17 @@ import type { WorldToEdit } from "../../protocol/messages";
 import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
 import { UnsavedEdits } from "../../ui/storage";
-import type { Ref, Sort } from "../../views/world/plan/sorts";
+import type { Ref } from "../../views/world/plan/sorts";
 import type { WorldValues } from "../../views/world/scenery/description";
 import { type Action, WorldEditorActions } from "./actions";
+import { Board } from "./board";
 import type { Carried } from "./carrying";
 import { Checking } from "./checking";
-import { Commands, TURN } from "./commands";
+import { Commands, LARGER, TURN } from "./commands";
 import { editorKeys } from "./keys";
+import { isSameOffer, type Offer, wordOf } from "./offers";
 import { ThingPalette } from "./palette";
-import { Plan } from "./plan";
-import { Properties } from "./properties";
+import { createProperties } from "./properties";
 import { hasPlace, Putting } from "./putting";
 import { Saving } from "./saving";
 import { Templates } from "./templates";
@@ -34,17 +35,20 @@ export class WorldEditor implements Island {
   /** The world as it was read or saved last. */
   private readonly opened = signal<{ readonly name: string; readonly world: WorldValues } | null>(null);
   private readonly commands = new Commands(this.draft);
-  private readonly actions = new WorldEditorActions(this.offered());
+  /** Whether positions are rounded to the grid. */
+  private readonly snaps = signal(true);
   private readonly putting = new Putting();
   private readonly palette = new ThingPalette(
     this.draft,
-    this.putting.sort,
-    (sort) => this.choose(sort),
-    (sort) => this.carry(sort),
+    this.putting.offer,
+    (offer) => this.choose(offer),
+    (offer) => this.carry(offer),
   );
-  private readonly properties = new Properties(this.draft);
+  private readonly properties = createProperties(this.draft, this.snaps);
   private readonly checking: Checking;
-  private readonly plan: Plan;
+  private readonly board: Board;
+  private readonly actions: WorldEditorActions;
+  private readonly objectActions: WorldEditorActions;
   private readonly saving: Saving;
   private readonly templates: Templates;
   private readonly help = document.createElement("p");
@@ -54,21 +58,25 @@ export class WorldEditor implements Island {
   constructor(
     private readonly context: Context,
     private readonly freeTitle: (name: string) => string,
+    private readonly leave: (title: string) => void,
   ) {
     const { connection } = context;
     this.checking = new Checking(this.draft, connection);
-    this.plan = new Plan(
+    this.board = new Board(
       this.draft,
-      () => this.actions.snaps.peek(),
+      () => this.snaps.peek(),
       this.putting,
       () => this.put(),
       this.checking.unreachable,
+      context.running,
     );
+    this.actions = new WorldEditorActions("page-editor-actions", this.worldActions());
+    this.objectActions = new WorldEditorActions("page-editor-selected", this.thingActions());
     this.templates = new Templates({
       empty: () => this.read(NEW),
       make: (template, size, seed) => connection.send({ kind: "MakeWorld", template, size, seed }),
     });
-    this.saving = new Saving(this.draft, connection, this.checking.problems, (name) => this.saved(name));
+    this.saving = new Saving(this.draft, connection, this.checking.problems, (name, title) => this.saved(name, title));
     this.build();
     this.cleanup = new Cleanup(
       connection.on("WorldToEdit", (message) => this.open(message)),
@@ -86,7 +94,16 @@ export class WorldEditor implements Island {
   }
 
   private get parts(): readonly { destroy(): void }[] {
-    return [this.actions, this.plan, this.palette, this.properties, this.checking, this.saving, this.templates];
+    return [
+      this.actions,
+      this.objectActions,
+      this.board,
+      this.palette,
+      this.properties,
+      this.checking,
+      this.saving,
+      this.templates,
+    ];
   }
 
   private build(): void {
@@ -95,38 +112,54 @@ export class WorldEditor implements Island {
     this.told.className = "hidden";
     this.told.role = "status";
     const head = part("head", this.actions.dom, this.saving.dom);
-    const middle = part("editor-middle", this.plan.dom, this.checking.dom, this.help, this.told);
-    const side = part("editor-side", this.properties.dom);
+    const middle = part("editor-middle", this.board.dom, this.checking.dom, this.help, this.told);
+    const side = part("editor-side", this.objectActions.dom, this.properties.dom);
     this.dom.append(head, this.templates.dom, this.palette.dom, middle, side);
     this.dom.addEventListener("keydown", (event) => this.cancel(event));
-    this.plan.dom.addEventListener("pointerdown", () => this.templates.close());
-    this.dom.addEventListener("keydown", editorKeys(this.draft, this.commands, this.plan));
+    this.board.dom.addEventListener("pointerdown", () => this.templates.close());
+    this.dom.addEventListener("keydown", editorKeys(this.draft, this.commands, this.board));
   }
 
   private words(): void {
-    const sort = this.putting.sort.value;
-    const named = sort && t(`page-editor-sort-${sort}`);
-    this.help.classList.toggle("puts", sort !== null);
+    const offer = this.putting.offer.value;
+    const named = offer && t(wordOf(offer));
+    this.help.classList.toggle("puts", offer !== null);
     this.help.textContent = named ? t("page-editor-put", { sort: named }) : t("page-editor-help");
     const [x, y] = this.putting.place.value;
     this.told.textContent = named ? t("page-editor-at", { name: named, x: Math.round(x), y: Math.round(y) }) : "";
   }
 
-  private offered(): Action[] {
-    const { draft } = this;
-    const selected = computed(() => draft.selected.value !== null);
+  private worldActions(): Action[] {
+    const { draft, board } = this;
     return [
       { name: "new", act: () => this.templates.toggle() },
       { name: "undo", enabled: draft.canUndo, act: () => draft.undo() },
       { name: "redo", enabled: draft.canRedo, act: () => draft.redo() },
-      { name: "duplicate", enabled: selected, act: () => this.show(this.commands.duplicate()) },
-      { name: "left", enabled: selected, act: () => this.commands.turn(-TURN) },
-      { name: "right", enabled: selected, act: () => this.commands.turn(TURN) },
-      { name: "delete", enabled: selected, act: () => this.commands.remove() },
-      { name: "nearer", act: () => this.plan.viewport.zoom(0.75) },
-      { name: "farther", act: () => this.plan.viewport.zoom(1 / 0.75) },
-      { name: "fit", act: () => this.plan.fit() },
+      ...(board.hasRoom ? this.views() : []),
+      { name: "nearer", act: () => board.zoom(0.75) },
+      { name: "farther", act: () => board.zoom(1 / 0.75) },
+      { name: "fit", act: () => board.fit() },
       { name: "share", enabled: computed(() => this.isSaved()), act: () => this.share() },
+    ];
+  }
+
+  private views(): Action[] {
+    const { board } = this;
+    return [
+      { name: "room", pressed: computed(() => board.isRoom), act: () => board.look("room") },
+      { name: "plan", pressed: computed(() => !board.isRoom), act: () => board.look("plan") },
+    ];
+  }
+
+  private thingActions(): Action[] {
+    const enabled = computed(() => this.draft.selected.value !== null);
+    return [
+      { name: "left", enabled, act: () => this.commands.turn(-TURN) },
+      { name: "right", enabled, act: () => this.commands.turn(TURN) },
+      { name: "larger", enabled, act: () => this.commands.enlarge(LARGER) },
+      { name: "smaller", enabled, act: () => this.commands.enlarge(1 / LARGER) },
+      { name: "duplicate", enabled, act: () => this.show(this.commands.duplicate()) },
+      { name: "delete", enabled, act: () => this.commands.remove() },
     ];
   }
 
@@ -141,14 +174,12 @@ export class WorldEditor implements Island {
     if (save_as === name) this.saving.propose(world.title || name, name);
     else this.saving.propose(this.freeTitle(name));
     if (left) this.goOn(left);
-    this.plan.fit();
+    this.board.fit();
   }
 
-  /** Continue with the saved world. */
-  private saved(name: string): void {
-    const world = this.draft.world.peek();
+  private saved(name: string, title: string): void {
     UNSAVED.drop(this.opened.peek()?.name ?? name);
-    if (world) this.opened.value = { name, world };
+    this.leave(title);
   }
 
   /** Continue an unsaved edit; undo goes back to the file's content. */
@@ -167,7 +198,7 @@ export class WorldEditor implements Island {
     this.opened.value = { name: NEW, world };
     this.draft.change(world, "template", null);
     this.saving.propose(this.templates.title);
-    this.plan.fit();
+    this.board.fit();
   }
 
   private isSaved(): boolean {
@@ -180,27 +211,27 @@ export class WorldEditor implements Island {
     if (name) this.context.connection.send({ kind: "ExportWorld", name });
   }
 
-  /** The next press on the plan puts such an object there. */
-  private choose(sort: Sort): void {
-    if (!hasPlace(sort)) {
-      this.show(this.commands.add(sort, [0, 0]));
+  /** The next press on the board puts such an object there. */
+  private choose(offer: Offer): void {
+    if (!hasPlace(offer)) {
+      this.show(this.commands.add(offer, [0, 0]));
       return;
     }
-    if (this.putting.sort.peek() === sort) {
+    if (isSameOffer(this.putting.offer.peek(), offer)) {
       this.putting.end();
       return;
     }
-    const [x, y] = this.plan.viewport.centre;
-    this.putting.begin(sort, [snapped(x), snapped(y)]);
-    this.plan.focusCross();
+    const [x, y] = this.board.centre;
+    this.putting.begin(offer, [snapped(x), snapped(y)]);
+    this.board.focusCross();
   }
 
-  private carry(sort: Sort): Carried {
+  private carry(offer: Offer): Carried {
     return {
-      move: (event) => this.putting.begin(sort, this.plan.placeAt(event)),
+      move: (event) => this.putting.begin(offer, this.board.placeAt(event)),
       drop: (event) => {
-        if (!this.plan.isOver(event)) this.putting.end();
-        else if (!hasPlace(sort)) this.choose(sort);
+        if (!this.board.isOver(event)) this.putting.end();
+        else if (!hasPlace(offer)) this.choose(offer);
         else this.show(this.put());
       },
       cancel: () => this.putting.end(),
@@ -209,21 +240,21 @@ export class WorldEditor implements Island {
 
   private put(): Ref | null {
     const given = this.putting.end();
-    return given && this.commands.add(given.sort, given.place);
+    return given && this.commands.add(given.offer, given.place);
   }
 
   /** Escape ends what has begun before it closes the editor. */
   private cancel(event: KeyboardEvent): void {
     if (event.key !== "Escape") return;
-    const sort = this.putting.end()?.sort;
-    if (sort) this.palette.focus(sort);
+    const offer = this.putting.end()?.offer;
+    if (offer) this.palette.focus(offer);
     else if (!this.templates.close()) return;
     event.preventDefault();
     event.stopPropagation();
   }
 
   private show(ref: Ref | null): void {
-    if (ref) this.plan.focus(ref);
+    if (ref) this.board.focus(ref);
   }
 }
 

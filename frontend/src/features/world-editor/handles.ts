@@ -8,7 +8,13 @@ import { hasPath } from "./things";
 
 /** Turning with a handle rounds to these degrees. */
 const TURN_STEP = 5;
-const GAP = 60;
+/** mm from an object to the handle that turns it, and from the start of a path. */
+const GAP = 140;
+const PATH_TURN = 120;
+/** Sides that are less to the north than this are neither behind nor in front. */
+const LEVEL = 0.1;
+/** mm from the edge of an object to the handle of its size, so that a small object can still be dragged. */
+const BESIDE = 45;
 /** mm from the middle of a prop of usual size to its handle. */
 const PROP_REACH = 110;
 
@@ -53,16 +59,16 @@ function stepped(heading: number): number {
 function sizes(sort: Sort, thing: Thing, pose: Pose): Handle[] {
   const size = (key: string, heading: number, factor: number): Handle => ({
     kind: "size",
-    at: from({ ...pose, heading }, Number(thing[key]) / factor),
+    at: from({ ...pose, heading }, Number(thing[key]) / factor + BESIDE),
     pull: ([x, y]) => {
       const [dx, dy] = forward(heading);
-      const reach = Math.abs((x - pose.x) * dx + (y - pose.y) * dy) * factor;
+      const reach = (Math.abs((x - pose.x) * dx + (y - pose.y) * dy) - BESIDE) * factor;
       return { ...thing, [key]: between(Math.round(reach), ...boundsOf(sort, key)) };
     },
   });
   switch (sort) {
     case "box":
-      return [size("length", pose.heading + 180, 2), size("width", pose.heading + 90, 2)];
+      return [size("length", near(pose.heading + 180), 2), size("width", near(pose.heading + 90), 2)];
     case "cylinder":
     case "reach":
     case "stop":
@@ -73,19 +79,26 @@ function sizes(sort: Sort, thing: Thing, pose: Pose): Handle[] {
       return [scaling(thing, pose)];
     case "tag":
     case "face":
-      return [size("size", pose.heading + 90, 2)];
+      return [size("size", near(pose.heading + 90), 2)];
     default:
       return [];
   }
 }
 
+/** A side of an object, or the opposite one if that is nearer to who looks from the south: in 3D, an object hides what is behind it. */
+function near(heading: number): number {
+  const [, north] = forward(heading);
+  return north > LEVEL ? heading + 180 : heading;
+}
+
 /** A handle at the side, which changes how large a prop is. */
 function scaling(thing: Thing, pose: Pose): Handle {
   const pull = ([x, y]: XY): Thing => {
-    const scale = Math.hypot(x - pose.x, y - pose.y) / PROP_REACH;
+    const scale = (Math.hypot(x - pose.x, y - pose.y) - BESIDE) / PROP_REACH;
     return { ...thing, scale: between(Math.round(scale * 20) / 20, ...boundsOf("prop", "scale")) };
   };
-  return { kind: "size", at: from({ ...pose, heading: pose.heading + 90 }, PROP_REACH * Number(thing.scale)), pull };
+  const reach = PROP_REACH * Number(thing.scale) + BESIDE;
+  return { kind: "size", at: from({ ...pose, heading: near(pose.heading + 90) }, reach), pull };
 }
 
 function corners(thing: Thing, closed: boolean): Handle[] {
@@ -118,7 +131,7 @@ function pathHandles(line: LineValues): Handle[] {
     { kind: "corner", at: [x, y], pull: (to) => ({ ...thing, start: [...to, heading] }) },
     {
       kind: "turn",
-      at: from({ x, y, heading }, 2 * GAP),
+      at: from({ x, y, heading }, PATH_TURN),
       pull: ([toX, toY]) => ({ ...thing, start: [x, y, stepped(headingOf(toX - x, toY - y))] }),
     },
   ];

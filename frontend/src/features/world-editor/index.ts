@@ -1,4 +1,4 @@
-/** The world editor: a plan of the world, a palette of objects, and the properties of each. */
+/** The world editor: the world in 3D or as a plan, a palette of objects, and the properties of each. */
 
 import "./editor.css";
 
@@ -6,7 +6,14 @@ import type { Context } from "../../model/context";
 import type { Island } from "../../ui/island";
 import { WorldEditor } from "./editor";
 
-/** @param freeTitle returns a title for a copy of a built-in world that no world has yet. */
-export function createWorldEditor(context: Context, freeTitle: (name: string) => string): Island {
-  return new WorldEditor(context, freeTitle);
+/**
+ * @param freeTitle returns a title for a copy of a built-in world that no world has yet.
+ * @param leave is called with the title of the world that was saved.
+ */
+export function createWorldEditor(
+  context: Context,
+  freeTitle: (name: string) => string,
+  leave: (title: string) => void,
+): Island {
+  return new WorldEditor(context, freeTitle, leave);
 }

@@ -1,8 +1,7 @@
 /** The editor's keys. */
 
-import type { Commands } from "./commands";
-import { TURN } from "./commands";
-import type { Plan } from "./plan";
+import type { Board } from "./board";
+import { type Commands, LARGER, TURN } from "./commands";
 import type { WorldEdit } from "./world-edit";
 
 const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
@@ -16,9 +15,9 @@ const TURNS: Readonly<Record<string, number>> = { "[": -TURN, "]": TURN, ",": -T
 const COARSE = 100;
 const FINE = 1;
 
-export function editorKeys(draft: WorldEdit, commands: Commands, plan: Plan): (event: KeyboardEvent) => void {
+export function editorKeys(draft: WorldEdit, commands: Commands, board: Board): (event: KeyboardEvent) => void {
   return (event) => {
-    if (!undoing(event, draft) && !(plan.focusedThing && onThing(event, draft, commands, plan))) return;
+    if (!undoing(event, draft) && !(board.focusedThing && onThing(event, draft, commands, board))) return;
     event.preventDefault();
     event.stopPropagation();
   };
@@ -34,15 +33,16 @@ function undoing(event: KeyboardEvent, draft: WorldEdit): boolean {
   return true;
 }
 
-function onThing(event: KeyboardEvent, draft: WorldEdit, commands: Commands, plan: Plan): boolean {
+function onThing(event: KeyboardEvent, draft: WorldEdit, commands: Commands, board: Board): boolean {
   const arrow = ARROWS[event.key];
   const turn = TURNS[event.key];
   if (arrow) commands.nudge(...arrow, event.shiftKey ? COARSE : event.altKey ? FINE : undefined);
   else if (turn) commands.turn(turn);
+  else if (event.key === "+" || event.key === "-") commands.enlarge(event.key === "+" ? LARGER : 1 / LARGER);
   else if (event.key === "Delete" || event.key === "Backspace") commands.remove();
   else if (event.key.toLowerCase() === "d" && (event.ctrlKey || event.metaKey)) {
     const copy = commands.duplicate();
-    if (copy) plan.focus(copy);
+    if (copy) board.focus(copy);
   } else if (event.key === "Escape" && draft.selected.peek()) draft.select(null);
   else return false;
   return true;

@@ -2,33 +2,19 @@
 
 import { effect, type ReadonlySignal } from "@preact/signals";
 import { t } from "../../i18n";
+import { theme } from "../../model/preferences";
 import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
 import type { Sort } from "../../views/world/plan/sorts";
 import { svg } from "../../views/world/plan/svg";
+import type { WorldValues } from "../../views/world/scenery/description";
+import { colourOf, legible } from "../../views/world/scenery/floor-colours";
+import { paletteOf } from "../../views/world/scenery/palette";
 import { type Carried, carries } from "./carrying";
+import { GROUPS, isSameOffer, type Offer, wordOf } from "./offers";
+import { PIXELS, Portraits } from "./portraits";
 import { missing } from "./things";
 import type { WorldEdit } from "./world-edit";
-
-/** In the order in which worlds are usually built. */
-const OFFERED: readonly Sort[] = [
-  "wall",
-  "box",
-  "cylinder",
-  "prop",
-  "line",
-  "tag",
-  "face",
-  "light",
-  "start",
-  "reach",
-  "follow",
-  "visit",
-  "tour",
-  "stop",
-  "show",
-  "avoid",
-];
 
 const PICTURES: Readonly<Record<Sort, string>> = {
   wall: "M3 17V8h18v9zM3 12.5h18M9 8v4.500M15 12.500V17",
@@ -49,20 +35,25 @@ const PICTURES: Readonly<Record<Sort, string>> = {
   avoid: "M14 9h7v7h-7zM3 20c9 0 1-14 9-15M10 3l3 2-2 3",
 };
 
+/** Goals that are nothing in the world: their sign is their picture. */
+const SIGNS: ReadonlySet<Sort> = new Set(["show", "avoid"]);
+
 export class ThingPalette implements Island {
   readonly dom = document.createElement("div");
   private readonly cleanup = new Cleanup();
+  private readonly portraits = new Map<HTMLButtonElement, Offer>();
+  private painter: Portraits | null = null;
 
   /**
-   * @param chosen is the sort that is about to be put on the plan.
-   * @param choose is called with the sort of object to add.
+   * @param chosen is what is about to be put into the world.
+   * @param choose is called with what to add.
    * @param carried is called when a button is dragged.
    */
   constructor(
     private readonly draft: WorldEdit,
-    private readonly chosen: ReadonlySignal<Sort | null>,
-    private readonly choose: (sort: Sort) => void,
-    private readonly carried: (sort: Sort) => Carried,
+    private readonly chosen: ReadonlySignal<Offer | null>,
+    private readonly choose: (offer: Offer) => void,
+    private readonly carried: (offer: Offer) => Carried,
   ) {
     this.dom.className = "editor-palette";
     this.dom.role = "group";
@@ -71,39 +62,90 @@ export class ThingPalette implements Island {
         this.dom.ariaLabel = t("page-editor-palette");
       }),
     );
-    this.dom.append(...OFFERED.map((sort) => this.button(sort)));
+    for (const [group, offers] of Object.entries(GROUPS)) this.dom.append(...this.group(group, offers));
+    this.cleanup.add(effect(() => this.paint(this.draft.world.value?.theme, theme.value)));
   }
 
-  focus(sort: Sort): void {
-    this.dom.querySelector<HTMLElement>(`[data-sort="${sort}"]`)?.focus();
+  focus(offer: Offer): void {
+    for (const [button, other] of this.portraits) if (isSameOffer(offer, other)) button.focus();
   }
 
   destroy(): void {
     this.cleanup.dispose();
+    this.painter?.destroy();
     this.dom.remove();
   }
 
-  private button(sort: Sort): HTMLButtonElement {
+  private group(name: string, offers: readonly Offer[]): HTMLElement[] {
+    const title = document.createElement("h3");
+    const tiles = document.createElement("div");
+    tiles.append(...offers.map((offer) => this.button(offer)));
+    this.cleanup.add(
+      effect(() => {
+        title.textContent = t(`page-editor-group-${name}`);
+      }),
+    );
+    return [title, tiles];
+  }
+
+  private button(offer: Offer): HTMLButtonElement {
     const button = document.createElement("button");
     const words = document.createElement("span");
+    const { sort, kind } = offer;
     button.type = "button";
-    button.dataset.sort = sort;
+    button.dataset.sort = kind ?? sort;
     button.append(
       svg("svg", { viewBox: "0 0 24 24", "aria-hidden": "true" }, svg("path", { d: PICTURES[sort] })),
       words,
     );
-    carries(button, this.carried(sort));
-    button.addEventListener("click", () => this.choose(sort));
-    this.cleanup.add(effect(() => this.label(button, words, sort)));
+    this.portraits.set(button, offer);
+    carries(button, this.carried(offer));
+    button.addEventListener("click", () => this.choose(offer));
+    this.cleanup.add(effect(() => this.label(button, words, offer)));
     return button;
   }
 
-  private label(button: HTMLButtonElement, words: HTMLElement, sort: Sort): void {
+  private label(button: HTMLButtonElement, words: HTMLElement, offer: Offer): void {
     const world = this.draft.world.value;
-    const lacks = world && missing(world, sort);
-    words.textContent = t(`page-editor-sort-${sort}`);
-    button.ariaPressed = String(this.chosen.value === sort);
+    const lacks = world && missing(world, offer.sort);
+    words.textContent = t(wordOf(offer));
+    button.ariaPressed = String(isSameOffer(this.chosen.value, offer));
     button.disabled = !world || lacks !== null;
     button.title = lacks ? t(`page-editor-needs-${lacks}`) : t("page-editor-add", { sort: words.textContent });
   }
+
+  /** Draw everything in the colours of a world's theme, if the browser can. */
+  private paint(..._colours: readonly unknown[]): void {
+    this.painter?.destroy();
+    this.painter = null;
+    const world = this.draft.world.peek();
+    if (!world) return;
+    this.dom.style.setProperty("--floor", floorColour(world));
+    try {
+      this.painter = new Portraits(world);
+    } catch (error) {
+      console.warn(error);
+      return;
+    }
+    for (const [button, offer] of this.portraits) {
+      if (!SIGNS.has(offer.sort)) this.painter.draw(offer, canvasOf(button));
+    }
+  }
+}
+
+/** The colour of the floor on which everything is shown: black lines are legible on it. */
+function floorColour({ theme: place, floor }: WorldValues): string {
+  const palette = legible(paletteOf(place, theme.peek()), [{ colour: "black" }]);
+  return colourOf({ ...floor, colour: "white" }, palette);
+}
+
+/** The canvas in a button, which replaces its sign when it is drawn on. */
+function canvasOf(button: HTMLButtonElement): HTMLCanvasElement {
+  const before = button.querySelector("canvas");
+  if (before) return before;
+  const canvas = document.createElement("canvas");
+  canvas.width = canvas.height = PIXELS;
+  canvas.ariaHidden = "true";
+  button.querySelector("svg")?.replaceWith(canvas);
+  return canvas;
 }

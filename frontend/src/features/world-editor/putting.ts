@@ -1,23 +1,25 @@
-/** The sort of object that the user is about to put on the plan, and where. */
+/** What the user is about to put into the world, and where. */
 
 import { signal } from "@preact/signals";
+
 import type { Sort } from "../../views/world/plan/sorts";
 import type { XY } from "../../views/world/scenery/description";
+import type { Offer } from "./offers";
 
 /** Goals without a place of their own are added at once. */
 const PLACELESS: ReadonlySet<Sort> = new Set(["follow", "visit", "avoid"]);
 
-export function hasPlace(sort: Sort): boolean {
+export function hasPlace({ sort }: Offer): boolean {
   return !PLACELESS.has(sort);
 }
 
 export class Putting {
-  readonly sort = signal<Sort | null>(null);
+  readonly offer = signal<Offer | null>(null);
   readonly place = signal<XY>([0, 0]);
 
-  begin(sort: Sort, place: XY): void {
+  begin(offer: Offer, place: XY): void {
     this.place.value = place;
-    this.sort.value = sort;
+    this.offer.value = offer;
   }
 
   move(place: XY): void {
@@ -25,9 +27,9 @@ export class Putting {
   }
 
   /** End it; return what is to be put, and where. */
-  end(): { readonly sort: Sort; readonly place: XY } | null {
-    const sort = this.sort.peek();
-    this.sort.value = null;
-    return sort && { sort, place: this.place.peek() };
+  end(): { readonly offer: Offer; readonly place: XY } | null {
+    const offer = this.offer.peek();
+    this.offer.value = null;
+    return offer && { offer, place: this.place.peek() };
   }
 }

@@ -25,13 +25,13 @@ export class Saving implements Island {
 
   /**
    * @param problems found by the server: a world with problems is not saved.
-   * @param done called with the name of the saved world.
+   * @param done called with the name and the title of the saved world.
    */
   constructor(
     private readonly draft: WorldEdit,
     private readonly connection: Connection,
     private readonly problems: ReadonlySignal<readonly unknown[]>,
-    private readonly done: (name: string) => void,
+    private readonly done: (name: string, title: string) => void,
   ) {
     this.build();
     const wrong = computed(() => problems.value.length > 0);
@@ -94,12 +94,7 @@ export class Saving implements Island {
     this.own = { title, name };
     if (answer.kind === "Failed") this.outcome.value = { text: say(answer.message) };
     else if (answer.kind === "WorldChecked") this.outcome.value = { text: t("page-editor-wrong") };
-    else this.saved(title, name);
-  }
-
-  private saved(title: string, name: string): void {
-    this.outcome.value = { word: "page-editor-saved", name: title };
-    this.done(name);
+    else this.done(name, title);
   }
 }
 

@@ -1,9 +1,9 @@
 /** The objects of a world, handled in the same way for all sorts. */
 
-import { isGoal, listOf, type Ref, type Sort, type Thing, thingAt } from "../../views/world/plan/sorts";
+import { isGoal, listOf, type Ref, SORTS, type Sort, type Thing, thingAt } from "../../views/world/plan/sorts";
 import type { LineValues, WorldValues, XY } from "../../views/world/scenery/description";
 import { between, cornersOf, radians, wrapped } from "../../views/world/scenery/geometry";
-import { defaultsOf } from "./fields";
+import { boundsOf, defaultsOf } from "./fields";
 
 /** Objects that may be outside the floor. */
 const FREE: readonly Sort[] = ["wall", "line", "prop", "reach", "tour", "stop", "show"];
@@ -30,6 +30,14 @@ function varied(world: WorldValues): WorldValues {
   if (!vary) return world;
   const names = new Set(VARIED.flatMap((sort) => listOf(world, sort).map((thing) => movedAs(sort, thing))));
   return { ...world, vary: { ...vary, thing: vary.thing.filter(({ name }) => names.has(name)) } };
+}
+
+/** The world without objects. */
+export function emptied(world: WorldValues): WorldValues {
+  const none = (sorts: readonly Sort[]) => Object.fromEntries(sorts.map((sort) => [sort, []]));
+  const lists = none(SORTS.filter((sort) => !isGoal(sort)));
+  const goal = none(SORTS.filter(isGoal)) as unknown as WorldValues["goal"];
+  return { ...world, ...lists, goal, vary: null };
 }
 
 /** The world with one object replaced by another. */
@@ -175,6 +183,42 @@ export function turned(thing: Thing, degrees: number): Thing {
   }
   if ("points" in thing) return { ...thing, points: turnedPoints(thing.points as XY[], degrees) };
   return thing;
+}
+
+/** What makes an object of a sort larger. */
+const SIZES: Readonly<Partial<Record<Sort, readonly string[]>>> = {
+  box: ["length", "width", "height"],
+  cylinder: ["radius", "height"],
+  tag: ["size"],
+  face: ["size"],
+  prop: ["scale"],
+  reach: ["radius"],
+  tour: ["radius"],
+  stop: ["radius"],
+  show: ["radius"],
+};
+/** Sizes below this are multiples of a usual size, not millimetres. */
+const MULTIPLES = 10;
+
+/** An object larger by a factor; unchanged if its sort has no size. */
+export function enlarged(sort: Sort, thing: Thing, factor: number): Thing {
+  if (sort === "wall" || (sort === "line" && !hasPath(thing))) {
+    return { ...thing, points: stretched(thing.points as XY[], factor) };
+  }
+  const keys = (SIZES[sort] ?? []).filter((key) => typeof thing[key] === "number");
+  return { ...thing, ...Object.fromEntries(keys.map((key) => [key, enlargedValue(sort, key, thing, factor)])) };
+}
+
+function enlargedValue(sort: Sort, key: string, thing: Thing, factor: number): number {
+  const size = Number(thing[key]) * factor;
+  const [least, most] = boundsOf(sort, key);
+  return between(most < MULTIPLES ? Math.round(size * 100) / 100 : Math.round(size), least, most);
+}
+
+function stretched(points: readonly XY[], factor: number): XY[] {
+  const [x, y] = middleOf(points);
+  const far = (value: number) => between(Math.round(value), -FARTHEST, FARTHEST);
+  return points.map(([px, py]) => [far(x + (px - x) * factor), far(y + (py - y) * factor)]);
 }
 
 function turnedPoints(points: readonly XY[], degrees: number): XY[] {

@@ -41,7 +41,8 @@ export class Stage {
   private readonly pushed: readonly Object3D[];
   private readonly goals: readonly GoalMark[];
   private readonly signs = new Signs();
-  private readonly pictures: Pictures;
+  /** Its own pictures; null if they are shared. */
+  private readonly pictures: Pictures | null;
   private start: Object3D | null = null;
   /** Where a value is measured that the user points at. */
   private origin: Object3D | null = null;
@@ -51,16 +52,19 @@ export class Stage {
   /**
    * @param changed is called when a picture has loaded.
    * @param color is the colour of a robot's name; null if robots are shown without names.
+   * @param shared pictures that outlive the drawing.
    */
   constructor(
     scene: Scene,
     palette: Palette,
     changed: () => void,
     color: (name: string) => string | null = () => null,
+    shared: Pictures | null = null,
   ) {
     this.world = scene.world;
-    this.pictures = new Pictures(changed);
-    const { fixed, pushed } = things(this.world, palette, this.pictures);
+    const pictures = shared ?? new Pictures(changed);
+    this.pictures = shared ? null : pictures;
+    const { fixed, pushed } = things(this.world, palette, pictures);
     this.pushed = pushed;
     this.goals = goalMarks(this.world, scene.lines, this.signs);
     const descriptions = scene.robots.map(([, description]) => description);
@@ -78,7 +82,7 @@ export class Stage {
     this.fog = around.fog;
     this.floorColour = colourOf(this.world.floor, legible(palette, this.world.line));
     if (!scene.real) this.object.add(props(this.world.theme ?? "playground", this.world.floor.size, depth));
-    this.object.add(around.object, floor(scene.name, this.world, scene.lines, palette, this.pictures), fixed);
+    this.object.add(around.object, floor(scene.name, this.world, scene.lines, palette, pictures), fixed);
     if (this.world.prop.length > 0) this.object.add(namedProps(this.world, depth));
     for (const part of [...pushed, ...marks, ...models]) this.object.add(part);
     this.showStarts(scene);
@@ -158,7 +162,7 @@ export class Stage {
   }
 
   dispose(): void {
-    this.pictures.dispose();
+    this.pictures?.dispose();
     this.signs.dispose();
     for (const robot of this.robots) robot.dispose();
     this.ghost?.dispose();

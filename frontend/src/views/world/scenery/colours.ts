@@ -20,6 +20,20 @@ export function rgb(colour: Colour): readonly [number, number, number] {
   return typeof colour === "string" ? (NAMED[colour] ?? [150, 150, 150]) : colour;
 }
 
+/** The value of a field for a colour: its name, or "#rrggbb". */
+export function written(colour: Colour): string {
+  if (typeof colour === "string") return colour;
+  return `#${rgb(colour)
+    .map((level) => level.toString(16).padStart(2, "0"))
+    .join("")}`;
+}
+
+/** The colour that a field's value means. */
+export function colourIn(value: string): Colour {
+  if (!value.startsWith("#")) return value as Colour;
+  return [1, 3, 5].map((start) => Number.parseInt(value.slice(start, start + 2), 16)) as unknown as Colour;
+}
+
 /** In the notation of style sheets and three.js. */
 export function css(colour: Colour): string {
   return `rgb(${rgb(colour).join(",")})`;

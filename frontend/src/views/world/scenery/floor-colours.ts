@@ -17,7 +17,7 @@ const ODD = 0.92;
 const MOONLIT = ["#949ed2", "#8a94ca"] as const;
 
 /** The colours for a floor with lines on it. */
-export function legible(palette: Palette, lines: readonly LineValues[]): Palette {
+export function legible(palette: Palette, lines: readonly Pick<LineValues, "colour">[]): Palette {
   const [floor] = palette.mat;
   if (!isDark(floor) || !lines.some(({ colour }) => isDark(friendly(colour)))) return palette;
   return { ...palette, mat: MOONLIT };

@@ -49,7 +49,8 @@ export function floor(
   return group;
 }
 
-function paintedLines(world: WorldValues, lines: readonly XY[][]): Mesh {
+/** @param lines the corners of each line's middle. */
+export function paintedLines(world: WorldValues, lines: readonly XY[][]): Mesh {
   const all = world.line.map((line, i) => ({
     points: lines[i] ?? [],
     width: line.width,

@@ -8,6 +8,7 @@ type Pictured = Material & { map: Texture | null; color: { set(colour: string): 
 export class Pictures {
   private readonly loader = new TextureLoader();
   private readonly textures = new Set<Texture>();
+  private readonly loaded = new Map<string, Texture>();
 
   constructor(private readonly changed: () => void) {}
 
@@ -22,9 +23,12 @@ export class Pictures {
 
   /** Load the picture at an address relative to the page. */
   load(address: string, space: ColorSpace, use: (texture: Texture) => void): void {
+    const before = this.loaded.get(address);
+    if (before) return use(before);
     this.loader.load(address, (texture) => {
       texture.colorSpace = space;
       texture.anisotropy = 4;
+      this.loaded.set(address, texture);
       use(this.keep(texture));
       this.changed();
     });
@@ -39,5 +43,6 @@ export class Pictures {
   dispose(): void {
     for (const texture of this.textures) texture.dispose();
     this.textures.clear();
+    this.loaded.clear();
   }
 }

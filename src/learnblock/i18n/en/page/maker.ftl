@@ -17,7 +17,6 @@ page-maker-step-delete = Delete this step
 page-maker-languages = Language you write in
 # $text is the text in another language.
 page-maker-fallback = Shown until you write it: { $text }
-page-maker-remove = Delete: { $title }
 page-maker-save = Save lesson
 page-maker-saved = “{ $title }” is in your lessons. You find it on the start page.
 page-maker-is-saved = Saved

@@ -17,7 +17,6 @@ page-maker-step-delete = Eliminar este paso
 page-maker-languages = Idioma en el que escribes
 # $text es el texto en otro idioma.
 page-maker-fallback = Se muestra hasta que lo escribas: { $text }
-page-maker-remove = Eliminar: { $title }
 page-maker-save = Guardar lección
 page-maker-saved = «{ $title }» está entre tus lecciones. La encuentras en la página de inicio.
 page-maker-is-saved = Guardada

@@ -1,15 +1,21 @@
-/** The part of the world that the plan shows: positions in mm, y down as in SVG. */
+/** The world as a plan: the marks are in mm, y down as in SVG. */
 
-import { set } from "../../views/world/plan/svg";
-import type { XY } from "../../views/world/scenery/description";
+import { groundOf } from "../../views/world/plan/ground";
+import { shapesOf } from "../../views/world/plan/shapes";
+import type { Ref } from "../../views/world/plan/sorts";
+import { set, svg } from "../../views/world/plan/svg";
+import type { WorldValues, XY } from "../../views/world/scenery/description";
 import { between } from "../../views/world/scenery/geometry";
+import type { Lens, Pointed } from "./lens";
 
 /** The margin around the floor, as a fraction of its size. */
 const MARGIN = 0.06;
 const NEAREST = 100;
 const FARTHEST = 40000;
 
-export class Viewport {
+export class PlanLens implements Lens {
+  /** The marks are the picture. */
+  readonly picture = null;
   private middle: XY = [0, 0];
   /** The size of the floor that is shown as a whole; null once the user has moved the view. */
   private whole: XY | null = null;
@@ -20,6 +26,22 @@ export class Viewport {
     private readonly plan: SVGSVGElement,
     private readonly changed: () => void,
   ) {}
+
+  show(): void {}
+
+  destroy(): void {}
+
+  ground(world: WorldValues): SVGElement[] {
+    return [...groundOf(world), svg("path", { d: "M0 -60 V60 M-60 0 H60", class: "axes" })];
+  }
+
+  shapes(world: WorldValues, ref: Ref): SVGElement[] {
+    return shapesOf(world, ref);
+  }
+
+  point([x, y]: XY): XY {
+    return [x, -y];
+  }
 
   /** Show a whole floor. */
   fit([east, north]: XY): void {
@@ -55,7 +77,7 @@ export class Viewport {
   }
 
   /** The position in the world at a position on the page. */
-  at({ clientX, clientY }: { readonly clientX: number; readonly clientY: number }): XY {
+  at({ clientX, clientY }: Pointed): XY {
     const box = this.plan.getBoundingClientRect();
     const right = (clientX - box.left - box.width / 2) * this.scale;
     const down = (clientY - box.top - box.height / 2) * this.scale;

@@ -1,25 +1,28 @@
-/** The plan: the world from above, where objects are dragged, turned and bent. */
+/** The board: the world in 3D or as a plan, with marks over it by which objects are dragged, turned and bent. */
 
-import { effect, type ReadonlySignal, untracked } from "@preact/signals";
+import { effect, type ReadonlySignal, type Signal, signal, untracked } from "@preact/signals";
 import { t } from "../../i18n";
+import type { Running } from "../../model/running";
 import { Cleanup } from "../../ui/cleanup";
-import { groundOf } from "../../views/world/plan/ground";
-import { shapesOf } from "../../views/world/plan/shapes";
 import { allThings, key, type Ref, same, thingAt } from "../../views/world/plan/sorts";
 import { set, svg } from "../../views/world/plan/svg";
 import type { WorldValues, XY } from "../../views/world/scenery/description";
+import { from } from "../../views/world/scenery/geometry";
 import { type Handle, handlesOf } from "./handles";
+import type { Lens } from "./lens";
+import { PlanLens } from "./plan-lens";
 import type { Putting } from "./putting";
+import { RoomLens } from "./room-lens";
 import { allowedPlace, GRID, moved, replaced, snapped } from "./things";
-import { Viewport } from "./viewport";
 import { thingInWords } from "./words";
 import type { WorldEdit } from "./world-edit";
 
 /** Radii of a handle in pixels: the visible one, and what a mouse or a finger hits. */
 const KNOB = 7;
 const HIT = { mouse: 14, finger: 22 } as const;
-/** Half the length in pixels of the cross that shows where an object will be. */
-const CROSS = 18;
+/** The ring that shows where an object will be, and half the length of its cross, mm. */
+const RING = 60;
+const ARM = 90;
 /** mm by which the cross moves with Shift and Alt. */
 const COARSE = 100;
 const FINE = 1;
@@ -49,9 +52,13 @@ type Drag =
       readonly merge: string;
     };
 
-export class Plan {
-  readonly dom = svg("svg", { class: "plan world-plan", role: "group", tabindex: -1 });
-  readonly viewport = new Viewport(this.dom, () => this.drawMarks());
+export class Board {
+  readonly dom = document.createElement("div");
+  private readonly marks = svg("svg", { class: "plan world-plan", role: "group", tabindex: -1 });
+  private readonly plan = new PlanLens(this.marks, () => this.drawMarks());
+  private readonly room: RoomLens | null;
+  /** What shows the world now; in a browser without 3D that is always the plan. */
+  private readonly lens: Signal<Lens>;
   private readonly floor = svg("g", {});
   private readonly things = svg("g", {});
   private readonly knobs = svg("g", { "aria-hidden": "true" });
@@ -61,13 +68,14 @@ export class Plan {
   private drag: Drag | null = null;
   private drags = 0;
   private readonly cleanup: Cleanup;
-  private readonly sizes = new ResizeObserver(() => this.viewport.resized());
+  private readonly sizes = new ResizeObserver(() => this.resized());
 
   /**
    * @param snaps whether positions are rounded to the grid.
    * @param putting what is about to be put on the plan.
    * @param put is called to put it at the place of `putting`; returns the new object.
    * @param unreachable why goals can't be reached, by their key.
+   * @param running has the robots that are in the world.
    */
   constructor(
     private readonly draft: WorldEdit,
@@ -75,28 +83,51 @@ export class Plan {
     private readonly putting: Putting,
     private readonly put: () => Ref | null,
     private readonly unreachable: ReadonlySignal<ReadonlyMap<string, string>>,
+    running: Running,
   ) {
-    this.dom.append(this.floor, this.things, this.knobs, this.cross);
+    this.dom.className = "board";
+    this.marks.append(this.floor, this.things, this.knobs, this.cross);
+    this.room = roomOf(running, () => untracked(() => this.redraw()));
+    this.lens = signal<Lens>(this.room ?? this.plan);
+    this.dom.append(...(this.room ? [this.room.picture] : []), this.marks);
     this.cleanup = new Cleanup(
-      effect(() => set(this.dom, { "aria-label": t("page-editor-plan") })),
+      effect(() => set(this.marks, { "aria-label": t("page-editor-plan") })),
+      effect(() => this.changeLens(this.lens.value)),
       effect(() => this.draw(this.draft.world.value, this.draft.selected.value)),
       effect(() => this.drawCross()),
     );
     this.sizes.observe(this.dom);
-    this.dom.addEventListener("pointerdown", (event) => this.down(event));
-    this.dom.addEventListener("pointermove", (event) => this.move(event));
-    this.dom.addEventListener("pointerup", () => (this.drag = null));
-    this.dom.addEventListener("pointercancel", () => (this.drag = null));
-    this.dom.addEventListener("dblclick", (event) => this.removeCorner(event));
-    this.dom.addEventListener("keydown", (event) => this.key(event));
-    this.dom.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
-    this.dom.addEventListener("focusin", (event) => this.focused(event.target));
+    this.listen();
+  }
+
+  /** Whether the world is shown in 3D, and can be. */
+  get isRoom(): boolean {
+    return this.lens.value === this.room;
+  }
+
+  get hasRoom(): boolean {
+    return this.room !== null;
+  }
+
+  /** Show the world in 3D, if the browser can, or its plan. */
+  look(view: "room" | "plan"): void {
+    this.lens.value = (view === "room" && this.room) || this.plan;
+    this.fit();
+  }
+
+  zoom(factor: number): void {
+    this.lens.peek().zoom(factor);
+  }
+
+  /** The middle of what is seen. */
+  get centre(): XY {
+    return this.lens.peek().centre;
   }
 
   /** Show the whole floor. */
   fit(): void {
     const world = this.draft.world.peek();
-    if (world) this.viewport.fit(world.floor.size);
+    if (world) this.lens.peek().fit(world.floor.size);
   }
 
   /** Focus an object. */
@@ -106,12 +137,12 @@ export class Plan {
 
   /** Let the arrow keys move the cross. */
   focusCross(): void {
-    this.dom.focus();
+    this.marks.focus();
   }
 
   /** The place of a pointer, on the grid. */
   placeAt(event: PointerEvent): XY {
-    return this.onGrid(this.viewport.at(event), event);
+    return this.onGrid(this.lens.peek().at(event), event);
   }
 
   /** Whether a pointer is over the plan. */
@@ -128,12 +159,46 @@ export class Plan {
   destroy(): void {
     this.cleanup.dispose();
     this.sizes.disconnect();
+    this.room?.destroy();
     this.dom.remove();
+  }
+
+  /** Before the camera's listeners: dragging an object must not turn the world. */
+  private listen(): void {
+    const options = { capture: true };
+    this.dom.addEventListener("pointerdown", (event) => this.down(event), options);
+    this.dom.addEventListener("pointermove", (event) => this.move(event), options);
+    this.dom.addEventListener("pointerup", () => (this.drag = null), options);
+    this.dom.addEventListener("pointercancel", () => (this.drag = null), options);
+    this.dom.addEventListener("dblclick", (event) => this.removeCorner(event));
+    this.dom.addEventListener("keydown", (event) => this.key(event));
+    this.dom.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+    this.dom.addEventListener("focusin", (event) => this.focused(event.target));
+  }
+
+  private changeLens(lens: Lens): void {
+    this.dom.classList.toggle("in-room", lens === this.room);
+    untracked(() => this.resized());
+  }
+
+  private resized(): void {
+    const { clientWidth, clientHeight } = this.dom;
+    if (this.isRoom) set(this.marks, { viewBox: `0 0 ${clientWidth} ${clientHeight}` });
+    this.lens.peek().resized();
+    this.drawMarks();
+  }
+
+  /** The camera has moved. */
+  private redraw(): void {
+    this.draw(this.draft.world.peek(), this.draft.selected.peek());
+    this.drawCross();
   }
 
   private draw(world: WorldValues | null, selected: Ref | null): void {
     if (!world) return;
-    this.floor.replaceChildren(...groundOf(world), svg("path", { d: "M0 -60 V60 M-60 0 H60", class: "axes" }));
+    const lens = this.lens.value;
+    lens.show(world);
+    this.floor.replaceChildren(...lens.ground(world));
     const refs = allThings(world);
     this.forget(new Set(refs.map(key)));
     for (const ref of refs) this.drawThing(world, ref, same(ref, selected));
@@ -158,7 +223,7 @@ export class Plan {
     set(group, { "aria-label": reason ? `${words}. ${reason}` : words, "aria-pressed": String(selected) });
     group.classList.toggle("unreachable", reason !== undefined);
     group.classList.toggle("selected", selected);
-    group.replaceChildren(...shapesOf(world, ref));
+    group.replaceChildren(...this.lens.value.shapes(world, ref));
     this.inOrder(group, ref);
   }
 
@@ -176,16 +241,20 @@ export class Plan {
     untracked(() => this.drawCross());
   }
 
-  /** Where an object will be put: a cross as large as the pointer sees it. */
+  /** Where an object will be put: a ring on the floor with a cross. */
   private drawCross(): void {
     const [x, y] = this.putting.place.value;
-    const puts = this.putting.sort.value !== null;
+    const puts = this.putting.offer.value !== null;
     this.dom.classList.toggle("puts", puts);
-    set(this.dom, { role: puts ? "application" : "group" });
-    const arm = CROSS * this.viewport.scale;
-    const lines = `M${x - arm} ${-y} H${x + arm} M${x} ${-y - arm} V${-y + arm}`;
-    const circle = svg("circle", { cx: x, cy: -y, r: arm * 0.55 });
-    this.cross.replaceChildren(...(puts ? [circle, svg("path", { d: lines })] : []));
+    set(this.marks, { role: puts ? "application" : "group" });
+    const chain = (places: readonly XY[]) =>
+      `M${places.map((place) => this.lens.value.point(place).join(" ")).join("L")}`;
+    const ring = Array.from({ length: 33 }, (_, i): XY => from({ x, y, heading: (360 * i) / 32 }, RING));
+    const lines =
+      chain([from({ x, y, heading: 0 }, ARM), from({ x, y, heading: 180 }, ARM)]) +
+      chain([from({ x, y, heading: 90 }, ARM), from({ x, y, heading: -90 }, ARM)]);
+    const shapes = [svg("path", { d: chain(ring), class: "ring" }), svg("path", { d: lines })];
+    this.cross.replaceChildren(...(puts ? shapes : []));
   }
 
   private drawHandles(): void {
@@ -195,10 +264,11 @@ export class Plan {
     this.knobs.replaceChildren(...handles.flatMap((handle, i) => this.knob(handle, i)));
   }
 
-  private knob({ kind, at: [x, y] }: Handle, index: number): SVGElement[] {
+  private knob({ kind, at }: Handle, index: number): SVGElement[] {
+    const lens = this.lens.peek();
+    const [cx, cy] = lens.point(at);
     const seen = kind === "insert" ? KNOB * 0.6 : KNOB;
-    const circle = (r: number, name: string): SVGElement =>
-      svg("circle", { cx: x, cy: -y, r: r * this.viewport.scale, class: name });
+    const circle = (r: number, name: string): SVGElement => svg("circle", { cx, cy, r: r * lens.scale, class: name });
     const hit = circle(this.coarse.matches ? HIT.finger : HIT.mouse, "hit");
     set(hit, { "data-handle": index });
     return [hit, circle(seen, `knob ${kind}`)];
@@ -225,13 +295,17 @@ export class Plan {
   private down(event: PointerEvent): void {
     const world = this.draft.world.peek();
     if (!world || event.button !== 0) return;
+    const [handle, ref] = [this.handleOf(event.target), this.refOf(event.target)];
+    // The camera takes a drag of the floor.
+    if (this.isRoom && !handle && !ref && !this.putting.offer.peek()) return this.draft.select(null);
     // Without this the browser would move the focus and scroll.
     event.preventDefault();
+    event.stopPropagation();
     this.dom.setPointerCapture(event.pointerId);
-    if (this.putting.sort.peek()) return this.putAt(event);
-    const [handle, selected] = [this.handleOf(event.target), this.draft.selected.peek()];
-    if (handle && selected) this.grab(handle, selected, world);
-    else this.pick(this.refOf(event.target), world, event);
+    const selected = this.draft.selected.peek();
+    if (this.putting.offer.peek()) this.putAt(event);
+    else if (handle && selected) this.grab(handle, selected, world);
+    else this.pick(ref, world, event);
   }
 
   /** Put the object where the pointer is; it can be dragged on. */
@@ -243,7 +317,7 @@ export class Plan {
   }
 
   private key(event: KeyboardEvent): void {
-    if (event.target !== this.dom || !this.putting.sort.peek()) return;
+    if (event.target !== this.marks || !this.putting.offer.peek()) return;
     const arrow = ARROWS[event.key];
     if (arrow) this.moveCross(arrow, event.shiftKey ? COARSE : event.altKey ? FINE : GRID);
     else if (event.key === "Enter" || event.key === " ") this.focusPut();
@@ -278,29 +352,29 @@ export class Plan {
     if (!ref) this.drag = { what: "pan" };
     else {
       this.focus(ref);
-      this.drag = { what: "thing", ref, world, from: this.viewport.at(event), merge: `drag ${++this.drags}` };
+      this.drag = { what: "thing", ref, world, from: this.lens.peek().at(event), merge: `drag ${++this.drags}` };
     }
   }
 
   private move(event: PointerEvent): void {
     const { drag } = this;
-    if (!drag && this.putting.sort.peek()) this.putting.move(this.placeAt(event));
+    if (!drag && this.putting.offer.peek()) this.putting.move(this.placeAt(event));
     if (!drag) return;
-    if (drag.what === "pan") this.viewport.pan(event.movementX, event.movementY);
+    if (drag.what === "pan") this.lens.peek().pan(event.movementX, event.movementY);
     else if (drag.what === "thing") this.carry(drag, event);
     else this.pull(drag, event);
   }
 
   private carry({ ref, world, from, merge }: Extract<Drag, { what: "thing" }>, event: PointerEvent): void {
     if (BOUND.has(ref.sort)) return;
-    const [x, y] = this.viewport.at(event);
+    const [x, y] = this.lens.peek().at(event);
     const [dx, dy] = this.onGrid([x - from[0], y - from[1]], event);
     const thing = moved(world, ref, dx, dy);
     if (thing && (dx || dy || this.draft.world.peek() !== world)) this.draft.change(replaced(world, ref, thing), merge);
   }
 
   private pull({ handle, ref, world, merge }: Extract<Drag, { what: "handle" }>, event: PointerEvent): void {
-    const place = allowedPlace(world, ref.sort, this.viewport.at(event));
+    const place = allowedPlace(world, ref.sort, this.lens.peek().at(event));
     const exact = handle.kind === "turn" ? place : this.onGrid(place, event);
     this.draft.change(replaced(world, ref, handle.pull(exact)), merge);
   }
@@ -311,8 +385,21 @@ export class Plan {
     return free ? [Math.round(x), Math.round(y)] : [snapped(x), snapped(y)];
   }
 
+  /** The camera zooms by itself where no mark is. */
   private wheel(event: WheelEvent): void {
+    if (event.target instanceof HTMLCanvasElement) return;
     event.preventDefault();
-    this.viewport.zoom(Math.exp(event.deltaY * 0.0015), this.viewport.at(event));
+    const lens = this.lens.peek();
+    lens.zoom(Math.exp(event.deltaY * 0.0015), lens.at(event));
+  }
+}
+
+/** The world in 3D; null in a browser that cannot draw it. */
+function roomOf(running: Running, changed: () => void): RoomLens | null {
+  try {
+    return new RoomLens(running, changed);
+  } catch (error) {
+    console.warn(error);
+    return null;
   }
 }

@@ -6,7 +6,7 @@ from typing import Any
 from learnblock.server.http.requests import PATIENCE
 
 
-class EventLoop(asyncio.SelectorEventLoop):
+class TlsLoop(asyncio.SelectorEventLoop):
     """Gives a browser as long for its handshake as for a request; asyncio gives it a minute."""
 
     async def create_server(self, *args: Any, **options: Any) -> asyncio.Server:
