@@ -57,6 +57,7 @@ RESERVED = frozenset(
         "rights",
         "run",
         "scan",
+        "scan_seconds",
         "seed",
         "sees_drawn_faces",
         "senses",

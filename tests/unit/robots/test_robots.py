@@ -1,5 +1,5 @@
 import textwrap
-from importlib.metadata import EntryPoint
+from importlib.metadata import EntryPoint, EntryPoints
 
 import pytest
 
@@ -108,7 +108,7 @@ def test_a_robot_that_failed_to_load_leaves_nothing_behind(home):
 
 def test_third_party_robots_come_from_entry_points(monkeypatch):
     point = EntryPoint("acme-rover", "acme.rover", "learnblock.robots")
-    monkeypatch.setattr("importlib.metadata.entry_points", lambda group: [point])
+    monkeypatch.setattr("importlib.metadata.entry_points", lambda: EntryPoints([point]))
     assert robots.find("acme-rover") == robots.RobotEntry("acme-rover", "acme.rover")
     with pytest.raises(LearnBlockError, match="The robot 'acme-rover' can't be loaded"):
         robots.find("acme-rover").load()

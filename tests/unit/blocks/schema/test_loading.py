@@ -1,6 +1,6 @@
 import json
 import re
-from importlib.metadata import EntryPoint
+from importlib.metadata import EntryPoint, EntryPoints
 from pathlib import Path
 from typing import get_args
 
@@ -434,7 +434,7 @@ def test_a_broken_plugin_does_not_affect_others(home, monkeypatch):
     points = [
         EntryPoint(name, name, "learnblock.skills") for name in ("lb_gone", "lb_bad", "lb_good")
     ]
-    monkeypatch.setattr("importlib.metadata.entry_points", lambda group: points)
+    monkeypatch.setattr("importlib.metadata.entry_points", lambda: EntryPoints(points))
     found = all_configurations()
 
     assert "rumba" in found

@@ -1,6 +1,6 @@
 import json
 import sys
-from importlib.metadata import EntryPoint
+from importlib.metadata import EntryPoint, EntryPoints
 from pathlib import Path
 
 import pytest
@@ -299,7 +299,7 @@ def test_blocks_derived_from_our_skills_match_their_configurations():
 
 def plugin(monkeypatch, module: str) -> None:
     point = EntryPoint("dances", module, "learnblock.skills")
-    monkeypatch.setattr("importlib.metadata.entry_points", lambda group: [point])
+    monkeypatch.setattr("importlib.metadata.entry_points", lambda: EntryPoints([point]))
 
 
 @pytest.mark.parametrize("module", ["lb_dances", "lb_dances.latin.slow"])

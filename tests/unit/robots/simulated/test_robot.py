@@ -1,7 +1,7 @@
 """The twins: where their world, seed and pace come from, and whether their devices are complete."""
 
 import sys
-from importlib.metadata import EntryPoint
+from importlib.metadata import EntryPoint, EntryPoints
 from typing import get_args
 
 import pytest
@@ -134,7 +134,7 @@ def test_a_world_is_found_in_the_users_folder_or_in_a_plugin(own_home, tmp_path,
     (package / "gym.toml").write_text('title = "The gym"')
     monkeypatch.syspath_prepend(tmp_path)
     point = EntryPoint("school", "school_worlds", "learnblock.worlds")
-    monkeypatch.setattr("importlib.metadata.entry_points", lambda group: [point])
+    monkeypatch.setattr("importlib.metadata.entry_points", lambda: EntryPoints([point]))
     assert find_world("room").title == "My room"
     assert find_world("gym").title == "The gym"
     assert "school_worlds" not in sys.modules
