@@ -68,7 +68,7 @@ _MESSAGES = {
     "LookBack": {"time": 1.5, "event": 7, "step": -1, "to": "change", "subject": "x"},
     "MakeRobot": {"description": "[body]\nlength = -1"},
     "NameRobot": {"robot": "ev3", "name": "Ada"},
-    "New": {"name": "another"},
+    "New": {"name": "another", "world": "line"},
     "OpenExample": {"example": "square"},
     "OpenTab": {"name": "sim-thymio"},
     "ReadBlockSet": {"filename": "lesson.toml", "text": "show = ['lb_main']"},

@@ -5,6 +5,7 @@ import base64
 import pytest
 
 from learnblock.i18n import Phrase
+from learnblock.project.files.picture import LARGEST_PICTURE
 from pages import TOKEN
 
 JPEG = bytes.fromhex("ffd8ffc0000b0801000100010101 00")
@@ -119,7 +120,7 @@ def test_a_picture_of_a_project_that_is_no_longer_open_is_not_kept(page):
 
 def test_a_picture_that_is_too_large_or_none_is_refused(page):
     page.open("one")
-    for content in (JPEG.ljust(20_001, b"\0"), b"<svg/>"):
+    for content in (JPEG.ljust(LARGEST_PICTURE + 1, b"\0"), b"<svg/>"):
         page.say("KeepPicture", project="one", content=base64.b64encode(content).decode())
         assert page.hear("Failed")
     assert page.pulse()["projects"][0]["picture"] == 0

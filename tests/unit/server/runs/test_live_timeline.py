@@ -3,7 +3,7 @@
 import pytest
 
 from learnblock import robots, running
-from learnblock.running import Options, ProgramRun
+from learnblock.running import Job, ProgramRun
 from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.process import ThreadWorker
@@ -104,9 +104,7 @@ def test_a_program_that_pauses_at_a_breakpoint_has_its_values_beside_its_lines(t
     log, debugger = RunLog(program), Debugger([12])
     watcher = AtPause(log, debugger)
     run = ProgramRun(
-        program,
-        entry,
-        Options(),
+        Job(program, entry),
         worker=ThreadWorker,
         watcher=watcher,
         debugger=debugger,
