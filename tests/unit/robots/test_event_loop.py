@@ -240,13 +240,16 @@ def test_closing_leaves_what_was_entered_even_if_the_link_is_lost(loop, is_lost)
 
 
 def test_a_coroutine_that_resists_holds_up_closing_for_a_second(loop, clock):
+    begun = threading.Event()
+
     async def resist():
+        begun.set()
         while True:
             with suppress(asyncio.CancelledError):
                 await forever()
 
     loop.start(resist())
-    clock.run(lambda: loop.run(asyncio.sleep(0), seconds=1))
+    assert begun.wait(10)
     began = clock.now()
     clock.run(loop.close)
     assert clock.now() - began == LEAVING
