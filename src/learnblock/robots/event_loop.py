@@ -68,6 +68,7 @@ class EventLoop(Closing):
         self._lost: Phrase | Exception | None = None
         self._closed = False
         self._entered = AsyncExitStack()
+        self._started: set[Future[object]] = set()
         self._selector = _ClockSelector(clock)
         self._loop = _ClockLoop(clock, self._selector)
         self._loop.set_exception_handler(self._on_unhandled)
@@ -100,7 +101,10 @@ class EventLoop(Closing):
         Raises:
             RobotConnectionError: the connection is lost or closed.
         """
-        self._submit(coroutine).future.add_done_callback(self._note_end)
+        future = self._submit(coroutine).future
+        # A loop holds its tasks weakly: one that waits for nothing else would be collected.
+        self._started.add(future)
+        future.add_done_callback(self._note_end)
 
     def enter(self, manager: AbstractAsyncContextManager[Result], seconds: float) -> Result:
         """Enter a context, such as a connection, which is left when this is closed.
@@ -206,6 +210,7 @@ class EventLoop(Closing):
         await self._entered.aclose()
 
     def _note_end(self, future: Future[object]) -> None:
+        self._started.discard(future)
         error = None if future.cancelled() else future.exception()
         if isinstance(error, Exception):
             self._lose(error)

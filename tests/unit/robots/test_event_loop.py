@@ -1,6 +1,7 @@
 """The event loop of drivers: its limits, its errors and its end, also against an asyncio server."""
 
 import asyncio
+import gc
 import threading
 from contextlib import asynccontextmanager, suppress
 
@@ -250,6 +251,7 @@ def test_a_coroutine_that_resists_holds_up_closing_for_a_second(loop, clock):
 
     loop.start(resist())
     assert begun.wait(10)
+    gc.collect()
     began = clock.now()
     clock.run(loop.close)
     assert clock.now() - began == LEAVING
