@@ -19,8 +19,9 @@ from learnblock.runtime.host import Host
 from learnblock.runtime.pacing import Pacing
 from learnblock.runtime.process import ProcessWorker
 from learnblock.runtime.program import Program
+from learnblock.runtime.recorder import record
 from learnblock.runtime.run import Run
-from learnblock.runtime.trace import Trace, record
+from learnblock.runtime.trace import Trace
 from learnblock.runtime.watcher import Watcher
 from learnblock.testing import VirtualClock
 

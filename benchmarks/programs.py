@@ -8,8 +8,9 @@ from learnblock.robots.sim_ebo import Robot
 from learnblock.runtime.host import Host
 from learnblock.runtime.process import one_processor
 from learnblock.runtime.program import Program
+from learnblock.runtime.recorder import record
 from learnblock.runtime.run import Run
-from learnblock.runtime.trace import Trace, record
+from learnblock.runtime.trace import Trace
 
 STEERING = """\
 from learnblock.robots.sim_ebo import Robot

@@ -16,7 +16,7 @@ from filelock import FileLock
 
 from learnblock.devices import Pose
 from learnblock.running import Report
-from learnblock.runtime.trace import Mark
+from learnblock.runtime.recorder import Mark
 from runs import TASKS, run_example
 
 

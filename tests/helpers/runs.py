@@ -14,7 +14,7 @@ from learnblock.running import Job, Options, ProgramRun, Report
 from learnblock.running.recorded_keys import RecordedKeys, read_keys
 from learnblock.runtime.inline import InlineWorker
 from learnblock.runtime.process import ThreadWorker
-from learnblock.runtime.trace import Recorder
+from learnblock.runtime.recorder import Recorder
 from learnblock.runtime.watcher import Watcher
 from places import ROOT
 

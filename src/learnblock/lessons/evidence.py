@@ -10,7 +10,7 @@ from typing import NamedTuple
 from learnblock.lessons.trace_lines import Line, TraceLines, kind_of
 from learnblock.running.report import Report
 from learnblock.running.result import RunResult
-from learnblock.runtime.trace import Collision
+from learnblock.runtime.recorder import Collision
 
 _LARGEST_NUMBER = 1e9
 

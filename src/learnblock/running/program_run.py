@@ -20,9 +20,10 @@ from learnblock.runtime.host import Host
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.process import ProcessWorker, Worker, one_processor
 from learnblock.runtime.program import Program
+from learnblock.runtime.recorder import Recorder, record
 from learnblock.runtime.run import Run
 from learnblock.runtime.standby import Standby
-from learnblock.runtime.trace import Recorder, Trace, record
+from learnblock.runtime.trace import Trace
 from learnblock.runtime.trace_sinks import LineSink, TraceSink
 from learnblock.runtime.values import plain
 from learnblock.runtime.watcher import Watcher

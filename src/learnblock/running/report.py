@@ -9,8 +9,8 @@ from learnblock.i18n import Phrase
 from learnblock.runtime.ending import Ending, How
 from learnblock.runtime.own_files import quoted
 from learnblock.runtime.program import Program
+from learnblock.runtime.recorder import Collision, Recorder
 from learnblock.runtime.run import Run
-from learnblock.runtime.trace import Collision, Recorder
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,8 +22,9 @@ from learnblock.runtime.host import Host
 from learnblock.runtime.log.keeping import RunLog, TeamLog
 from learnblock.runtime.post import Post
 from learnblock.runtime.process import ProcessWorker, Worker
+from learnblock.runtime.recorder import Recorder, record
 from learnblock.runtime.run import Run
-from learnblock.runtime.trace import MemberTrace, Recorder, Trace, record
+from learnblock.runtime.trace import MemberTrace, Trace
 from learnblock.runtime.trace_sinks import LineSink, TraceSink
 from learnblock.runtime.values import plain
 from learnblock.runtime.watcher import Watcher

@@ -4,7 +4,7 @@ from typing import Any
 
 from learnblock.runtime.conversation import Conversation
 from learnblock.runtime.hosted_robot import HostedRobot
-from learnblock.runtime.trace import Recorder
+from learnblock.runtime.recorder import Recorder
 
 
 class DirectCalls:

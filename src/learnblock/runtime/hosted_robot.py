@@ -9,7 +9,7 @@ from learnblock.devices import Base, Device, Sensor
 from learnblock.errors import LearnBlockError, RobotConnectionError, RobotStoppedError
 from learnblock.i18n import Phrase
 from learnblock.runtime import messages
-from learnblock.runtime.trace import Recorder
+from learnblock.runtime.recorder import Recorder
 from learnblock.runtime.world import World
 
 MakeRobot = Callable[[str, dict[str, Any]], Client]

@@ -26,9 +26,9 @@ from learnblock.runtime.pauses import Pauses
 from learnblock.runtime.post import Box, Post
 from learnblock.runtime.process import ProcessWorker, Worker
 from learnblock.runtime.program import Program
+from learnblock.runtime.recorder import Recorder
 from learnblock.runtime.status import State
 from learnblock.runtime.supervision import Supervision
-from learnblock.runtime.trace import Recorder
 from learnblock.runtime.validation import Validator, refused
 from learnblock.runtime.variables import VariableReports
 from learnblock.runtime.watcher import Watcher

@@ -14,7 +14,8 @@ from learnblock.runtime.ending import How
 from learnblock.runtime.lines import LineBudget, start_line_events
 from learnblock.runtime.output import LineWriter
 from learnblock.runtime.program import Program
-from learnblock.runtime.trace import Recorder, Trace, record
+from learnblock.runtime.recorder import Recorder, record
+from learnblock.runtime.trace import Trace
 
 
 # Why: docs/decisions.md, "python square.py needs no host"

@@ -9,7 +9,8 @@ from learnblock.lessons.judging import judge
 from learnblock.lessons.trace_lines import TraceLines
 from learnblock.lessons.trying import read_program
 from learnblock.running import Job, Options, ProgramRun
-from learnblock.runtime.trace import MOST_COLLISIONS, Recorder, Trace
+from learnblock.runtime.recorder import MOST_COLLISIONS, Recorder
+from learnblock.runtime.trace import Trace
 from learnblock.runtime.watcher import Watcher
 from lesson_files import STEP, evidence
 

@@ -17,8 +17,9 @@ from learnblock.runtime.limits import Limits
 from learnblock.runtime.pacing import Pacing
 from learnblock.runtime.process import ProcessWorker
 from learnblock.runtime.program import Program
+from learnblock.runtime.recorder import record
 from learnblock.runtime.run import Run
-from learnblock.runtime.trace import Trace, record
+from learnblock.runtime.trace import Trace
 from listener import Listener
 from waiting import SECONDS, wait_for
 

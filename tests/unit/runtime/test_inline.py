@@ -13,7 +13,8 @@ from learnblock.runtime.inline import InlineWorker, stays_the_same
 from learnblock.runtime.link import SocketLink
 from learnblock.runtime.messages import Called, Command, FromChild
 from learnblock.runtime.process import ProcessWorker, ThreadWorker
-from learnblock.runtime.trace import Trace, record
+from learnblock.runtime.recorder import record
+from learnblock.runtime.trace import Trace
 from learnblock.runtime.watcher import Watcher
 from listener import Listener
 from places import ROOT

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from learnblock.client import Client
 from learnblock.errors import LearnBlockError
 from learnblock.robots.simulated.robot import SimulatedRobot
-from learnblock.runtime.trace import Recorder
+from learnblock.runtime.recorder import Recorder
 
 if TYPE_CHECKING:
     from learnblock.simulator.picture import Drive

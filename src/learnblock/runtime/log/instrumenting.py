@@ -11,10 +11,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from msgspec.structs import replace
-
 from learnblock.runtime.log.nodes import Kind, Node
-from learnblock.runtime.log.snapshots import LONGEST
+from learnblock.runtime.log.numbering import Numbering, Placed
 from learnblock.runtime.log.syntax import (
     changed_list,
     declarations,
@@ -58,8 +56,6 @@ _ALONE = (
     ast.GeneratorExp,
     ast.JoinedStr,
 )
-#: What has a place in the text.
-_Placed = ast.stmt | ast.expr
 _JUMPS = {ast.Break: Kind.BREAK, ast.Continue: Kind.CONTINUE, ast.Pass: Kind.PASS}
 
 
@@ -90,19 +86,17 @@ def instrument(source: str) -> Instrumented:
     tree = ast.parse(source)
     work = _Instrumenting(source, tree)
     tree.body = work.block(tree.body)
-    return Instrumented(ast.fix_missing_locations(tree), tuple(work.nodes))
+    return Instrumented(ast.fix_missing_locations(tree), tuple(work.nodes.numbered))
 
 
 class _Instrumenting(ast.NodeTransformer):
     """The instrumenting of one program."""
 
     def __init__(self, source: str, tree: ast.Module) -> None:
-        self.nodes: list[Node] = []
-        self._lines = source.encode("utf-8", "surrogatepass").splitlines()
+        self.nodes = Numbering(source)
         self._functions = {
             node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)
         }
-        self._control, self._branch, self._function = -1, True, -1
 
     def block(self, body: Iterable[ast.stmt]) -> list[ast.stmt]:
         """Instrument the statements of a block."""
@@ -128,18 +122,18 @@ class _Instrumenting(ast.NodeTransformer):
             base = function.value.id if isinstance(function.value, ast.Name) else ""
         elif isinstance(function, ast.Name):
             name = function.id
-        number = self._begin(node, Kind.CALL, name=name, base=base, reads=names_read(node))
+        number = self.nodes.begin(node, Kind.CALL, name=name, base=base, reads=names_read(node))
         if name == "wait_until" and len(node.args) == 1:
             self._instrument_condition(node.args[0], Kind.UNTIL)
         node.args = [self._expression(arg) for arg in node.args]
         for keyword in node.keywords:
             keyword.value = self._expression(keyword.value)
         if not base and name in self._functions:
-            node.func = self._noted(CALLS, number, function)
+            node.func = _noted(CALLS, number, function)
         elif isinstance(function, ast.Attribute):
             function.value = self._expression(function.value)
-        self._end(number)
-        return self._noted(RESULT if self._is_harmless(base, name) else CHANGER, number, node)
+        self.nodes.end(number)
+        return _noted(RESULT if self._is_harmless(base, name) else CHANGER, number, node)
 
     def _is_harmless(self, base: str, name: str) -> bool:
         """Whether a call changes no list without its being noted."""
@@ -149,10 +143,10 @@ class _Instrumenting(ast.NodeTransformer):
 
     def visit_NamedExpr(self, node: ast.NamedExpr) -> ast.AST:
         names = (node.target.id,)
-        number = self._begin(node, Kind.ASSIGN, reads=names_read(node.value), writes=names)
+        number = self.nodes.begin(node, Kind.ASSIGN, reads=names_read(node.value), writes=names)
         node.value = self._expression(node.value)
-        self._end(number)
-        node.value = self._noted(WRITE, number, node.value)
+        self.nodes.end(number)
+        node.value = _noted(WRITE, number, node.value)
         return node
 
     def visit_Attribute(self, node: ast.Attribute) -> ast.AST:
@@ -164,8 +158,8 @@ class _Instrumenting(ast.NodeTransformer):
         )
         if not is_state:
             return self.generic_visit(node)
-        number = self._begin(node, Kind.STATE, name=node.attr, base=node.value.id)  # type: ignore[attr-defined] # a name
-        return self._noted(OPERAND, number, node)
+        number = self.nodes.begin(node, Kind.STATE, name=node.attr, base=node.value.id)  # type: ignore[attr-defined] # a name
+        return _noted(OPERAND, number, node)
 
     def visit_Compare(self, node: ast.Compare) -> ast.AST:
         node.left = self._operand(node.left)
@@ -183,16 +177,16 @@ class _Instrumenting(ast.NodeTransformer):
     def _operand(self, node: ast.expr) -> ast.expr:
         if not isinstance(node, ast.Name):
             return self._expression(node)
-        number = self._begin(node, Kind.NAME, name=node.id, reads=(node.id,))
-        return self._noted(OPERAND, number, node)
+        number = self.nodes.begin(node, Kind.NAME, name=node.id, reads=(node.id,))
+        return _noted(OPERAND, number, node)
 
     def _condition(
-        self, test: ast.expr, kind: Kind, at: _Placed, noting: str
+        self, test: ast.expr, kind: Kind, at: Placed, noting: str
     ) -> tuple[int, ast.expr]:
-        number = self._begin(test, kind, reads=names_read(test), at=at)
+        number = self.nodes.begin(test, kind, reads=names_read(test), at=at)
         new = self._operand(test)
-        self._end(number)
-        return number, self._noted(noting, number, new)
+        self.nodes.end(number)
+        return number, _noted(noting, number, new)
 
     def _instrument_condition(self, node: ast.AST, kind: Kind) -> int:
         """Instrument the condition of a `when` or of `wait until`, given as a lambda."""
@@ -207,25 +201,25 @@ class _Instrumenting(ast.NodeTransformer):
         number, node.test = self._condition(node.test, Kind.IF, node, CONDITION)
         node.body = self._controlled(number, node.body)
         node.orelse = self._controlled(number, node.orelse, branch=False)
-        self._end(number)
+        self.nodes.end(number)
         return node
 
     def visit_While(self, node: ast.While) -> ast.AST:
         number, node.test = self._condition(node.test, Kind.WHILE, node, LOOP)
         node.body = self._controlled(number, node.body)
         node.orelse = self.block(node.orelse)
-        self._end(number, node.end_lineno)
+        self.nodes.end(number, node.end_lineno)
         return node
 
     def visit_For(self, node: ast.For) -> ast.AST:
         targets = names_written(node.target)
-        number = self._begin(node, Kind.FOR, reads=names_read(node.iter), writes=targets)
+        number = self.nodes.begin(node, Kind.FOR, reads=names_read(node.iter), writes=targets)
         node.iter = self._expression(node.iter)
         body = self._controlled(number, node.body)
         value = written_value(node.target)
-        node.body = [self._statement(TURN, number, value, node), *body]
+        node.body = [_statement(TURN, number, value, node), *body]
         node.orelse = self.block(node.orelse)
-        self._end(number, node.end_lineno)
+        self.nodes.end(number, node.end_lineno)
         return node
 
     def visit_With(self, node: ast.With) -> ast.AST:
@@ -276,40 +270,38 @@ class _Instrumenting(ast.NodeTransformer):
         """Note variables that a statement has written, at the place of another one."""
         if not names:
             return []
-        number = self._begin(at, Kind.ASSIGN, writes=names)
-        return [self._statement(WRITE, number, values_of(names), at)]
+        number = self.nodes.begin(at, Kind.ASSIGN, writes=names)
+        return [_statement(WRITE, number, values_of(names), at)]
 
     def _deleted(self, at: ast.stmt, names: tuple[str, ...]) -> list[ast.stmt]:
         if not names:
             return []
-        number = self._begin(at, Kind.ASSIGN, writes=names)
-        return [self._statement(GONE, number, ast.Constant(None), at)]
+        number = self.nodes.begin(at, Kind.ASSIGN, writes=names)
+        return [_statement(GONE, number, ast.Constant(None), at)]
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.AST:
-        context = self._control, self._branch, self._function
-        self._control, self._branch = -1, True
-        is_when = bool(node.decorator_list)
-        condition = -1
-        for decorator in node.decorator_list:
-            if isinstance(decorator, ast.Call) and decorator.args:
-                condition = self._instrument_condition(decorator.args[0], Kind.WHEN)
-        if condition >= 0:
-            self._change(condition, name=node.name)
-        parameters = tuple(arg.arg for arg in node.args.args)
-        self._function = -1
-        number = self._begin(
-            node,
-            Kind.FUNCTION,
-            name=node.name,
-            parameters=parameters,
-            is_when=is_when,
-            first=node.decorator_list[0].lineno if is_when else node.lineno,
-        )
-        self._function = number
-        if not has_yield(node):
-            node.body = self._function_body(node, number)
-        self._end(number, node.end_lineno)
-        self._control, self._branch, self._function = context
+        with self.nodes.definition():
+            is_when = bool(node.decorator_list)
+            condition = -1
+            for decorator in node.decorator_list:
+                if isinstance(decorator, ast.Call) and decorator.args:
+                    condition = self._instrument_condition(decorator.args[0], Kind.WHEN)
+            if condition >= 0:
+                self.nodes.change(condition, name=node.name)
+            parameters = tuple(arg.arg for arg in node.args.args)
+            self.nodes.enter_function(-1)
+            number = self.nodes.begin(
+                node,
+                Kind.FUNCTION,
+                name=node.name,
+                parameters=parameters,
+                is_when=is_when,
+                first=node.decorator_list[0].lineno if is_when else node.lineno,
+            )
+            self.nodes.enter_function(number)
+            if not has_yield(node):
+                node.body = self._function_body(node, number)
+            self.nodes.end(number, node.end_lineno)
         return node
 
     def visit_ClassDef(self, node: ast.ClassDef) -> ast.AST:
@@ -322,8 +314,8 @@ class _Instrumenting(ast.NodeTransformer):
     def _note_calls(self, method: ast.FunctionDef, name: str) -> None:
         if has_yield(method):
             return
-        number = self._begin(method, Kind.FUNCTION, name=name, first=method.lineno)
-        self._end(number, method.end_lineno)
+        number = self.nodes.begin(method, Kind.FUNCTION, name=name, first=method.lineno)
+        self.nodes.end(number, method.end_lineno)
         ahead = [*declarations(method.body)]
         # Without the arguments: to describe an object may call its methods.
         method.body = self._enclosed(method, number, (), ahead, method.body[len(ahead) :])
@@ -350,7 +342,7 @@ class _Instrumenting(ast.NodeTransformer):
         # The line where Python says that the function begins, so that it isn't a line of its body.
         at = node.decorator_list[0] if node.decorator_list else node
         values = ast.Tuple([ast.Name(name, ast.Load()) for name in arguments], ast.Load())
-        left = self._statement(LEAVE, number, ast.Constant(None), at)
+        left = _statement(LEAVE, number, ast.Constant(None), at)
         enclosed = ast.Try(
             body=body or [ast.Pass(lineno=node.lineno, col_offset=0)],
             handlers=[],
@@ -358,22 +350,22 @@ class _Instrumenting(ast.NodeTransformer):
             finalbody=[left],
         )
         ast.copy_location(enclosed, at)
-        return [*ahead, self._statement(ENTER, number, values, at), enclosed]
+        return [*ahead, _statement(ENTER, number, values, at), enclosed]
 
     def visit_Return(self, node: ast.Return) -> ast.AST:
-        number = self._begin(node, Kind.RETURN, reads=names_read(node))
+        number = self.nodes.begin(node, Kind.RETURN, reads=names_read(node))
         value = (
             self._expression(node.value)
             if node.value
             else ast.copy_location(ast.Constant(None), node)
         )
-        node.value = self._noted(RETURN, number, value)
-        self._end(number)
+        node.value = _noted(RETURN, number, value)
+        self.nodes.end(number)
         return node
 
     def _visit_jump(self, node: ast.stmt) -> list[ast.stmt]:
-        number = self._begin(node, _JUMPS[type(node)])
-        return [self._statement(JUMP, number, ast.Constant(None), node), node]
+        number = self.nodes.begin(node, _JUMPS[type(node)])
+        return [_statement(JUMP, number, ast.Constant(None), node), node]
 
     visit_Break = _visit_jump  # noqa: N815 - `ast.NodeVisitor` looks for this name
     visit_Continue = _visit_jump  # noqa: N815
@@ -381,30 +373,30 @@ class _Instrumenting(ast.NodeTransformer):
 
     def visit_Assign(self, node: ast.Assign) -> ast.AST | list[ast.stmt]:
         names = tuple(name for target in node.targets for name in names_written(target))
-        number = self._begin(node, Kind.ASSIGN, reads=names_read(node), writes=names)
+        number = self.nodes.begin(node, Kind.ASSIGN, reads=names_read(node), writes=names)
         node.value = self._expression(node.value)
-        self._end(number)
+        self.nodes.end(number)
         if all(isinstance(target, ast.Name) for target in node.targets):
-            node.value = self._noted(WRITE, number, node.value)
+            node.value = _noted(WRITE, number, node.value)
             return node
         return [node, *self._writes_after(node, number)]
 
     def visit_AugAssign(self, node: ast.AugAssign) -> list[ast.stmt]:
-        number = self._begin(
+        number = self.nodes.begin(
             node, Kind.ASSIGN, reads=names_read(node), writes=names_written(node.target)
         )
         node.value = self._expression(node.value)
-        self._end(number)
+        self.nodes.end(number)
         return [node, *self._writes_after(node, number)]
 
     def visit_AnnAssign(self, node: ast.AnnAssign) -> ast.AST:
         if node.value is None:
             return node
-        number = self._begin(
+        number = self.nodes.begin(
             node, Kind.ASSIGN, reads=names_read(node.value), writes=names_written(node.target)
         )
-        node.value = self._noted(WRITE, number, self._expression(node.value))
-        self._end(number)
+        node.value = _noted(WRITE, number, self._expression(node.value))
+        self.nodes.end(number)
         return node
 
     def visit_Expr(self, node: ast.Expr) -> ast.AST | list[ast.stmt]:
@@ -412,78 +404,42 @@ class _Instrumenting(ast.NodeTransformer):
         if not changed:
             node.value = self._expression(node.value)
             return node
-        number = self._begin(node, Kind.ASSIGN, reads=names_read(node.value), writes=(changed,))
+        number = self.nodes.begin(
+            node, Kind.ASSIGN, reads=names_read(node.value), writes=(changed,)
+        )
         node.value = self._expression(node.value)
-        self._end(number)
+        self.nodes.end(number)
         return [node, *self._writes_after(node, number)]
 
     def _writes_after(self, node: ast.stmt, number: int) -> list[ast.stmt]:
         """Note the variables that a statement has changed, behind it."""
-        names = self.nodes[number].writes
-        return [self._statement(WRITE, number, values_of(names), node)] if names else []
+        names = self.nodes.numbered[number].writes
+        return [_statement(WRITE, number, values_of(names), node)] if names else []
 
     def visit_Import(self, node: ast.Import) -> ast.AST:
         return node
 
-    # Nodes.
-
     def _controlled(
         self, number: int, body: Sequence[ast.stmt], *, branch: bool = True
     ) -> list[ast.stmt]:
-        context = self._control, self._branch
-        self._control, self._branch = number, branch
-        statements = self.block(body)
-        self._control, self._branch = context
-        return statements
+        with self.nodes.controlled_by(number, branch=branch):
+            return self.block(body)
 
-    def _begin(
-        self, node: _Placed, kind: Kind, *, at: _Placed | None = None, **more: object
-    ) -> int:
-        """Number a node; `_end` says later what it contains."""
-        first = (at or node).lineno
-        number = len(self.nodes)
-        self.nodes.append(
-            Node(
-                kind,
-                line=first,
-                end=node.end_lineno or first,
-                text=self._text(node),
-                last=number,
-                control=self._control,
-                branch=self._branch,
-                function=self._function,
-                **more,  # type: ignore[arg-type] # the names of the fields
-            )
-        )
-        return number
 
-    def _end(self, number: int, line: int | None = None) -> None:
-        node = self.nodes[number]
-        self._change(number, last=len(self.nodes) - 1, end=line or node.end)
+def _noted(noting: str, number: int, value: ast.expr) -> ast.expr:
+    call = ast.Call(ast.Name(noting, ast.Load()), [ast.Constant(number), value], [])
+    for new in (call, call.func, call.args[0]):
+        ast.copy_location(new, value)
+    return call
 
-    def _change(self, number: int, **more: object) -> None:
-        self.nodes[number] = replace(self.nodes[number], **more)
 
-    def _text(self, node: _Placed) -> str:
-        """The first line of a node's Python, shortened."""
-        line = self._lines[node.lineno - 1]
-        end = node.end_col_offset if node.end_lineno == node.lineno else len(line)
-        text = line[node.col_offset : end].decode("utf-8", "replace").strip()
-        return text if len(text) <= LONGEST else text[: LONGEST - 3] + "..."
-
-    def _noted(self, noting: str, number: int, value: ast.expr) -> ast.expr:
-        call = ast.Call(ast.Name(noting, ast.Load()), [ast.Constant(number), value], [])
-        for new in (call, call.func, call.args[0]):
-            ast.copy_location(new, value)
-        return call
-
-    def _statement(self, noting: str, number: int, value: ast.expr, at: ast.AST) -> ast.stmt:
-        call = ast.Call(ast.Name(noting, ast.Load()), [ast.Constant(number), value], [])
-        statement = ast.Expr(call)
-        for new in ast.walk(statement):
-            if isinstance(new, ast.expr | ast.stmt):
-                ast.copy_location(new, at)
-                # All on its first line: a block of several lines is the statement's own affair.
-                new.end_lineno = new.lineno
-                new.end_col_offset = new.col_offset
-        return statement
+def _statement(noting: str, number: int, value: ast.expr, at: ast.AST) -> ast.stmt:
+    call = ast.Call(ast.Name(noting, ast.Load()), [ast.Constant(number), value], [])
+    statement = ast.Expr(call)
+    for new in ast.walk(statement):
+        if isinstance(new, ast.expr | ast.stmt):
+            ast.copy_location(new, at)
+            # All on its first line: a block of several lines is the statement's own affair.
+            new.end_lineno = new.lineno
+            new.end_col_offset = new.col_offset
+    return statement

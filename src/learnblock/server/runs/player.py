@@ -12,8 +12,8 @@ from learnblock.errors import LearnBlockError, phrase_of
 from learnblock.i18n import Phrase
 from learnblock.running import Report
 from learnblock.runtime.messages import Variables
+from learnblock.runtime.recorder import Collision
 from learnblock.runtime.status import State
-from learnblock.runtime.trace import Collision
 from learnblock.server import messages
 from learnblock.server.runs import telemetry
 from learnblock.server.runs.console import Console, Voice, message_of

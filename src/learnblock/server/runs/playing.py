@@ -16,7 +16,7 @@ from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.escalation import PATIENCE, Patience
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.program import Program
-from learnblock.runtime.trace import Recorder
+from learnblock.runtime.recorder import Recorder
 from learnblock.runtime.trace_sinks import LineSink
 from learnblock.server import messages
 from learnblock.server.runs.escalation import escalate_async

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Protocol, TypeVar
 
 from anyio import CapacityLimiter, to_thread
 
-from learnblock.runtime.trace import Collision
+from learnblock.runtime.recorder import Collision
 from learnblock.server import messages
 from learnblock.server.runs import telemetry
 from learnblock.server.runs.console import Console, message_of

@@ -16,8 +16,9 @@ from learnblock.robots.simulated import Simulation, find_world, pace_factor
 from learnblock.runtime.host import Host
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.program import Program
+from learnblock.runtime.recorder import record
 from learnblock.runtime.run import Run
-from learnblock.runtime.trace import Trace, record
+from learnblock.runtime.trace import Trace
 from learnblock.simulator import World, load_world
 from learnblock.simulator.world_description import Theme
 from runs import run_file

@@ -1,6 +1,6 @@
 """Which bumps of a robot are worth a line."""
 
-from learnblock.runtime.trace import Collision
+from learnblock.runtime.recorder import Collision
 from learnblock.server.runs.reporter import Bumps
 
 
