@@ -65,7 +65,7 @@ def test_every_statement_begins_with_the_icon_of_its_group_and_no_value_does(pup
 def test_an_empty_place_says_what_belongs_there_until_it_is_filled(pupil):
     loop = pupil.take("Control", "controls_whileUntil")
     words = pupil.block(loop).locator("> .lbSlotWord")
-    expect(words).to_have_text(["yes or no?"])
+    expect(words).to_have_text(["yes or no"])
     pupil.picture("empty")
     pupil.write("blocktext", "main:\n    while 1 < 2:\n        pass\n    end\nend\n")
     expect(pupil.blocks("logic_compare")).to_be_visible()

@@ -67,11 +67,9 @@ def test_a_copy_of_a_world_has_the_name_that_the_user_gives_it(pupil):
     expect(field).to_have_value("Empty floor 2")
     field.fill("Ana's room")
     pupil.dialog().get_by_role("button", name="Save and use").click()
-    expect(
-        pupil.dialog().get_by_role("status").filter(has_text="Now using Ana's room")
-    ).to_be_visible()
+    pupil.expect_note("Saved. Now using Ana's room.")
     pupil.picture("saved")
-    pupil.page.keyboard.press("Escape")
+    expect(pupil.dialog()).to_have_count(0)
     pupil.expect_chosen("World", "Ana's room")
     pupil.press("Edit world")
     expect(pupil.dialog().get_by_label("Save as")).to_have_value("Ana's room")
