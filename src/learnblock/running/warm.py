@@ -14,6 +14,7 @@ import sys
 from collections import deque
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from importlib import import_module
 from io import BytesIO
 from pkgutil import iter_modules
@@ -25,7 +26,8 @@ from typing import NoReturn
 from learnblock import robots, skills
 from learnblock.i18n import Phrase
 from learnblock.installation import version
-from learnblock.running.job import Job, unpacked
+from learnblock.robots import RobotEntry
+from learnblock.running.job import Job, Options, unpacked
 from learnblock.running.plain import is_plain
 from learnblock.running.program_run import ProgramRun
 from learnblock.running.recorded_keys import RecordedKeys
@@ -120,6 +122,10 @@ def main() -> None:
     connection = socket.socket(fileno=int(sys.argv[1]))
     for module in (*_PRELOADED, *_skill_modules()):
         import_module(module)
+    # Read from the installed packages, which a child would search again.
+    robots.entries()
+    skill_files.plugins()
+    version()
     # Imported here because the server and the command line import this module, too.
     import cv2  # noqa: PLC0415
 
@@ -129,7 +135,7 @@ def main() -> None:
         while length := stream.read(8):
             jobs, at_once = unpacked(stream.read(int.from_bytes(length)))
             for job in jobs:
-                _load(job)
+                _load(job.robot, job.options.world)
             if not gc.get_freeze_count():
                 # A child that collected what we have loaded would copy all of it.
                 gc.freeze()
@@ -143,15 +149,13 @@ def main() -> None:
                 return
 
 
-def _load(job: Job) -> None:
+@lru_cache(maxsize=100)
+def _load(robot: RobotEntry, world: str | None) -> None:
     """Read what each child would read again, since it can't keep it for the next one."""
-    robot = job.robot.load()
-    robot.known_equipment()
+    kind = robot.load()
+    kind.known_equipment()
     # Our caller has made such a world, too: it is possible.
-    robot.check_wishes(job.options.wishes)
-    robots.entries()
-    skill_files.plugins()
-    version()
+    kind.check_wishes(Options(world=world).wishes)
 
 
 def _skill_modules() -> Iterator[str]:
