@@ -14,7 +14,7 @@ from learnblock.i18n import Phrase
 from learnblock.running.job import Job
 from learnblock.running.report import Report, report
 from learnblock.runtime.containment.driver import give_up, in_own_thread
-from learnblock.runtime.debugger import Debugger
+from learnblock.runtime.debugger import Debugger, HeldBy
 from learnblock.runtime.escalation import PATIENCE, Patience
 from learnblock.runtime.host import Host
 from learnblock.runtime.log.keeping import RunLog
@@ -40,8 +40,8 @@ class ProgramRun:
     """A prepared run of a program.
 
     Args:
-        job: what is asked for. Whoever makes the run sees to its keys, its trace and its process,
-            through the arguments below.
+        job: the run to be made. Its keys, its trace and its process are chosen by the arguments
+            below.
         trace: the file of the trace; None for none.
         lines: takes the lines of the trace themselves; None for nothing.
         watcher: receives events as they happen.
@@ -155,6 +155,10 @@ class ProgramRun:
     def set_breakpoints(self, lines: Collection[int]) -> None:
         """Replace the breakpoints, given as lines of the program's Python."""
         self._control.set_breakpoints(lines)
+
+    def held_by(self, line: int) -> HeldBy:
+        """Why the program is held before a line of its Python."""
+        return self._control.held_by(line)
 
     def set_speed(self, factor: float | None) -> None:
         """Set the speed of a simulated world, times real time; None is as fast as possible."""

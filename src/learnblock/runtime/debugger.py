@@ -2,10 +2,13 @@
 
 import threading
 from collections.abc import Collection
-from typing import Protocol
+from typing import Literal, Protocol
 
 from learnblock.runtime.messages import Control, Mode
 from learnblock.runtime.status import State, Status
+
+#: Why a program is held before a line.
+HeldBy = Literal["breakpoint", "step", "pause"]
 
 
 class Holdable(Protocol):
@@ -59,6 +62,14 @@ class Debugger:
             if self._held and self._governed:
                 self._governed.pause()
             return self._held
+
+    def held_by(self, line: int) -> HeldBy:
+        """Why the program is held before `line`."""
+        with self._commands:
+            if line in self.control.breakpoints:
+                return "breakpoint"
+            is_stepping = self.control.mode is not Mode.RUN and not self._paused
+            return "step" if is_stepping else "pause"
 
     def wait(self) -> None:
         """Return when the program may continue."""

@@ -151,3 +151,40 @@ def test_debugging_does_not_change_the_trace(stage, run):
     fresh.add(PROGRAM)
     fresh.host().run()
     assert debugged.trace == fresh.results()[0].trace
+
+
+def held(**options):
+    """The debugger of a program that is held at its breakpoint in line 5."""
+    debugger = Debugger({5}, **options)
+    assert debugger.holds(5, 0)
+    return debugger
+
+
+def test_a_breakpoint_is_the_reason_even_after_a_step():
+    debugger = held()
+    debugger.step()
+    assert debugger.held_by(5) == "breakpoint"
+
+
+@pytest.mark.parametrize("command", ["step", "step_over"])
+def test_after_a_step_the_step_is_the_reason(command):
+    debugger = held()
+    getattr(debugger, command)()
+    assert debugger.held_by(6) == "step"
+
+
+def test_a_program_that_is_paused_is_held_for_that():
+    debugger = held()
+    debugger.step()
+    debugger.pause()
+    assert debugger.held_by(6) == "pause"
+
+
+def test_a_program_that_begins_with_a_step_is_held_for_that():
+    assert Debugger({5}, paused=True).held_by(1) == "step"
+
+
+def test_breakpoints_that_are_set_while_it_runs_count():
+    debugger = Debugger({5})
+    debugger.set_breakpoints({7})
+    assert [debugger.held_by(5), debugger.held_by(7)] == ["pause", "breakpoint"]

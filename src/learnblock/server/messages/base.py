@@ -13,8 +13,6 @@ LONGEST_FILE = 1_000_000
 LONGEST_CONTENT = 3_500_000
 
 StateName = Literal["idle", "starting", "running", "paused", "held", "input", "done", "ended"]
-#: Why a program is held before a line.
-HeldBy = Literal["breakpoint", "step", "pause"]
 Text = Annotated[str, Meta(max_length=LONGEST_TEXT)]
 FileText = Annotated[str, Meta(max_length=LONGEST_FILE)]
 Name = Annotated[str, Meta(min_length=1, max_length=100)]

@@ -7,10 +7,10 @@ from msgspec import Meta, Struct
 from learnblock.client.keyboard import KEYS, Key
 from learnblock.i18n import Phrase
 from learnblock.monitor.monitor import GoalNow, Link, Seen, State
+from learnblock.runtime.debugger import HeldBy
 from learnblock.server.messages.base import (
     Coordinate,
     FromReader,
-    HeldBy,
     Look,
     Name,
     Pace,

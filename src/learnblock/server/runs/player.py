@@ -11,6 +11,7 @@ from msgspec.structs import replace
 from learnblock.errors import LearnBlockError, phrase_of
 from learnblock.i18n import Phrase
 from learnblock.running import Report
+from learnblock.runtime.debugger import HeldBy
 from learnblock.runtime.messages import Variables
 from learnblock.runtime.recorder import Collision
 from learnblock.runtime.status import State
@@ -241,15 +242,15 @@ class Player:
 
     def pause(self) -> None:
         if self._playing:
-            self._playing.pause()
+            self._playing.run.pause()
 
     def resume(self) -> None:
         if self._playing:
-            self._playing.resume()
+            self._playing.run.resume()
 
     def step(self, *, over: bool) -> None:
         if self._playing:
-            self._playing.step(over=over)
+            (self._playing.run.step_over if over else self._playing.run.step)()
 
     def set_speed(self, factor: float | None) -> None:
         """Set the speed of this and later runs, as a multiple of real time; None is the fastest."""
@@ -301,7 +302,8 @@ class Player:
 
     def on_held(self, line: int) -> None:
         if self._playing:
-            self._enter("held", self._playing.played.block_at(line), self._playing.held_by(line))
+            playing = self._playing
+            self._enter("held", playing.played.block_at(line), playing.run.held_by(line))
 
     def on_variables(self, variables: Variables) -> None:
         whens = tuple(messages.WhenNow(name, *now) for name, now in variables.whens.items())
@@ -361,7 +363,7 @@ class Player:
         self,
         state: messages.StateName,
         block: str | None = None,
-        held_by: messages.HeldBy = "pause",
+        held_by: HeldBy = "pause",
     ) -> None:
         self._reporter.flush()
         before, self._state = self._state, messages.RunState(state, block, self._speed, held_by)

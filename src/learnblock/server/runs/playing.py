@@ -12,7 +12,7 @@ from learnblock.monitor.monitor import GoalNow
 from learnblock.project.document.document import Document
 from learnblock.running import ProgramRun, Report
 from learnblock.running.job import Job
-from learnblock.runtime.debugger import Debugger
+from learnblock.runtime.debugger import Debugger, HeldBy
 from learnblock.runtime.escalation import PATIENCE, Patience
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.program import Program
@@ -71,6 +71,8 @@ class Controlled(Protocol):
 
     def set_breakpoints(self, lines: Collection[int]) -> None: ...
 
+    def held_by(self, line: int) -> HeldBy: ...
+
     def set_speed(self, factor: float | None) -> None: ...
 
     def report_variables(self, *, enabled: bool) -> None: ...
@@ -85,8 +87,6 @@ class Playing:
         watcher: the watcher of `run`.
         looking: looks back at the run; None if no log of it is kept.
         patience: how long it may take to end once it is stopped.
-        breakpoints: the lines of Python before which it pauses.
-        paused: whether it pauses before the first line.
     """
 
     def __init__(
@@ -96,9 +96,6 @@ class Playing:
         watcher: RunWatcher,
         looking: Looking | None = None,
         patience: Patience = PATIENCE,
-        *,
-        breakpoints: frozenset[int] = frozenset(),
-        paused: bool = False,
     ) -> None:
         self.played = played
         self.run = run
@@ -107,8 +104,6 @@ class Playing:
         #: Set when the run has ended and its robot has been released, or when it was given up.
         self.over = asyncio.Event()
         self._patience = patience
-        self._breakpoints = breakpoints
-        self._is_stepping = paused
         #: The thread that runs it; None before it has begun.
         self._thread: threading.Thread | None = None
 
@@ -154,28 +149,9 @@ class Playing:
         measures = self._patience.measures(self.run.stop, self.run.abort)
         return await escalate_async(measures, self.over)
 
-    def pause(self) -> None:
-        self._is_stepping = False
-        self.run.pause()
-
-    def resume(self) -> None:
-        self._is_stepping = False
-        self.run.resume()
-
-    def step(self, *, over: bool) -> None:
-        self._is_stepping = True
-        (self.run.step_over if over else self.run.step)()
-
     def set_breakpoints(self, blocks: Iterable[str]) -> None:
         """Pause before these blocks only."""
-        self._breakpoints = first_lines(self.played, blocks)
-        self.run.set_breakpoints(self._breakpoints)
-
-    def held_by(self, line: int) -> messages.HeldBy:
-        """Why the program is held before a line."""
-        if line in self._breakpoints:
-            return "breakpoint"
-        return "step" if self._is_stepping else "pause"
+        self.run.set_breakpoints(first_lines(self.played, blocks))
 
     def ended(self, report: Report) -> messages.Ended:
         """Describe how the run ended."""
@@ -268,17 +244,16 @@ def prepared(
     """
     watcher = RunWatcher(listener)
     log = RunLog(job.program)
-    stops = first_lines(played, breakpoints)
     run = ProgramRun(
         job,
         lines=lines,
         watcher=watcher,
-        debugger=Debugger(stops, paused=paused),
+        debugger=Debugger(first_lines(played, breakpoints), paused=paused),
         log=log,
         lacking=played.lacking,
         monitored=True,
     )
-    return Playing(played, run, watcher, looking_at(played, log), breakpoints=stops, paused=paused)
+    return Playing(played, run, watcher, looking_at(played, log))
 
 
 def looking_at(played: Played, log: RunLog) -> Looking:

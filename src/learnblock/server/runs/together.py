@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from learnblock.running import Report
 from learnblock.running.job import Job
-from learnblock.runtime.debugger import Debugger
+from learnblock.runtime.debugger import Debugger, HeldBy
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.program import Program
 from learnblock.runtime.status import State
@@ -112,6 +112,9 @@ class MemberRun:
     def set_breakpoints(self, lines: Collection[int]) -> None:
         self._own.set_breakpoints(lines)
 
+    def held_by(self, line: int) -> HeldBy:
+        return self._own.held_by(line)
+
     def set_speed(self, factor: float | None) -> None:
         self._team.set_speed(factor)
 
@@ -168,14 +171,9 @@ class Participant:
         """Looks back at the run of this robot."""
         return looking_at(self.played, log)
 
-    @property
-    def stops(self) -> frozenset[int]:
-        """The lines of Python before which its program pauses."""
-        return first_lines(self.played, self.breakpoints)
-
     def debugger(self) -> Debugger:
         """What pauses the program."""
-        return Debugger(self.stops, paused=self.paused)
+        return Debugger(first_lines(self.played, self.breakpoints), paused=self.paused)
 
 
 async def play_together(participants: Sequence[Participant], lines: LineSink | None = None) -> None:
@@ -207,16 +205,7 @@ async def play_together(participants: Sequence[Participant], lines: LineSink | N
         watcher = watchers[participant.name]
         watcher.run = MemberRun(team, participant.name, debuggers)
         looking = participant.looking(logs[participant.name])
-        playings.append(
-            Playing(
-                participant.played,
-                watcher.run,
-                watcher,
-                looking,
-                breakpoints=participant.stops,
-                paused=participant.paused,
-            )
-        )
+        playings.append(Playing(participant.played, watcher.run, watcher, looking))
     try:
         for playing, participant in zip(playings, participants, strict=True):
             await participant.player.begin(playing)
