@@ -31,6 +31,12 @@ class Placed(NamedTuple):
     heading: float
 
 
+def length_of(path: Sequence[Placed]) -> float:
+    """The length of a way in mm."""
+    steps = pairwise(path)
+    return sum(math.hypot(after.x - before.x, after.y - before.y) for before, after in steps)
+
+
 class Noted(NamedTuple):
     """A text, such as a printed line or a skill's name, and when it was noted."""
 
@@ -77,10 +83,7 @@ class Evidence:
     @cached_property
     def distance(self) -> float:
         """The mm that the robot drove, along its way."""
-        return sum(
-            math.hypot(after.x - before.x, after.y - before.y)
-            for before, after in pairwise(self.path)
-        )
+        return length_of(self.path)
 
     @cached_property
     def reached(self) -> Mapping[str, Moment]:

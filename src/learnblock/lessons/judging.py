@@ -4,7 +4,6 @@ import math
 from bisect import bisect_left
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import Any, Literal
 
 from learnblock.i18n import Phrase
@@ -28,8 +27,8 @@ from learnblock.lessons.checks import (
     Uses,
 )
 from learnblock.lessons.describing import event_words, pattern_words, times_words, uses_words
-from learnblock.lessons.evidence import Evidence, Moment, Placed
-from learnblock.lessons.happening import fits, heading_between, moments
+from learnblock.lessons.evidence import Evidence, Moment, Placed, length_of
+from learnblock.lessons.happening import fits, heading_between, is_on_line, moments, turned_along
 from learnblock.lessons.lesson import Step
 from learnblock.lessons.misses import Miss, missed
 from learnblock.runtime.ending import How
@@ -115,19 +114,20 @@ class _Judgement:
     experts: ExpertJudge | None
 
     def verdict(self, check: Check, index: int) -> Verdict:
-        found = self.finding(check)
+        evidence = self.evidence
+        if evidence is not None and check.robot is not None:
+            evidence = evidence.of(check.robot)
+        found = self._finding(check, evidence)
         miss = None
-        if found.state == "failed" and self.evidence is not None:
-            evidence = self.evidence if check.robot is None else self.evidence.of(check.robot)
+        if found.state == "failed" and evidence is not None:
             miss = missed(check, evidence, self.world)
         return Verdict(check, index, found.state, found.at, found.reason, miss)
 
-    def finding(self, check: Check) -> Finding:
+    def _finding(self, check: Check, evidence: Evidence | None) -> Finding:
         if isinstance(check, Uses | Size):
             return _OPEN if self.program is None else _STRUCTURE[type(check)](check, self.program)
-        if self.evidence is None:
+        if evidence is None:
             return _OPEN
-        evidence = self.evidence if check.robot is None else self.evidence.of(check.robot)
         if isinstance(check, Expert):
             return self._expert(check, evidence)
         return _BEHAVIOUR[type(check)](check, _Run(evidence, self.world, self.step.seconds))
@@ -307,13 +307,11 @@ def _out_of_order(check: InOrder, run: _Run, number: int, before: Sequence[Momen
 
 
 def _on_line(check: StaysOnLine, run: _Run) -> Finding:
-    lines = run.world.line if run.world else ()
-    line = next((line for line in lines if line.name == check.line), None)
+    line = run.world.line_named(check.line) if run.world else None
     if line is None:
         return _failed(None, "lesson-no-line", line=check.line) if run.has_ended else _OPEN
-    middle = line.polyline()
     path = run.evidence.path
-    is_on = [middle.nearest(placed.x, placed.y)[0] <= check.distance for placed in path]
+    is_on = is_on_line(path, line.polyline(), check.distance)
     if True not in is_on:
         return _failed(run.now, "lesson-line-never") if run.has_ended else _OPEN
     first = is_on.index(True)
@@ -329,7 +327,7 @@ def _on_line(check: StaysOnLine, run: _Run) -> Finding:
 
 
 def _long_enough(check: StaysOnLine, run: _Run, path: Sequence[Placed]) -> Finding:
-    driven = sum(math.hypot(b.x - a.x, b.y - a.y) for a, b in pairwise(path))
+    driven = length_of(path)
     if driven >= check.least:
         return _met(run.now)
     return _failed(run.now, "lesson-line-short", driven=_mm(driven), least=_mm(check.least))
@@ -376,7 +374,7 @@ def _ends_at(check: EndsAt, run: _Run) -> Finding:
 def _turns(check: Turns, run: _Run) -> Finding:
     if not run.has_ended:
         return _OPEN
-    turned = sum(heading_between(a.heading, b.heading) for a, b in pairwise(run.evidence.path))
+    turned = turned_along(run.evidence.path)
     if abs(turned - check.by) <= check.tolerance:
         return _met(run.now)
     return _failed(run.now, "lesson-turned", turned=round(turned), by=round(check.by))

@@ -6,7 +6,7 @@ The page, `lesson try`, `lesson check` and grading say the same.
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import compress, pairwise
 from typing import Any
 
 from learnblock.i18n import Phrase
@@ -27,7 +27,7 @@ from learnblock.lessons.checks import (
     Stood,
     Turns,
 )
-from learnblock.lessons.evidence import Evidence, Moment, Placed
+from learnblock.lessons.evidence import Evidence, Moment, Placed, length_of
 from learnblock.lessons.gaps import (
     XY,
     direction,
@@ -41,7 +41,7 @@ from learnblock.lessons.gaps import (
     turn_words,
     xy,
 )
-from learnblock.lessons.happening import heading_between, moments
+from learnblock.lessons.happening import heading_between, is_on_line, moments, turned_along
 from learnblock.simulator import WorldDescription
 from learnblock.simulator.geometry import Pose
 from learnblock.simulator.goal_description import (
@@ -262,12 +262,11 @@ def _visit(goal: Visit, run: _Run) -> Miss | None:
 
 
 def _follow(goal: Follow, run: _Run) -> Miss | None:
-    lines = run.world.line if run.world else ()
-    line = next((line for line in lines if line.name == goal.line), None)
+    line = run.world.line_named(goal.line) if run.world else None
     if line is None or not run.path:
         return None
     middle = line.polyline()
-    on = [placed for placed in run.path if middle.distance(placed.x, placed.y) <= goal.distance]
+    on = [*compress(run.path, is_on_line(run.path, middle, goal.distance))]
     if not on:
         return Miss(Phrase("lesson-line-never"))
     followed = FollowGoal(goal, middle)
@@ -343,8 +342,8 @@ def _bumped(run: _Run, hits: Sequence[Moment] | None = None) -> Miss | None:
     if not found or not run.path:
         return None
     until = [placed for placed in run.path if placed.moment.time <= found[0].time] or run.path[:1]
-    driven = sum(math.dist(xy(before), xy(after)) for before, after in pairwise(until))
-    return Miss(Phrase("lesson-miss-bump", mm=rounded_mm(driven)), xy(until[-1]), xy(until[-1]))
+    mm = rounded_mm(length_of(until))
+    return Miss(Phrase("lesson-miss-bump", mm=mm), xy(until[-1]), xy(until[-1]))
 
 
 def _ends_at(check: EndsAt, run: _Run) -> Miss | None:
@@ -372,7 +371,7 @@ def _drives(check: Drives, run: _Run) -> Miss | None:
 
 
 def _turns(check: Turns, run: _Run) -> Miss | None:
-    turned = sum(heading_between(a.heading, b.heading) for a, b in pairwise(run.path))
+    turned = turned_along(run.path)
     # A turn to the left is negative: what counts is how much of the wanted turn was made.
     over = (turned - check.by) * (1 if check.by >= 0 else -1)
     code = "lesson-gap-over" if over > 0 else "lesson-gap-under"
@@ -381,12 +380,10 @@ def _turns(check: Turns, run: _Run) -> Miss | None:
 
 
 def _on_line(check: StaysOnLine, run: _Run) -> Miss | None:
-    lines = run.world.line if run.world else ()
-    line = next((line for line in lines if line.name == check.line), None)
+    line = run.world.line_named(check.line) if run.world else None
     if line is None:
         return None
-    middle = line.polyline()
-    is_on = [middle.nearest(placed.x, placed.y)[0] <= check.distance for placed in run.path]
+    is_on = is_on_line(run.path, line.polyline(), check.distance)
     if True not in is_on:
         return None
     first = is_on.index(True)

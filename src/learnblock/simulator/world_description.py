@@ -284,6 +284,10 @@ class WorldDescription(WorldFile, kw_only=True, frozen=True, forbid_unknown_fiel
     folder: str = ""
     variant: int = 0
 
+    def line_named(self, name: str) -> Line | None:
+        """The line with this name; None if there is none."""
+        return next((line for line in self.line if line.name == name), None)
+
 
 def thing_name(thing: Box | Cylinder | Tag | Face | Start) -> str:
     """The name of an object in messages and events."""

@@ -25,7 +25,7 @@ from learnblock.lessons.checks import (
     Turns,
 )
 from learnblock.lessons.evidence import Placed
-from learnblock.lessons.happening import heading_between
+from learnblock.lessons.happening import heading_between, turned_along
 from learnblock.lessons.hints import driving
 from learnblock.lessons.hints.driving import Misdrive
 from learnblock.lessons.hints.guess import Guess
@@ -242,7 +242,7 @@ def turned(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
     if not isinstance(verdict.check, Turns) or situation.evidence is None:
         return
     path = situation.evidence.path
-    real = _turned(path)
+    real = turned_along(path)
     wanted, tolerance = verdict.check.by, verdict.check.tolerance
     first = next(
         (call for call in situation.calls if call.skill in DRIVING and _is_turn(call)), None
@@ -256,7 +256,7 @@ def turned(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
     elif abs(real) < abs(wanted):
         yield Guess("value-too-small", lines, about, sign="value_too_small", surely=5)
     else:
-        turns = [abs(_turned(pair)) for pair in pairwise(path)]
+        turns = [abs(turned_along(pair)) for pair in pairwise(path)]
         line = _line_beyond(situation, turns, abs(wanted) + tolerance)
         yield _too_large(situation, line, surely=5)
 
@@ -272,10 +272,6 @@ def _line_beyond(situation: Situation, parts: Sequence[float], most: float) -> i
 def _too_large(situation: Situation, line: int, surely: int) -> Guess:
     about = _about(situation, line)
     return Guess("value-too-large", (line,) if line else (), about, {}, "value_too_large", surely)
-
-
-def _turned(path: Sequence[Placed]) -> float:
-    return sum(heading_between(before.heading, after.heading) for before, after in pairwise(path))
 
 
 def _is_turn(call: Any) -> bool:
@@ -312,7 +308,8 @@ def never_moved(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
     asks_place = isinstance(verdict.check, EndsAt | Drives | Reaches | Turns) or (
         isinstance(verdict.check, Happens) and isinstance(verdict.check.what, At)
     )
-    if asks_place and abs(_turned(situation.evidence.path)) < 1 and _has_places(situation, verdict):
+    never_turned = abs(turned_along(situation.evidence.path)) < 1
+    if asks_place and never_turned and _has_places(situation, verdict):
         yield Guess("never-moved", sign="too_early")
 
 
