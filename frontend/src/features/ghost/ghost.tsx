@@ -65,7 +65,7 @@ function Finding({ finding: { phrase, time = null } }: { finding: TwinFinding })
   const { lookingBack } = usePage();
   if (time === null) return <>{say(phrase)}</>;
   return (
-    <button type="button" class="moment-link" onClick={() => lookingBack.look(time)}>
+    <button type="button" class="text-link moment-link" onClick={() => lookingBack.look(time)}>
       {say(phrase)}
     </button>
   );

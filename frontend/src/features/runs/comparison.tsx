@@ -88,7 +88,11 @@ function Did({ run, index }: { run: ComparedRun; index: number }) {
 function Moment({ run, phrase }: { run: ComparedRun; phrase: string }) {
   const { keptRuns } = usePage();
   return (
-    <button type="button" class="moment-link" onClick={() => run.step && keptRuns.lookAt(run.id, run.step.time)}>
+    <button
+      type="button"
+      class="text-link moment-link"
+      onClick={() => run.step && keptRuns.lookAt(run.id, run.step.time)}
+    >
       {phrase}
     </button>
   );

@@ -21,7 +21,11 @@ export function ShownRun() {
       <p>
         <strong>{t("page-runs-shown", { name: runTitle(run) })}</strong> {notes.join(" ")}{" "}
         {keptRuns.changed.value && run.version && context.program.readOnly.value === null && (
-          <button type="button" class="moment-link" onClick={() => run.version && project.restore(run.version)}>
+          <button
+            type="button"
+            class="text-link moment-link"
+            onClick={() => run.version && project.restore(run.version)}
+          >
             {t("page-runs-restore")}
           </button>
         )}

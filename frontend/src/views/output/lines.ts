@@ -96,7 +96,7 @@ export class Lines {
     this.flush();
     this.open.clear();
     const line = element("div", { class: own.sort }, "");
-    if (own.lead) line.append(button("lead", own.lead.go));
+    if (own.lead) line.append(button("text-link lead", own.lead.go));
     write(line, own);
     this.own.set(line, own);
     // Just before what is printed next: it belongs to the moment at which so much was printed.
