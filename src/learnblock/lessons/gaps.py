@@ -49,7 +49,7 @@ def direction(begin: XY, end: XY) -> float:
 def longest_stand(
     path: Sequence[Placed], is_there: Callable[[XY], bool] = lambda _: True
 ) -> tuple[float, XY]:
-    """The most seconds for which the robot stood still, and where."""
+    """The longest time that the robot stood still, in seconds, and where."""
     longest, where, since = 0.0, xy(path[-1]), path[0]
     for placed in path:
         moved = math.dist(xy(since), xy(placed)) > STILL[0]

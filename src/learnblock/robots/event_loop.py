@@ -79,8 +79,8 @@ class EventLoop(Closing):
         """Run a coroutine, and return its result.
 
         Raises:
-            RobotConnectionError: the connection is lost or closed, or this takes longer than so
-                many seconds; then the coroutine is cancelled.
+            RobotConnectionError: the connection is lost or closed, or it takes longer than
+                `seconds`, and is cancelled.
             Exception: the coroutine raises it.
         """
         call = self._submit(coroutine)
@@ -245,7 +245,7 @@ class _Call(Generic[Result]):
 
     Attributes:
         future: its result.
-        settled: set once the loop has nothing else to do than to wait.
+        settled: set once the loop has nothing left to do but wait.
         done: set at its end.
     """
 

@@ -164,7 +164,7 @@ CASES = [
     ),
     (Drives(at_least=900), DRIVEN, False, "met"),
     (Drives(at_least=2000), DRIVEN, False, "open"),
-    (Drives(at_least=2000), DRIVEN, True, "You drove 1,000 mm; at least 2,000 mm are asked."),
+    (Drives(at_least=2000), DRIVEN, True, "You drove 1,000 mm; drive at least 2,000 mm."),
     (Drives(at_least=900, at_most=1100), DRIVEN, False, "open"),
     (Drives(at_least=900, at_most=1100), DRIVEN, True, "met"),
     (Drives(at_most=500), DRIVEN, False, "You drove 1,000 mm; at most 500 mm are allowed."),
@@ -186,7 +186,7 @@ CASES = [
     (EndsAt(x=0, y=0), [], True, "The robot's place is not known."),
     (Turns(by=100), DRIVEN, True, "met"),
     (Turns(by=100), DRIVEN, False, "open"),
-    (Turns(by=-90), DRIVEN, True, "The robot turned by 100° in all; -90° are asked."),
+    (Turns(by=-90), DRIVEN, True, "The robot turned by 100° in all instead of -90°."),
     (Ends(), [], True, "met"),
     (Ends(), [], False, "open"),
     (Ends(within=9), [], False, "The program was still running after 9 s."),
@@ -206,7 +206,7 @@ CASES = [
         Uses(function="f", at_least=2),
         [],
         False,
-        "Your program uses your function f only once; at least twice is asked.",
+        "Your program uses your function f only once instead of at least twice.",
     ),
     (
         Uses(construct="loop", at_least=0, at_most=0),
@@ -292,14 +292,14 @@ class TestStaysOnLine:
         assert self.judged(95, 5).state == "met"
 
     def test_the_reason_names_both_shares(self):
-        expected = "You stayed on the line for 70 % of the time; 90 % are asked."
+        expected = "You stayed on the line for 70 % of the time instead of 90 %."
         assert told(self.judged(70, 30)) == expected
 
     def test_a_share_just_too_small_does_not_read_like_the_one_asked(self):
         assert "89 %" in told(self.judged(896, 104))
 
     def test_standing_on_the_line_does_not_count(self):
-        assert told(self.judged(20, 0)) == "You drove 4 mm; at least 10 mm are asked."
+        assert told(self.judged(20, 0)) == "You drove 4 mm; drive at least 10 mm."
 
     def test_the_time_before_the_line_does_not_count(self):
         before = [{"t": 0.0, "pose": [0, 900, 0]}] * 50

@@ -94,7 +94,7 @@ CASES = [
         ALL,
         world("stop", x=100, y=0, radius=30, seconds=3),
         driven((0, 0, 0), (100, 0, 0), (100, 0, 0)),
-        "The goal 'a': the robot stood there for 1 s; 3 s are asked.",
+        "The goal 'a': the robot stood there for 1 s instead of 3 s.",
     ),
     (
         ALL,
@@ -118,7 +118,7 @@ CASES = [
         ALL,
         world("follow"),
         AHEAD,
-        "The robot followed 11 % of the line; 100 % are asked.",
+        "The robot followed 11 % of the line instead of 100 %.",
     ),
     (ALL, world("show", emotion="joy"), AHEAD, "The robot never showed 'joy'."),
     (
@@ -145,7 +145,7 @@ CASES = [
         Happens(what=Stood(seconds=3)),
         None,
         driven((0, 0, 0), (0, 0, 0)),
-        "The longest stop took 1 s; 3 s are asked.",
+        "The longest stop was 1 s instead of 3 s.",
     ),
     (Never(what=Collided()), None, [*AHEAD, BUMP], "The robot bumped into something after 100 mm."),
     (Never(what=At(x=100, y=0)), None, AHEAD, "The robot was there at 0 s."),

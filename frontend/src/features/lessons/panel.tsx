@@ -273,7 +273,7 @@ function StepButtons({ shown: { step = 1, steps = [] } }: { shown: LessonShown }
   const { lessons } = usePage();
   const isActive = usePage().context.running.active.value;
   const hasStar = (lessons.steps.value[step - 1]?.earned ?? 0) > 0;
-  // The question comes first: until it is answered, the way past it is not what stands out.
+  // Until its question is answered, a step does not invite anyone to leave it.
   const look = hasStar ? "button filled" : lessons.isAsking ? "button dim" : "button bordered";
   return (
     <>

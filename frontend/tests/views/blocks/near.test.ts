@@ -17,7 +17,7 @@ function inLanguage(language: string): (code: string) => string {
   return (code) => words.match(new RegExp(`^page-search-${code} = (.+)$`, "m"))?.[1] ?? "";
 }
 
-test("each block that stands for a foreign word is in the palette", () => {
+test("each block suggested for a foreign word is in the palette", () => {
   const missing = Object.values(FOREIGN)
     .flat()
     .filter((type) => !changing.includes(type) && !palette.includes(`"${type.replace("lb_skill_", "")}"`));

@@ -57,7 +57,7 @@ page-lesson-stars = { $stars ->
 }
 page-lesson-fold = Show or hide the instructions
 # Instead of a drawing of the program, which is open anyway.
-page-lesson-program-there = It is the program in your editor.
+page-lesson-program-there = The program is in your editor.
 page-lesson-previous = Previous step
 page-lesson-next = Next
 page-lesson-finish = Finish

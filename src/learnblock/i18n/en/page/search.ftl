@@ -3,16 +3,16 @@
 # that.
 
 # $words: what was searched for
-page-search-nearest = No block says “{ $words }”. These are the nearest:
+page-search-nearest = No block has the words “{ $words }”. The closest ones:
 # The name of a variable for points.
 page-search-variable = score
 
 page-search-score = score, points, lives, highscore, counter
-page-search-score-say = Points are counted in a variable:
+page-search-score-say = Count points with a variable:
 page-search-game = game, game over, win, lose, player, level, sprite, enemy
-page-search-game-say = A game here is a robot driven by keys, and points in a variable:
+page-search-game-say = To make a game, drive a robot with keys and count points with a variable:
 page-search-clone = clone, costume, backdrop, stage, background, character, actor
-page-search-clone-say = The robot is the actor here, and the World menu has the stages. It can change its face:
+page-search-clone-say = Here the actor is the robot, and the World menu has the stages. The robot can change its face:
 page-search-hide = hide, invisible, disappear
 page-search-hide-say = A robot can't hide, but it can show nothing:
 page-search-say = say, think, speech, bubble, tell, talk
