@@ -97,7 +97,7 @@ export class RoomLens implements Lens {
   }
 
   at(pointed: Pointed): XY {
-    // Above the horizon is no place: the last one holds.
+    // There is no floor above the horizon: the last place stays.
     this.place = this.pointing.floor(pointed) ?? this.place;
     return this.place;
   }

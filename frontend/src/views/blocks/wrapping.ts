@@ -74,10 +74,7 @@ function fieldOf(element: Measurable | undefined): Blockly.Field | null {
   return element instanceof Blockly.blockRendering.Field ? element.field : null;
 }
 
-/**
- * Give words that are longer than a line several lines. A block of the palette is only a pattern of those that are made
- * of it.
- */
+/** Split words that are longer than a line. This changes the palette's block only, not those that are made from it. */
 export function splitWords(block: Blockly.BlockSvg, room: number): void {
   arrangeOptional(block);
   for (const input of block.inputList.filter((one) => one.isVisible())) {
