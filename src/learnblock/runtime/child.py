@@ -13,6 +13,8 @@ from functools import partial
 from types import CodeType, FrameType, SimpleNamespace, TracebackType
 from typing import Any, NoReturn
 
+from msgspec import structs
+
 from learnblock.client import Client, skills
 from learnblock.errors import InputEndedError, LearnBlockError, ProgramStopped
 from learnblock.runtime import remote
@@ -129,8 +131,14 @@ class _Program:
         self._output = LineWriter(self._printed, self._wire.flush)
         #: The characters that it may still print.
         self._unprinted = setup.limits.output
+        #: Its variables once it has ended, if its host wants them.
+        self._last_variables: Variables | None = None
 
     def run(self) -> Ended:
+        """Run the program; return how it ended."""
+        return structs.replace(self._ended(), variables=self._last_variables)
+
+    def _ended(self) -> Ended:
         try:
             with self._cleanup:
                 self._execute()
@@ -157,6 +165,8 @@ class _Program:
         if self._setup.tags:
             self._cleanup.enter_context(_preferring(self._setup.tags, alone=self._owns_process))
         self._cleanup.callback(self._output.finish)
+        if self._setup.variables:
+            self._cleanup.callback(self._keep_variables, namespace)
         self._cleanup.callback(self._stop_robot)
         self._code = code
         if self._setup.debug:
@@ -292,13 +302,19 @@ class _Program:
             self._wire.await_stop()
 
     def _variables(self) -> Variables:
-        whens = self._robot.when_states() if self._robot else {}
+        whens = self._whens()
         frame = program_frame(self._setup.filename, sys._getframe())  # noqa: SLF001 - as above
         if frame is None:
             # A thread that does not run the program's code.
             return Variables({}, {}, whens)
         local = {} if frame.f_locals is frame.f_globals else described_variables(frame.f_locals)
         return Variables(local, described_variables(frame.f_globals), whens)
+
+    def _keep_variables(self, namespace: dict[str, Any]) -> None:
+        self._last_variables = Variables({}, described_variables(namespace), self._whens())
+
+    def _whens(self) -> dict[str, tuple[bool, float]]:
+        return self._robot.when_states() if self._robot else {}
 
     def _fault(self, error: BaseException) -> Fault:
         failed = failed_code(error, self._setup.filename, self._setup.source)

@@ -44,6 +44,7 @@ class Conversation:
         network: bool,
         anyway: bool,
         log: bool,
+        variables: bool,
     ) -> None:
         """Send the program, with the modules that are robots and what it may use."""
         self._link.send(
@@ -59,6 +60,7 @@ class Conversation:
                 anyway=anyway,
                 tags=dict(program.tags),
                 log=log,
+                variables=variables,
             )
         )
 

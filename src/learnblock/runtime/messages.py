@@ -99,6 +99,7 @@ class Setup(Message, frozen=True):
         anyway: whether it goes on where it asks for something that the robot lacks.
         tags: the numbers of tags, by name, that it uses instead of the user's.
         log: whether it tells what it does, for the log of the run.
+        variables: whether it tells its variables as they are at its end.
     """
 
     source: str
@@ -112,6 +113,7 @@ class Setup(Message, frozen=True):
     anyway: bool = False
     tags: dict[str, int] = {}
     log: bool = False
+    variables: bool = False
 
 
 class DeviceOffer(msgspec.Struct, frozen=True, array_like=True):
@@ -352,11 +354,17 @@ class Interrupted(Message, frozen=True):
 
 
 class Ended(Message, frozen=True):
-    """The program has ended by itself, with a `fault`, or because it was `stopped`."""
+    """The program has ended by itself, with a `fault`, or because it was `stopped`.
+
+    Args:
+        lines: where it was stopped.
+        variables: the variables at its end, if `Setup` asks for them.
+    """
 
     fault: Fault | None = None
     stopped: bool = False
     lines: Indexes = ()
+    variables: Variables | None = None
 
 
 class Picture(msgspec.Struct, frozen=True, array_like=True, tag="Command"):

@@ -102,6 +102,7 @@ class Run:
             network=network,
             anyway=anyway,
             log=log is not None,
+            variables=self.variables,
         )
         self._log = log
         self._box = box or Post(1).box(0)
@@ -380,6 +381,8 @@ class Run:
                 raise refused("more events than a program can cause")
 
     def _on_ended(self, message: messages.Ended) -> None:
+        if message.variables:
+            self.variables.receive(message.variables)
         if message.fault:
             self._finish(_failed(message.fault))
         elif message.stopped:
@@ -398,10 +401,19 @@ def _begin(
     network: bool,
     anyway: bool,
     log: bool,
+    variables: VariableReports,
 ) -> Conversation:
     # The worker first: while it starts, we look for the skills.
     conversation = converse()
-    conversation.begin(program, limits, robots, network=network, anyway=anyway, log=log)
+    conversation.begin(
+        program,
+        limits,
+        robots,
+        network=network,
+        anyway=anyway,
+        log=log,
+        variables=variables.enabled,
+    )
     return conversation
 
 

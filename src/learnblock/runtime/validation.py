@@ -156,6 +156,8 @@ class Validator:
 
     def _check_ended(self, message: messages.Ended) -> None:
         self._require_lines(message.lines)
+        if message.variables:
+            _require(self._variables.enabled, "variables that were not asked for")
         if fault := message.fault:
             is_first = not self._is_contained and fault.phrase.code == NOT_CONTAINED
             _require(is_first or is_of_program(fault.phrase), "an error that is not known")

@@ -1,4 +1,4 @@
-"""The variables of a running program, reported several times a second."""
+"""The variables of a program, reported several times a second and at its end."""
 
 from time import monotonic
 from typing import Any

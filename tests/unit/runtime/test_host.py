@@ -526,6 +526,27 @@ def test_a_program_that_is_ended_while_its_variables_are_read_ends_once(stage):
     assert run.ending.phrase == Phrase("run-stopped-by-signal")
 
 
+class LastVariables(Watcher):
+    """Keeps the variables that were reported last."""
+
+    def variables(self, variables):
+        self.last = variables.shared
+
+
+@pytest.mark.parametrize("worker", [ThreadWorker, ProcessWorker])
+@pytest.mark.parametrize("ending", ["", "raise ValueError", "sys.exit()"])
+def test_the_variables_of_a_program_are_reported_as_they_are_at_its_end(stage, worker, ending):
+    watcher = LastVariables()
+    run = stage.add(
+        f"import sys\ncount = 0\nrobot.clock.sleep(1)\ncount = 7\n{ending}",
+        worker=worker,
+        watcher=watcher,
+    )
+    run.variables.enabled = True
+    stage.host().run()
+    assert watcher.last == {"count": "7"}
+
+
 PROGRAM = """
 import random, time
 from learnblock.devices import Base, DistanceSensors

@@ -127,6 +127,9 @@ FORGED = {
     "a reading of what has none": ["Sleep", 1, [3]],
     "events that nobody keeps": ["Logged", 0, 0, b"\x90"],
     "variables that were not asked for": ["Variables", {}, {}, {}],
+    "variables at its end that were not asked for": [
+        "Ended", None, False, [], ["Variables", {}, {}, {}]
+    ],
     "a pause that was not asked for": ["Line", 1, 0, ["Variables", {}, {}, {}]],
     "a file of the system": ["Ended", [Phrase("x"), [1], "/dev/ptmx", 2], False, []],
     "a file with a zero": ["Ended", [Phrase("x"), [1], "/a\0b", 2], False, []],
