@@ -6,9 +6,9 @@ from typing import Any
 
 import msgspec
 
-from learnblock.lessons.evidence import Evidence, evidence_so_far
+from learnblock.evidence.evidence import Evidence, evidence_so_far
+from learnblock.evidence.trace_lines import TraceLines
 from learnblock.lessons.lesson import Lesson, Step
-from learnblock.lessons.trace_lines import TraceLines
 from learnblock.running import Report
 
 STEP = Step(title="Drive", phase="make", text="Drive.")

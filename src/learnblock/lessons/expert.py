@@ -12,10 +12,10 @@ from typing import Any, BinaryIO
 
 import msgspec
 
+from learnblock.evidence.evidence import Evidence, Noted
 from learnblock.i18n import ENGLISH, Multilingual, Phrase
 from learnblock.lessons import expert_child
 from learnblock.lessons.checks import Expert
-from learnblock.lessons.evidence import Evidence, Noted
 from learnblock.lessons.judging import Finding
 from learnblock.lessons.opened import EXPERTS, OpenLesson
 from learnblock.runtime import process_group

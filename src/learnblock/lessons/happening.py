@@ -4,9 +4,10 @@ import math
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
-from itertools import pairwise
 from typing import Any
 
+from learnblock.evidence.evidence import Evidence, Moment, Noted, Placed
+from learnblock.evidence.gaps import STILL, heading_between
 from learnblock.lessons.checks import (
     At,
     Called,
@@ -19,11 +20,7 @@ from learnblock.lessons.checks import (
     Shown,
     Stood,
 )
-from learnblock.lessons.evidence import Evidence, Moment, Noted, Placed
-from learnblock.simulator.polyline import Polyline
 
-#: The mm and degrees by which a robot may move and still count as standing still.
-STILL = (2.0, 2.0)
 #: Seconds by which the difference of two rounded times may be too short.
 _ROUNDING = 0.001
 
@@ -36,21 +33,6 @@ def moments(event: Event, evidence: Evidence) -> Sequence[Moment]:
 def fits(text: str, pattern: str) -> bool:
     """Whether a text is as a check's pattern says."""
     return _expression(pattern).fullmatch(_plain(text)) is not None
-
-
-def heading_between(before: float, after: float) -> float:
-    """The degrees from one heading to another, from -180 to 180."""
-    return (after - before + 180) % 360 - 180
-
-
-def is_on_line(path: Sequence[Placed], middle: Polyline, distance: float) -> Sequence[bool]:
-    """Whether the robot was at most so many mm from the middle of a line, at each place."""
-    return [middle.distance(placed.x, placed.y) <= distance for placed in path]
-
-
-def turned_along(path: Sequence[Placed]) -> float:
-    """The degrees that the robot turned along a way, negative to the left."""
-    return sum(heading_between(before.heading, after.heading) for before, after in pairwise(path))
 
 
 def _plain(text: str) -> str:

@@ -6,6 +6,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
+from learnblock.evidence.evidence import Evidence, Moment, Placed, length_of
+from learnblock.evidence.gaps import heading_between, is_on_line, turned_along
+from learnblock.evidence.missed_goals import Miss
 from learnblock.i18n import Phrase
 from learnblock.i18n.names import goal_phrase
 from learnblock.language.tree.nodes import Program
@@ -27,10 +30,9 @@ from learnblock.lessons.checks import (
     Uses,
 )
 from learnblock.lessons.describing import event_words, pattern_words, times_words, uses_words
-from learnblock.lessons.evidence import Evidence, Moment, Placed, length_of
-from learnblock.lessons.happening import fits, heading_between, is_on_line, moments, turned_along
+from learnblock.lessons.happening import fits, moments
 from learnblock.lessons.lesson import Step
-from learnblock.lessons.misses import Miss, missed
+from learnblock.lessons.misses import missed
 from learnblock.runtime.ending import How
 from learnblock.simulator import WorldDescription
 
@@ -313,7 +315,7 @@ def _on_line(check: StaysOnLine, run: _Run) -> Finding:
     path = run.evidence.path
     is_on = is_on_line(path, line.polyline(), check.distance)
     if True not in is_on:
-        return _failed(run.now, "lesson-line-never") if run.has_ended else _OPEN
+        return _failed(run.now, "miss-line-never") if run.has_ended else _OPEN
     first = is_on.index(True)
     on, total = is_on.count(True), len(path) - first
     # Even if it stays on the line from now on.

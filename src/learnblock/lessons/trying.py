@@ -10,12 +10,12 @@ from threading import Lock
 from learnblock import robots as known_robots
 from learnblock import running
 from learnblock.errors import LearnBlockError
-from learnblock.lessons.evidence import Evidence, evidence_of
+from learnblock.evidence.evidence import Evidence, evidence_of
+from learnblock.evidence.trace_lines import TraceLines
 from learnblock.lessons.expert import Experts
 from learnblock.lessons.judging import Verdict, judge
 from learnblock.lessons.lesson import Partner
 from learnblock.lessons.opened import OWN_ROBOT, OpenLesson
-from learnblock.lessons.trace_lines import TraceLines
 from learnblock.running import Options, Source
 from learnblock.running.batch import Batch
 from learnblock.running.job import Job

@@ -25,7 +25,9 @@ _OF_HOST = frozenset(
     }
 )  # fmt: skip
 #: The areas of words that are no errors of a program, but say what commands and pages do.
-_OTHER_AREAS = frozenset({"calls", "class", "cli", "doctor", "grade", "hint", "page", "report"})
+_OTHER_AREAS = frozenset(
+    {"calls", "class", "cli", "doctor", "grade", "hint", "miss", "page", "report"}
+)
 _SENSE = re.compile("|".join(method.replace("{}", r"\w{1,50}") for method in {*METHODS.values()}))
 #: The longest key of a device, in characters.
 _LONGEST_KEY = 200

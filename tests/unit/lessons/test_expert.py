@@ -5,9 +5,9 @@ from types import MappingProxyType
 
 import pytest
 
+from learnblock.evidence.evidence import Evidence
 from learnblock.i18n import translate
 from learnblock.lessons.checks import Expert
-from learnblock.lessons.evidence import Evidence
 from learnblock.lessons.expert import LIMITS, Experts
 from learnblock.lessons.opened import OpenLesson
 from learnblock.running import Report

@@ -32,6 +32,15 @@ def test_a_reading_comes_with_its_limit_and_the_thing_it_hit(tmp_path):
     assert "mm (box front), less than 900 mm" in words[1]
 
 
+def test_a_goal_that_was_missed_is_answered_with_the_distance(tmp_path):
+    program = "repeat(4):\n    function.drive_distance(300)\n    function.turn(90)\nend\n"
+    told, words = asked(
+        tmp_path, program, "goal four corners", "sim-ev3", world="square", seconds=60
+    )
+    assert told[:2] == [("why-goal", 0), ("miss-corner", 0)]
+    assert words[1] == "The second corner: 100 mm too far left."
+
+
 def test_a_missing_device_is_named(tmp_path):
     told, words = asked(tmp_path, "function.look_floor()\n", "not look down", "sim-thymio")
     assert told == [("why-no-effect", 1)]

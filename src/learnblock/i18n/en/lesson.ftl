@@ -184,7 +184,6 @@ lesson-order-late = { $waited } s went by, and at most { $within } s are allowed
 lesson-order-before = The order is wrong: first { $before }, and only then { $event }.
 lesson-order-missing = { $event }; this has to come after something else: { $before }.
 lesson-no-line = This world has no line '{ $line }'.
-lesson-line-never = The robot never came to the line.
 lesson-line-share = You stayed on the line for { $share } % of the time instead of { $asked } %.
 lesson-line-lost = You stayed on the line for { $share } % of the time so far. Too little time is left to reach { $asked } %.
 lesson-line-short = You drove { $driven } mm; drive at least { $least } mm.
@@ -206,48 +205,6 @@ lesson-uses-few = Your program uses { $what } only { $times } instead of at leas
 lesson-uses-many = Your program uses { $what } { $times }; at most { $most } is allowed.
 lesson-uses-not = Your program uses { $what }, which is not allowed here.
 lesson-too-large = Your program has { $blocks } blocks; at most { $most } are allowed.
-
-# By how much, and where, a goal was missed. $gap is one of the messages above the others.
-lesson-gap-short = { $mm } mm short
-lesson-gap-past = { $mm } mm too far
-lesson-gap-left = { $mm } mm too far left
-lesson-gap-right = { $mm } mm too far right
-lesson-gap-away = { $mm } mm away
-lesson-gap-turned-left = turned { $degrees }° too far left
-lesson-gap-turned-right = turned { $degrees }° too far right
-lesson-gap-under = { $degrees }° too little
-lesson-gap-over = { $degrees }° too much
-lesson-miss-near = At its nearest, the robot was { $gap }.
-lesson-miss-stopped = The robot stopped { $gap }.
-lesson-miss-stopped-facing = The robot stopped in the right place, but { $turn }.
-lesson-miss-driven = The robot drove { $driven } mm: { $gap }.
-lesson-miss-turned = The robot turned { $turned }°: { $gap }.
-lesson-miss-goal = The goal '{ $goal }': { $gap }.
-lesson-miss-corner = { $number ->
-    [1] The first corner
-    [2] The second corner
-    [3] The third corner
-    [4] The fourth corner
-    [5] The fifth corner
-    [6] The sixth corner
-   *[other] Corner { $number }
-}: { $gap }.
-lesson-miss-place = Place { $number } of { $count }: { $gap }.
-# $thing is the name of an object that the robot should bring.
-lesson-miss-object = '{ $thing }' is not there yet.
-lesson-miss-not-alone = The goal '{ $goal }': another robot is still there.
-lesson-miss-facing = The goal '{ $goal }': the right place, but { $turn }.
-lesson-miss-goal-stood = The goal '{ $goal }': the robot stood there for { $stood } s instead of { $asked } s.
-lesson-miss-stood = The longest stop was { $stood } s instead of { $asked } s.
-lesson-miss-tag-far = Tag { $tag }: { $mm } mm too far away; come within { $most } mm.
-lesson-miss-tag-behind = Tag { $tag }: the robot was behind it, not in front.
-lesson-miss-tag-facing = Tag { $tag }: the robot was near, but { $turn }.
-lesson-miss-follow = The robot followed { $share } % of the line instead of { $asked } %.
-lesson-miss-left-line = The robot left the line at { $at } s.
-lesson-miss-emotion = The robot never showed '{ $emotion }'.
-lesson-miss-emotion-away = The robot showed '{ $emotion }' { $mm } mm away from the place.
-lesson-miss-bump = The robot bumped into something after { $mm } mm.
-lesson-miss-was-there = The robot was there at { $at } s.
 
 # The lesson's own Python; $error is Python's own text, $reason the lesson's.
 lesson-expert-silent = The lesson's own check gave no answer.

@@ -184,7 +184,6 @@ lesson-order-late = Pasaron { $waited } s y se permiten { $within } s como máxi
 lesson-order-before = El orden no es correcto: primero { $before } y solo después { $event }.
 lesson-order-missing = { $event }; tiene que venir después de otra cosa: { $before }.
 lesson-no-line = Este mundo no tiene la línea '{ $line }'.
-lesson-line-never = El robot no llegó nunca a la línea.
 lesson-line-share = Te quedaste sobre la línea durante el { $share } % del tiempo; se pide el { $asked } %.
 lesson-line-lost = De momento te has quedado sobre la línea durante el { $share } % del tiempo; se pide el { $asked } % y queda muy poco tiempo.
 lesson-line-short = Recorriste { $driven } mm; se piden al menos { $least } mm.
@@ -206,48 +205,6 @@ lesson-uses-few = Tu programa usa { $what } solo { $times }; se pide al menos { 
 lesson-uses-many = Tu programa usa { $what } { $times }; se permite { $most } como máximo.
 lesson-uses-not = Tu programa usa { $what }, que aquí no se permite.
 lesson-too-large = Tu programa tiene { $blocks } bloques; se permiten { $most } como máximo.
-
-# Por cuánto y dónde no se alcanzó una meta. $gap es uno de los primeros mensajes.
-lesson-gap-short = faltan { $mm } mm
-lesson-gap-past = { $mm } mm de más
-lesson-gap-left = { $mm } mm demasiado a la izquierda
-lesson-gap-right = { $mm } mm demasiado a la derecha
-lesson-gap-away = a { $mm } mm
-lesson-gap-turned-left = girado { $degrees }° de más a la izquierda
-lesson-gap-turned-right = girado { $degrees }° de más a la derecha
-lesson-gap-under = faltan { $degrees }°
-lesson-gap-over = { $degrees }° de más
-lesson-miss-near = En el punto más cercano: { $gap }.
-lesson-miss-stopped = El robot se paró: { $gap }.
-lesson-miss-stopped-facing = El robot se paró en el lugar correcto, pero { $turn }.
-lesson-miss-driven = El robot recorrió { $driven } mm: { $gap }.
-lesson-miss-turned = El robot giró { $turned }°: { $gap }.
-lesson-miss-goal = La meta '{ $goal }': { $gap }.
-lesson-miss-corner = { $number ->
-    [1] La primera esquina
-    [2] La segunda esquina
-    [3] La tercera esquina
-    [4] La cuarta esquina
-    [5] La quinta esquina
-    [6] La sexta esquina
-   *[other] La esquina { $number }
-}: { $gap }.
-lesson-miss-place = Lugar { $number } de { $count }: { $gap }.
-# $thing es el nombre de un objeto que el robot debe llevar.
-lesson-miss-object = '{ $thing }' todavía no está allí.
-lesson-miss-not-alone = La meta '{ $goal }': todavía hay otro robot allí.
-lesson-miss-facing = La meta '{ $goal }': el lugar es correcto, pero está { $turn }.
-lesson-miss-goal-stood = La meta '{ $goal }': el robot estuvo parado allí { $stood } s en lugar de { $asked } s.
-lesson-miss-stood = La parada más larga duró { $stood } s en lugar de { $asked } s.
-lesson-miss-tag-far = Etiqueta { $tag }: sobran { $mm } mm de distancia; acércate a menos de { $most } mm.
-lesson-miss-tag-behind = Etiqueta { $tag }: el robot estaba detrás, no delante.
-lesson-miss-tag-facing = Etiqueta { $tag }: el robot estaba cerca, pero { $turn }.
-lesson-miss-follow = El robot siguió el { $share } % de la línea en lugar del { $asked } %.
-lesson-miss-left-line = El robot dejó la línea a los { $at } s.
-lesson-miss-emotion = El robot no mostró nunca '{ $emotion }'.
-lesson-miss-emotion-away = El robot mostró '{ $emotion }' a { $mm } mm del lugar.
-lesson-miss-bump = El robot chocó con algo después de { $mm } mm.
-lesson-miss-was-there = El robot estuvo allí a los { $at } s.
 
 # El Python propio de la lección; $error es el texto de Python, $reason el de la lección.
 lesson-expert-silent = La comprobación propia de la lección no dio ninguna respuesta.

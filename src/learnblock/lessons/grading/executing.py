@@ -15,9 +15,9 @@ import msgspec
 
 from learnblock import robots, running
 from learnblock.errors import FileError, LearnBlockError
+from learnblock.evidence.evidence import Evidence, evidence_of
 from learnblock.i18n import Phrase, in_each_language, languages
 from learnblock.installation import version
-from learnblock.lessons.evidence import Evidence, evidence_of
 from learnblock.lessons.expert import Experts
 from learnblock.lessons.grading.thinning import thinned
 from learnblock.lessons.grading.values import (

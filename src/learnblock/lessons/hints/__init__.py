@@ -6,8 +6,8 @@ Nothing is random, and nothing leaves the computer.
 
 from collections.abc import Sequence
 
+from learnblock.evidence.evidence import Evidence
 from learnblock.language.tree.nodes import Program
-from learnblock.lessons.evidence import Evidence
 from learnblock.lessons.hints import built, driven, outcomes, ran
 from learnblock.lessons.hints.guess import Hint
 from learnblock.lessons.hints.ranking import ranked

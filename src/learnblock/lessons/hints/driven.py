@@ -5,6 +5,8 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import accumulate, pairwise
 from typing import Any
 
+from learnblock.evidence.evidence import Placed
+from learnblock.evidence.gaps import heading_between, turned_along
 from learnblock.language.tree.flow import condition_of, is_counted, is_loop, is_waiting
 from learnblock.language.tree.nodes import (
     Branch,
@@ -24,8 +26,6 @@ from learnblock.lessons.checks import (
     Reaches,
     Turns,
 )
-from learnblock.lessons.evidence import Placed
-from learnblock.lessons.happening import heading_between, turned_along
 from learnblock.lessons.hints import driving
 from learnblock.lessons.hints.driving import Misdrive
 from learnblock.lessons.hints.guess import Guess

@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 from itertools import combinations, pairwise
 from typing import Literal
 
-from learnblock.lessons.evidence import Placed
-from learnblock.lessons.happening import heading_between
+from learnblock.evidence.evidence import Placed
+from learnblock.evidence.gaps import heading_between
 
 #: In 0.1 s: mm from which a robot drives, and degrees from which it turns.
 _DRIVES, _TURNS = 0.5, 0.8

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+from learnblock.evidence.evidence import Evidence
 from learnblock.language.python.generation import PythonText, to_python
 from learnblock.language.tree.extents import NOWHERE
 from learnblock.language.tree.flow import is_loop, is_waiting
@@ -25,7 +26,6 @@ from learnblock.language.tree.nodes import (
     SkillCall,
 )
 from learnblock.language.tree.traversal import all_expressions, statements, within
-from learnblock.lessons.evidence import Evidence
 from learnblock.lessons.hints.vocabulary import WAITING
 from learnblock.lessons.judging import Verdict
 from learnblock.lessons.lesson import Step

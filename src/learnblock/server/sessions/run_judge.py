@@ -10,12 +10,12 @@ from typing import Any, Protocol
 from anyio import to_thread
 
 from learnblock.errors import LearnBlockError
+from learnblock.evidence.evidence import Evidence, evidence_so_far
+from learnblock.evidence.trace_lines import TraceLines
 from learnblock.language.tree.nodes import Program as Tree
-from learnblock.lessons.evidence import Evidence, evidence_so_far
 from learnblock.lessons.expert import Experts
 from learnblock.lessons.judging import Verdict, judge
 from learnblock.lessons.opened import OpenLesson
-from learnblock.lessons.trace_lines import TraceLines
 from learnblock.server.sessions.parts import Parts
 
 #: Seconds between two looks at a running program; at least this many times the length of a look.

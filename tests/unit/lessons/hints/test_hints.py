@@ -2,11 +2,11 @@
 
 import pytest
 
+from learnblock.evidence.evidence import evidence_of
 from learnblock.i18n import Phrase, languages, translate
 from learnblock.i18n.words import words
 from learnblock.language import parse
 from learnblock.lessons import checks
-from learnblock.lessons.evidence import evidence_of
 from learnblock.lessons.hints import Elsewhere, Hint, gives_away, hints
 from learnblock.lessons.hints.ranking import WEIGHTS
 from learnblock.lessons.judging import judge

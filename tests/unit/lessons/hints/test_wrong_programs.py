@@ -5,9 +5,9 @@ from itertools import islice
 import pytest
 
 from hint_cases import own_cases
+from learnblock.evidence.evidence import evidence_of
 from learnblock.language import parse
 from learnblock.lessons.checks import Ends, EndsAt, Never, Printed, Prints, Reaches, Size
-from learnblock.lessons.evidence import evidence_of
 from learnblock.lessons.hints import gives_away, hints
 from learnblock.lessons.judging import Verdict, judge
 from learnblock.lessons.lesson import Step

@@ -106,7 +106,7 @@ def test_before_the_first_run_nothing_is_missed():
 
 
 def test_a_missed_goal_has_its_place_and_says_by_how_much():
-    miss = Miss(Phrase("lesson-miss-stopped", gap="80 mm short"), (300.0, 0.0), (220.0, 0.0))
+    miss = Miss(Phrase("miss-stopped", gap="80 mm short"), (300.0, 0.0), (220.0, 0.0))
     (goal,) = view.goals([Verdict(Ends(), 0, "failed", miss=miss)], StepProgress())
     assert goal.reason == miss.words
     assert (goal.place, goal.nearest) == ((300.0, 0.0), (220.0, 0.0))

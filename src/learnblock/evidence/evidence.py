@@ -7,7 +7,7 @@ from functools import cached_property
 from itertools import pairwise
 from typing import NamedTuple
 
-from learnblock.lessons.trace_lines import Line, TraceLines, kind_of
+from learnblock.evidence.trace_lines import Line, TraceLines, kind_of
 from learnblock.running.report import Report
 from learnblock.running.result import RunResult
 from learnblock.runtime.recorder import Collision

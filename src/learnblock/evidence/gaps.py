@@ -4,12 +4,14 @@ import math
 from collections.abc import Callable, Sequence
 from itertools import pairwise
 
+from learnblock.evidence.evidence import Moment, Placed
 from learnblock.i18n import Phrase
-from learnblock.lessons.evidence import Moment, Placed
-from learnblock.lessons.happening import STILL, heading_between
+from learnblock.simulator.polyline import Polyline
 
 XY = tuple[float, float]
 
+#: The mm and degrees by which a robot may move and still count as standing still.
+STILL = (2.0, 2.0)
 #: mm: places that are nearer to each other give no direction.
 _NO_WAY = 20
 
@@ -46,6 +48,21 @@ def direction(begin: XY, end: XY) -> float:
     return math.degrees(math.atan2(begin[1] - end[1], end[0] - begin[0]))
 
 
+def heading_between(before: float, after: float) -> float:
+    """The degrees from one heading to another, from -180 to 180."""
+    return (after - before + 180) % 360 - 180
+
+
+def is_on_line(path: Sequence[Placed], middle: Polyline, distance: float) -> Sequence[bool]:
+    """Whether the robot was at most so many mm from the middle of a line, at each place."""
+    return [middle.distance(placed.x, placed.y) <= distance for placed in path]
+
+
+def turned_along(path: Sequence[Placed]) -> float:
+    """The degrees that the robot turned along a way, negative to the left."""
+    return sum(heading_between(before.heading, after.heading) for before, after in pairwise(path))
+
+
 def longest_stand(
     path: Sequence[Placed], is_there: Callable[[XY], bool] = lambda _: True
 ) -> tuple[float, XY]:
@@ -76,12 +93,12 @@ def gap_words(before: XY, nearest: XY, place: XY) -> Phrase:
 
 def length_words(where: str, mm: float) -> Phrase:
     """A length and where it lacks: ``short``, ``past``, ``left``, ``right`` or ``away``."""
-    return Phrase(f"lesson-gap-{where}", mm=rounded_mm(mm))
+    return Phrase(f"miss-gap-{where}", mm=rounded_mm(mm))
 
 
 def turn_words(off: float) -> Phrase:
     """Degrees by which a robot faces too far to one side."""
-    return Phrase(f"lesson-gap-turned-{'right' if off > 0 else 'left'}", degrees=round(abs(off)))
+    return Phrase(f"miss-gap-turned-{'right' if off > 0 else 'left'}", degrees=round(abs(off)))
 
 
 def rounded_mm(value: float) -> int:

@@ -3,10 +3,10 @@
 from msgspec import structs
 
 from learnblock import robots, running
+from learnblock.evidence.evidence import evidence_so_far
+from learnblock.evidence.trace_lines import TraceLines
 from learnblock.lessons.checks import Drives, Ends, Happens, Printed
-from learnblock.lessons.evidence import evidence_so_far
 from learnblock.lessons.judging import judge
-from learnblock.lessons.trace_lines import TraceLines
 from learnblock.lessons.trying import read_program
 from learnblock.running import Job, Options, ProgramRun
 from learnblock.runtime.recorder import MOST_COLLISIONS, Recorder

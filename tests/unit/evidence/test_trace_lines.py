@@ -6,7 +6,7 @@ import msgspec
 import pytest
 
 from learnblock import robots, running
-from learnblock.lessons.trace_lines import TraceLines, kind_of
+from learnblock.evidence.trace_lines import TraceLines, kind_of
 from learnblock.running import Job, Options
 from learnblock.running.team import TeamRun
 from learnblock.runtime.inline import InlineWorker
