@@ -116,7 +116,7 @@ lesson-event-stands = { $form ->
 }
 
 # The title of the block set of a step.
-lesson-blocks = Blocks of the lesson
+lesson-blocks = This lesson
 
 # What a check asks for; $event is an event above, $check another of these sentences, $within nothing or lesson-within.
 lesson-check-robot = { $robot }: { $check }

@@ -116,7 +116,7 @@ lesson-event-stands = { $form ->
 }
 
 # El título del conjunto de bloques de un paso.
-lesson-blocks = Bloques de la lección
+lesson-blocks = Esta lección
 
 # Lo que pide una comprobación; $event es un suceso de arriba, $check otra de estas frases, $within nada o lesson-within.
 lesson-check-robot = { $robot }: { $check }
