@@ -33,7 +33,7 @@ def units() -> Mapping[str, str]:
     >>> units()["seconds"]
     'second'
     """
-    found = {}
+    found: dict[str, str] = {}
     for language in languages():
         words = _words(language)
         found |= {
