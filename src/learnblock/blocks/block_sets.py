@@ -24,7 +24,7 @@ import msgspec
 from msgspec import Meta, Struct
 
 from learnblock.errors import BlockSetError, Diagnostic, UnknownNameError
-from learnblock.i18n import Phrase
+from learnblock.i18n import Phrase, in_each_language
 from learnblock.storage import toml_source
 from learnblock.storage.files import is_device_name, save
 from learnblock.storage.home import home
@@ -84,7 +84,16 @@ class BlockSet(Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=Tr
 @cache
 def built_in() -> Mapping[str, BlockSet]:
     """The built-in sets by name, in the order of the lessons."""
-    return MappingProxyType({name: read(_FOLDER / f"{name}.toml") for name in BUILT_IN})
+    return MappingProxyType({name: _built_in(name) for name in BUILT_IN})
+
+
+def _built_in(name: str) -> BlockSet:
+    """One of the built-in sets, with its title and description from the words of each language."""
+    return msgspec.structs.replace(
+        read(_FOLDER / f"{name}.toml"),
+        title=in_each_language(Phrase(f"set-{name}-title")),
+        description=in_each_language(Phrase(f"set-{name}-about")),
+    )
 
 
 def own() -> tuple[tuple[BlockSet, ...], tuple[BlockSetError, ...]]:

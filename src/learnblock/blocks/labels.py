@@ -12,7 +12,9 @@ square brackets is shown only if its parameters differ from their defaults:
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 
+from learnblock.blocks import translation
 from learnblock.blocks.schema.configuration import (
     NEGATIVE,
     POSITIVE,
@@ -22,9 +24,6 @@ from learnblock.blocks.schema.configuration import (
 
 _OPTIONAL = re.compile(r"\[([^\[\]]+)\]")
 _PLACE = re.compile(r"\{(\w+)(\.direction)?\}")
-_UNIT = re.compile(r"\{(\w+)\} ?(mm/s|mm|°/s|°|%|Hz|ms|seconds|segundos|beats|tiempos)(?!\w)")
-#: The units that are singular after 1; the page has the same, in `fields/unit.ts`.
-SINGULAR = {"beats": "beat", "seconds": "second", "segundos": "segundo", "tiempos": "tiempo"}
 
 
 def translated(texts: Mapping[str, str], language: str, otherwise: str) -> str:
@@ -40,7 +39,15 @@ def units(block: BlockConfiguration, language: str) -> dict[str, str]:
     >>> units(builtin()["move_straight"], "en")
     {'advSpeed': 'mm/s'}
     """
-    return dict(_UNIT.findall(translated(block.languages, language, "")))
+    return dict(_unit().findall(translated(block.languages, language, "")))
+
+
+@cache
+def _unit() -> re.Pattern[str]:
+    """A parameter in a label and the unit that follows it."""
+    longest_first = sorted(translation.units(), key=len, reverse=True)
+    names = "|".join(map(re.escape, longest_first))
+    return re.compile(rf"\{{(\w+)\}} ?({names})(?!\w)")
 
 
 def label(block: BlockConfiguration, language: str) -> str:
@@ -92,10 +99,10 @@ def _with_singular(block: BlockConfiguration, language: str, ones: set[str]) -> 
     """The block with a label in which the units of these parameters are in the singular."""
 
     def unit(found: re.Match[str]) -> str:
-        words = SINGULAR.get(found[2], found[2]) if found[1] in ones else found[2]
+        words = translation.units().get(found[2], found[2]) if found[1] in ones else found[2]
         return found[0].removesuffix(found[2]) + words
 
-    text = _UNIT.sub(unit, translated(block.languages, language, ""))
+    text = _unit().sub(unit, translated(block.languages, language, ""))
     return replace(block, languages={language.upper(): text}) if text else block
 
 

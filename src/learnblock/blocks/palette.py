@@ -1,10 +1,6 @@
 """The palette: everything that the page needs to know about the blocks, in one language."""
 
-import json
 from collections.abc import Mapping
-from functools import cache
-from pathlib import Path
-from types import MappingProxyType
 from typing import Any
 
 from learnblock.blocks.definitions import definitions, skill_definition
@@ -12,8 +8,7 @@ from learnblock.blocks.labels import translated
 from learnblock.blocks.schema.configuration import BlockConfiguration
 from learnblock.blocks.styles import CALLS
 from learnblock.blocks.toolbox import category_word, skill_block, toolbox
-
-_TRANSLATIONS = Path(__file__).parent / "translations"
+from learnblock.blocks.translation import translation, units
 
 
 def palette(configurations: Mapping[str, BlockConfiguration], language: str) -> dict[str, Any]:
@@ -32,6 +27,7 @@ def palette(configurations: Mapping[str, BlockConfiguration], language: str) -> 
         "toolbox": toolbox(configurations, {**_titles(configurations, language), **words}),
         "messages": dict(words),
         "calls": dict(CALLS),
+        "units": dict(units()),
         "language": language,
     }
 
@@ -52,21 +48,3 @@ def preview(
 ) -> tuple[dict[str, Any], dict[str, Any]]:
     """A skill's block: its definition, and its entry in the palette."""
     return skill_definition(configuration, language), skill_block(configuration)
-
-
-def languages() -> tuple[str, ...]:
-    """The languages with a translation, such as ``en`` and ``es``."""
-    return tuple(sorted(path.stem for path in _TRANSLATIONS.glob("*.json")))
-
-
-@cache
-def translation(language: str) -> Mapping[str, str]:
-    """The words of the built-in blocks of the language, by message name."""
-    known = languages()
-    chosen = next((code for code in (language, language.partition("-")[0]) if code in known), "en")
-    return MappingProxyType({**_words("en"), **_words(chosen)})
-
-
-def _words(language: str) -> dict[str, str]:
-    found = json.loads((_TRANSLATIONS / f"{language}.json").read_text("utf-8"))
-    return {str(name): str(text) for name, text in found.items()}

@@ -10,9 +10,10 @@ import pytest
 from learnblock.blocks import builtin
 from learnblock.blocks import palette as module
 from learnblock.blocks.labels import label
-from learnblock.blocks.palette import languages, palette, translation
+from learnblock.blocks.palette import palette
 from learnblock.blocks.schema.configuration import Parameter
 from learnblock.blocks.toolbox import SHADOWS, parameter_shadow
+from learnblock.blocks.translation import languages, translation
 from learnblock.fields import Range
 from learnblock.language import Workspace, from_workspace
 from learnblock.language.tree.builtins import BUILTINS, TEMPLATES

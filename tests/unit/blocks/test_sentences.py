@@ -8,9 +8,9 @@ import pytest
 
 from learnblock.blocks.definitions import definitions
 from learnblock.blocks.labels import spoken, translated
-from learnblock.blocks.palette import translation
 from learnblock.blocks.schema.configuration import BlockConfiguration, Parameter
 from learnblock.blocks.schema.loading import builtin
+from learnblock.blocks.translation import translation
 
 ROOT = Path(__file__).parents[3]
 CASES = ROOT / "tests/cases/sentences"

@@ -1,4 +1,4 @@
-"""A language is files of words: a complete one, made up here, needs no change in Python."""
+"""A language is files of words: a complete one, made up here, needs no change in the code."""
 
 import json
 import os
@@ -56,7 +56,7 @@ def translate(file: Path) -> None:
         file.write_text(words, "utf-8")
     elif file.suffix == ".ftl":
         words = re.sub(
-            r"^(help-[\w-]+ = .+)$", r"\1!", FIRST_LINE.sub("", text), flags=re.MULTILINE
+            r"^((?:help|set)-[\w-]+ = .+)$", r"\1!", FIRST_LINE.sub("", text), flags=re.MULTILINE
         )
         file.write_text(words, "utf-8")
 
@@ -103,6 +103,26 @@ def test_skills_and_palette_have_its_words(repository):
         "print(made['messages']['LB_MAIN'], builtin()['stop_bot'].languages['EO'])"
     )
     assert run(repository, "-c", code) == "when Run is pressed! stop driving!\n"
+
+
+def test_block_sets_have_its_titles(repository):
+    code = (
+        "from learnblock.blocks.block_sets import built_in\n"
+        "print(built_in()['first-steps'].title['eo'])"
+    )
+    assert run(repository, "-c", code) == "First steps!\n"
+
+
+def test_a_number_has_its_unit_on_the_block_and_its_singular_in_a_sentence(repository):
+    code = (
+        "from learnblock.blocks import builtin; from learnblock.blocks.labels import spoken\n"
+        "from learnblock.blocks.palette import palette\n"
+        "made = palette(builtin(), 'eo')\n"
+        "wait = next(one for one in made['definitions'] if one['type'] == 'lb_skill_sleep')\n"
+        "print(wait['args0'][0]['unit'], made['units']['seconds!'])\n"
+        "print(spoken(builtin()['sleep'], 'eo', {'seconds': 1}))"
+    )
+    assert run(repository, "-c", code) == "seconds! second!\nwait 1 second!\n"
 
 
 def test_the_catalogue_misses_nothing_of_it(repository):

@@ -10,6 +10,7 @@ import { registerCodeField } from "./code-field";
 import { mixColours } from "./colour-mixer";
 import { snapAsInScratch } from "./dragger";
 import { type Definition, defineFields, learnAllowed } from "./fields";
+import { learnUnits } from "./fields/unit";
 import { insertOnClick } from "./insert";
 import { registerLines } from "./lines";
 import { registerMutators } from "./mutators";
@@ -53,6 +54,8 @@ export interface Palette {
   readonly messages: Messages;
   /** The styles of calls of the language's functions, by name. */
   readonly calls: Readonly<Record<string, string>>;
+  /** The words of units after a one, by their usual words. */
+  readonly units: Readonly<Record<string, string>>;
 }
 
 // Blockly has texts in a hundred languages, 9 MB; each file has those of a language of the page.
@@ -84,6 +87,7 @@ export function installPalette(palette: Palette): void {
   Blockly.setLocale(palette.messages);
   defineBlocks(palette.definitions);
   learnCalls(palette.calls);
+  learnUnits(palette.units);
 }
 
 /** Define or redefine types of blocks; blocks in the program keep their shape. */

@@ -26,7 +26,7 @@ def _module_of(name: str) -> str | None:
     if name in typing.__all__:
         return typing.__name__
     value = vars(import_module(_DEVICES)).get(name)
-    if isinstance(value, type) and value.__module__ == _DEVICES:
+    if isinstance(value, type) and value.__module__.startswith(f"{_DEVICES}."):
         return _DEVICES
     # Most of these are other names of built-in types.
     return _FIELDS if name[0].isupper() and name in vars(import_module(_FIELDS)) else None

@@ -2,15 +2,9 @@
 
 import * as Blockly from "blockly/core";
 
-/** The units that change beside a one, in all languages of the blocks. */
-const SINGULAR: Readonly<Record<string, string>> = {
-  beats: "beat",
-  seconds: "second",
-  times: "time",
-  segundos: "segundo",
-  tiempos: "tiempo",
-  veces: "vez",
-};
+/** The words of units after a one, by their usual words, in all languages of the blocks. */
+type Units = Readonly<Record<string, string>>;
+let units: Units = {};
 const FIRST_WORD = /^\s*\p{L}+/u;
 
 /** Words of a sentence, the first of which may be the unit of the number before them. */
@@ -31,7 +25,7 @@ class FieldUnit extends Blockly.FieldLabel {
   }
 
   protected override getText_(): string | null {
-    return this.isOne ? String(this.getValue()).replace(FIRST_WORD, (word) => SINGULAR[word.trim()] ?? word) : null;
+    return this.isOne ? String(this.getValue()).replace(FIRST_WORD, (word) => units[word.trim()] ?? word) : null;
   }
 
   private followsOne(): boolean {
@@ -41,6 +35,10 @@ class FieldUnit extends Blockly.FieldLabel {
     if (input.fieldRow[0] !== (this as Blockly.Field)) return false;
     return before?.connection?.targetBlock()?.getField("NUM")?.getValue() === 1;
   }
+}
+
+export function learnUnits(known: Units): void {
+  units = known;
 }
 
 /** Use it for the words of all blocks; call it once. */

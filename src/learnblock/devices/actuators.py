@@ -1,46 +1,21 @@
-"""The devices of robots, and the units they use.
+"""The devices that act: wheels, joints, faces, lights and sounds."""
 
-A device is built from the functions that access the hardware, so those functions are all that a
-new robot has to provide:
-
-    >>> from learnblock.devices import Gyroscope
-    >>> gyroscope = Gyroscope(read=lambda: 90.0, reset=lambda: None)
-    >>> gyroscope.read()
-    90.0
-
-All devices use these units and signs: millimetres and mm/s (forward is positive), degrees and
-degrees/s (clockwise seen from above, a turn to the right, is positive), seconds, and images as
-uint8 RGB arrays of shape (height, width, 3).
-"""
-
-import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable
 from enum import StrEnum
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import TYPE_CHECKING
 
+from learnblock.devices.device import Device
+from learnblock.devices.values import clamped, number, whole
 from learnblock.errors import DeviceValueError, nearest
 from learnblock.wheels import Drivetrain
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
+    from learnblock.devices.sensors import Frame
 
-    from learnblock.perception.sources import Vision
-
-    Frame = NDArray[np.uint8]
-
-Reading = TypeVar("Reading")
-Function = Callable[..., Any]
 Pose = tuple[float, float, float]
 
-#: The key of a robot's first device of a type.
-DEFAULT_KEY = "ROBOT"
-#: Asks for a robot's first device of a type, whatever its key is.
-FIRST_KEY = "first"
 #: The longest text on a screen, in characters.
 LONGEST_TEXT = 100
-#: The reading of a distance sensor that sees nothing, in mm.
-NOTHING_SEEN = 2000.0
 
 
 class Emotion(StrEnum):
@@ -54,40 +29,6 @@ class Emotion(StrEnum):
     JOY = "joy"
     NEUTRAL = "neutral"
     NONE = "none"
-
-
-class Device:
-    """A device, built from functions; functions that a robot cannot offer are left out.
-
-    Args:
-        functions: the functions by name. They are stored in `functions` and called from there, so
-            that another process can build the same device from remote calls, and a recorder can
-            watch the commands.
-    """
-
-    def __init__(self, **functions: Function | None) -> None:
-        self.functions: dict[str, Function] = {
-            name: function for name, function in functions.items() if function is not None
-        }
-
-    def __repr__(self) -> str:
-        return f"<{type(self).__name__}: {', '.join(self.functions)}>"
-
-    def _do(self, name: str, *args: object) -> bool:
-        """Call the function if the robot offers it, and return whether it does."""
-        function = self.functions.get(name)
-        if function is None:
-            return False
-        function(*args)
-        return True
-
-
-class Sensor(Device, Generic[Reading]):
-    """A device with readings."""
-
-    def __init__(self, read: Callable[[], Reading], **functions: Function | None) -> None:
-        super().__init__(read=read, **functions)
-        self.read = read
 
 
 class Base(Device):
@@ -132,111 +73,6 @@ class Base(Device):
 
     def stop(self) -> None:
         self.move(0, 0)
-
-
-class Camera(Sensor["Frame | None"]):
-    """A camera.
-
-    Args:
-        read: returns the newest frame, uint8 RGB (height, width, 3), 320 by 240 by default, or None
-            before the first one; every new frame is a new object.
-        detect: `detect(name)` returns the result of a detector (``lines``, ``tags``, ``faces``,
-            ...) for the newest frame, or None without a frame or such a detector; by default the
-            frame is searched in this process.
-        drawn: whether it sees only drawn and simulated faces, whose emotions may be recognised
-            regardless of the settings.
-        focal: the focal length of the lens in pixels, if known; the distance to tags needs it.
-        close: switches the camera off, if necessary.
-    """
-
-    def __init__(
-        self,
-        read: "Callable[[], Frame | None]",
-        detect: Callable[[str], Any] | None = None,
-        *,
-        drawn: bool = False,
-        focal: float | None = None,
-        close: Callable[[], None] | None = None,
-    ) -> None:
-        super().__init__(read, detect=detect or self._detect)
-        self.detect: Callable[[str], Any] = self.functions["detect"]
-        #: Whether it sees only drawn and simulated faces.
-        self.drawn = drawn
-        self._focal = focal
-        self._switch_off = close
-        self._vision: Vision | None = None
-
-    def close(self) -> None:
-        """Stop detecting and switch the camera off; calling it twice is harmless."""
-        if self._vision:
-            self._vision.close()
-        if self._switch_off:
-            self._switch_off()
-
-    def _detect(self, name: str) -> Any:
-        if self._vision is None:
-            # Imported on first use: programs that do not use the camera start faster without it.
-            from learnblock.perception.sources import Vision  # noqa: PLC0415
-
-            self._vision = Vision(self.read, drawn=self.drawn, focal=self._focal)
-        return self._vision.detect(name)
-
-
-class DistanceSensors(Sensor[Mapping[str, Sequence[float]]]):
-    """Distance sensors: `read` returns front, left, right and back, each a list of mm.
-
-    A sensor between two directions is listed in both; 2000 means that it sees nothing.
-    """
-
-
-class GroundSensors(Sensor[Mapping[str, float | None]]):
-    """Ground sensors: brightness left, central and right, 0 (dark) to 100, None if absent."""
-
-
-class Gyroscope(Sensor[float]):
-    """A gyroscope: `read` returns the degrees turned since `reset`; clockwise is positive.
-
-    The angle is not wrapped. The usual key is ``Z_AXIS``, the axis that points up.
-    """
-
-    def __init__(self, read: Callable[[], float], reset: Callable[[], None]) -> None:
-        super().__init__(read, reset=reset)
-
-    def reset(self) -> None:
-        """Set the current heading to 0."""
-        self.functions["reset"]()
-
-
-class Accelerometer(Sensor[tuple[float, float, float]]):
-    """An accelerometer: `read` returns (x forward, y left, z up) in m/s2; z is 9.81 at rest."""
-
-
-class LightSensor(Sensor[float]):
-    """A light sensor: `read` returns 0 (dark) to 1023."""
-
-
-class Bumper(Sensor[bool]):
-    """A bumper: `read` returns True while it touches something."""
-
-
-class Controller(Sensor[Mapping[str, bool]]):
-    """A hand controller: `read` returns which of its eight buttons are pressed.
-
-    The buttons are lUp, lLeft, lRight, lDown, rUp, rLeft, rRight and rDown.
-    """
-
-
-class Infrared(Sensor[int | None]):
-    """An infrared remote control: `read` returns the last code received, `send` sends one."""
-
-    def __init__(
-        self, read: Callable[[], int | None], send: Callable[[int], None] | None = None
-    ) -> None:
-        super().__init__(read, send=send)
-
-    def send(self, code: int) -> bool:
-        """Send a code; return False if the robot can only receive."""
-        return self._do("send", whole("code", code))
 
 
 class JointMotor(Device):
@@ -410,23 +246,6 @@ class Matrix(Device):
         )
 
 
-def positive(name: str, value: object, code: str) -> float:
-    """`value` as a finite float of more than 0.
-
-    Args:
-        name: the parameter.
-        value: what it was given.
-        code: the message about a number that is not more than 0, which has the number as `value`.
-
-    Raises:
-        DeviceValueError: the parameter has any other value.
-    """
-    found = number(name, value)
-    if found <= 0:
-        raise DeviceValueError(code, value=found)
-    return found
-
-
 class MP3(Device):
     """A music player: folders of numbered songs; volume from 0 to 100."""
 
@@ -466,67 +285,6 @@ class Animator(Device):
 
     def play(self, name: str) -> None:
         self.functions["play"](str(name))
-
-
-#: Every type of device, by its name.
-DEVICE_TYPES: Mapping[str, type[Device]] = {
-    kind.__name__: kind
-    for kind in (
-        Accelerometer,
-        Animator,
-        Base,
-        Bumper,
-        Camera,
-        Controller,
-        Display,
-        DistanceSensors,
-        GroundSensors,
-        Gyroscope,
-        Infrared,
-        JointMotor,
-        Led,
-        LightSensor,
-        Matrix,
-        MP3,
-        Pen,
-        RGBLed,
-        Screen,
-        Speaker,
-    )
-}
-
-
-def number(name: str, value: object) -> float:
-    """`value` as a finite float.
-
-    Raises:
-        DeviceValueError: the parameter `name` has any other value.
-    """
-    if type(value) is float and math.isfinite(value):
-        return value
-    # numpy's numbers are not subclasses of float, but convert like other numbers. This check is a
-    # hundred times faster than `isinstance(value, typing.SupportsFloat)`.
-    convert = getattr(type(value), "__float__", None)
-    if convert is None or isinstance(value, bool):
-        raise DeviceValueError("device-not-number", name=name, value=f"{value!r:.80}")
-    try:
-        converted: float = convert(value)
-    except (OverflowError, TypeError, ValueError) as error:
-        # For example, a whole number with 400 digits, or an array of two numbers.
-        raise DeviceValueError("device-not-number", name=name, value=f"{value!r:.80}") from error
-    if not math.isfinite(converted):
-        raise DeviceValueError("device-not-finite", name=name, value=repr(value))
-    return converted
-
-
-def whole(name: str, value: object) -> int:
-    """`value` rounded to a whole number."""
-    return round(number(name, value))
-
-
-def clamped(name: str, value: object, most: int) -> int:
-    """`value` as a whole number, limited to 0 to `most`."""
-    return min(max(whole(name, value), 0), most)
 
 
 def _emotion(emotion: str) -> Emotion:

@@ -1,0 +1,50 @@
+"""The words of the basic blocks, the palette and the units, in one file for each language."""
+
+import json
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+from types import MappingProxyType
+
+_FOLDER = Path(__file__).parent / "translations"
+#: Begins the key of a unit's usual word; that for its word after 1 also ends as the second one.
+_UNIT, _AFTER_ONE = "LB_UNIT_", "_ONE"
+
+
+def languages() -> tuple[str, ...]:
+    """The languages with a translation, such as ``en`` and ``es``."""
+    return tuple(sorted(path.stem for path in _FOLDER.glob("*.json")))
+
+
+@cache
+def translation(language: str) -> Mapping[str, str]:
+    """The words of the built-in blocks of the language, by message name."""
+    known = languages()
+    chosen = next((code for code in (language, language.partition("-")[0]) if code in known), "en")
+    return MappingProxyType({**_words("en"), **_words(chosen)})
+
+
+@cache
+def units() -> Mapping[str, str]:
+    """The units after numbers, each with its word after 1.
+
+    They are those of all languages, because a block without a translation is shown in English.
+
+    >>> units()["seconds"]
+    'second'
+    """
+    found: dict[str, str] = {}
+    for language in languages():
+        words = _words(language)
+        found |= {
+            word: words.get(key + _AFTER_ONE, word)
+            for key, word in words.items()
+            if key.startswith(_UNIT) and not key.endswith(_AFTER_ONE)
+        }
+    return MappingProxyType(found)
+
+
+@cache
+def _words(language: str) -> dict[str, str]:
+    found = json.loads((_FOLDER / f"{language}.json").read_text("utf-8"))
+    return {str(name): str(text) for name, text in found.items()}
