@@ -35,6 +35,7 @@ from learnblock.language.workspace.types import (
     FOREVER,
     FUNCTION,
     START,
+    WHEN,
     WHENS,
     WHILE,
 )
