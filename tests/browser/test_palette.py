@@ -303,7 +303,7 @@ def add(pupil, group, kind, words=""):
 
 def test_a_ready_event_is_an_event_with_its_condition(sit_down, server):
     pupil = sit_down(server, stage="starter", empty=True, flat=True)
-    pupil.take("Events", "lb_when")
+    pupil.take("Events", "lb_when_is_key_pressed")
     pupil.page.locator(".areas").get_by_role("button", name="Block-Text").click()
     pupil.sees("blocktext", 'when key_pressed = function.is_key_pressed("space"):')
 
@@ -312,6 +312,8 @@ def test_a_ready_event_is_an_event_with_its_condition(sit_down, server):
 def test_events_are_named_before_they_are_made_from_coder_on(sit_down, server, stage, count):
     pupil = sit_down(server, stage=stage, empty=True, flat=True)
     pupil.open_category("Events")
-    expect(pupil.page.locator(".blocklyFlyout:visible .lb_when").first).to_be_visible()
+    expect(
+        pupil.page.locator(".blocklyFlyout:visible .lb_when_is_key_pressed").first
+    ).to_be_visible()
     button = pupil.page.locator(".blocklyFlyout:visible .blocklyFlyoutButton")
     expect(button.filter(has_text="New event")).to_have_count(count)

@@ -1,12 +1,13 @@
 /** The blocks that a set shows; the server stores sets but does not evaluate them. */
 
 import type { BlockSet } from "../protocol/messages";
+import { WHENS } from "./whens";
 
 type Named = BlockSet["show"];
 
 /** The blocks of tabs whose contents depend on the program, by the tabs' names in sets. */
 export const CHANGING: Readonly<Record<string, readonly string[]>> = {
-  WHEN: ["lb_when", "lb_activate", "lb_deactivate", "lb_state", "lb_time"],
+  WHEN: [...WHENS, "lb_activate", "lb_deactivate", "lb_state", "lb_time"],
   VARIABLE: ["variables_set", "math_change", "variables_get"],
   PROCEDURE: [
     "procedures_defnoreturn",

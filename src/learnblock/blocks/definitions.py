@@ -2,9 +2,10 @@
 
 A block with a variable shape names its extension or mutator in the page:
 ``lb_when_mutator``, ``lb_arguments_mutator``, ``lb_compare_mutator``, ``lb_dictionary_mutator``,
-``lb_unpacking_mutator``, ``lb_when_names``, ``lb_code_field``. An extension adds its field to the
-dummy input ``PLACE``. The page's field ``lb_direction`` shows the sign of a number as a word, and
-``lb_more`` is a button for a part of the sentence that only states a default.
+``lb_unpacking_mutator``, ``lb_when_names``, ``lb_when_name``, ``lb_code_field``. An extension adds
+its field to the dummy input ``PLACE``, or in an input of its own. The page's field ``lb_direction``
+shows the sign of a number as a word, and ``lb_more`` is a button for a part of the sentence that
+only states a default.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -22,6 +23,7 @@ from learnblock.blocks.labels import (
     units,
 )
 from learnblock.blocks.pairs import Pair, pairs
+from learnblock.blocks.ready_hats import READY_HATS, ready_hat
 from learnblock.blocks.schema.configuration import NUMBERS, SIGNS, BlockConfiguration, Parameter
 from learnblock.blocks.toolbox import SKILL, is_skill_block, parameter_shadow
 
@@ -53,7 +55,12 @@ def definitions(
         skill_definition(configuration, language, paired.get(configuration.name))
         for configuration in shown
     ]
-    return [*_hats(), *_statements(), *_values(), *skills]
+    hats = [
+        _ready_hat(configuration, language)
+        for configuration in shown
+        if ready_hat(configuration.name) in READY_HATS
+    ]
+    return [*_hats(), *hats, *_statements(), *_values(), *skills]
 
 
 def _block(kind: str, style: str, args: Iterable[Definition] = (), **rest: Any) -> Definition:
@@ -94,6 +101,15 @@ def _hats() -> list[Definition]:
         # The mutator adds CONDITION above DO.
         {**when, **_DO},
     ]
+
+
+def _ready_hat(configuration: BlockConfiguration, language: str) -> Definition:
+    """An event whose sentence has the parameters of its condition; the page keeps its name."""
+    arguments = _arguments(configuration, language)
+    kind = ready_hat(configuration.name)
+    return _block(
+        kind, "lb_events", arguments, extensions=["lb_when_name"], inputsInline=True, **_DO
+    )
 
 
 def _statements() -> list[Definition]:

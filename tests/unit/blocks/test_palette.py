@@ -289,3 +289,25 @@ def test_each_call_of_python_in_the_palette_is_a_sentence_with_all_its_values(la
         sentence = words[f"LB_CALL_{one['name'].upper()}_{one['arguments']}"]
         places = [f"%{place + 1}" for place in range(one["arguments"])]
         assert places == re.findall(r"%\d", sentence)
+
+
+@pytest.mark.parametrize(
+    ("kind", "english", "spanish"),
+    [
+        ("lb_when_is_key_pressed", "when key %1 is pressed", "cuando se pulsa la tecla %1"),
+        ("lb_when_is_bumped", "when bumped", "cuando choco"),
+        (
+            "lb_when_is_front_obstacle",
+            "when obstacle nearer than %1 mm",
+            "cuando hay un obstáculo a menos de %1 mm",
+        ),
+        ("lb_when_received", "when I hear %1", "cuando oigo %1"),
+    ],
+)
+def test_a_ready_hat_is_a_sentence_with_the_values_of_its_condition(kind, english, spanish):
+    for language, sentence in (("en", english), ("es", spanish)):
+        found = palette(builtin(), language)
+        hat, skill = named(found, kind), named(found, kind.replace("lb_when_", "lb_skill_"))
+        assert f"%{{BKY_{kind.upper()}}}" == hat["message0"]
+        assert sentence == found["messages"][kind.upper()]
+        assert hat["args0"] == skill["args0"]

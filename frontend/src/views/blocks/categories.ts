@@ -3,12 +3,12 @@
 import * as Blockly from "blockly/core";
 
 import { t } from "../../i18n";
-import { preferences } from "../../model/preferences";
+import { preferences, type Stage } from "../../model/preferences";
 import { actionsOf } from "./actions";
 import { SKILL } from "./menus";
 import type { PaletteTab } from "./palette";
 import { readyHats } from "./ready-hats";
-import { freeWhenName, whenNames } from "./when-block";
+import { freeWhenName, hasCondition, whensOf } from "./when-block";
 
 type Items = Blockly.utils.toolbox.FlyoutItemInfo[];
 type Item = Blockly.utils.toolbox.FlyoutItemInfo;
@@ -56,7 +56,7 @@ function whenItems(workspace: Blockly.WorkspaceSvg): Items {
   const ready = readyHats(workspace) as unknown as Items;
   const make = stage === "coder" ? [button(NEW_WHEN, t("page-blocks-new-when"))] : [];
   const empty = stage === "starter" ? [] : emptyWhens(workspace);
-  return [...make, ...empty, ...ready, ...usesOfWhens(workspace)];
+  return [...ready, ...empty, ...make, ...usesOfWhens(workspace, stage)];
 }
 
 function emptyWhens(workspace: Blockly.WorkspaceSvg): Items {
@@ -64,10 +64,14 @@ function emptyWhens(workspace: Blockly.WorkspaceSvg): Items {
   return [false, true].map((condition) => block("lb_when", { fields: { NAME: name }, extraState: { condition } }));
 }
 
-function usesOfWhens(workspace: Blockly.WorkspaceSvg): Items {
-  return whenNames(workspace).flatMap((when) =>
-    ["lb_activate", "lb_deactivate", "lb_state", "lb_time"].map((type) => block(type, { fields: { WHEN: when } })),
-  );
+/** A condition starts and stops an event by itself; beginners do without its state, too. */
+function usesOfWhens(workspace: Blockly.WorkspaceSvg, stage: Stage): Items {
+  const whens = new Map(whensOf(workspace).map((when) => [String(when.getFieldValue("NAME")), hasCondition(when)]));
+  return [...whens].flatMap(([name, follows]) => {
+    const states = follows && stage === "starter" ? [] : ["lb_state", "lb_time"];
+    const switches = follows ? [] : ["lb_activate", "lb_deactivate"];
+    return [...switches, ...states].map((type) => block(type, { fields: { WHEN: name } }));
+  });
 }
 
 function block(type: string, state: object): Item {

@@ -30,6 +30,7 @@ import { Sight } from "./sight";
 import { Sync } from "./sync";
 import { themeOf } from "./themes";
 import { drawBin } from "./tools";
+import { showUsedNames } from "./when-block";
 import { Words, wordsOf } from "./words";
 
 /** The usual size of the blocks, and the room around them in units of the workspace. */
@@ -300,8 +301,13 @@ export class BlockEditor {
     if (event.type === Blockly.Events.BUBBLE_OPEN) this.drawCalls(event as Blockly.Events.BubbleOpen);
     const dropped = event.type === Blockly.Events.BLOCK_DRAG && !(event as Blockly.Events.BlockDrag).isStart;
     if (!dropped && (event.isUiEvent || this.workspace.isDragging())) return;
-    this.loose.mark();
+    this.mark();
     this.edited();
+  }
+
+  private mark(): void {
+    this.loose.mark();
+    showUsedNames(this.workspace);
   }
 
   private look(): void {
@@ -338,7 +344,7 @@ export class BlockEditor {
   }
 
   private changed(): void {
-    this.loose.mark();
+    this.mark();
     this.workspace.refreshToolboxSelection();
     this.look();
   }

@@ -1,5 +1,6 @@
 /** Leaves most of a large program undrawn: bodies of functions, and pieces of long lists of statements. */
 
+import { WHENS } from "../../model/whens";
 import type { Block, Workspace } from "../../protocol/messages";
 
 /** The type of the placeholder of statements that are not drawn. */
@@ -12,7 +13,7 @@ const PIECE = 40;
 const ENDS = 16;
 /** Shorter bodies of functions are always drawn. */
 const SHORT = 3;
-const DEFINITIONS = new Set(["lb_when", "procedures_defnoreturn", "procedures_defreturn"]);
+const DEFINITIONS = new Set([...WHENS, "procedures_defnoreturn", "procedures_defreturn"]);
 
 type Chain = readonly Block[];
 

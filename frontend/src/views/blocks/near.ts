@@ -1,5 +1,6 @@
 /** What the search offers besides the blocks with the searched words: what others call them, and slips of a key. */
 
+import { WHENS } from "../../model/whens";
 import { plain } from "../../ui/plain";
 
 const skills = (...names: string[]) => names.map((name) => `lb_skill_${name}`);
@@ -19,7 +20,7 @@ export const FOREIGN: Readonly<Record<string, readonly string[]>> = {
   edge: skills("is_bumped", "is_front_obstacle", "is_there_ground"),
   broadcast: skills("send", "received", "message_value"),
   flag: ["lb_main", "lb_start"],
-  event: ["lb_when", ...skills("is_key_pressed", "is_shaken", "is_bumped", "received")],
+  event: [...WHENS, ...skills("is_key_pressed", "is_shaken", "is_bumped", "received")],
   key: skills("is_key_pressed", "is_press_8_button_controller"),
   timer: skills("reset_timer", "get_timer", "sleep"),
   ask: ["text_prompt_ext"],

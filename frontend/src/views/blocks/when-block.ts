@@ -1,7 +1,8 @@
-/** `when`: with or without a condition, and with its name used by other blocks. */
+/** `when`: with or without a condition or ready with one, and with its name used by other blocks. */
 
 import * as Blockly from "blockly/core";
 
+import { READY_HATS, WHENS } from "../../model/whens";
 import { FreeChoice } from "./fields/free-choice";
 import { renameHidden } from "./rest-block";
 import { changeShape, stepButton } from "./step-button";
@@ -56,13 +57,18 @@ export function toggleCondition(block: Blockly.Block): void {
 }
 
 export function hasCondition(block: Blockly.Block): boolean {
-  return block.getInput("CONDITION") !== null;
+  return block.type !== "lb_when" || block.getInput("CONDITION") !== null;
+}
+
+/** The `when`s of a workspace, in its order. */
+export function whensOf(workspace: Blockly.Workspace): Blockly.Block[] {
+  const whens = new Set(WHENS);
+  return workspace.getTopBlocks(true).filter(({ type }) => whens.has(type));
 }
 
 /** The names of a workspace's `when`s, in its order. */
 export function whenNames(workspace: Blockly.Workspace): string[] {
-  const names = workspace.getBlocksByType("lb_when", false).map((block) => String(block.getFieldValue("NAME")));
-  return [...new Set(names)];
+  return [...new Set(whensOf(workspace).map((block) => String(block.getFieldValue("NAME"))))];
 }
 
 /** A free name for a `when`: the requested one, or that with a number. */
@@ -115,10 +121,42 @@ function offerNames(this: Blockly.Block): void {
   this.getInput("PLACE")?.appendField(new FieldWhen() as Blockly.Field, "WHEN");
 }
 
+/** The name of a ready hat, whose sentence says enough: it is shown only while another block uses it. */
+class NameOfHat extends Blockly.FieldTextInput {
+  // Blockly reads hidden fields, too.
+  override getText(): string {
+    return this.isVisible() ? super.getText() : "";
+  }
+}
+
+function addName(this: Blockly.Block): void {
+  const name = new NameOfHat("", renameUses);
+  this.appendDummyInput("NAMED").appendField(name, "NAME");
+  this.moveInputBefore("NAMED", "DO");
+  name.setVisible(false);
+}
+
+/** Show the names of the ready hats that other blocks use, and hide those of the others. */
+export function showUsedNames(workspace: Blockly.WorkspaceSvg): void {
+  const used = new Set(USES.flatMap((type) => workspace.getBlocksByType(type, false)).map(whenOf));
+  for (const hat of READY_HATS.flatMap((type) => workspace.getBlocksByType(type, false))) {
+    const name = hat.getField("NAME");
+    const isUsed = used.has(hat.getFieldValue("NAME"));
+    if (!name || name.isVisible() === isUsed || hat.isCollapsed()) continue;
+    name.setVisible(isUsed);
+    name.forceRerender();
+  }
+}
+
+function whenOf(use: Blockly.Block): unknown {
+  return use.getFieldValue("WHEN");
+}
+
 export function registerWhen(): void {
   Blockly.Extensions.registerMutator("lb_when_mutator", SHAPE, function (this: When) {
     showButton(this, hasCondition(this));
     this.getField("NAME")?.setValidator(renameUses);
   });
   Blockly.Extensions.register("lb_when_names", offerNames);
+  Blockly.Extensions.register("lb_when_name", addName);
 }

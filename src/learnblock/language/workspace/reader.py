@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 
 from learnblock.blocks import BlockConfiguration
+from learnblock.blocks.ready_hats import READY_HATS
 from learnblock.errors import Diagnostic, ProgramError
 from learnblock.i18n import Phrase
 from learnblock.language.tree.nodes import (
@@ -34,6 +35,7 @@ from learnblock.language.workspace.types import (
     HATS,
     MAIN,
     START,
+    WHENS,
 )
 
 
@@ -108,19 +110,27 @@ class WorkspaceReader(StatementReader):
         return self.statement(block, notes, ends)
 
     def hat(self, block: Block, notes: Notes, ends: Ends) -> Def | When | Main:
-        match block.type:
-            case "lb_main":
-                return Main(self.body(block, "DO"))
-            case "lb_when":
-                return self.when(block, ends)
+        if block.type == MAIN:
+            return Main(self.body(block, "DO"))
+        if block.type in WHENS:
+            return self.when(block, ends)
         return self.function(block, notes, ends)
 
     def when(self, block: Block, ends: Ends) -> When:
-        condition: Expression | None = None
-        if extra(block, "condition") is True or plugged(block, "CONDITION") is not None:
-            condition = self.truth(block, "CONDITION")
+        condition = self.condition(block)
         name = self.name(block, block.fields.get("NAME"))
         return When(name, condition, self.body(block, "DO"), ends[0])
+
+    def condition(self, block: Block) -> Expression | None:
+        """The condition of a ``when``; a ready hat is the call of its skill, too."""
+        skill = READY_HATS.get(block.type)
+        if skill is not None:
+            call = self.skill(block, skill)
+            self.note(call, block)
+            return call
+        if extra(block, "condition") is True or plugged(block, "CONDITION") is not None:
+            return self.truth(block, "CONDITION")
+        return None
 
     def function(self, block: Block, notes: Notes, ends: Ends) -> Def:
         name = self.name(block, block.fields.get("NAME"))

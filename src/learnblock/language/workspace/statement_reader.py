@@ -129,7 +129,7 @@ class StatementReader(ValueReader):
         if handler is not None:
             return handler(self, block, notes, ends)
         if block.type.startswith(SKILL):
-            return self.perform(block, self.skill(block), ends)
+            return self.perform(block, self.skill(block, block.type[len(SKILL) :]), ends)
         if block.type in TOP_LEVEL:
             self.report(block, "misplaced-block", Phrase("workspace-misplaced-block"))
         else:

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from typing import Any
 
+from learnblock.blocks.ready_hats import READY_HATS, ready_hat
 from learnblock.language.tree.nodes import (
     Activate,
     Assign,
@@ -91,6 +92,19 @@ class StatementShaper(Shaper):
         if found is None and self.skill(call, answers=True) is not None:
             return Shape("lb_do", values={"VALUE": call})
         return found
+
+    def ready_hat(self, node: When) -> Shape | None:
+        """The shape of a ``when`` as a ready hat, if its condition is the call of its skill."""
+        call = node.condition
+        if not isinstance(call, SkillCall) or ready_hat(call.name) not in READY_HATS:
+            return None
+        shape = self.skill(call, answers=True)
+        return shape and shape._replace(
+            type=ready_hat(call.name),
+            fields={"NAME": node.name},
+            bodies=_busy({"DO": node.body}),
+            ends=(node.comment,),
+        )
 
 
 def _library_statement(call: Call) -> Shape | None:
@@ -215,11 +229,16 @@ def _def(_: StatementShaper, node: Def) -> Shape:
     return shape._replace(values=result, bodies={"STACK": tuple(body)}, notes=notes)
 
 
-def _when(_: StatementShaper, node: When) -> Shape:
+def when_shape(node: When) -> Shape:
+    """The shape of a ``when`` whose condition, if any, is a block of its own."""
     values = {} if node.condition is None else {"CONDITION": node.condition}
     extra = {"condition": node.condition is not None}
     bodies = _busy({"DO": node.body})
     return Shape(WHEN, {"NAME": node.name}, values, bodies, extra, ends=(node.comment,))
+
+
+def _when(shaper: StatementShaper, node: When) -> Shape:
+    return shaper.ready_hat(node) or when_shape(node)
 
 
 def _busy(bodies: dict[str, Body]) -> dict[str, Body]:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import NamedTuple
 
+from learnblock.blocks.ready_hats import READY_HATS
 from learnblock.language.blocktext.lexer import KEYWORDS
 from learnblock.language.tree.identifiers import MARKS, normal
 
@@ -14,8 +15,10 @@ MAIN, START, WHEN = "lb_main", "lb_start", "lb_when"
 FUNCTION, ANSWERING_FUNCTION = "procedures_defnoreturn", "procedures_defreturn"
 FOR_EACH, FOR_UNPACKING = "controls_forEach", "lb_for_unpacking"
 FOREVER, WHILE = "lb_forever", "controls_whileUntil"
+#: The blocks of a ``when``: with any condition or none, or ready with that of one skill.
+WHENS = frozenset((WHEN, *READY_HATS))
 #: The blocks that begin a part of the program; under any other block, only comments belong to it.
-HATS = frozenset((MAIN, START, WHEN, FUNCTION, ANSWERING_FUNCTION))
+HATS = frozenset((MAIN, START, FUNCTION, ANSWERING_FUNCTION)) | WHENS
 
 #: The prefix of unknown skills' names, which share a block with other calls.
 SKILL_PREFIX = "function."

@@ -164,9 +164,8 @@ class ValueReader(BlockReader):
         count = len(extra_list(block, "params"))
         return Call(self.name(block, extra(block, "name")), self.items(block, "ARG", count))
 
-    def skill(self, block: Block) -> Call | SkillCall:
+    def skill(self, block: Block, name: str) -> Call | SkillCall:
         """A call of a skill, with the arguments that differ from their defaults."""
-        name = block.type[len(SKILL) :]
         configuration = self.configurations.get(name)
         if configuration is None:
             self.report(block, "unknown-skill", Phrase("workspace-unknown-skill", name=name))
@@ -245,7 +244,7 @@ def _unknown(reader: ValueReader, block: Block) -> Expression:
 
 
 def _skill(reader: ValueReader, block: Block) -> Expression:
-    return reader.skill(block)
+    return reader.skill(block, block.type[len(SKILL) :])
 
 
 def _truth(reader: ValueReader, block: Block) -> Expression:

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Mapping
 from itertools import count
 
 from learnblock.blocks import BlockConfiguration, Parameter
+from learnblock.blocks.ready_hats import READY_HATS
 from learnblock.blocks.toolbox import SHADOWS, SKILL, Shadow, parameter_shadow
 from learnblock.language.tree.nodes import (
     Call,
@@ -235,8 +236,9 @@ class ValueWriter:
 
     def shadows(self, kind: str) -> Mapping[str, tuple[Shadow, Parameter | None]]:
         """The shadows of a type of block, with the parameters that they are for."""
-        configuration = self.configurations.get(kind.removeprefix(SKILL))
-        if configuration is None or not kind.startswith(SKILL):
+        skill = READY_HATS.get(kind) or (kind.startswith(SKILL) and kind.removeprefix(SKILL))
+        configuration = self.configurations.get(skill) if skill else None
+        if configuration is None:
             return _LANGUAGE.get(kind, {})
         return {
             parameter.name: (shadow, parameter)

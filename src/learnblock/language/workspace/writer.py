@@ -21,12 +21,13 @@ from learnblock.language.tree.nodes import (
 from learnblock.language.tree.traversal import bodies, expressions, statements
 from learnblock.language.workspace.alignment import Match, aligned
 from learnblock.language.workspace.arrangement import drawn, grouped
+from learnblock.language.workspace.block_reader import is_disabled
 from learnblock.language.workspace.blocks import Block, Input, Variable, Workspace
 from learnblock.language.workspace.notes import comment_of
 from learnblock.language.workspace.reader import WorkspaceReader, is_note, is_part, statements_of
 from learnblock.language.workspace.shapes import Shape
 from learnblock.language.workspace.statement_reader import Group
-from learnblock.language.workspace.statement_shapes import while_shape
+from learnblock.language.workspace.statement_shapes import when_shape, while_shape
 from learnblock.language.workspace.survey import Survey, survey
 from learnblock.language.workspace.types import (
     ANSWERING_FUNCTION,
@@ -34,6 +35,8 @@ from learnblock.language.workspace.types import (
     FOREVER,
     FUNCTION,
     START,
+    WHEN,
+    WHENS,
     WHILE,
 )
 from learnblock.language.workspace.value_writer import ValueWriter
@@ -193,12 +196,24 @@ class WorkspaceWriter(ValueWriter):
         return block
 
     def shape(self, node: Item | Main, old: Block | None) -> Shape:
-        """The shape of a statement; a user's own 'repeat while true' does not become 'forever'."""
-        if isinstance(node, While) and old is not None and old.type == WHILE:
-            earlier = self.before.groups[old.id].statement
-            if isinstance(earlier, While) and earlier.is_endless:
+        """The shape of a statement; a user's own 'repeat while true' does not become 'forever'.
+
+        Nor does the block of an event become a ready hat.
+        """
+        earlier = None if old is None else self.before.groups[old.id].statement
+        kind = None if old is None else old.type
+        match node, earlier:
+            case While(), While(is_endless=True) if kind == WHILE:
                 return while_shape(node)
+            case When(), When() if kind == WHEN and self.shaper.ready_hat(earlier):
+                return when_shape(node)
         return self.shaper.statement(node)
+
+    def may_be(self, shape: Shape, old: Block) -> bool:
+        """Whether a block can get new content and keep its id; an event also keeps its place."""
+        if {old.type, shape.type} <= WHENS:
+            return old.id not in self.taken and not is_disabled(old)
+        return super().may_be(shape, old)
 
     def can_stay(self, group: Group, old: Block) -> bool:
         """Whether a block with the same content can stay; if so, keep it with everything inside."""
@@ -300,7 +315,7 @@ def _continues(group: Group, other: Group) -> bool:
 
 def _may_follow(old: str, new: str) -> bool:
     """Whether a block of a type keeps what is inside one of another type."""
-    return old == new or {old, new} == {WHILE, FOREVER}
+    return old == new or {old, new} == {WHILE, FOREVER} or {old, new} <= WHENS
 
 
 def _matches(groups: Sequence[Group], old: Sequence[Group]) -> list[Match | None]:

@@ -5,11 +5,12 @@ from dataclasses import dataclass
 
 from learnblock.language.edit.rename import Sort
 from learnblock.language.workspace.blocks import Block, Workspace
+from learnblock.language.workspace.types import WHENS
 
 _SORTS: dict[str, Sort] = {
     "procedures_defnoreturn": "function",
     "procedures_defreturn": "function",
-    "lb_when": "when",
+    **dict.fromkeys(WHENS, "when"),
 }
 
 

@@ -358,3 +358,40 @@ def test_an_entry_of_a_dictionary_without_a_variable_is_reported():
     before = Workspace([[Block("lb_main", "main", inputs={"DO": Input(stack=[block])})]])
     problems = from_workspace(before, CONFIGURATIONS).problems
     assert ["s"] * 3 == [block for block, _ in problems]
+
+
+HAT = "when near = function.is_front_obstacle(150):\n    function.stop_bot()\nend\n"
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("(150)", "(200)"),
+        ("when near", "when close"),
+        ("function.is_front_obstacle(150)", "function.is_bumped()"),
+        ("function.is_front_obstacle(150)", "not function.is_bumped()"),
+    ],
+)
+def test_an_event_keeps_its_place_and_its_blocks_whatever_its_condition_becomes(old, new):
+    before = to_workspace(parse(HAT), CONFIGURATIONS).workspace
+    before.stacks[0][0].x = 70.0
+    program = parse(HAT.replace(old, new))
+    after = to_workspace(program, CONFIGURATIONS, before).workspace
+    (was,), (hat,) = before.stacks[0], after.stacks[0]
+    assert program == from_workspace(after, CONFIGURATIONS).program
+    assert (was.id, was.x, was.inputs["DO"]) == (hat.id, hat.x, hat.inputs["DO"])
+
+
+def test_an_event_that_was_made_with_a_condition_does_not_become_a_ready_hat():
+    condition = Block("lb_skill_is_bumped", "asked")
+    event = Block(
+        "lb_when",
+        "own",
+        fields={"NAME": "ouch"},
+        inputs={"CONDITION": Input(block=condition)},
+        extraState={"condition": True},
+    )
+    own = Workspace([[event]], [])
+    program = parse("when oh = function.is_bumped():\n    pass\nend\n")
+    assert "lb_when" == to_workspace(program, CONFIGURATIONS, own).workspace.stacks[0][0].type
+    assert "lb_when_is_bumped" == to_workspace(program, CONFIGURATIONS).workspace.stacks[0][0].type

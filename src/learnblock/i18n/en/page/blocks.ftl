@@ -53,10 +53,10 @@ page-blocks-failed = The blocks could not be loaded. Check that LearnBlock is ru
 page-blocks-new-when = New event…
 page-blocks-when-name = my_event
 # The names of events that are ready to use: letters, digits and _ only.
-page-blocks-when-key = key_pressed
-page-blocks-when-bumped = bumped
-page-blocks-when-near = obstacle_near
-page-blocks-when-heard = message_received
+page-blocks-name-lb-when-is-key-pressed = key_pressed
+page-blocks-name-lb-when-is-bumped = bumped
+page-blocks-name-lb-when-is-front-obstacle = obstacle_near
+page-blocks-name-lb-when-received = message_received
 page-blocks-when-prompt = Name of the new event:
 page-blocks-zoom = Size of the blocks
 page-blocks-zoom-in = Zoom in

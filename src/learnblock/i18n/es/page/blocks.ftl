@@ -53,10 +53,10 @@ page-blocks-failed = No se han podido cargar los bloques. Comprueba que LearnBlo
 page-blocks-new-when = Nuevo evento…
 page-blocks-when-name = mi_evento
 # Los nombres de los eventos preparados: solo letras sin tilde, cifras y _.
-page-blocks-when-key = tecla_pulsada
-page-blocks-when-bumped = choque
-page-blocks-when-near = obstaculo_cerca
-page-blocks-when-heard = mensaje_recibido
+page-blocks-name-lb-when-is-key-pressed = tecla_pulsada
+page-blocks-name-lb-when-is-bumped = choque
+page-blocks-name-lb-when-is-front-obstacle = obstaculo_cerca
+page-blocks-name-lb-when-received = mensaje_recibido
 page-blocks-when-prompt = Nombre del nuevo evento:
 page-blocks-zoom = Tamaño de los bloques
 page-blocks-zoom-in = Acercar
