@@ -120,5 +120,8 @@ def _defined(node: ast.AST) -> Iterator[str]:
             yield name
         case ast.Name(id=name, ctx=ast.Store()):
             yield name
+        case ast.ImportFrom(module=str(module), names=[ast.alias(name="*")]):
+            file = _file_of_ours(module)
+            yield from _names(file) if file else ()
         case ast.Import(names=names) | ast.ImportFrom(names=names):
             yield from (alias.asname or alias.name.partition(".")[0] for alias in names)

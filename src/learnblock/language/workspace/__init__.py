@@ -7,7 +7,7 @@ values in `shapes.py`; reading is split by the kind of block:
 blocks                                      node                          read in
 ==========================================  ============================  ===================
 ``lb_main``, ``lb_when``, ``procedures_*``  Main, When, Def               reader.py
-``lb_when_*``, ready hats                   When with a SkillCall         reader.py
+``lb_when_*``, ready hats                   When, SkillCall               reader.py
 ``lb_import``, ``lb_setup``                 Import, Setup                 reader.py
 ``controls_*``, ``lb_wait_until``           If, While, Repeat, WaitUntil  statement_reader.py
 ``variables_set``, ``math_change``          Assign                        statement_reader.py
