@@ -22,6 +22,7 @@ import type {
   Variables,
 } from "../protocol/messages";
 import { addParts, Drawing } from "./drawing";
+import { type MissedPlace, missedPlace } from "./missed";
 import { Pace, shownSpeed } from "./pace";
 
 const IDLE: RunState = { kind: "RunState", state: "idle" };
@@ -84,6 +85,11 @@ export class Running {
   readonly past = signal<Past | null>(null);
   /** The run so far, or the last one; null until the server has told it. */
   readonly timeline = signal<Timeline | null>(null);
+  /** The place of the first goal that the run has missed. */
+  readonly missed = computed<readonly MissedPlace[]>(() => {
+    const missed = this.timeline.value?.missed;
+    return missed ? [missedPlace(missed.words, missed.place, missed.nearest)] : [];
+  });
   /** The kept run that is shown instead of the newest; null for the newest. */
   readonly kept = signal<KeptRun | null>(null);
   /** What can't be shown of it as it was. */

@@ -6,20 +6,12 @@ import type { Island } from "../ui/island";
 import { room } from "../ui/screen";
 import type { Tool } from "../ui/tool";
 import type { Measure } from "./measures";
+import type { MissedPlace } from "./missed";
 import { arrange, preferences } from "./preferences";
 
 export const VIEWS: readonly View[] = ["blocks", "blocktext", "python"];
 export type Area = View | "world" | "panel";
 export type PanelName = "console" | "variables" | "calls" | "why" | "runs" | "sensors" | "problems" | "result";
-
-/** A place that a run has missed, mm. */
-export interface MissedPlace {
-  readonly place: [number, number];
-  /** Where the robot came nearest. */
-  readonly nearest: [number, number];
-  /** By how much. */
-  readonly words: string;
-}
 
 /** The world in 3D. */
 export interface WorldIsland extends Island {

@@ -36,6 +36,16 @@ test.each([
   expect(run.waits.value).toBe(waits);
 });
 
+test("the place of a missed goal is marked until the next run begins", () => {
+  const [run, connection] = running();
+  const words = { code: "miss-near", values: { gap: { code: "miss-gap-short", values: { mm: 80 } } } };
+  connection.tell({ kind: "Timeline", end: 3, missed: { words, place: [200, 0], nearest: [120, 0] } });
+  // Without the words of a language, a message is its code.
+  expect(run.missed.value).toEqual([{ place: [200, 0], nearest: [120, 0], words: "miss-gap-short" }]);
+  connection.tell({ kind: "RunState", state: "starting" });
+  expect(run.missed.value).toEqual([]);
+});
+
 test("no block runs once the run has ended", () => {
   const [run, connection] = running();
   connection.tell({ kind: "RunState", state: "paused", block: "b1" });

@@ -10,7 +10,7 @@ from learnblock.why.actions import ABOUT, Actions
 from learnblock.why.causes import Causes
 from learnblock.why.history import History
 from learnblock.why.inquiry import Inquiry
-from learnblock.why.missed import goal_missed_by
+from learnblock.why.missed import goal_missed
 from learnblock.why.movements import LINES, Movements
 from learnblock.why.omissions import Omissions
 from learnblock.why.questions import Ask, Question
@@ -303,8 +303,8 @@ class _Answering:
             if state == "reached":
                 self._now("", until, None)
                 return
-            if miss := goal_missed_by(self._history.recorded, name, at):
-                self._draft.say_of_line(miss.code, 0, event, **miss.values)
+            if miss := goal_missed(self._history.recorded, name, at):
+                self._draft.say_of_line(miss.words.code, 0, event, **miss.words.values)
         if not named:
             self._draft.say_of_line("why-no-goal", 0, until)
         self._first_bump(until)

@@ -21,7 +21,8 @@ import "./world-pane.css";
 
 export function WorldPane() {
   const page = usePage();
-  const missed = page.lessons.missed.value;
+  // A lesson marks what its step asks for, which may be less than its world's goals.
+  const missed = (page.lessons.shown.value ? page.lessons : page.context.running).missed.value;
   const world = page.views.world.value;
   useEffect(() => world?.showMissed(missed), [world, missed]);
   return (

@@ -2,12 +2,12 @@
 
 import { computed, signal } from "@preact/signals";
 
-import { language, type Phrase, say, t } from "../../i18n";
+import { language, say, t } from "../../i18n";
 import type { Announcer } from "../../model/announcer";
 import { browserId } from "../../model/browser-id";
+import { type MissedPlace, missedPlace } from "../../model/missed";
 import { arrange, preferences } from "../../model/preferences";
 import type { Program } from "../../model/program";
-import type { MissedPlace } from "../../model/views";
 import type { Connection } from "../../protocol/connection";
 import {
   type LessonAttempt,
@@ -48,14 +48,8 @@ export function sayWords({ text = "", phrase = null }: LessonWords): string {
 const MOST_MISSED = 3;
 
 /** Where a goal was missed; nothing if it was not, or has no place. */
-function missedPlace({ state, place, nearest, reason }: LessonGoal): readonly MissedPlace[] {
-  if (state !== "failed" || !place || !nearest || !reason) return [];
-  const { gap } = reason.values ?? {};
-  return [{ place, nearest, words: say(isPhrase(gap) ? gap : reason) }];
-}
-
-function isPhrase(value: unknown): value is Phrase {
-  return typeof value === "object" && value !== null && "code" in value;
+function missedPlaces({ state, place, nearest, reason }: LessonGoal): readonly MissedPlace[] {
+  return state === "failed" && place && nearest && reason ? [missedPlace(reason, place, nearest)] : [];
 }
 
 interface Others {
@@ -92,7 +86,7 @@ export class Lessons {
   private opened = "";
   /** The places that the last run has missed, the first ones of several. */
   readonly missed = computed(() =>
-    this.live.value ? [] : this.goals.value.flatMap(missedPlace).slice(0, MOST_MISSED),
+    this.live.value ? [] : this.goals.value.flatMap(missedPlaces).slice(0, MOST_MISSED),
   );
   private readonly browser = browserId();
 

@@ -2,7 +2,7 @@
 
 import { Group, Mesh, MeshBasicMaterial, type Object3D, RingGeometry, Sprite } from "three";
 
-import type { MissedPlace } from "../../model/views";
+import type { MissedPlace } from "../../model/missed";
 import { nameplate } from "./nameplate";
 import { MARKS } from "./scenery/colours";
 import type { XY } from "./scenery/description";

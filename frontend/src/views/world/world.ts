@@ -4,8 +4,9 @@ import { computed, effect, type ReadonlySignal, signal, untracked } from "@preac
 import { t } from "../../i18n";
 import type { Context } from "../../model/context";
 import type { Measure } from "../../model/measures";
+import type { MissedPlace } from "../../model/missed";
 import { type ThemeName, theme } from "../../model/preferences";
-import type { MissedPlace, WorldIsland } from "../../model/views";
+import type { WorldIsland } from "../../model/views";
 import type { Scene, Sound, Telemetry } from "../../protocol/messages";
 import { Cleanup } from "../../ui/cleanup";
 import type { Tool } from "../../ui/tool";

@@ -206,6 +206,20 @@ class TimeMark(Struct, frozen=True):
     text: str
 
 
+class MissedGoal(Struct, frozen=True):
+    """A goal that a run has missed.
+
+    Args:
+        words: by how much.
+        place: where it is, (x mm, y mm).
+        nearest: how near to it the robot came.
+    """
+
+    words: Phrase
+    place: tuple[float, float]
+    nearest: tuple[float, float]
+
+
 class Timeline(ToPage, frozen=True):
     """The run so far, or the last one.
 
@@ -215,6 +229,7 @@ class Timeline(ToPage, frozen=True):
         since: the oldest time with all details, in s.
         marks: what stands out, in order; the last ones if there are too many.
         way: where the robot was, if that is known: the time in s, mm east and mm north.
+        missed: the first goal that it has missed, once it has ended; None if that has no place.
     """
 
     end: float
@@ -222,6 +237,7 @@ class Timeline(ToPage, frozen=True):
     since: float = 0.0
     marks: tuple[TimeMark, ...] = ()
     way: tuple[tuple[float, float, float], ...] = ()
+    missed: MissedGoal | None = None
 
 
 class ValueThere(Struct, frozen=True):

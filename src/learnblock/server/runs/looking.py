@@ -79,6 +79,7 @@ class Looking:
                 round(self.log.complete_since * TICK, 2),
                 tuple(messages.TimeMark(mark.time, mark.kind, mark.text) for mark in marks),  # type: ignore[arg-type] # the same kinds
                 way(reading.history.recorded),
+                _missed(reading.history.recorded),
             )
 
     def past(self, request: messages.LookBack) -> messages.Past:
@@ -210,6 +211,16 @@ def call_graph(graph: "Calls") -> messages.CallGraph:
             for edge in graph.edges
         ),
     )
+
+
+def _missed(recorded: "Recorded") -> messages.MissedGoal | None:
+    """The first goal that a run has missed, if that has a place."""
+    from learnblock.why.missed import first_missed  # noqa: PLC0415 - the page opens before it is needed
+
+    miss = first_missed(recorded)
+    if miss is None or miss.place is None or miss.nearest is None:
+        return None
+    return messages.MissedGoal(miss.words, miss.place, miss.nearest)
 
 
 def way(recorded: "Recorded") -> tuple[tuple[float, float, float], ...]:

@@ -41,6 +41,17 @@ def test_the_timeline_tells_its_end_its_marks_and_the_way(ran):
     assert xs[-1] - xs[0] == pytest.approx(180, abs=10)
 
 
+def test_the_timeline_tells_where_the_first_goal_was_missed(page):
+    page.open(robot="sim-ev3", world="square")
+    page.say("SetSpeed", factor=None)
+    page.type("main:\n    function.drive_distance(100)\nend\n")
+    page.run()
+    page.say("ReadTimeline")
+    missed = page.hear("Timeline")["missed"]
+    assert english(missed["words"]) == "The first corner: 100 mm short."
+    assert missed["place"] == [100, 100]
+
+
 def test_without_a_run_the_timeline_is_empty(page):
     page.open()
     page.say("ReadTimeline")
