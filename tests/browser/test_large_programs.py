@@ -83,7 +83,7 @@ def open_program(sit_down, server):
 
 def function(pupil, number):
     """Return the definition of a function."""
-    return pupil.blocks("procedures_defnoreturn").filter(has_text=f"step_{number}with")
+    return pupil.blocks("procedures_defnoreturn").filter(has_text=re.compile(rf"step_{number}\D"))
 
 
 def expect_functions(pupil, count=FUNCTIONS + 1):

@@ -60,12 +60,6 @@ def test_events_are_drawn_in_the_order_of_the_text_after_each_change_of_it(empty
     empty.picture("changed")
 
 
-def test_a_new_function_is_valid_as_it_comes(empty):
-    empty.take("My blocks", "procedures_defnoreturn")
-    empty.sees("blocktext", "def do_something():")
-    expect(empty.page.locator(".problem.error")).to_have_count(0)
-
-
 def test_blocks_copied_in_one_tab_are_pasted_in_another(empty):
     empty.write("blocktext", EVENTS)
     first = empty.page

@@ -126,6 +126,7 @@ function makeModel(connection: Connection, toasts: Toasts, dialogs: Dialogs, sto
     robotColor: (name) => (tabs.tabs.value.length > 0 ? tabs.colorOf(name) : null),
     lookingBack,
     askingWhy,
+    makeBlock: (makeBlock) => dialogs.show({ makeBlock }),
     listCustomBlocks: () => dialogs.show("customBlocks"),
     editCustomBlock: (name, line = 0) => dialogs.show({ customBlock: name, line }),
   };

@@ -10,6 +10,7 @@ import { LessonEditorDialog } from "../features/lesson-editor/dialog";
 import { DeleteLessonDialog } from "../features/lessons/delete";
 import { LessonNotesDialog } from "../features/lessons/notes";
 import { LibrariesDialog } from "../features/libraries/dialog";
+import { MakeBlockDialog } from "../features/make-block/dialog";
 import { NewRobotDialog } from "../features/new-robot/dialog";
 import { OtherDeviceDialog } from "../features/other-device/dialog";
 import { HistoryDialog } from "../features/projects/history";
@@ -72,6 +73,7 @@ export function OpenedDialog() {
   if (name === null) return offered && project.reviewing.value && <OfferedDialog offered={offered} />;
   if (typeof name === "object" && "customBlock" in name)
     return <CustomBlockDialog key={name.customBlock} name={name} />;
+  if (typeof name === "object" && "makeBlock" in name) return <MakeBlockDialog of={name} />;
   if (typeof name === "object" && ("nameRun" in name || "deleteRun" in name)) return <RunDialog of={name} />;
   if (typeof name === "object" && "deleteLesson" in name) return <DeleteLessonDialog of={name} />;
   if (typeof name === "object" && "lessonNotes" in name) return <LessonNotesDialog of={name} />;

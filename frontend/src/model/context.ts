@@ -43,6 +43,8 @@ export interface Context {
   readonly lookingBack: LookingBack;
   /** Questions about the last run. */
   readonly askingWhy: AskingWhy;
+  /** Opens the dialog for a block that the program defines, by its definition; a new one if that is empty. */
+  makeBlock(definition: string): void;
   /** Opens the list of custom blocks. */
   listCustomBlocks(): void;
   /** Opens a custom block at a line of its source, from 1; a new one if the name is empty. */

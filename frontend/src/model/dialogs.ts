@@ -34,6 +34,7 @@ export type DialogName =
   | ProjectDialogName
   | LessonDialogName
   | RunDialogName
+  | MakeBlockDialogName
   | CustomBlockDialogName;
 
 /** A question about a project, which need not be open, by its name. */
@@ -46,6 +47,11 @@ export type LessonDialogName =
 
 /** A question about a kept run, by its id. */
 export type RunDialogName = { readonly nameRun: string } | { readonly deleteRun: string };
+
+/** A block that the program defines, by its definition; empty for a new one. */
+export interface MakeBlockDialogName {
+  readonly makeBlock: string;
+}
 
 /** A custom block by its name, which is empty for a new one, and a line of its source from 1. */
 export interface CustomBlockDialogName {

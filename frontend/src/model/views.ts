@@ -1,12 +1,13 @@
 /** Which regions of the page are shown, including the three views of the program. */
 
 import { type ReadonlySignal, signal } from "@preact/signals";
-import type { Problem, View } from "../protocol/messages";
+import type { Problem, View, Workspace } from "../protocol/messages";
 import type { Island } from "../ui/island";
 import { room } from "../ui/screen";
 import type { Tool } from "../ui/tool";
 import type { Measure } from "./measures";
 import type { MissedPlace } from "./missed";
+import type { OwnBlock } from "./own-blocks";
 import { arrange, preferences } from "./preferences";
 
 export const VIEWS: readonly View[] = ["blocks", "blocktext", "python"];
@@ -43,6 +44,9 @@ export interface ViewIsland extends Island {
   /** A statement as this view shows it, in one line; empty if it does not know the statement. */
   describeStep(block: string): string;
   zoom?(change: Zoom): void;
+  ownBlock?(definition: string): OwnBlock | null;
+  change?(change: (program: Workspace) => Workspace): void;
+  enter?(block: string): void;
   /** Show help on what has the focus in it; return whether there is any. */
   explain?(): boolean;
   /** Both from 1; column 0 is the line's first word. */
@@ -144,6 +148,21 @@ export class Views {
   /** Show help on what has the focus in a view; return whether there is any. */
   explain(): boolean {
     return [...this.islands.values()].some((island) => island.explain?.());
+  }
+
+  /** A block that the program defines, as the blocks have it, by its definition. */
+  ownBlock(definition: string): OwnBlock | null {
+    return this.islands.get("blocks")?.ownBlock?.(definition) ?? null;
+  }
+
+  /** Change the program in its blocks, as one edit by the user. */
+  changeBlocks(change: (program: Workspace) => Workspace): void {
+    this.islands.get("blocks")?.change?.(change);
+  }
+
+  /** Move the focus to a block, in sight. */
+  enterBlock(block: string): void {
+    this.islands.get("blocks")?.enter?.(block);
   }
 
   zoomBlocks(change: Zoom): void {

@@ -25,6 +25,8 @@ const ACTIONS: BlockActions = {
   customBlocks: () => new Set(),
   tagNames: () => [],
   offered: nothing,
+  makeBlock: nothing,
+  changeBlock: nothing,
   listCustomBlocks: nothing,
   newCustomBlock: nothing,
   editCustomBlock: nothing,

@@ -56,7 +56,7 @@ export class Editing {
     this.cleanup = new Cleanup(
       effect(() => this.source.show(this.draft.written.value.source)),
       effect(() => this.json.show(this.draft.configuration.value)),
-      effect(() => this.preview.show(this.shown.value)),
+      effect(() => this.preview.showNow(this.shown.value)),
       effect(() => this.showProblems(this.problems.value)),
     );
     this.begin(name, line);

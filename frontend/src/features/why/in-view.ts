@@ -13,13 +13,42 @@ const OF_LINES: ReadonlyMap<string, string> = new Map([
   ["not-print", "page-why-ask-not-print-block"],
 ]);
 
-/** A sentence whose line and code are those of the view that is shown. */
-export function sentenceInView(page: Page, { phrase, block, inner }: WhySentence): Phrase {
+/** What the answers take for the number of a line where only blocks are shown. */
+const BLOCK = "block";
+
+/** A sentence in which blocks may be named. */
+export interface SentenceInView {
+  readonly phrase: Phrase;
+  /** The blocks that it names, each with its words in the sentence. */
+  readonly named: readonly { readonly words: string; readonly block: string }[];
+}
+
+/** A sentence whose lines and code are those of the view that is shown; where only blocks are, it names these. */
+export function sentenceInView(page: Page, sentence: WhySentence): SentenceInView {
+  return showsOnlyBlocks(page) ? withBlocks(page, sentence) : { phrase: withLines(page, sentence), named: [] };
+}
+
+function withBlocks(page: Page, { phrase, block, inner }: WhySentence): SentenceInView {
+  const outer = block ? wordsOf(page, block) : "";
+  const within = inner ? wordsOf(page, inner) : "";
+  const values = {
+    ...phrase.values,
+    ...(outer && { line: BLOCK, code: outer }),
+    ...(within && { inner: BLOCK, innerCode: within }),
+  };
+  const named = [
+    ...(block && outer ? [{ words: outer, block }] : []),
+    ...(inner && within ? [{ words: within, block: inner }] : []),
+  ];
+  return { phrase: { ...phrase, values }, named };
+}
+
+function withLines(page: Page, { phrase, block, inner }: WhySentence): Phrase {
   const values = { ...phrase.values };
   const line = block && lineOf(page, block, Number(values.line));
-  if (block && line) {
+  if (line) {
     values.line = `${line}`;
-    values.code = codeOf(page, block, line);
+    values.code = codeOf(page, line);
   }
   const innerLine = inner && lineOf(page, inner, Number(values.inner));
   if (innerLine) values.inner = `${innerLine}`;
@@ -34,6 +63,22 @@ export function questionInView(page: Page, { question, phrase, block }: Asked): 
   }
   const line = block && OF_LINES.has(question.ask) && lineOf(page, block, Number(question.subject));
   return line ? { ...phrase, values: { ...phrase.values, subject: `${line}` } } : phrase;
+}
+
+/** A text with the parts that name blocks taken out of it. */
+export function parted(text: string, { named }: SentenceInView): readonly { text: string; block?: string }[] {
+  const found = named
+    .map((one) => ({ ...one, at: text.indexOf(one.words) }))
+    .filter(({ at }) => at >= 0)
+    .sort((one, other) => one.at - other.at);
+  const parts: { text: string; block?: string }[] = [];
+  let end = 0;
+  for (const { words, block, at } of found) {
+    if (at < end) continue;
+    parts.push({ text: text.slice(end, at) }, { text: words, block });
+    end = at + words.length;
+  }
+  return [...parts, { text: text.slice(end) }].filter((part) => part.text);
 }
 
 /** Block-Text's lines, unless Python's are the only ones that the user sees. */
@@ -53,12 +98,14 @@ function showsOnlyBlocks({ views }: Page): boolean {
   return !views.shows("blocktext") && !views.shows("python") && views.shows("blocks");
 }
 
-/** The code of a line; where only blocks are shown, the block in its own words. */
-function codeOf(page: Page, block: string, line: number): string {
-  const { views, context } = page;
-  const words = showsOnlyBlocks(page) ? views.describeStep("blocks", block) : "";
-  if (words) return `“${words}”`;
-  const text = context.program.state.value[notationOf(page)].split("\n")[line - 1] ?? "";
+/** A block in its own words; empty if it is no longer there. */
+function wordsOf({ views }: Page, block: string): string {
+  const words = views.describeStep("blocks", block);
+  return words && `“${words}”`;
+}
+
+function codeOf(page: Page, line: number): string {
+  const text = page.context.program.state.value[notationOf(page)].split("\n")[line - 1] ?? "";
   return text
     .split("#")[0]!
     .trim()

@@ -5,7 +5,7 @@ import { useSignal, useSignalEffect } from "@preact/signals";
 import { say, t } from "../../i18n";
 import { usePage } from "../../model/page";
 import type { Asked, WhyAnswer, WhySentence } from "../../protocol/messages";
-import { questionInView, sentenceInView } from "./in-view";
+import { parted, questionInView, sentenceInView } from "./in-view";
 import "./why.css";
 
 /** Kinds of questions, in the order in which they are listed; the lines are asked for by their blocks. */
@@ -114,20 +114,37 @@ function Others({ questions, than }: { questions: readonly Asked[]; than: Asked 
   );
 }
 
+/** Words of a sentence; those of a block mark it. */
+function Part({ text, block }: { text: string; block?: string }) {
+  const { views } = usePage();
+  if (!block) return <>{text}</>;
+  const mark = () => views.reveal(block);
+  return (
+    <button type="button" class="why-link why-named" onClick={mark} onFocus={mark}>
+      {text}
+    </button>
+  );
+}
+
 /** A fact, and the way to its moment and its block. */
 function Sentence({ sentence }: { sentence: WhySentence }) {
   const page = usePage();
   const { lookingBack, views } = page;
   const { time, block } = sentence;
+  const shown = sentenceInView(page, sentence);
+  const parts = parted(say(shown.phrase), shown);
+  const isNamed = parts.some((part) => part.block === block);
   return (
     <li>
-      {say(sentenceInView(page, sentence))}{" "}
+      {parts.map((part) => (
+        <Part key={part.text} {...part} />
+      ))}{" "}
       {time !== undefined && time !== null && (
         <button type="button" class="why-link" onClick={() => lookingBack.look(time)}>
           {t("page-why-look", { seconds: time.toFixed(2) })}
         </button>
       )}{" "}
-      {block && (
+      {block && !isNamed && (
         <button type="button" class="why-link" onClick={() => views.reveal(block)}>
           {t("page-why-block")}
         </button>

@@ -44,6 +44,10 @@ export interface BlockActions {
   tagNames(): readonly string[];
   /** A block as the palette has it, by its type. */
   offered(type: string): object | undefined;
+  /** Open the dialog for a new block of the program. */
+  makeBlock(): void;
+  /** Open the dialog for a block of the program, given by its definition. */
+  changeBlock(definition: string): void;
   listCustomBlocks(): void;
   newCustomBlock(): void;
   /** Open the source of a custom block by its skill. */

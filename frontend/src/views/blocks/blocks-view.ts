@@ -3,6 +3,7 @@
 import { effect, untracked } from "@preact/signals";
 import { language, t } from "../../i18n";
 import type { Context } from "../../model/context";
+import type { OwnBlock } from "../../model/own-blocks";
 import type { Stage, ThemeName } from "../../model/preferences";
 import { preferences, theme } from "../../model/preferences";
 import { plainTitle, servingWords } from "../../model/robots";
@@ -32,6 +33,12 @@ export interface BlocksIsland extends Island {
   explain(): boolean;
   /** Enlarge or shrink the program, or show it in its usual size. */
   zoom(change: Zoom): void;
+  /** A block that the program defines, by its definition. */
+  ownBlock(definition: string): OwnBlock | null;
+  /** Change the program, as one edit by the user. */
+  change(change: (program: Workspace) => Workspace): void;
+  /** Move the focus to a block, in sight. */
+  enter(block: string): void;
 }
 
 let prepared = false;
@@ -112,6 +119,21 @@ class Blocks implements BlocksIsland {
 
   explain(): boolean {
     return this.editor?.explain() ?? false;
+  }
+
+  ownBlock(definition: string): OwnBlock | null {
+    return this.editor?.ownBlock(definition) ?? null;
+  }
+
+  change(change: (program: Workspace) => Workspace): void {
+    const { editor } = this;
+    if (!editor) return;
+    editor.change(change);
+    this.edited();
+  }
+
+  enter(block: string): void {
+    this.editor?.enter(block);
   }
 
   zoom(change: Zoom): void {
@@ -216,6 +238,8 @@ class Blocks implements BlocksIsland {
       customBlocks: () => new Set(this.context.customBlocks.peek()?.flatMap(({ blocks }) => blocks)),
       tagNames: () => Object.keys(this.context.tagNames.peek()),
       offered: (type) => this.palette?.toolbox.contents.flatMap(blocksOf).find((one) => one.type === type),
+      makeBlock: () => this.context.makeBlock(""),
+      changeBlock: (definition) => this.context.makeBlock(definition),
       listCustomBlocks: () => this.context.listCustomBlocks(),
       newCustomBlock: () => this.context.editCustomBlock(""),
       editCustomBlock: (skill) => this.editCustomBlock(skill),

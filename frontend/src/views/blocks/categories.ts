@@ -6,6 +6,7 @@ import { t } from "../../i18n";
 import { preferences, type Stage } from "../../model/preferences";
 import { actionsOf } from "./actions";
 import { SKILL } from "./menus";
+import { callState, definitionsIn, ownBlockOf } from "./own-blocks";
 import type { PaletteTab } from "./palette";
 import { readyHats } from "./ready-hats";
 import { freeWhenName, hasCondition, whensOf } from "./when-block";
@@ -14,6 +15,7 @@ type Items = Blockly.utils.toolbox.FlyoutItemInfo[];
 type Item = Blockly.utils.toolbox.FlyoutItemInfo;
 
 const NEW_WHEN = "LB_NEW_WHEN";
+const MAKE_BLOCK = "LB_MAKE_BLOCK";
 const OWN = "LB_OWN";
 const NEW_OWN = "LB_NEW_OWN";
 const ALL_OWN = "LB_ALL_OWN";
@@ -24,6 +26,7 @@ export function registerCategories(workspace: Blockly.WorkspaceSvg): void {
   workspace.registerToolboxCategoryCallback("VARIABLE", variableItems);
   workspace.registerToolboxCategoryCallback("PROCEDURE", procedureItems);
   workspace.registerToolboxCategoryCallback(OWN, ownItems);
+  workspace.registerButtonCallback(MAKE_BLOCK, () => actionsOf(workspace)?.makeBlock());
   workspace.registerButtonCallback(NEW_WHEN, () => askForWhen(workspace));
   workspace.registerButtonCallback(NEW_OWN, () => actionsOf(workspace)?.newCustomBlock());
   workspace.registerButtonCallback(ALL_OWN, () => actionsOf(workspace)?.listCustomBlocks());
@@ -78,8 +81,8 @@ function block(type: string, state: object): Item {
   return { kind: "block", type, ...state } as Item;
 }
 
-function button(callbackkey: string, text: string): Item {
-  return { kind: "button", text, callbackkey } as Item;
+function button(callbackkey: string, text: string, look = ""): Item {
+  return { kind: "button", text, callbackkey, ...(look ? { "web-class": look } : {}) } as Item;
 }
 
 /** Blockly's blocks; a variable begins with 0, not with nothing. */
@@ -89,18 +92,25 @@ function variableItems(workspace: Blockly.WorkspaceSvg): Items {
   );
 }
 
+/** The program's own blocks with the values that their inputs begin with; a new one is made in a dialog. */
 function procedureItems(workspace: Blockly.WorkspaceSvg): Items {
-  return [...Blockly.Procedures.flyoutCategory(workspace), ...answeringCalls(workspace), block("lb_return", {})];
+  const make = button(MAKE_BLOCK, `+ ${t("page-make-button")}`, "lbMake");
+  const definitions = definitionsIn(workspace);
+  if (!definitions.length) return [make, label(t("page-make-none"), "lbAdvice")];
+  const calls = definitions.flatMap(callsOf);
+  return [make, label(t("page-make-here"), "lbHeading"), ...calls, block("lb_return", {})];
 }
 
-// For Blockly a function with a return inside its body has no result; its calls may
-// still be values.
-function answeringCalls(workspace: Blockly.WorkspaceSvg): Items {
-  const definitions = workspace.getBlocksByType("procedures_defnoreturn", false).filter(answers);
-  return definitions.map((definition) => {
-    const params = definition.getVarModels().map((variable) => variable.getName());
-    return block("procedures_callreturn", { extraState: { name: definition.getFieldValue("NAME"), params } });
-  });
+// For Blockly a function with a return inside its body has no result; its calls may still be values.
+function callsOf(definition: Blockly.Block): Items {
+  const own = ownBlockOf(definition);
+  const always = definition.type === "procedures_defreturn";
+  const shapes = always ? [true] : [false, ...(answers(definition) ? [true] : [])];
+  return shapes.map((isValue) => block(callState(own, isValue).type, callState(own, isValue)));
+}
+
+function label(text: string, look: string): Item {
+  return { kind: "label", text, "web-class": look } as Item;
 }
 
 function answers(definition: Blockly.Block): boolean {

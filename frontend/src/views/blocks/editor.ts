@@ -2,6 +2,7 @@
 
 import { ScrollMetricsManager, ScrollOptions } from "@blockly/plugin-scroll-options";
 import * as Blockly from "blockly/core";
+import type { OwnBlock } from "../../model/own-blocks";
 import type { ThemeName } from "../../model/preferences";
 import type { Zoom } from "../../model/views";
 import type { BlockSet, Workspace } from "../../protocol/messages";
@@ -15,12 +16,14 @@ import { Loading } from "./loading";
 import { Loose } from "./loose";
 import { Marks, visible } from "./marks";
 import { MEDIA } from "./media";
-import { explainFocused } from "./menus";
+import { changeOwnBlock, explainFocused } from "./menus";
+import { isDefinition, ownBlockOf } from "./own-blocks";
 import type { Palette } from "./palette";
 import { PaletteFlyout } from "./palette-flyout";
 import { PaletteSheet } from "./palette-sheet";
 import { PaletteStrip } from "./palette-strip";
 import { PaletteToolbox } from "./palette-toolbox";
+import { bottomOf, covered, placedBelow } from "./places";
 import { Reach } from "./reach";
 import { restIn } from "./rest-block";
 import { type Hidden, ProgramSearch } from "./search";
@@ -67,7 +70,7 @@ export class BlockEditor {
   private readonly clipboard: SharedClipboard;
 
   constructor(
-    host: HTMLElement,
+    private readonly host: HTMLElement,
     private readonly palette: Palette,
     theme: ThemeName,
     actions: BlockActions,
@@ -102,10 +105,12 @@ export class BlockEditor {
     limitTabs(this.workspace, palette, () => actions.shownBlocks());
     setActions(this.workspace, actions);
     this.workspace.addChangeListener((event) => this.receive(event));
+    host.addEventListener("dblclick", this.openOwn);
     this.toolbox?.begin();
   }
 
   destroy(): void {
+    this.host.removeEventListener("dblclick", this.openOwn);
     this.loading.destroy();
     this.invitation.destroy();
     this.clipboard.destroy();
@@ -125,6 +130,11 @@ export class BlockEditor {
     if (this.workspace.isDragging() || !this.sync.show(wanted)) return;
     if (this.sync.isLoading) this.loading.begin();
     this.whenLoaded(() => this.changed());
+  }
+
+  /** Change the program; what is new is below the rest, and nothing else moves. */
+  change(change: (program: Workspace) => Workspace): void {
+    this.show(placedBelow(change(this.read()), bottomOf(covered(this.workspace).values())));
   }
 
   /** Call a function as soon as all blocks are shown. */
@@ -189,6 +199,27 @@ export class BlockEditor {
     if (this.workspace.scrollX !== scrollX || this.workspace.scrollY !== scrollY)
       this.workspace.scroll(scrollX, scrollY);
   }
+
+  /** A block of the program as its dialog shows it. */
+  ownBlock(definition: string): OwnBlock | null {
+    const block = this.workspace.getBlockById(definition);
+    return block && isDefinition(block) ? ownBlockOf(block) : null;
+  }
+
+  /** Move the focus to a block, in sight. */
+  enter(id: string): void {
+    this.whenLoaded(() => {
+      this.revealNow(id);
+      const block = this.workspace.getBlockById(id);
+      if (block) Blockly.getFocusManager().focusNode(block);
+    });
+  }
+
+  private readonly openOwn = ({ target }: Event): void => {
+    const id = (target as Element).closest("[data-id]")?.getAttribute("data-id");
+    const block = id ? this.workspace.getBlockById(id) : null;
+    if (block && !Blockly.WidgetDiv.isVisible() && changeOwnBlock(block)) this.workspace.hideChaff();
+  };
 
   /** Show the help on the block with the focus; return whether there is one. */
   explain(): boolean {
@@ -298,7 +329,6 @@ export class BlockEditor {
   private receive(event: Blockly.Events.Abstract): void {
     if (event.type === Blockly.Events.SELECTED) this.select((event as Blockly.Events.Selected).newElementId);
     if (!event.isUiEvent || event.type === Blockly.Events.VIEWPORT_CHANGE) this.look();
-    if (event.type === Blockly.Events.BUBBLE_OPEN) this.drawCalls(event as Blockly.Events.BubbleOpen);
     const dropped = event.type === Blockly.Events.BLOCK_DRAG && !(event as Blockly.Events.BlockDrag).isStart;
     if (!dropped && (event.isUiEvent || this.workspace.isDragging())) return;
     this.mark();
@@ -314,17 +344,6 @@ export class BlockEditor {
     this.sight.look();
     this.reach.look();
     this.invitation.update(this.loading.isOn);
-  }
-
-  /** A change of a function's parameters changes its calls: Blockly knows only those that are drawn. */
-  private drawCalls({ blockId, bubbleType, isOpen }: Blockly.Events.BubbleOpen): void {
-    const block = blockId && isOpen && bubbleType === "mutator" ? this.workspace.getBlockById(blockId) : null;
-    const name = block?.type.startsWith("procedures_def") ? block.getFieldValue("NAME") : null;
-    if (name === null) return;
-    const calls = this.sync.hiddenBlocks().filter(({ type, extraState }) => {
-      return type.startsWith("procedures_call") && (extraState as { name?: string } | null)?.name === name;
-    });
-    for (const { id } of calls) this.drawBlock(id);
   }
 
   /** What is not drawn, for the search. */

@@ -6,6 +6,7 @@ import { t } from "../../i18n";
 import "./menus.css";
 import { actionsOf, type BlockActions } from "./actions";
 import { showHelp } from "./help";
+import { definitionOf } from "./own-blocks";
 import { KEYS, leaveOutSelection } from "./patches";
 import { hasCondition, toggleCondition, toggleWord } from "./when-block";
 
@@ -39,7 +40,17 @@ export function registerMenus(): void {
   widen(FOCUS_TOOLBOX);
   // Blockly cannot move a block by keys during a drag: the drag would never end.
   for (const name of [START_MOVE, START_MOVE_STACK]) narrow(name, () => !Blockly.Gesture.inProgress());
-  for (const item of [undoItem, redoItem, helpItem, whyItem, breakpointItem, showItem, editOwnItem, conditionItem])
+  for (const item of [
+    undoItem,
+    redoItem,
+    helpItem,
+    whyItem,
+    breakpointItem,
+    showItem,
+    editOwnItem,
+    conditionItem,
+    changeBlockItem,
+  ])
     replaceItem(item);
   commentStatementsOnly();
   countWithoutShadows();
@@ -287,6 +298,22 @@ const editOwnItem: Item = {
 
 function skillOf(block: Blockly.BlockSvg | undefined): string {
   return block?.type.startsWith(SKILL) ? block.type.slice(SKILL.length) : "";
+}
+
+const changeBlockItem: Item = {
+  id: "lb_change_block",
+  weight: 0,
+  scopeType: Blockly.ContextMenuRegistry.ScopeType.BLOCK,
+  displayText: () => t("page-make-change"),
+  preconditionFn: ({ block }: Scope) => (block && !block.isInFlyout && definitionOf(block) ? "enabled" : "hidden"),
+  callback: ({ block }: Scope) => changeOwnBlock(block!),
+};
+
+/** Open the dialog of the program's block that a block defines or calls; return whether it does. */
+export function changeOwnBlock(block: Blockly.BlockSvg): boolean {
+  const definition = definitionOf(block);
+  if (definition) actionsOf(block.workspace)?.changeBlock(definition.id);
+  return definition !== null;
 }
 
 const conditionItem: Item = {

@@ -17,6 +17,7 @@ import { registerMutators } from "./mutators";
 import { offerPlainly } from "./offered";
 import type { Item, Section } from "./offers";
 import { registerOptional } from "./optional";
+import { drawOwnBlocks } from "./own-blocks";
 import { registerGroups } from "./palette-group";
 import { keepFocus, preferIcons } from "./patches";
 import { labelPlaces } from "./renderer";
@@ -111,6 +112,7 @@ function withReadableUnits(definition: Definition): Definition {
 export function prepareBlockly(): void {
   compareNamesExactly();
   correctStyles();
+  drawOwnBlocks();
   registerMutators();
   registerWhen();
   registerCodeField();

@@ -2,6 +2,8 @@
 
 import type * as Blockly from "blockly/core";
 
+import type { Workspace } from "../../protocol/messages";
+
 const LEFT = 40;
 const GAP = 40;
 
@@ -27,6 +29,14 @@ export function placeBelow(bottom: number, unplaced: readonly Blockly.BlockSvg[]
     moveTo(block, LEFT, above + GAP);
     above = block.getBoundingRectangle().bottom;
   }
+}
+
+/** A program in which stacks without a position are below `bottom`. */
+export function placedBelow(program: Workspace, bottom: number): Workspace {
+  const stacks = program.stacks.map(([first, ...others]) =>
+    first!.x == null ? [{ ...first!, x: LEFT, y: bottom + GAP }, ...others] : [first!, ...others],
+  );
+  return { ...program, stacks };
 }
 
 /** Stacks as they are drawn: from top to bottom, then from left to right. */

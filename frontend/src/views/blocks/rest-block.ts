@@ -3,6 +3,7 @@
 import * as Blockly from "blockly/core";
 
 import { t } from "../../i18n";
+import { changedBlocks } from "../../model/flat-blocks";
 import type { Block } from "../../protocol/messages";
 import { iconSource } from "../../ui/icons";
 import { actionsOf } from "./actions";
@@ -52,7 +53,7 @@ export function renameHidden(workspace: Blockly.Workspace, types: readonly strin
   for (const block of workspace.getBlocksByType(REST, false) as RestBlock[]) {
     if (!block.rest) continue;
     block.rest = withPieces(block.rest, (piece) => {
-      return changed(piece, (one) => {
+      return changedBlocks(piece, (one) => {
         const isUse = types.includes(one.type) && one.fields?.WHEN === old;
         return isUse ? { ...one, fields: { ...one.fields, WHEN: name } } : one;
       });
@@ -85,25 +86,10 @@ function withPieces(rest: Rest, change: (piece: readonly Block[]) => Block[]): R
 }
 
 function renamedCalls(blocks: readonly Block[], old: string, name: string): Block[] {
-  return changed(blocks, (one) => {
+  return changedBlocks(blocks, (one) => {
     const state = one.extraState as { name?: string } | null | undefined;
     const calls = one.type.startsWith("procedures_call") && state?.name === old;
     return calls ? { ...one, extraState: { ...state, name } } : one;
-  });
-}
-
-/** Statements with a change of each block in them. */
-function changed(blocks: readonly Block[], change: (block: Block) => Block): Block[] {
-  return blocks.map((block) => {
-    const inputs = Object.entries(block.inputs ?? {}).map(([name, input]) => [
-      name,
-      {
-        ...input,
-        ...(input.block ? { block: changed([input.block], change)[0] } : {}),
-        ...(input.stack ? { stack: changed(input.stack, change) } : {}),
-      },
-    ]);
-    return change(block.inputs ? { ...block, inputs: Object.fromEntries(inputs) } : block);
   });
 }
 

@@ -1,4 +1,37 @@
 # Answers to questions about a run. $line is a line's number, $code its text, $time seconds.
+# On a page that shows only blocks $line and $inner are "block", and $code and $innerCode are the words of the blocks.
+why-line = { $line ->
+    [block] the block { $code }
+   *[other] line { $line }
+}
+why-first-line = { $line ->
+    [block] The block { $code }
+   *[other] Line { $line }
+}
+why-line-code = { $line ->
+    [block] the block { $code }
+   *[other] line { $line }, { $code }
+}
+why-line-does = { $line ->
+    [block] the block { $code }
+   *[other] line { $line }, { $code },
+}
+why-first-line-does = { $line ->
+    [block] The block { $code }
+   *[other] Line { $line }, { $code },
+}
+why-line-says = { $line ->
+    [block] the block { $code } does that
+   *[other] line { $line } says { $code }
+}
+why-inner = { $inner ->
+    [block] the block { $innerCode }
+   *[other] line { $inner }
+}
+why-first-inner = { $inner ->
+    [block] The block { $innerCode }
+   *[other] Line { $inner }
+}
 
 why-not-understood = LearnBlock does not understand "{ $question }". Ask, for example: { $first } { $second } { $third }
 
@@ -121,65 +154,65 @@ why-time-was-over = the program had run for { $time } s, more than { $limit } s
 why-closest = {" "}The closest was { $mm } mm, at { $time } s.
 
 # What happened.
-why-moved = At { $time } s the robot was told to { $motion }: line { $line } says { $code }.
+why-moved = At { $time } s the robot was told to { $motion }: { why-line-says }.
 why-moved-alone = At { $time } s the robot was told to { $motion }.
-why-after = Before that, line { $line }, { $code }, lasted from { $since } to { $time } s.
-why-ran = Line { $line }, { $code }, ran at { $time } s.
-why-when-ran = "when { $name }" in line { $line } was active at { $time } s.
+why-after = Before that, { why-line-does } lasted from { $since } to { $time } s.
+why-ran = { why-first-line-does } ran at { $time } s.
+why-when-ran = "when { $name }" in { why-line } was active at { $time } s.
 why-condition-was = { $true ->
-    [true] It came there because line { $line }, { $code }, was true at { $time } s{ $facts }.
-   *[other] It came there because line { $line }, { $code }, was not true at { $time } s{ $facts }.
+    [true] It came there because { why-line-does } was true at { $time } s{ $facts }.
+   *[other] It came there because { why-line-does } was not true at { $time } s{ $facts }.
 }
-why-loop-over = The loop in line { $line }, { $code }, was over at { $time } s{ $facts }.
+why-loop-over = The loop in { why-line-does } was over at { $time } s{ $facts }.
 why-when-was = "when { $name }" was { $active ->
-    [true] active, because its condition in line { $line } was true
-   *[other] not active, because its condition in line { $line } was not true
+    [true] active, because its condition in { why-line } was true
+   *[other] not active, because its condition in { why-line } was not true
 } at { $time } s{ $facts }.
-why-switched = Line { $line }, { $code }, { $on ->
+why-switched = { why-first-line-does } { $on ->
     [true] started
    *[other] stopped
 } "when { $name }" at { $time } s.
-why-called = Line { $line }, { $code }, called { $name } at { $time } s.
-why-given = { $name } was { $value }: line { $line }, { $code }, gave it to { $function } at { $time } s.
-why-set = { $name } was { $value }: line { $line }, { $code }, set it at { $time } s.
-why-set-through = Line { $line }, { $code }, changed { $other } at { $time } s, and { $other } and { $name } are one and the same list, now { $value }.
-why-returned = { $name } gave back { $value } at { $time } s: line { $line } says { $code }.
-why-no-return = { $name } in line { $line } gave nothing back: no "return" in it was reached.
+why-called = { why-first-line-does } called { $name } at { $time } s.
+why-given = { $name } was { $value }: { why-line-does } gave it to { $function } at { $time } s.
+why-set = { $name } was { $value }: { why-line-does } set it at { $time } s.
+why-set-through = { why-first-line-does } changed { $other } at { $time } s, and { $other } and { $name } are one and the same list, now { $value }.
+why-returned = { $name } gave back { $value } at { $time } s: { why-line-says }.
+why-no-return = { $name } in { why-line } gave nothing back: no "return" in it was reached.
 
 # What did not happen.
 why-no-such-movement = No line of your program tells the robot to { $motion }.
 why-no-such-skill = No line of your program says "{ $skill }".
-why-no-such-line = Line { $line } has nothing that could run.
-why-it-did = It did: line { $line }, { $code }, { $lasted ->
+why-no-such-line = { why-first-line } has nothing that could run.
+why-it-did = It did: { why-line-does } { $lasted ->
     [over] ran from { $time } to { $until } s.
     [still] began at { $time } s.
    *[no] ran at { $time } s.
 }
-why-overridden-soon = But right after it, line { $line }, { $code }, told the robot: { $motion }.
-why-overridden-later = But { $seconds } s later, line { $line }, { $code }, told the robot: { $motion }.
-why-no-effect = Line { $line }, { $code }, ran at { $time } s but had no effect: this robot has no { $device }.
-why-needs = Line { $inner } only runs if line { $line }, { $code }, is { $needed ->
+why-overridden-soon = But right after it, { why-line-does } told the robot: { $motion }.
+why-overridden-later = But { $seconds } s later, { why-line-does } told the robot: { $motion }.
+why-no-effect = { why-first-line-does } ran at { $time } s but had no effect: this robot has no { $device }.
+why-needs = { why-first-inner } only runs if { why-line-does } is { $needed ->
     [true] true; at { $time } s it was not
    *[other] not true; at { $time } s it was
 }{ $facts }.{ $closest }
-why-hidden = Line { $inner } was not even asked: line { $line }, { $code }, came first and was true at { $time } s{ $facts }.
-why-nothing-to-repeat = Line { $inner } is in the loop of line { $line }, { $code }, which had nothing to go through.
-why-never-called = Line { $inner } is in { $name }, and no line calls { $name }.
-why-not-called = { $name } is only called in line { $line }, { $code }, which did not run.
-why-when-never = "when { $name }" was not active: its condition in line { $line } was not true at { $time } s{ $facts }.{ $closest }
-why-never-activated = "when { $name }" in line { $line } was not active: no line starts it.
-why-activates-other = Line { $line }, { $code }, starts "when { $name }", not "when { $inner }".
-why-activate-not-run = Only line { $line }, { $code }, starts "when { $name }", and it had not run.
-why-left = Line { $line }, { $code }, left before line { $inner } was reached, at { $time } s.
+why-hidden = { why-first-inner } was not even asked: { why-line-does } came first and was true at { $time } s{ $facts }.
+why-nothing-to-repeat = { why-first-inner } is in the loop of { why-line-does } which had nothing to go through.
+why-never-called = { why-first-inner } is in { $name }, and no line calls { $name }.
+why-not-called = { $name } is only called in { why-line-does } which did not run.
+why-when-never = "when { $name }" was not active: its condition in { why-line } was not true at { $time } s{ $facts }.{ $closest }
+why-never-activated = "when { $name }" in { why-line } was not active: no line starts it.
+why-activates-other = { why-first-line-does } starts "when { $name }", not "when { $inner }".
+why-activate-not-run = Only { why-line-does } starts "when { $name }", and it had not run.
+why-left = { why-first-line-does } left before { why-inner } was reached, at { $time } s.
 why-in-loop = { $endless ->
-    [true] Line { $inner } comes after the loop in line { $line }, { $code }, which never ends by itself.
-   *[other] Line { $inner } comes after the loop in line { $line }, { $code }, which was still going on at { $time } s{ $facts }.{ $closest }
+    [true] { why-first-inner } comes after the loop in { why-line-does } which never ends by itself.
+   *[other] { why-first-inner } comes after the loop in { why-line-does } which was still going on at { $time } s{ $facts }.{ $closest }
 }
-why-break-inner = Line { $line }, { $code }, left only the loop in line { $inner }, at { $time } s.
+why-break-inner = { why-first-line-does } left only the loop in { why-inner }, at { $time } s.
 why-asked-once = Line { $line }, { $code }, was asked only once, at { $time } s: no loop is around it.
-why-busy = From { $since } to { $until } s the program was busy with line { $line }, { $code }, and did nothing else.
-why-waiting = The program was still waiting in line { $line }, { $code }, at { $time } s{ $facts }.{ $closest }
-why-failed = The program had ended with an error in line { $line }, { $code }: { $message }
+why-busy = From { $since } to { $until } s the program was busy with { why-line-does } and did nothing else.
+why-waiting = The program was still waiting in { why-line-does } at { $time } s{ $facts }.{ $closest }
+why-failed = The program had ended with an error in { why-line-code }: { $message }
 why-finished = The program was over at { $time } s: it had reached its end.
 why-time-limit = The run was stopped at { $time } s, at its time limit.
 why-stopped = The run was stopped at { $time } s.
@@ -194,61 +227,61 @@ why-goal = The goal "{ $name }" { $state ->
 why-no-goal = This world has no goal.
 why-no-events = The log has nothing that the program did.
 why-unknown = The log does not say why.
-why-left-loop = Line { $line }, { $code }, left the loop at { $time } s.
-why-own-name = Line { $line }, { $code }, changed another { $name }: the one that belongs to { $function } alone.
-why-own-place = { $function } in line { $line } has its own { $name }, because it is one of its parameters.
-why-camera = The camera was tilted to { $angle }°: line { $line }, { $code }, set it at { $time } s.
-why-meanwhile = Meanwhile the robot was told to { $motion }: line { $line } says { $code }.
+why-left-loop = { why-first-line-does } left the loop at { $time } s.
+why-own-name = { why-first-line-does } changed another { $name }: the one that belongs to { $function } alone.
+why-own-place = { $function } in { why-line } has its own { $name }, because it is one of its parameters.
+why-camera = The camera was tilted to { $angle }°: { why-line-does } set it at { $time } s.
+why-meanwhile = Meanwhile the robot was told to { $motion }: { why-line-says }.
 why-not-happened = That had not happened by { $time } s.
 why-there-is-more = { $count ->
     [one] There is one more cause: add --more.
    *[other] There are { $count } more causes: add --more.
 }
-why-start-over = "when start" in line { $line } runs only once; it was over at { $time } s.
-why-turn = It was turn { $count } of the loop in line { $line }, { $code }.
+why-start-over = "when start" in { why-line } runs only once; it was over at { $time } s.
+why-turn = It was turn { $count } of the loop in { why-line-code }.
 why-not-then = At { $time } s the robot was told something else.
 why-never-told = No line { $possible ->
     [true] had told the robot to move by { $time } s.
    *[other] of your program tells the robot to move.
 }
 why-stops-at-end = When a program is over, its robot stops.
-why-turns-over = The loop in line { $line }, { $code }, was over at { $time } s{ $count ->
+why-turns-over = The loop in { why-line-does } was over at { $time } s{ $count ->
     [0] .
     [one] , after one turn.
    *[other] , after { $count } turns.
 }
-why-never-read = Line { $line }, { $code }, sets { $name }, but no line reads { $name }.
-why-result-lost = Line { $line }, { $code }, gave { $value } at { $time } s, but nothing uses what { $name } gives.
-why-last-line = Line { $line }, { $code }, was the last one of { $name } that ran, and it is no "return".
-why-same-list = Line { $line }, { $code }, copies no list: { $name } is only another name for it.
+why-never-read = { why-first-line-does } sets { $name }, but no line reads { $name }.
+why-result-lost = { why-first-line-does } gave { $value } at { $time } s, but nothing uses what { $name } gives.
+why-last-line = { why-first-line-does } was the last one of { $name } that ran, and it is no "return".
+why-same-list = { why-first-line-does } copies no list: { $name } is only another name for it.
 
 why-loop-goes-on = { $endless ->
-    [true] The loop in line { $line }, { $code }, never ends by itself.
-   *[other] The loop in line { $line }, { $code }, was still going on at { $time } s{ $facts }.{ $closest }
+    [true] The loop in { why-line-does } never ends by itself.
+   *[other] The loop in { why-line-does } was still going on at { $time } s{ $facts }.{ $closest }
 }
-why-when-goes-on = A program with events goes on as long as one of them can run: "when { $name }" in line { $line } was active at { $time } s.
+why-when-goes-on = A program with events goes on as long as one of them can run: "when { $name }" in { why-line } was active at { $time } s.
 why-no-acts = No line of your program makes the robot do anything.
-why-paused = Line { $line }, { $code }, waited for { $seconds } s in all.
+why-paused = { why-first-line-does } waited for { $seconds } s in all.
 why-line-not-asked = No line of your program looked for a line on the floor.
-why-line-never-seen = Line { $line }, { $code }, never saw the line.
-why-line-seen = Line { $line }, { $code }, saw the line at { $time } s, and then not for long.
+why-line-never-seen = { why-first-line-does } never saw the line.
+why-line-seen = { why-first-line-does } saw the line at { $time } s, and then not for long.
 why-no-floor = There was no floor under a sensor at { $time } s.
-why-only-each-other = "when { $name }" in line { $line } was not active: only events that had not run start it.
+why-only-each-other = "when { $name }" in { why-line } was not active: only events that had not run start it.
 why-decimals = A computer stores most decimals only nearly: 0.1 + 0.2 is 0.30000000000000004. Ask for less or more, or round first.
-why-never-stopped = "when { $name }" in line { $line } runs again and again: no line stops it.
+why-never-stopped = "when { $name }" in { why-line } runs again and again: no line stops it.
 why-not-between = That did not happen between { $since } and { $time } s.
-why-not-yet = Line { $line }, { $code }, changes { $name }, too, but had not run yet.
+why-not-yet = { why-first-line-does } changes { $name }, too, but had not run yet.
 
 ## Two runs of one program.
 
-why-parted = At { $time } s line { $line }, { $code }, was { $answer ->
+why-parted = At { $time } s { why-line-does } was { $answer ->
     [true] true{ $facts }.
    *[other] not true{ $facts }.
 }
-why-parted-turn = At { $time } s line { $line }, { $code }, began another turn.
+why-parted-turn = At { $time } s { why-line-does } began another turn.
 why-parted-ended = This run was over at { $time } s.
-why-parted-acted = At { $time } s line { $line }, { $code }, told the robot what to do next.
-why-parted-because = At { $time } s line { $line }, { $code }, was { $answer ->
+why-parted-acted = At { $time } s { why-line-does } told the robot what to do next.
+why-parted-because = At { $time } s { why-line-does } was { $answer ->
     [true] true in the first run, because { $one }, and not true in the second, because { $other }.
    *[other] not true in the first run, because { $one }, and true in the second, because { $other }.
 }

@@ -1,4 +1,53 @@
-# Respuestas a preguntas sobre una ejecución.
+# Answers to questions about a run. $line is a line's number, $code its text, $time seconds.
+# On a page that shows only blocks $line and $inner are "block", and $code and $innerCode are the words of the blocks.
+why-line = { $line ->
+    [block] el bloque { $code }
+   *[other] la línea { $line }
+}
+why-first-line = { $line ->
+    [block] El bloque { $code }
+   *[other] La línea { $line }
+}
+why-line-code = { $line ->
+    [block] el bloque { $code }
+   *[other] la línea { $line }, { $code }
+}
+why-line-does = { $line ->
+    [block] el bloque { $code }
+   *[other] la línea { $line }, { $code },
+}
+why-first-line-does = { $line ->
+    [block] El bloque { $code }
+   *[other] La línea { $line }, { $code },
+}
+why-line-says = { $line ->
+    [block] eso lo hace el bloque { $code }
+   *[other] la línea { $line } dice { $code }
+}
+why-of-line = { $line ->
+    [block] del bloque { $code }
+   *[other] de la línea { $line }
+}
+why-of-line-code = { $line ->
+    [block] del bloque { $code }
+   *[other] de la línea { $line }, { $code }
+}
+why-of-line-does = { $line ->
+    [block] del bloque { $code }
+   *[other] de la línea { $line }, { $code },
+}
+why-first-inner = { $inner ->
+    [block] El bloque { $innerCode }
+   *[other] La línea { $inner }
+}
+why-of-inner = { $inner ->
+    [block] del bloque { $innerCode }
+   *[other] de la línea { $inner }
+}
+why-to-inner = { $inner ->
+    [block] al bloque { $innerCode }
+   *[other] a la línea { $inner }
+}
 
 why-not-understood = LearnBlock no entiende «{ $question }». Pregunta, por ejemplo: { $first } { $second } { $third }
 
@@ -116,64 +165,64 @@ why-time-was = el programa llevaba en marcha { $time } s, no más de { $limit } 
 why-time-was-over = el programa llevaba en marcha { $time } s, más de { $limit } s
 why-closest = {" "}Lo más cerca que estuvo fue a { $mm } mm, en el segundo { $time }.
 
-why-moved = En el segundo { $time } el robot recibió la orden de { $motion }: la línea { $line } dice { $code }.
+why-moved = En el segundo { $time } el robot recibió la orden de { $motion }: { why-line-says }.
 why-moved-alone = En el segundo { $time } el robot recibió la orden de { $motion }.
-why-after = Antes, la línea { $line }, { $code }, duró desde el segundo { $since } hasta el { $time }.
-why-ran = La línea { $line }, { $code }, se ejecutó en el segundo { $time }.
-why-when-ran = «when { $name }», en la línea { $line }, estaba activo en el segundo { $time }.
+why-after = Antes, { why-line-does } duró desde el segundo { $since } hasta el { $time }.
+why-ran = { why-first-line-does } se ejecutó en el segundo { $time }.
+why-when-ran = «when { $name }», en { why-line }, estaba activo en el segundo { $time }.
 why-condition-was = { $true ->
-    [true] Llegó ahí porque la línea { $line }, { $code }, se cumplía en el segundo { $time }{ $facts }.
-   *[other] Llegó ahí porque la línea { $line }, { $code }, no se cumplía en el segundo { $time }{ $facts }.
+    [true] Llegó ahí porque { why-line-does } se cumplía en el segundo { $time }{ $facts }.
+   *[other] Llegó ahí porque { why-line-does } no se cumplía en el segundo { $time }{ $facts }.
 }
-why-loop-over = El bucle de la línea { $line }, { $code }, acabó en el segundo { $time }{ $facts }.
+why-loop-over = El bucle { why-of-line-does } acabó en el segundo { $time }{ $facts }.
 why-when-was = «when { $name }» { $active ->
-    [true] estaba activo, porque su condición de la línea { $line } se cumplía
-   *[other] no estaba activo, porque su condición de la línea { $line } no se cumplía
+    [true] estaba activo, porque su condición { why-of-line } se cumplía
+   *[other] no estaba activo, porque su condición { why-of-line } no se cumplía
 } en el segundo { $time }{ $facts }.
-why-switched = La línea { $line }, { $code }, { $on ->
+why-switched = { why-first-line-does } { $on ->
     [true] activó
    *[other] desactivó
 } «when { $name }» en el segundo { $time }.
-why-called = La línea { $line }, { $code }, llamó a { $name } en el segundo { $time }.
-why-given = { $name } era { $value }: la línea { $line }, { $code }, se lo dio a { $function } en el segundo { $time }.
-why-set = { $name } era { $value }: ese valor se lo dio la línea { $line }, { $code }, en el segundo { $time }.
-why-set-through = La línea { $line }, { $code }, cambió { $other } en el segundo { $time }, y { $other } y { $name } son la misma lista, que ahora es { $value }.
-why-returned = { $name } devolvió { $value } en el segundo { $time }: la línea { $line } dice { $code }.
-why-no-return = { $name }, en la línea { $line }, no devolvió nada: no llegó a ningún «return».
+why-called = { why-first-line-does } llamó a { $name } en el segundo { $time }.
+why-given = { $name } era { $value }: { why-line-does } se lo dio a { $function } en el segundo { $time }.
+why-set = { $name } era { $value }: ese valor se lo dio { why-line-does } en el segundo { $time }.
+why-set-through = { why-first-line-does } cambió { $other } en el segundo { $time }, y { $other } y { $name } son la misma lista, que ahora es { $value }.
+why-returned = { $name } devolvió { $value } en el segundo { $time }: { why-line-says }.
+why-no-return = { $name }, en { why-line }, no devolvió nada: no llegó a ningún «return».
 
 why-no-such-movement = Ninguna línea de tu programa le dice al robot esto: { $motion }.
 why-no-such-skill = Ninguna línea de tu programa dice «{ $skill }».
-why-no-such-line = La línea { $line } no tiene nada que se pueda ejecutar.
-why-it-did = Sí lo hizo: la línea { $line }, { $code }, { $lasted ->
+why-no-such-line = { why-first-line } no tiene nada que se pueda ejecutar.
+why-it-did = Sí lo hizo: { why-line-does } { $lasted ->
     [over] se ejecutó desde el segundo { $time } hasta el { $until }.
     [still] empezó en el segundo { $time }.
    *[no] se ejecutó en el segundo { $time }.
 }
-why-overridden-soon = Pero justo después la línea { $line }, { $code }, le dio al robot otra orden: { $motion }.
-why-overridden-later = Pero { $seconds } s después la línea { $line }, { $code }, le dio al robot otra orden: { $motion }.
-why-no-effect = La línea { $line }, { $code }, se ejecutó en el segundo { $time }, pero no tuvo efecto: a este robot le falta esto: { $device }.
-why-needs = La línea { $inner } solo se ejecuta si la línea { $line }, { $code }, { $needed ->
+why-overridden-soon = Pero justo después { why-line-does } le dio al robot otra orden: { $motion }.
+why-overridden-later = Pero { $seconds } s después { why-line-does } le dio al robot otra orden: { $motion }.
+why-no-effect = { why-first-line-does } se ejecutó en el segundo { $time }, pero no tuvo efecto: a este robot le falta esto: { $device }.
+why-needs = { why-first-inner } solo se ejecuta si { why-line-does } { $needed ->
     [true] se cumple; en el segundo { $time } no se cumplía
    *[other] no se cumple; en el segundo { $time } se cumplía
 }{ $facts }.{ $closest }
-why-hidden = La línea { $inner } ni siquiera se comprobó: la línea { $line }, { $code }, va antes y se cumplía en el segundo { $time }{ $facts }.
-why-nothing-to-repeat = La línea { $inner } está en el bucle de la línea { $line }, { $code }, que no tenía nada que recorrer.
-why-never-called = La línea { $inner } está en { $name }, y ninguna línea llama a { $name }.
-why-not-called = A { $name } solo lo llama la línea { $line }, { $code }, y esa línea no se ejecutó.
-why-when-never = «when { $name }» no estaba activo: su condición de la línea { $line } no se cumplía en el segundo { $time }{ $facts }.{ $closest }
-why-never-activated = «when { $name }», en la línea { $line }, no estaba activo: ninguna línea lo activa.
-why-activates-other = La línea { $line }, { $code }, activa «when { $name }», no «when { $inner }».
-why-activate-not-run = Solo la línea { $line }, { $code }, activa «when { $name }», y no se había ejecutado.
-why-left = La línea { $line }, { $code }, salió antes de llegar a la línea { $inner }, en el segundo { $time }.
+why-hidden = { why-first-inner } ni siquiera se comprobó: { why-line-does } va antes y se cumplía en el segundo { $time }{ $facts }.
+why-nothing-to-repeat = { why-first-inner } está en el bucle { why-of-line-does } que no tenía nada que recorrer.
+why-never-called = { why-first-inner } está en { $name }, y ninguna línea llama a { $name }.
+why-not-called = A { $name } solo lo llama { why-line-does } y no se ejecutó.
+why-when-never = «when { $name }» no estaba activo: su condición { why-of-line } no se cumplía en el segundo { $time }{ $facts }.{ $closest }
+why-never-activated = «when { $name }», en { why-line }, no estaba activo: ninguna línea lo activa.
+why-activates-other = { why-first-line-does } activa «when { $name }», no «when { $inner }».
+why-activate-not-run = Solo { why-line-does } activa «when { $name }», y no se había ejecutado.
+why-left = { why-first-line-does } salió antes de llegar { why-to-inner }, en el segundo { $time }.
 why-in-loop = { $endless ->
-    [true] La línea { $inner } va después del bucle de la línea { $line }, { $code }, que nunca acaba por sí solo.
-   *[other] La línea { $inner } va después del bucle de la línea { $line }, { $code }, que seguía en el segundo { $time }{ $facts }.{ $closest }
+    [true] { why-first-inner } va después del bucle { why-of-line-does } que nunca acaba por sí solo.
+   *[other] { why-first-inner } va después del bucle { why-of-line-does } que seguía en el segundo { $time }{ $facts }.{ $closest }
 }
-why-break-inner = La línea { $line }, { $code }, solo salió del bucle de la línea { $inner }, en el segundo { $time }.
+why-break-inner = { why-first-line-does } solo salió del bucle { why-of-inner }, en el segundo { $time }.
 why-asked-once = La línea { $line }, { $code }, se comprobó solo una vez, en el segundo { $time }: no está dentro de ningún bucle.
-why-busy = Del segundo { $since } al { $until } el programa estuvo ocupado con la línea { $line }, { $code }, y no hizo nada más.
-why-waiting = El programa seguía esperando en la línea { $line }, { $code }, en el segundo { $time }{ $facts }.{ $closest }
-why-failed = El programa había terminado con un error en la línea { $line }, { $code }: { $message }
+why-busy = Del segundo { $since } al { $until } el programa estuvo ocupado con { why-line-does } y no hizo nada más.
+why-waiting = El programa seguía esperando en { why-line-does } en el segundo { $time }{ $facts }.{ $closest }
+why-failed = El programa había terminado con un error en { why-line-code }: { $message }
 why-finished = El programa acabó en el segundo { $time }: había llegado a su final.
 why-time-limit = La ejecución se detuvo en el segundo { $time }, al llegar a su límite de tiempo.
 why-stopped = La ejecución se detuvo en el segundo { $time }.
@@ -188,61 +237,61 @@ why-goal = El objetivo «{ $name }» { $state ->
 why-no-goal = Este mundo no tiene ningún objetivo.
 why-no-events = El registro no tiene nada de lo que hizo el programa.
 why-unknown = El registro no dice por qué.
-why-left-loop = La línea { $line }, { $code }, salió del bucle en el segundo { $time }.
-why-own-name = La línea { $line }, { $code }, cambió otra { $name }: la que solo pertenece a { $function }.
-why-own-place = { $function }, en la línea { $line }, tiene su propia { $name }, porque es uno de sus parámetros.
-why-camera = La cámara estaba inclinada a { $angle }°: la movió la línea { $line }, { $code }, en el segundo { $time }.
-why-meanwhile = Mientras tanto el robot tenía la orden de { $motion }: la línea { $line } dice { $code }.
+why-left-loop = { why-first-line-does } salió del bucle en el segundo { $time }.
+why-own-name = { why-first-line-does } cambió otra { $name }: la que solo pertenece a { $function }.
+why-own-place = { $function }, en { why-line }, tiene su propia { $name }, porque es uno de sus parámetros.
+why-camera = La cámara estaba inclinada a { $angle }°: la movió { why-line-does } en el segundo { $time }.
+why-meanwhile = Mientras tanto el robot tenía la orden de { $motion }: { why-line-says }.
 why-not-happened = Eso no había pasado hasta el segundo { $time }.
 why-there-is-more = { $count ->
     [one] Hay una causa más: añade --more.
    *[other] Hay { $count } causas más: añade --more.
 }
-why-start-over = «when start», en la línea { $line }, solo se ejecuta una vez; había acabado en el segundo { $time }.
-why-turn = Era la vuelta { $count } del bucle de la línea { $line }, { $code }.
+why-start-over = «when start», en { why-line }, solo se ejecuta una vez; había acabado en el segundo { $time }.
+why-turn = Era la vuelta { $count } del bucle { why-of-line-code }.
 why-not-then = En el segundo { $time } el robot tenía otra orden.
 why-never-told = Ninguna línea { $possible ->
     [true] le había dicho al robot que se moviera hasta el segundo { $time }.
    *[other] de tu programa le dice al robot que se mueva.
 }
 why-stops-at-end = Cuando un programa termina, su robot se para.
-why-turns-over = El bucle de la línea { $line }, { $code }, acabó en el segundo { $time }{ $count ->
+why-turns-over = El bucle { why-of-line-does } acabó en el segundo { $time }{ $count ->
     [0] .
     [one] , después de una vuelta.
    *[other] , después de { $count } vueltas.
 }
-why-never-read = La línea { $line }, { $code }, da un valor a { $name }, pero ninguna línea lo usa.
-why-result-lost = La línea { $line }, { $code }, dio { $value } en el segundo { $time }, pero nada usa lo que da { $name }.
-why-last-line = La línea { $line }, { $code }, fue la última de { $name } que se ejecutó, y no es un «return».
-why-same-list = La línea { $line }, { $code }, no copia la lista: { $name } es solo otro nombre para ella.
+why-never-read = { why-first-line-does } da un valor a { $name }, pero ninguna línea lo usa.
+why-result-lost = { why-first-line-does } dio { $value } en el segundo { $time }, pero nada usa lo que da { $name }.
+why-last-line = Lo último de { $name } que se ejecutó fue { why-line-does } que no es un «return».
+why-same-list = { why-first-line-does } no copia la lista: { $name } es solo otro nombre para ella.
 
 why-loop-goes-on = { $endless ->
-    [true] El bucle de la línea { $line }, { $code }, no termina nunca por sí solo.
-   *[other] El bucle de la línea { $line }, { $code }, seguía en el segundo { $time }{ $facts }.{ $closest }
+    [true] El bucle { why-of-line-does } no termina nunca por sí solo.
+   *[other] El bucle { why-of-line-does } seguía en el segundo { $time }{ $facts }.{ $closest }
 }
-why-when-goes-on = Un programa con eventos sigue mientras alguno pueda ejecutarse: «when { $name }», en la línea { $line }, estaba activo en el segundo { $time }.
+why-when-goes-on = Un programa con eventos sigue mientras alguno pueda ejecutarse: «when { $name }», en { why-line }, estaba activo en el segundo { $time }.
 why-no-acts = Ninguna línea de tu programa hace que el robot haga algo.
-why-paused = La línea { $line }, { $code }, esperó { $seconds } s en total.
+why-paused = { why-first-line-does } esperó { $seconds } s en total.
 why-line-not-asked = Ninguna línea de tu programa buscó una línea en el suelo.
-why-line-never-seen = La línea { $line }, { $code }, no vio nunca la línea.
-why-line-seen = La línea { $line }, { $code }, vio la línea en el segundo { $time }, y después no en mucho tiempo.
+why-line-never-seen = { why-first-line-does } no vio nunca la línea.
+why-line-seen = { why-first-line-does } vio la línea en el segundo { $time }, y después no en mucho tiempo.
 why-no-floor = Bajo un sensor no había suelo en el segundo { $time }.
-why-only-each-other = «when { $name }», en la línea { $line }, no estaba activo: solo lo activan eventos que no se habían ejecutado.
+why-only-each-other = «when { $name }», en { why-line }, no estaba activo: solo lo activan eventos que no se habían ejecutado.
 why-decimals = Un ordenador guarda la mayoría de los decimales solo de forma aproximada: 0.1 + 0.2 es 0.30000000000000004. Pregunta por menor o mayor, o redondea antes.
-why-never-stopped = «when { $name }», en la línea { $line }, se repite una y otra vez: ninguna línea lo para.
+why-never-stopped = «when { $name }», en { why-line }, se repite una y otra vez: ninguna línea lo para.
 why-not-between = Eso no pasó entre los segundos { $since } y { $time }.
-why-not-yet = La línea { $line }, { $code }, también cambia { $name }, pero aún no se había ejecutado.
+why-not-yet = { why-first-line-does } también cambia { $name }, pero aún no se había ejecutado.
 
 ## Dos ejecuciones de un programa.
 
-why-parted = En el segundo { $time } la línea { $line }, { $code }, { $answer ->
+why-parted = En el segundo { $time } { why-line-does } { $answer ->
     [true] se cumplía{ $facts }.
    *[other] no se cumplía{ $facts }.
 }
-why-parted-turn = En el segundo { $time } la línea { $line }, { $code }, empezó otra vuelta.
+why-parted-turn = En el segundo { $time } { why-line-does } empezó otra vuelta.
 why-parted-ended = Esta ejecución terminó en el segundo { $time }.
-why-parted-acted = En el segundo { $time } la línea { $line }, { $code }, le dijo al robot qué hacer a continuación.
-why-parted-because = En el segundo { $time } la línea { $line }, { $code }, { $answer ->
+why-parted-acted = En el segundo { $time } { why-line-does } le dijo al robot qué hacer a continuación.
+why-parted-because = En el segundo { $time } { why-line-does } { $answer ->
     [true] se cumplió en la primera ejecución, porque { $one }, y no en la segunda, porque { $other }.
    *[other] no se cumplió en la primera ejecución, porque { $one }, y sí en la segunda, porque { $other }.
 }

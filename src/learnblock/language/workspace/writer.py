@@ -21,7 +21,7 @@ from learnblock.language.tree.nodes import (
 from learnblock.language.tree.traversal import bodies, expressions, statements
 from learnblock.language.workspace.alignment import Match, aligned
 from learnblock.language.workspace.arrangement import drawn, grouped
-from learnblock.language.workspace.block_reader import is_disabled
+from learnblock.language.workspace.block_reader import extra_list, is_disabled
 from learnblock.language.workspace.blocks import Block, Input, Variable, Workspace
 from learnblock.language.workspace.notes import comment_of
 from learnblock.language.workspace.reader import WorkspaceReader, is_note, is_part, statements_of
@@ -190,7 +190,7 @@ class WorkspaceWriter(ValueWriter):
             if (inner := self.body(body, same.inputs.get(name) if same else None)).stack
         }
         comment, notes = comment_of(group.lead, shape.ends, shape.notes, same)
-        block = self.block(self.parametrized(shape._replace(notes=notes)), old, inner_bodies)
+        block = self.block(self.parametrized(shape._replace(notes=notes), old), old, inner_bodies)
         block.comment = comment
         self.note_statement(group, block)
         return block
@@ -250,13 +250,14 @@ class WorkspaceWriter(ValueWriter):
             for statement in body[-2:]:
                 self.ids.setdefault(id(statement), block.id)
 
-    def parametrized(self, shape: Shape) -> Shape:
-        """The shape of a function, with the ids of its parameters."""
+    def parametrized(self, shape: Shape, old: Block | None) -> Shape:
+        """The shape of a function, with the ids of its parameters and what a call begins with."""
         if shape.type not in {FUNCTION, ANSWERING_FUNCTION} or shape.extra is None:
             return shape
+        names = [parameter["name"] for parameter in shape.extra["params"]]
+        samples = {} if old is None else _samples(old)
         parameters = [
-            {"name": parameter["name"], "id": self.variable(parameter["name"])}
-            for parameter in shape.extra["params"]
+            {"name": name, "id": self.variable(name), **samples.get(name, {})} for name in names
         ]
         return shape._replace(extra={"params": parameters})
 
@@ -306,6 +307,17 @@ class WorkspaceWriter(ValueWriter):
             for variable in known.values()
             if variable.id in used or variable.id in self.set_aside
         ]
+
+
+def _samples(block: Block) -> Mapping[str, Mapping[str, object]]:
+    """What the page has noted about the parameters of a function, by their names."""
+    parameters = [one for one in extra_list(block, "params") if isinstance(one, dict)]
+    return {
+        name: {"sample": sample}
+        for parameter in parameters
+        if isinstance(name := parameter.get("name"), str)
+        and isinstance(sample := parameter.get("sample"), str | int | float)
+    }
 
 
 def _continues(group: Group, other: Group) -> bool:

@@ -395,3 +395,11 @@ def test_an_event_that_was_made_with_a_condition_does_not_become_a_ready_hat():
     program = parse("when oh = function.is_bumped():\n    pass\nend\n")
     assert "lb_when" == to_workspace(program, CONFIGURATIONS, own).workspace.stacks[0][0].type
     assert "lb_when_is_bumped" == to_workspace(program, CONFIGURATIONS).workspace.stacks[0][0].type
+
+
+def test_what_a_call_begins_with_stays_with_a_function_whose_text_changes(before):
+    side = next(stack[0] for stack in before.stacks if stack[0].type == "procedures_defnoreturn")
+    side.extraState["params"][0]["sample"] = 25
+    after = edited(before, "length / 40", "length / 41")
+    (parameter,) = only(after, "procedures_defnoreturn").extraState["params"]
+    assert ("length", 25) == (parameter["name"], parameter["sample"])
