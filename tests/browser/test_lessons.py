@@ -23,7 +23,7 @@ LOST = """() => [...document.querySelectorAll(".lesson-pane button, .lesson-line
 def pupil(own_server, sit_down):
     """A pupil on the start page, who sees the output of programs."""
     small_lesson.put_in(own_server.home)
-    pupil = sit_down(own_server)
+    pupil = sit_down(own_server, flat=True)
     pupil.page.close()
     pupil.page = pupil.open_start()
     pupil.page.get_by_role("button", name="1 · First drive").click()
@@ -75,7 +75,7 @@ def test_two_browsers_play_the_same_lesson_in_projects_of_their_own(pupil, own_s
     panel(pupil).get_by_label("Forward").check()
     panel(pupil).get_by_role("button", name="Check", exact=True).click()
     expect_stars(pupil, 1, 1)
-    other = sit_down(own_server)
+    other = sit_down(own_server, flat=True)
     other.page.close()
     other.page = other.open_start()
     other.page.get_by_role("button", name="1 · First drive").click()

@@ -47,7 +47,8 @@ CUT = """() => [...document.querySelectorAll("h2")]
 
 
 def test_a_block_is_dragged_by_a_finger_and_the_program_run_by_a_tap(sit_down, server):
-    pupil = sit_down(server, stage="starter", viewport=TABLET, has_touch=True, user_agent=ANDROID)
+    screen = {"viewport": TABLET, "has_touch": True, "user_agent": ANDROID}
+    pupil = sit_down(server, stage="starter", flat=True, **screen)
     begin(pupil)
     drag_into_main(pupil, "Control", "lb_skill_sleep")
     drag_into_main(pupil, "Move", "lb_skill_move_straight")

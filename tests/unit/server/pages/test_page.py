@@ -19,6 +19,33 @@ pytestmark = pytest.mark.realtime
 PROGRAM = "main:\n    function.move_straight(50)\nend\n"
 
 EXAMPLES = examples()
+#: What no page of ours sends.
+BROKEN = (
+    "",
+    "hello",
+    "{",
+    "[]",
+    "null",
+    "{}",
+    '{"kind": 3}',
+    '{"kind": "Launch"}',
+    '{"kind": "Open"}',
+    '{"kind": "Open", "name": ""}',
+    '{"kind": "Open", "name": ["a"]}',
+    '{"kind": "EditText", "edit": "1", "notation": "blocktext", "text": ""}',
+    '{"kind": "EditText", "edit": 1, "notation": "latin", "text": ""}',
+    '{"kind": "EditBlocks", "edit": 1, "workspace": {"stacks": [[{}]]}}',
+    '{"kind": "Drive", "advance": 2, "rotation": 0}',
+    '{"kind": "SetSpeed", "factor": 0}',
+    '{"kind": "SetSpeed", "factor": NaN}',
+    '{"kind": "PlaceRobot", "x": 1e9, "y": 0, "heading": 0}',
+    b"\xff\xfe",
+    "text of another kind".encode("utf-16"),
+    "[" * 100_000,
+    '{"kind": "SaveWorld", "name": "w", "world": ' + '{"a":' * 50_000 + "1" + "}" * 50_001,
+    json.dumps({"kind": "Answer", "text": "x" * 20_000}),
+    json.dumps({"kind": "Answer", "text": "x" * (LARGEST_MESSAGE + 1)}),
+)
 
 json_values = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False) | st.text(),
@@ -62,40 +89,17 @@ def test_the_server_sends_the_first_message(page):
     assert "square" in [example["name"] for example in welcome["examples"]]
 
 
-@pytest.mark.parametrize(
-    "said",
-    [
-        "",
-        "hello",
-        "{",
-        "[]",
-        "null",
-        "{}",
-        '{"kind": 3}',
-        '{"kind": "Launch"}',
-        '{"kind": "Open"}',
-        '{"kind": "Open", "name": ""}',
-        '{"kind": "Open", "name": ["a"]}',
-        '{"kind": "EditText", "edit": "1", "notation": "blocktext", "text": ""}',
-        '{"kind": "EditText", "edit": 1, "notation": "latin", "text": ""}',
-        '{"kind": "EditBlocks", "edit": 1, "workspace": {"stacks": [[{}]]}}',
-        '{"kind": "Drive", "advance": 2, "rotation": 0}',
-        '{"kind": "SetSpeed", "factor": 0}',
-        '{"kind": "SetSpeed", "factor": NaN}',
-        '{"kind": "PlaceRobot", "x": 1e9, "y": 0, "heading": 0}',
-        b"\xff\xfe",
-        "text of another kind".encode("utf-16"),
-        "[" * 100_000,
-        '{"kind": "SaveWorld", "name": "w", "world": ' + '{"a":' * 50_000 + "1" + "}" * 50_001,
-        json.dumps({"kind": "Answer", "text": "x" * 20_000}),
-        json.dumps({"kind": "Answer", "text": "x" * (LARGEST_MESSAGE + 1)}),
-    ],
-    ids=lambda said: str(said[:40]),
-)
+@pytest.mark.parametrize("said", BROKEN, ids=lambda said: str(said[:40]))
 def test_broken_messages_are_refused(page, said):
-    page.open(text=PROGRAM)
     page.say_raw(said)
     assert english(page.hear("Failed")["message"])
+
+
+def test_a_program_runs_after_every_broken_message(page):
+    page.open(text=PROGRAM)
+    for said in BROKEN:
+        page.say_raw(said)
+        page.hear("Failed")
     assert page.run()["ended"] == "finished"
 
 

@@ -44,6 +44,7 @@ def place(document, statement):
 
 
 @pytest.mark.certain
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("name", ["square", "dance", "polygons"])
 def test_a_run_leaves_the_trace_of_the_command_line(page, tmp_path, name):
     example = catalog.example(name)
