@@ -17,6 +17,7 @@ from learnblock.runtime.process_group import Process
 from learnblock.runtime.standby import Standby, program_command
 
 
+# Why: docs/decisions.md, "An isolated program of a batch is forked, not started"
 class ForkServer:
     """A process that forks the processes of programs; it ends with the thread that started it."""
 
