@@ -23,6 +23,7 @@ from learnblock.runtime.limits import Limits
 from learnblock.runtime.messages import Contained, Ended, Printed, Setup
 from learnblock.runtime.process import ProcessWorker
 from learnblock.runtime.program import Program
+from learnblock.runtime.standby import Standby
 
 _POPEN = subprocess.Popen
 
@@ -121,9 +122,11 @@ for name, source in {attacks}.items():
 """
 
 
-def try_contained(attacks: list[Attack], targets: Targets) -> dict[str, str]:
+def try_contained(
+    attacks: list[Attack], targets: Targets, standby: Standby | None = None
+) -> dict[str, str]:
     """Try attacks in a program of LearnBlock; return what came of each ("IN": it got in)."""
-    worker = ProcessWorker()
+    worker = ProcessWorker(standby)
     source = _source(attacks, targets)
     setup = Setup(source, "attack.py", str(targets.project), (), (), None, Limits())
     try:

@@ -45,15 +45,16 @@ def kept():
 
 @contextmanager
 def killer(process, times):
-    """Kill the first children of a process."""
+    """Kill the first children that a process has from now on."""
 
     def kill():
         killed = set()
         while len(killed) < times and not over.is_set():
-            for child in set(children(process)) - killed:
+            for child in set(children(process)) - killed - before:
                 killed.add(child)
                 os.kill(child, signal.SIGKILL)
 
+    before = set(children(process))
     over = Event()
     thread = Thread(target=kill)
     thread.start()
@@ -74,7 +75,8 @@ def children(process):
 @pytest.mark.parametrize("isolated", [False, True])
 def test_a_run_whose_process_is_killed_is_made_again(kept, isolated):
     driving = replace(DRIVING, isolated=isolated)
-    [(_, whole)] = Batch([driving]).results()
+    # It starts the fork server of isolated programs, too.
+    [(_, whole)] = Batch([driving], kept=kept).results()
     with killer(kept, 1):
         [(_, result)] = Batch([driving], 1, kept=kept).results()
     assert result == whole
@@ -83,10 +85,21 @@ def test_a_run_whose_process_is_killed_is_made_again(kept, isolated):
 
 
 def test_a_run_whose_process_is_killed_twice_is_lost_and_no_failure_of_its_program(kept):
+    driving = replace(DRIVING, isolated=True)
+    [*Batch([driving], kept=kept).results()]
     with killer(kept, 2):
-        [(_, result)] = Batch([replace(DRIVING, isolated=True)], 1, kept=kept).results()
+        [(_, result)] = Batch([driving], 1, kept=kept).results()
     assert result.lost == "Killed"
     assert "not the fault of the program" in str(result.report.error["message"])
+
+
+def test_runs_go_on_if_the_fork_server_of_their_programs_is_killed(kept):
+    driving = replace(DRIVING, isolated=True)
+    [(_, whole)] = Batch([driving], kept=kept).results()
+    [server] = children(kept)
+    os.kill(server, signal.SIGKILL)
+    [(_, result)] = Batch([driving], kept=kept).results()
+    assert result == whole
 
 
 def test_runs_go_on_in_another_process_if_the_one_that_forks_them_is_killed(kept):

@@ -38,9 +38,11 @@ from learnblock.runtime.containment import kernel
 from learnblock.runtime.containment.fence import contain_host
 from learnblock.runtime.ending import How
 from learnblock.runtime.escalation import PATIENCE
+from learnblock.runtime.fork_server import ForkServer
 from learnblock.runtime.inline import InlineWorker
 from learnblock.runtime.limits import MEGABYTE, Limits
 from learnblock.runtime.process import ProcessWorker, Worker
+from learnblock.runtime.standby import Standby
 from learnblock.runtime.watcher import Watcher
 from learnblock.storage import skill_files
 
@@ -66,6 +68,7 @@ _PRELOADED = (
     "learnblock.perception.sources.asking",
     "learnblock.perception.tag_names",
     "learnblock.runtime.containment.landlock",
+    "learnblock.runtime.containment.paths",
     "learnblock.runtime.containment.seccomp",
     "learnblock.simulator.camera",
     "learnblock.simulator.polyline",
@@ -131,6 +134,7 @@ def main() -> None:
 
     # One processor for each run.
     cv2.setNumThreads(1)
+    programs = ForkServer()
     with connection.makefile("rb") as stream:
         while length := stream.read(8):
             jobs, at_once = unpacked(stream.read(int.from_bytes(length)))
@@ -139,7 +143,7 @@ def main() -> None:
             if not gc.get_freeze_count():
                 # A child that collected what we have loaded would copy all of it.
                 gc.freeze()
-            runs = _Warm(connection, jobs, at_once)
+            runs = _Warm(connection, jobs, at_once, programs)
             try:
                 runs.run()
             except (BrokenPipeError, ConnectionResetError):
@@ -181,10 +185,14 @@ class _Warm:
         connection: where results are sent.
         jobs: the runs.
         at_once: how many are made at the same time.
+        programs: forks the processes of isolated programs.
     """
 
-    def __init__(self, connection: socket.socket, jobs: Sequence[Job], at_once: int) -> None:
+    def __init__(
+        self, connection: socket.socket, jobs: Sequence[Job], at_once: int, programs: ForkServer
+    ) -> None:
         self._connection = connection
+        self._programs = programs
         self._jobs = jobs
         self._at_once = at_once
         #: The runs to be made: the index of each job, and whether its program is isolated.
@@ -218,13 +226,17 @@ class _Warm:
             os.kill(child.process, signal.SIGTERM)
 
     def _start(self, number: int, isolated: bool) -> None:  # noqa: FBT001 - as it is kept
+        if isolated:
+            self._programs.begin()
         ours, theirs = os.pipe()
         process = os.fork()
         if process == 0:
             # Neither the results of others nor what is sent to our caller are its business.
             for handle in (ours, *self._children, self._connection.fileno()):
                 os.close(handle)
-            _be_child(self._jobs[number], theirs, isolated=isolated)
+            if not isolated:
+                self._programs.let_go()
+            _be_child(self._jobs[number], theirs, self._programs if isolated else None)
         os.close(theirs)
         self._children[ours] = _Child(number, process, isolated)
 
@@ -287,13 +299,19 @@ def _cause(status: int, output: bytes | bytearray) -> str:
     return signal.strsignal(-status) or str(status) if status < 0 else f"status {status}"
 
 
-def _be_child(job: Job, handle: int, *, isolated: bool) -> NoReturn:
-    """Make a run in this process, send its result, and end."""
+def _be_child(job: Job, handle: int, programs: ForkServer | None) -> NoReturn:
+    """Make a run in this process, send its result, and end.
+
+    Args:
+        job: the run.
+        handle: where its result is sent.
+        programs: forks the program's process; None if it shares this one.
+    """
     status = 1
     try:
         kernel.die_with_parent(signal.SIGKILL)
         signal.signal(signal.SIGTERM, signal.SIG_DFL)
-        _write(handle, packed(_isolated(job) if isolated else _together(job)))
+        _write(handle, packed(_isolated(job, programs) if programs else _together(job)))
         status = 0
     except Exception as error:  # noqa: BLE001 - our mistake, or the system's: see `_Warm._finish`
         _write(handle, f"{type(error).__name__}: {error}".encode()[:_LONGEST_CAUSE])
@@ -308,16 +326,16 @@ def _write(handle: int, data: bytes) -> None:
         pipe.write(data)
 
 
-def _isolated(job: Job) -> RunResult:
+def _isolated(job: Job, programs: ForkServer) -> RunResult:
     """The run of a program in a process of its own."""
 
     def prepare(run: ProgramRun) -> None:
         signal.signal(signal.SIGTERM, lambda *_: run.stop())
 
-    result = _made(job, ProcessWorker, prepare)
+    result = _made(job, prepare, standby=programs.standby())
     if _has_begun(result.report):
         return result
-    again = _made(job, ProcessWorker, prepare)
+    again = _made(job, prepare, standby=programs.standby())
     if _is_not_contained(again.report):
         return lost(str(again.report.message))
     return again
@@ -342,7 +360,7 @@ def _together(job: Job) -> RunResult:
         workers.append(InlineWorker())
         return workers[0]
 
-    return _made(job, worker, lambda _: _end_if_silent(job.limits, workers))
+    return _made(job, lambda _: _end_if_silent(job.limits, workers), worker)
 
 
 def _end_if_silent(limits: Limits, workers: list[InlineWorker]) -> None:
@@ -363,11 +381,14 @@ def _end_if_silent(limits: Limits, workers: list[InlineWorker]) -> None:
 
 
 def _made(
-    job: Job, worker: Callable[[], Worker], prepare: Callable[[ProgramRun], object]
+    job: Job,
+    prepare: Callable[[ProgramRun], object],
+    worker: Callable[[], Worker] = ProcessWorker,
+    standby: Standby | None = None,
 ) -> RunResult:
     """Make a run."""
     prints, trace = Prints(job.keys), trace_of(job)
-    run = ProgramRun(job, trace=trace, watcher=prints, worker=worker)
+    run = ProgramRun(job, trace=trace, watcher=prints, worker=worker, standby=standby)
     prepare(run)
     report = replace(run.run(), output=prints.text)
     written = trace.getvalue() if trace else b""

@@ -17,7 +17,7 @@ from msgspec import structs
 
 from learnblock.client import Client, skills
 from learnblock.errors import InputEndedError, LearnBlockError, ProgramStopped
-from learnblock.runtime import remote
+from learnblock.runtime import forking, remote
 from learnblock.runtime.claims import last_line
 from learnblock.runtime.containment import fence
 from learnblock.runtime.error_phrases import phrase_of
@@ -58,11 +58,33 @@ _ROBOTS = "learnblock.robots."
 
 
 def main() -> None:
-    """Run as ``python -m learnblock.runtime.child FD``: FD is our end of the link."""
-    link: Link[FromHost] = SocketLink(socket.socket(fileno=int(sys.argv[1])), FromHost)
+    """Run as ``python -m learnblock.runtime.child FD``: FD is our end of the link.
+
+    If it is a fork server's end of its orders, each order makes a process that runs as usual.
+    """
+    given = socket.socket(fileno=int(sys.argv[1]))
+    connection = given if given.type is socket.SOCK_STREAM else _forked(given)
+    if connection is not None:
+        _be_program(SocketLink(connection, FromHost))
+
+
+def _forked(orders: socket.socket) -> socket.socket | None:
+    """Be a fork server; return the link in the process of a program: see `next_program`."""
+    from learnblock.runtime.containment import kernel  # noqa: PLC0415 - only Linux has it
+
+    kernel.die_with_parent(signal.SIGKILL)
+    fence.prepare()
+    skills.prepare()
+    return forking.next_program(orders)
+
+
+def _be_program(link: Link[FromHost]) -> None:
     signal.signal(signal.SIGTERM, _stop_program)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     try:
+        if hasattr(signal, "pthread_sigmask"):
+            # A fork server keeps it back until here.
+            signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGTERM})
         # Its host may still be loading.
         fence.prepare()
         skills.prepare()

@@ -4,12 +4,36 @@ import os
 import signal
 import subprocess
 from contextlib import suppress
+from typing import Any, Protocol
 
 #: Seconds that a killed process may take to end: longer only if a device does not answer it.
 _DYING = 2.0
 
 
-def abort(process: "subprocess.Popen[bytes]") -> None:
+class Process(Protocol):
+    """A process, as `subprocess.Popen` shows it."""
+
+    pid: int
+    returncode: int | Any
+
+    def poll(self) -> int | None:
+        """Its exit status, or None if it is still running."""
+
+    def wait(self, timeout: float | None = None) -> int:
+        """Its exit status, once it has ended.
+
+        Raises:
+            subprocess.TimeoutExpired: it is still running after that many seconds.
+        """
+
+    def terminate(self) -> None:
+        """Ask it to end."""
+
+    def kill(self) -> None:
+        """Kill it."""
+
+
+def abort(process: Process) -> None:
     """Kill a process that leads a session, and its process group, without waiting for its end.
 
     What it has started is in its group. Windows has no groups: only the process itself ends there.
@@ -19,7 +43,7 @@ def abort(process: "subprocess.Popen[bytes]") -> None:
         _kill(process)
 
 
-def kill(process: "subprocess.Popen[bytes]") -> None:
+def kill(process: Process) -> None:
     """Kill a process as `abort` does, and wait for its end, at most some seconds.
 
     What is left of its group is killed too if the process itself has ended before.
@@ -29,7 +53,7 @@ def kill(process: "subprocess.Popen[bytes]") -> None:
         process.wait(_DYING)
 
 
-def _kill(process: "subprocess.Popen[bytes]") -> None:
+def _kill(process: Process) -> None:
     if hasattr(os, "killpg"):
         with suppress(ProcessLookupError, PermissionError):
             os.killpg(process.pid, signal.SIGKILL)

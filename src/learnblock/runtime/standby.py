@@ -15,8 +15,19 @@ from typing import Self
 from learnblock.runtime import process_group
 from learnblock.runtime.containment.environment import environment
 from learnblock.runtime.containment.scratch import Scratch
+from learnblock.runtime.process_group import Process
 
 _CHILD = "learnblock.runtime.child"
+
+
+def program_command(handle: int) -> list[str]:
+    """The command of a process for programs.
+
+    Args:
+        handle: its end of a link, or of a fork server's orders.
+    """
+    # -P: a program's folder must not shadow our modules.
+    return [sys.executable, "-P", "-m", _CHILD, str(handle)]
 
 
 # Why: docs/decisions.md, "learnblock run starts the child first"
@@ -32,7 +43,7 @@ class Standby:
         theirs.set_inheritable(True)
         self.scratch = Scratch()
         with theirs:
-            self.process = self._start(theirs.fileno(), environment(self.scratch.path))
+            self.process = self._begin(theirs)
         self._is_ended = False
 
     def __enter__(self) -> Self:
@@ -63,10 +74,13 @@ class Standby:
         self.scratch.remove()
         self.connection.close()
 
+    def _begin(self, theirs: socket.socket) -> Process:
+        """Start the process, with its end of the link."""
+        return self._start(theirs.fileno(), environment(self.scratch.path))
+
     @staticmethod
     def _start(handle: int, variables: Mapping[str, str]) -> "subprocess.Popen[bytes]":
-        # -P: a program's folder must not shadow our modules.
-        command = [sys.executable, "-P", "-m", _CHILD, str(handle)]
+        command = program_command(handle)
         if sys.platform == "win32":
             return subprocess.Popen(  # noqa: S603 - our own interpreter and module
                 command,

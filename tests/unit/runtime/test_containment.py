@@ -26,6 +26,7 @@ from learnblock.i18n import Phrase
 from learnblock.runtime.containment import seccomp, syscalls
 from learnblock.runtime.containment.survey import survey
 from learnblock.runtime.ending import How
+from learnblock.runtime.fork_server import ForkServer
 from learnblock.runtime.limits import Limits
 
 pytestmark = [
@@ -46,18 +47,35 @@ def targets(tmp_path, monkeypatch):
     victim.communicate(b"\n")
 
 
-@complete
-@pytest.mark.parametrize("group", GROUPS)
-def test_every_attack_of_the_group_is_refused(targets, group):
-    attacks = GROUPS[group]
-    results = try_contained(attacks, targets)
+def got_in(attacks, results):
+    """The attacks that were not refused as they should be."""
     assert [attack.name for attack in attacks] == list(results)
-    got_in = [
+    return [
         (attack, results[attack.name])
         for attack in attacks
         if not results[attack.name].startswith(ANSWERS[attack.by])
     ]
-    assert got_in == []
+
+
+@complete
+@pytest.mark.parametrize("group", GROUPS)
+def test_every_attack_of_the_group_is_refused(targets, group):
+    attacks = GROUPS[group]
+    assert got_in(attacks, try_contained(attacks, targets)) == []
+
+
+@complete
+def test_the_process_of_a_fork_server_refuses_every_attack_and_finds_nothing_of_others(targets):
+    server = ForkServer()
+    server.begin()
+    try:
+        # Another program's process is there, too.
+        with server.standby():
+            for attacks in (BESIDE, *GROUPS.values()):
+                results = try_contained(attacks, targets, server.standby())
+                assert got_in(attacks, results) == []
+    finally:
+        server.end()
 
 
 @complete

@@ -22,7 +22,20 @@ def environment(scratch: str) -> Mapping[str, str]:
     Args:
         scratch: its temporary folder.
     """
-    folders = dict.fromkeys(("HOME", "USERPROFILE", "TMPDIR", "TEMP", "TMP"), scratch)
+    return {**without_folders(), **folders(scratch)}
+
+
+def folders(scratch: str) -> Mapping[str, str]:
+    """The variables of a program that name its temporary folder.
+
+    Args:
+        scratch: the folder.
+    """
+    return dict.fromkeys(("HOME", "USERPROFILE", "TMPDIR", "TEMP", "TMP"), scratch)
+
+
+def without_folders() -> Mapping[str, str]:
+    """The variables that all programs have in common."""
     ours = {
         # Python looks for the user's packages here; its default depends on HOME, which we change.
         "PYTHONUSERBASE": site.getuserbase(),
@@ -30,7 +43,7 @@ def environment(scratch: str) -> Mapping[str, str]:
         "PYTHONHASHSEED": "0",
         "LEARNBLOCK_HOME": str(home().absolute()),
     }
-    return {**harmless(), **folders, **ours}
+    return {**harmless(), **ours}
 
 
 def harmless() -> Mapping[str, str]:
