@@ -102,10 +102,12 @@ class _Forks:
 
     def _close(self, control: socket.socket) -> None:
         """Close all that is the server's and not the program's."""
-        for handle in self._ends:
-            os.close(handle)
-        for connection in (self._orders, control, *(x.control for x in self._controls.values())):
-            connection.close()
+        self._orders.close()
+        control.close()
+        for fork in self._controls.values():
+            # Also of those that have ended, and that somebody still waits for.
+            os.close(fork.end)
+            fork.control.close()
 
     def _report(self, fork: _Fork) -> None:
         """Say how a process has ended, without freeing its number."""

@@ -78,6 +78,23 @@ def test_a_forked_process_looks_to_its_program_as_one_started_for_it(server):
     assert forked == started
 
 
+def test_a_process_has_nothing_of_one_that_has_ended_and_is_still_waited_for(server):
+    ended = ProcessWorker(server.standby())
+    ended.link.send(setup(""))
+    assert ended.wait(10) == 0
+    look = (
+        "import os\n"
+        "for handle in range(3, 64):\n"
+        "    try:\n"
+        "        os.fstat(handle)\n"
+        "    except OSError:\n"
+        "        continue\n"
+        "    print('open')"
+    )
+    assert said(server.standby(), look) == "open\n"
+    ended.kill()
+
+
 def test_two_programs_have_random_numbers_of_their_own(server):
     look = "import random; print(random.random())"
     assert said(server.standby(), look) != said(server.standby(), look)
