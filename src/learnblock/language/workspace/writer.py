@@ -311,11 +311,11 @@ class WorkspaceWriter(ValueWriter):
 
 def _samples(block: Block) -> Mapping[str, Mapping[str, object]]:
     """What the page has noted about the parameters of a function, by their names."""
-    parameters = [one for one in extra_list(block, "params") if isinstance(one, dict)]
     return {
         name: {"sample": sample}
-        for parameter in parameters
-        if isinstance(name := parameter.get("name"), str)
+        for parameter in extra_list(block, "params")
+        if isinstance(parameter, dict)
+        and isinstance(name := parameter.get("name"), str)
         and isinstance(sample := parameter.get("sample"), str | int | float)
     }
 
