@@ -14,6 +14,7 @@ import { RobotSettings } from "../features/robot-settings/robot-settings";
 import { Share } from "../features/share/share";
 import { TagDictionary } from "../features/tags/tag-dictionary";
 import { Worlds } from "../features/worlds/worlds";
+import { t } from "../i18n";
 import { Announcer } from "../model/announcer";
 import { AskingWhy } from "../model/asking-why";
 import { beginAnew } from "../model/beginning-anew";
@@ -126,6 +127,7 @@ function makeModel(connection: Connection, toasts: Toasts, dialogs: Dialogs, sto
     robotColor: (name) => (tabs.tabs.value.length > 0 ? tabs.colorOf(name) : null),
     lookingBack,
     askingWhy,
+    openExample: (program) => void project.import(new File([program], `${t("page-help-example")}.bt`)),
     listCustomBlocks: () => dialogs.show("customBlocks"),
     editCustomBlock: (name, line = 0) => dialogs.show({ customBlock: name, line }),
   };

@@ -5,11 +5,11 @@ import * as Blockly from "blockly/core";
 import { theme } from "../../model/preferences";
 import type { CustomBlockPreview } from "../../protocol/messages";
 import type { Island } from "../../ui/island";
-import { prepare } from "../../views/blocks/blocks-view";
 import { Checker } from "../../views/blocks/checker";
 import type { Definition } from "../../views/blocks/fields";
 import { MEDIA } from "../../views/blocks/media";
 import { defineBlocks } from "../../views/blocks/palette";
+import { prepare } from "../../views/blocks/prepare";
 import { themeOf } from "../../views/blocks/themes";
 
 /** Keeps previews apart from the program's blocks of that type. */

@@ -44,6 +44,8 @@ export interface BlockActions {
   tagNames(): readonly string[];
   /** A block as the palette has it, by its type. */
   offered(type: string): object | undefined;
+  /** Open an example in Block-Text as a project. */
+  openExample(program: string): void;
   listCustomBlocks(): void;
   newCustomBlock(): void;
   /** Open the source of a custom block by its skill. */

@@ -1,7 +1,7 @@
 """What happens in the example of each block, for the moving picture in its help.
 
 ``python -m learnblock.project.help.recordings`` runs the examples on simulated robots and writes
-``recordings.json``. The same program always does the same there, so a test can compare.
+``recorded/recordings.json``. The same program always does the same there, so a test can compare.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -20,7 +20,7 @@ from learnblock.running.job import Job, Options
 from learnblock.running.recorded_keys import RecordedKeys
 from learnblock.runtime.program import Program
 
-_FILE = Path(__file__).parent / "recordings.json"
+_FILE = Path(__file__).parent / "recorded" / "recordings.json"
 #: The most events that are kept: a loop has been understood by then.
 _MOST_EVENTS = 40
 #: mm and degrees that nobody sees in a small picture.
