@@ -77,9 +77,16 @@ export default defineConfig(({ mode }) => {
       },
     },
     server: {
-      // The words of all messages are beside the Python code that sends them.
-      fs: { allow: [".", "../src/learnblock/i18n"] },
-      proxy: { "/ws": { ...own, ws: true }, "/palette": own, "/textures": own, "/worlds": own, "/projects": own },
+      // The words of all messages are beside the Python code that sends them; the help searches the docs.
+      fs: { allow: [".", "../docs", "../src/learnblock/i18n"] },
+      proxy: {
+        "/ws": { ...own, ws: true },
+        "/palette": own,
+        "/help": own,
+        "/textures": own,
+        "/worlds": own,
+        "/projects": own,
+      },
     },
   };
 });

@@ -225,6 +225,7 @@ def project_dialogs(visitor):
 
 def page_dialogs(visitor):
     """The dialogs of the menu of the page."""
+    visitor.command("page-bar-more", "page-bar-stage-coder")
     for code, name in PAGE_DIALOGS.items():
         visitor.opens("page-bar-more", code)
         yield f"dialog, {name}"
@@ -501,6 +502,7 @@ PROJECT_DIALOGS = {
     "page-project-delete": "delete",
 }
 PAGE_DIALOGS = {
+    "page-help-title": "help",
     "page-settings-shortcuts": "shortcuts",
     "page-device-title": "other device",
     "page-settings-title": "settings",

@@ -113,8 +113,9 @@ def expect_announcement(pupil, role, words):
 
 
 def choose_theme(pupil, theme):
-    pupil.press("Settings and help")
-    pupil.page.get_by_role("menuitemradio", name=theme).click()
+    pupil.command("Settings and help", "Settings")
+    pupil.dialog().get_by_role("combobox", name="Theme").select_option(label=theme)
+    pupil.page.keyboard.press("Escape")
 
 
 def faults(pupil, axe, part="body"):

@@ -114,7 +114,7 @@ def test_help_says_what_the_chosen_robot_lacks_for_a_block(own_server, sit_down)
     question.click(position={"x": 12, "y": 20})
     pupil.page.keyboard.press("Control+i")
     expect(pupil.page.locator(".lbHelp")).to_contain_text("Thymio II has no camera")
-    able = pupil.page.locator(".lbHelp > p", has_text="Works on:")
+    able = pupil.page.locator(".lbHelp p", has_text="Works on:")
     expect(able).to_contain_text("Cozmo")
     expect(able).not_to_contain_text("Thymio")
 

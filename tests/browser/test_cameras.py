@@ -51,7 +51,7 @@ def test_the_result_says_why_emotions_had_no_effect(sit_down, watched):
     result = pupil.page.get_by_role("tabpanel", name="Result")
     expect(result).to_contain_text(
         "is_any_face_happy: emotions are not recognised on this camera."
-        " Camera recognition in the menu says why."
+        " In the stage Coder, Camera recognition in the menu says why."
     )
     pupil.picture("result")
     console = pupil.tab("Console").inner_text()

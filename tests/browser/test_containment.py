@@ -31,8 +31,8 @@ def class_server(tmp_path, monkeypatch):
 
 
 def show(pupil):
-    pupil.page.get_by_role("button", name="Settings and help").click()
-    pupil.page.get_by_role("menuitem", name="What programs may do…").click()
+    pupil.command("Settings and help", "Coder")
+    pupil.command("Settings and help", "What programs may do…")
     expect(pupil.dialog().get_by_role("row")).to_have_count(11)
 
 

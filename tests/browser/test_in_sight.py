@@ -83,7 +83,7 @@ def test_a_question_and_goals_are_in_sight_beside_program_robot_and_run(
 ):
     reader = Reader(sit_down, own_server, size, language)
     reader.open("1-03-square")
-    expect(reader.page.locator(".lesson-drawing")).to_have_count(0)
+    expect(reader.page.locator(".block-drawing")).to_have_count(0)
     reader.expect_all_in_sight()
     reader.pupil.picture(f"question-{size}-{language}")
     if size != "phone":

@@ -48,7 +48,7 @@ FAILING = "main:\n    x = 1 / 0\nend\n"
 NAMES = re.compile(
     r"EBO|Cozmo|Thymio II|LEGO EV3|LearnBlock|Python|Block-Text|English|Español"
     r"|[\d\W]*|.*[×°²]|(°|mm|ms|s)(\s?/\s?s)?[?,]?|(Ctrl|Shift|Alt)\+.*|F\d+|Enter|Esc.*|Delete|[a-zA-Z]\d?|Y:|sin|π"
-    r"|learnblock .*|mm, y"
+    r"|learnblock .*|mm, y|F1, Ctrl\+I"
 )
 #: Names shown on the blocks that call these functions.
 FUNCTIONS = {*BUILTINS, *(name for name, _ in TEMPLATES), "world ="}
@@ -63,10 +63,10 @@ DIALOGS = {
     "tag names": ("project", 9),
     "make a lesson": ("project", 10),
     "delete": ("project", 16),
-    "shortcuts": ("more", 1),
-    "other device": ("more", 2),
-    "settings": ("more", 3),
-    "camera recognition": ("more", 4),
+    "help": ("more", 0),
+    "shortcuts": ("more", 2),
+    "other device": ("more", 3),
+    "settings": ("more", 4),
     "robot settings": ("robot", 1),
 }
 MENUS = {

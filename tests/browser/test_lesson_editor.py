@@ -106,7 +106,7 @@ def test_a_teacher_makes_a_lesson_that_a_pupil_plays_to_a_star(teacher):
     card(teacher).get_by_role("button", name="My drive").first.click()
     lesson = teacher.page.locator("[data-region=lesson]")
     expect(lesson).to_contain_text("Drive at least 100 mm")
-    expect(lesson.locator(".lesson-drawing .lb_skill_stop_bot")).to_have_count(1)
+    expect(lesson.locator(".block-drawing .lb_skill_stop_bot")).to_have_count(1)
     teacher.choose("Speed", "Fastest")
     teacher.press("Run")
     expect(lesson.locator(".lesson-goal")).to_have_class(re.compile("met"))

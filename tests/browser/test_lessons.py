@@ -12,7 +12,7 @@ from browser.typist import Typist
 
 RIGHT = ("function.expressJoy()", "function.sleep(1)", "function.stop_bot()")
 #: The three statements of the drawing, without the numbers in them.
-DRAWN = ".lesson-drawing :is(.lb_skill_move_straight, .lb_skill_sleep, .lb_skill_stop_bot)"
+DRAWN = ".block-drawing :is(.lb_skill_move_straight, .lb_skill_sleep, .lb_skill_stop_bot)"
 LOST = """() => [...document.querySelectorAll(".lesson-pane button, .lesson-line button")]
     .filter((one) => one.checkVisibility())
     .map((one) => one.getBoundingClientRect())
@@ -195,7 +195,7 @@ def test_the_pieces_of_a_puzzle_are_dragged_with_the_mouse(pupil):
     for step in ("Drive 100 mm", "Put it in order"):
         panel(pupil).get_by_role("button", name="Next").click()
         expect(panel(pupil)).to_contain_text(step)
-    expect(panel(pupil).locator(".lesson-piece .lesson-drawing svg")).not_to_have_count(0)
+    expect(panel(pupil).locator(".lesson-piece .block-drawing svg")).not_to_have_count(0)
     program = panel(pupil).locator(".lesson-order")
     drag(pupil, panel(pupil).get_by_role("button", name=f"Add {RIGHT[2]}"), program)
     drag(pupil, panel(pupil).get_by_role("button", name=f"Add {RIGHT[0]}"), program, top=True)

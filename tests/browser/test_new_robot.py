@@ -14,8 +14,8 @@ def pupil(sit_down, own_server):
 
 @pytest.fixture
 def dialog(pupil):
-    pupil.press("Settings and help")
-    pupil.page.get_by_role("menuitem", name="New robot…").click()
+    pupil.command("Settings and help", "Coder")
+    pupil.command("Settings and help", "New robot…")
     return pupil.page.get_by_role("dialog", name="New robot")
 
 

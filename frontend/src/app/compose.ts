@@ -14,6 +14,7 @@ import { RobotSettings } from "../features/robot-settings/robot-settings";
 import { Share } from "../features/share/share";
 import { TagDictionary } from "../features/tags/tag-dictionary";
 import { Worlds } from "../features/worlds/worlds";
+import { t } from "../i18n";
 import { Announcer } from "../model/announcer";
 import { AskingWhy } from "../model/asking-why";
 import { beginAnew } from "../model/beginning-anew";
@@ -101,6 +102,15 @@ function places(views: Views, program: Program): Pick<Context, "openView" | "rev
   };
 }
 
+/** The dialogs for blocks of one's own. */
+function blockDialogs(dialogs: Dialogs): Pick<Context, "makeBlock" | "listCustomBlocks" | "editCustomBlock"> {
+  return {
+    makeBlock: (makeBlock) => dialogs.show({ makeBlock }),
+    listCustomBlocks: () => dialogs.show("customBlocks"),
+    editCustomBlock: (name, line = 0) => dialogs.show({ customBlock: name, line }),
+  };
+}
+
 function makeModel(connection: Connection, toasts: Toasts, dialogs: Dialogs, stores: Stores) {
   const { blockSets, customBlocks, tags } = stores;
   const program = new Program(connection, new BrowserDrafts());
@@ -126,9 +136,8 @@ function makeModel(connection: Connection, toasts: Toasts, dialogs: Dialogs, sto
     robotColor: (name) => (tabs.tabs.value.length > 0 ? tabs.colorOf(name) : null),
     lookingBack,
     askingWhy,
-    makeBlock: (makeBlock) => dialogs.show({ makeBlock }),
-    listCustomBlocks: () => dialogs.show("customBlocks"),
-    editCustomBlock: (name, line = 0) => dialogs.show({ customBlock: name, line }),
+    ...blockDialogs(dialogs),
+    openExample: (program) => void project.import(new File([program], `${t("page-help-example")}.bt`)),
   };
   const project = new Project(connection, program, toasts, tabs);
   const forgetQuestions = () => {

@@ -6,6 +6,7 @@ import { ConnectDialog } from "../features/connect/dialog";
 import { ContainmentDialog } from "../features/containment/dialog";
 import { CustomBlockDialog, CustomBlocksDialog } from "../features/custom-blocks/dialogs";
 import { ExamplesDialog } from "../features/examples/dialog";
+import { HelpDialog } from "../features/help/dialog";
 import { LessonEditorDialog } from "../features/lesson-editor/dialog";
 import { DeleteLessonDialog } from "../features/lessons/delete";
 import { LessonNotesDialog } from "../features/lessons/notes";
@@ -40,6 +41,7 @@ const DIALOGS = {
   rename: RenameDialog,
   saveAs: SaveAsDialog,
   history: HistoryDialog,
+  help: HelpDialog,
   shortcuts: ShortcutsDialog,
   settings: SettingsDialog,
   worldEditor: WorldEditorDialog,

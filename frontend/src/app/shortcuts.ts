@@ -17,7 +17,7 @@ const ACTIONS: Readonly<Record<ShortcutWord, (page: Page) => unknown>> = {
   "page-project-open": ({ dialogs }) => dialogs.show("open"),
   "page-settings-saves": saves,
   // On a block: its help.
-  "page-settings-shortcuts": ({ dialogs, views }) => views.explain() || dialogs.show("shortcuts"),
+  "page-help-title": ({ dialogs, views }) => views.explain() || dialogs.show("help"),
 };
 
 /** Those that need no open project. */
@@ -25,7 +25,7 @@ const ANYWHERE: ReadonlySet<ShortcutWord> = new Set([
   "page-settings-next-region",
   "page-settings-previous-region",
   "page-project-open",
-  "page-settings-shortcuts",
+  "page-help-title",
 ]);
 
 /** Listen to the page's keys; call the result to stop. */

@@ -47,6 +47,8 @@ export interface Context {
   makeBlock(definition: string): void;
   /** Opens the list of custom blocks. */
   listCustomBlocks(): void;
+  /** Open a program in Block-Text as a project. */
+  openExample(program: string): void;
   /** Opens a custom block at a line of its source, from 1; a new one if the name is empty. */
   editCustomBlock(name: string, line?: number): void;
 }

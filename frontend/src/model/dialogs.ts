@@ -9,6 +9,7 @@ export type DialogName =
   | "rename"
   | "saveAs"
   | "history"
+  | "help"
   | "shortcuts"
   | "settings"
   | "worldEditor"

@@ -20,7 +20,7 @@ export const SHORTCUTS = [
   { key: "F6", shift: true, word: "page-settings-previous-region" },
   { key: "o", control: true, word: "page-project-open" },
   { key: "s", control: true, word: "page-settings-saves" },
-  { key: "F1", word: "page-settings-shortcuts" },
+  { key: "F1", word: "page-help-title" },
 ] as const satisfies readonly Shortcut[];
 
 export type ShortcutWord = (typeof SHORTCUTS)[number]["word"];

@@ -19,6 +19,7 @@ from starlette.websockets import WebSocket
 from learnblock.i18n import Phrase
 from learnblock.server.http import static_files
 from learnblock.server.http.address import own_address
+from learnblock.server.http.block_help import block_help
 from learnblock.server.http.palette import palette
 from learnblock.server.http.pictures import face, floor, lesson, project, tag
 from learnblock.server.http.protection import (
@@ -98,6 +99,7 @@ def _routes(
     return [
         Route("/", private(partial(_index, static, protection))),
         Route("/palette/{language}.json", private(palette), middleware=[_GZIP]),
+        Route("/help/{block}.json", private(block_help), middleware=[_GZIP]),
         Route("/textures/tag/{number:int}.png", private(tag)),
         Route("/textures/face/{name}.png", private(face)),
         Route("/worlds/{name}/floor.png", private(floor)),

@@ -68,6 +68,18 @@ def test_nothing_but_the_page_is_served(server, built, path):
     assert server.get(path).status == 404
 
 
+def test_the_help_of_a_block_has_an_example_with_the_blocks_that_ran(server):
+    shown = json.loads(get(server, "/help/controls_repeat_ext.json").body)
+    blocks = {text for _, kind, text in shown["events"] if kind == "line"}
+    assert shown["program"].startswith("main:\n    repeat 4:")
+    assert len(blocks - {""}) == len(blocks) >= 3
+    assert len(shown["way"]) > 5
+
+
+def test_a_block_without_an_example_has_no_moving_picture(server):
+    assert get(server, "/help/function.my_own.json").status == 404
+
+
 def test_the_palette_is_cached_until_it_changes(server):
     first = get(server, "/palette/es.json")
     assert json.loads(first.body)["language"] == "es"

@@ -1,18 +1,25 @@
-/** The menu of the page itself: help, stage, language, theme, settings. */
+/** The menu of the page itself: help, stage, language, settings. */
 
 import { language, languages, t } from "../../i18n";
+import type { Dialogs } from "../../model/dialogs";
 import { usePage } from "../../model/page";
-import { chooseStage, prefer, preferences, STAGES, THEMES } from "../../model/preferences";
+import { chooseStage, prefer, preferences, STAGES } from "../../model/preferences";
 import { languageName } from "../../ui/language-name";
-import { Menu } from "../../ui/menu";
+import { Menu, type MenuItem } from "../../ui/menu";
+import { keysFor } from "../../ui/shortcuts";
 
 export function MoreMenu() {
   const { dialogs } = usePage();
-  const { stage, theme } = preferences.value;
+  const { stage } = preferences.value;
   const groups = [
     {
-      title: t("page-bar-help"),
       items: [
+        {
+          text: t("page-help-title"),
+          icon: "help" as const,
+          key: keysFor("page-help-title"),
+          run: () => dialogs.show("help"),
+        },
         { text: t("page-tour-title"), run: () => (dialogs.tour.value = true) },
         { text: t("page-settings-shortcuts"), run: () => dialogs.show("shortcuts") },
       ],
@@ -34,22 +41,21 @@ export function MoreMenu() {
       })),
     },
     {
-      title: t("page-bar-theme"),
-      items: THEMES.map((name) => ({
-        text: t(`page-settings-theme-${name}`),
-        checked: name === theme,
-        run: () => prefer({ theme: name }),
-      })),
-    },
-    {
       items: [
         { text: t("page-device-title"), run: () => dialogs.show("otherDevice") },
         { text: t("page-settings-title"), run: () => dialogs.show("settings") },
-        { text: t("page-robots-perception-menu"), run: () => dialogs.show("perception") },
-        { text: t("page-containment-menu"), run: () => dialogs.show("containment") },
-        { text: t("page-newrobot-menu"), run: () => dialogs.show("newRobot") },
       ],
     },
+    // For those who set LearnBlock up: a child's menu stays short.
+    ...(stage === "coder" ? [{ items: settingUp(dialogs) }] : []),
   ];
   return <Menu label={t("page-bar-more")} icon="more" groups={groups} side="right" />;
+}
+
+function settingUp(dialogs: Dialogs): MenuItem[] {
+  return [
+    { text: t("page-robots-perception-menu"), run: () => dialogs.show("perception") },
+    { text: t("page-containment-menu"), run: () => dialogs.show("containment") },
+    { text: t("page-newrobot-menu"), run: () => dialogs.show("newRobot") },
+  ];
 }

@@ -4,9 +4,9 @@ import * as Blockly from "blockly/core";
 import { t } from "../../i18n";
 import type { Entry, Tab } from "../../model/shown-blocks";
 import { blocksOf, CHANGING, nameOf } from "../../model/shown-blocks";
-import { prepare } from "../../views/blocks/blocks-view";
 import { ownTab } from "../../views/blocks/categories";
 import { fetchPalette, installPalette } from "../../views/blocks/palette";
+import { prepare } from "../../views/blocks/prepare";
 import type { Group } from "./ticks";
 
 export interface LabelledTab extends Group {

@@ -5,6 +5,7 @@ import { useLayoutEffect, useRef } from "preact/hooks";
 import { theme } from "../../model/preferences";
 import type { Plan, Seat } from "../../protocol/classroom";
 import { planOf } from "../../views/world/plan/plan";
+import { arrow } from "../../views/world/plan/robot";
 import type { WorldValues } from "../../views/world/scenery/description";
 
 /** mm: the margin around the floor, and half the length of the robot's arrow. */
@@ -39,7 +40,7 @@ export function SmallWorld({ plan, seat, label }: Props) {
       {seat.pose && (
         <path
           class="robot"
-          d={`M ${ARROW} 0 L ${-ARROW} ${ARROW * 0.7} L ${-ARROW * 0.6} 0 L ${-ARROW} ${-ARROW * 0.7} Z`}
+          d={arrow(ARROW)}
           transform={`translate(${seat.pose[0]} ${-seat.pose[1]}) rotate(${seat.pose[2]})`}
         />
       )}

@@ -10,7 +10,11 @@ import { isSameProgram } from "./same-program";
 
 export function DrawnBlocks({ workspace, text }: { workspace: Workspace; text: string }) {
   const load = async () => {
-    const { Drawing } = await import("./drawing");
+    const [{ Drawing }, { prepare }] = await Promise.all([
+      import("../../views/blocks/drawing"),
+      import("../../views/blocks/prepare"),
+    ]);
+    prepare();
     return new Drawing(workspace, text);
   };
   return (

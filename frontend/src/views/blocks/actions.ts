@@ -48,6 +48,8 @@ export interface BlockActions {
   makeBlock(): void;
   /** Open the dialog for a block of the program, given by its definition. */
   changeBlock(definition: string): void;
+  /** Open an example in Block-Text as a project. */
+  openExample(program: string): void;
   listCustomBlocks(): void;
   newCustomBlock(): void;
   /** Open the source of a custom block by its skill. */

@@ -5,9 +5,8 @@ import * as Blockly from "blockly/core";
 
 import { theme } from "../../model/preferences";
 import type { Island } from "../../ui/island";
-import { prepare } from "./blocks-view";
-import { Checker } from "./checker";
-import { MEDIA } from "./media";
+import { pictureOptions } from "./drawing";
+import { prepare } from "./prepare";
 import { themeOf } from "./themes";
 
 type State = Blockly.serialization.blocks.State;
@@ -41,7 +40,7 @@ export class BlockPicture implements Island {
   /** Blockly can only draw once the element has a size; a wide block is scaled down. */
   resize(): void {
     if (!this.dom.clientWidth) return;
-    this.workspace ??= Blockly.inject(this.host, options());
+    this.workspace ??= Blockly.inject(this.host, pictureOptions());
     this.redraw();
   }
 
@@ -78,17 +77,4 @@ export class BlockPicture implements Island {
     this.workspace?.setScale(scale);
     Blockly.svgResize(this.workspace!);
   }
-}
-
-function options(): Blockly.BlocklyOptions {
-  return {
-    renderer: "zelos",
-    theme: themeOf(theme.peek()),
-    media: MEDIA,
-    readOnly: true,
-    sounds: false,
-    zoom: { maxScale: 1, minScale: 0.1 },
-    move: { scrollbars: false, drag: false, wheel: false },
-    plugins: { connectionChecker: Checker },
-  };
 }

@@ -16,11 +16,9 @@ import "./blocks.css";
 import { Cleanup } from "../../ui/cleanup";
 import type { BlockActions, OfferedRobot } from "./actions";
 import { BlockEditor } from "./editor";
-import { nameEditors } from "./editor-names";
-import { registerMenus } from "./menus";
 import type { Palette } from "./palette";
-import { fetchPalette, installPalette, prepareBlockly } from "./palette";
-import { registerSearchTab } from "./search";
+import { fetchPalette, installPalette } from "./palette";
+import { prepare } from "./prepare";
 import { blocksOf } from "./shown";
 
 export interface BlocksIsland extends Island {
@@ -41,22 +39,10 @@ export interface BlocksIsland extends Island {
   enter(block: string): void;
 }
 
-let prepared = false;
-
 /** Create the blocks view; it fills `dom` once that is in the page and the palette has loaded. */
 export function createBlocks(context: Context): BlocksIsland {
   prepare();
   return new Blocks(context);
-}
-
-/** Blockly keeps its registries for the whole page. */
-export function prepare(): void {
-  if (prepared) return;
-  prepared = true;
-  prepareBlockly();
-  registerMenus();
-  nameEditors();
-  registerSearchTab();
 }
 
 /** The view scrolls to the running block at most this often, in ms. */
@@ -240,6 +226,7 @@ class Blocks implements BlocksIsland {
       offered: (type) => this.palette?.toolbox.contents.flatMap(blocksOf).find((one) => one.type === type),
       makeBlock: () => this.context.makeBlock(""),
       changeBlock: (definition) => this.context.makeBlock(definition),
+      openExample: (program) => this.context.openExample(program),
       listCustomBlocks: () => this.context.listCustomBlocks(),
       newCustomBlock: () => this.context.editCustomBlock(""),
       editCustomBlock: (skill) => this.editCustomBlock(skill),

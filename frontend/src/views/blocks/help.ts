@@ -3,11 +3,15 @@
 import * as Blockly from "blockly/core";
 
 import { t } from "../../i18n";
-import { icon } from "../../ui/icons";
+import { type IconName, icon } from "../../ui/icons";
+import type { Island } from "../../ui/island";
+import "./help.css";
 import { actionsOf, type OfferedRobot } from "./actions";
+import { blockHelp } from "./block-help";
 import { type Parameter, parametersOf } from "./fields/allowed";
 import { STYLES } from "./groups";
 import type { Item } from "./offers";
+import { otherNames } from "./other-names";
 import { groupIcon } from "./palette-group";
 import { paletteWords } from "./palette-words";
 
@@ -41,23 +45,115 @@ function panelOf(block: Block, workspace: Blockly.WorkspaceSvg): HTMLElement {
   panel.tabIndex = -1;
   panel.setAttribute("role", "dialog");
   panel.ariaLabel = t("page-blocks-help-on", { block: block.toString() });
+  const actions = workspace.isReadOnly() ? undefined : actionsOf(workspace);
+  const explanation = new Explanation(block, (program) => actions?.openExample(program));
   const close = () => {
+    explanation.destroy();
     panel.remove();
     if (!block.isDisposed()) Blockly.getFocusManager().focusNode(block);
   };
-  panel.append(
-    headOf(block, close),
-    paragraph(block.getTooltip()),
-    ...robotOf(block),
-    ...valuesOf(block),
-    ...textsOf(block),
-    ...insertOf(block, workspace),
-  );
+  panel.append(headOf(block, close), explanation.dom, ...insertOf(block, workspace));
   panel.addEventListener("keydown", (event) => {
     event.stopPropagation();
     if (event.key === "Escape") close();
   });
   return panel;
+}
+
+/** What a block does: as a sentence, in words, and in a moving picture of its example. */
+export class Explanation implements Island {
+  readonly dom = document.createElement("div");
+  private readonly sentence = place("lbSentence");
+  private readonly picture = place("lbExample");
+  private readonly pictures: (Island & { resize(): void })[] = [];
+  private isGone = false;
+
+  constructor(
+    block: Blockly.Block,
+    /** Opens the Block-Text of the example as a project. */
+    private readonly open: (program: string) => void,
+  ) {
+    this.dom.className = "lbExplanation";
+    this.dom.append(
+      this.sentence,
+      paragraph(block.getTooltip()),
+      ...elsewhere(block.type),
+      this.picture,
+      ...robotOf(block),
+      ...valuesOf(block),
+      ...textsOf(block),
+    );
+    void this.draw(stateOf(block), nameOf(stateOf(block)), block.toString(undefined, "…"));
+  }
+
+  destroy(): void {
+    this.isGone = true;
+    for (const picture of this.pictures) picture.destroy();
+    this.dom.remove();
+  }
+
+  resize(): void {
+    for (const picture of this.pictures) picture.resize();
+  }
+
+  private async draw(state: State, name: string, text: string): Promise<void> {
+    const { Drawing } = await import("./drawing");
+    if (this.isGone) return;
+    this.add(this.sentence, new Drawing(state, text));
+    const help = await blockHelp(name);
+    if (!help || this.isGone) return;
+    const { MovingPicture } = await import("./moving-picture");
+    if (this.isGone) return;
+    this.picture.append(heading("page-help-example"));
+    this.add(this.picture, new MovingPicture(help));
+    this.picture.append(button("examples", t("page-help-open-example"), () => this.open(help.program)));
+  }
+
+  private add(host: HTMLElement, picture: Island & { resize(): void }): void {
+    this.pictures.push(picture);
+    host.append(picture.dom);
+    picture.resize();
+  }
+}
+
+/** The block alone, without those inside and below it. */
+function stateOf(block: Blockly.Block): State {
+  const state = Blockly.serialization.blocks.save(block, { addNextBlocks: false }) as State;
+  for (const { name, type } of block.inputList)
+    if (type === Blockly.inputs.inputTypes.STATEMENT) delete state.inputs?.[name];
+  const { x: _x, y: _y, id: _id, ...alone } = state;
+  return alone;
+}
+
+/** The name of a block in block sets, by which the server knows its example. */
+function nameOf({ type, extraState }: State): string {
+  if (type.startsWith(SKILL)) return `function.${type.slice(SKILL.length)}`;
+  const { name, hasElse } = (extraState ?? {}) as { name?: string; hasElse?: boolean };
+  if (name && type.startsWith("lb_call")) return `${type}:${name}`;
+  return hasElse ? `${type}:else` : type;
+}
+
+/** What Scratch and MakeCode call it. */
+function elsewhere(type: string): HTMLElement[] {
+  const names = otherNames(type, t);
+  return names ? [heading("page-help-elsewhere"), paragraph(names)] : [];
+}
+
+function place(name: string): HTMLElement {
+  return Object.assign(document.createElement("div"), { className: name });
+}
+
+function heading(word: string): HTMLElement {
+  return Object.assign(document.createElement("h4"), { textContent: t(word) });
+}
+
+function button(picture: IconName, text: string, act: () => void): HTMLElement {
+  const made = document.createElement("button");
+  made.type = "button";
+  made.className = "lbInsert";
+  made.append(icon(picture), text);
+  made.addEventListener("click", act);
+  return made;
 }
 
 function headOf(block: Block, close: () => void): HTMLElement {
@@ -79,7 +175,7 @@ function paragraph(text: string): HTMLElement {
 }
 
 /** What serves the block's senses on the chosen robot, or what that robot lacks; and the robots that can do it. */
-function robotOf(block: Block): HTMLElement[] {
+function robotOf(block: Blockly.Block): HTMLElement[] {
   const actions = actionsOf(block.workspace);
   const { needs = [] } = (actions?.offered(block.type) ?? {}) as Item;
   const robot = actions?.robot();
@@ -94,10 +190,9 @@ function worksOn(needs: readonly string[], { all }: OfferedRobot): string {
   return able.length ? t("page-blocks-help-robots", { robots: able.map(({ title }) => title).join(", ") }) : "";
 }
 
-function valuesOf(block: Block): HTMLElement[] {
+function valuesOf(block: Blockly.Block): HTMLElement[] {
   const parameters = parametersOf(block.type);
   if (!parameters.length) return [];
-  const heading = Object.assign(document.createElement("h4"), { textContent: t("page-blocks-help-values") });
   const list = document.createElement("dl");
   for (const parameter of parameters) {
     const name = Object.assign(document.createElement("dt"), { textContent: parameter.label });
@@ -106,7 +201,7 @@ function valuesOf(block: Block): HTMLElement[] {
     const textContent = unit && kind !== "angle" ? t("page-blocks-help-unit", { range, unit }) : range;
     list.append(name, Object.assign(document.createElement("dd"), { textContent }));
   }
-  return [heading, list];
+  return [heading("page-blocks-help-values"), list];
 }
 
 /** What a parameter accepts, such as "a number from 0 to 100". */
@@ -117,7 +212,7 @@ function rangeOf({ kind, field: { min, max, options } = {} }: Parameter): string
 }
 
 /** The block in both texts, with its current values; only skills are written the same way everywhere. */
-function textsOf(block: Block): HTMLElement[] {
+function textsOf(block: Blockly.Block): HTMLElement[] {
   if (!block.type.startsWith(SKILL)) return [];
   const values = parametersOf(block.type).map(({ name }) => literalOf(block.getInputTargetBlock(name)));
   const call = `${block.type.slice(SKILL.length)}(${values.join(", ")})`;
@@ -143,15 +238,11 @@ function literalOf(value: Blockly.Block | null): string {
 
 function insertOf(block: Block, workspace: Blockly.WorkspaceSvg): HTMLElement[] {
   if (workspace.isReadOnly()) return [];
-  const button = document.createElement("button");
-  button.type = "button";
-  button.className = "lbInsert";
-  button.append(icon("plus"), t("page-blocks-help-insert"));
-  button.addEventListener("click", () => {
+  const add = () => {
     panels.get(workspace)?.remove();
     insert(block, workspace);
-  });
-  return [button];
+  };
+  return [button("plus", t("page-blocks-help-insert"), add)];
 }
 
 /** Add the block as the palette has it: below the block if it is a statement of the program, else beside it. */
@@ -160,12 +251,12 @@ function insert(block: Block, workspace: Blockly.WorkspaceSvg): void {
   const example = Blockly.serialization.blocks.append(exampleOf(block), workspace) as Block;
   const below = block.isInFlyout ? null : block.nextConnection;
   if (below && example.previousConnection) below.connect(example.previousConnection);
-  else place(example, block, workspace);
+  else putBeside(example, block, workspace);
   Blockly.Events.setGroup(false);
   Blockly.getFocusManager().focusNode(example);
 }
 
-function place(example: Block, block: Block, workspace: Blockly.WorkspaceSvg): void {
+function putBeside(example: Block, block: Block, workspace: Blockly.WorkspaceSvg): void {
   const view = workspace.getMetricsManager().getViewMetrics(true);
   const at = block.isInFlyout
     ? { x: view.left, y: view.top }

@@ -26,9 +26,12 @@ interface Entry {
 export class SearchIndex {
   private readonly entries: readonly Entry[];
 
-  constructor(private readonly workspace: Blockly.WorkspaceSvg) {
+  constructor(
+    blocks: readonly Item[],
+    /** Those that depend on the program. */
+    private readonly changing: () => readonly Item[],
+  ) {
     const undrawn = new Blockly.Workspace();
-    const blocks = groupsOf(workspace).flatMap(({ contents }) => contents);
     this.entries = blocks.flatMap((block) => (block.type ? [entryOf(block, undrawn)] : []));
     undrawn.dispose();
   }
@@ -62,7 +65,7 @@ export class SearchIndex {
 
   private ofType(type: string): Item | undefined {
     const fixed = this.entries.find(({ block }) => block.type === type)?.block;
-    return fixed ?? changingOf(this.workspace).find((block) => block.type === type);
+    return fixed ?? this.changing().find((block) => block.type === type);
   }
 }
 
@@ -70,6 +73,12 @@ function insteadOf(name: string): string {
   const code = `page-search-${name}-say`;
   const sentence = t(code);
   return sentence === code ? "" : sentence;
+}
+
+/** The index of a workspace's palette. */
+export function indexOf(workspace: Blockly.WorkspaceSvg): SearchIndex {
+  const blocks = groupsOf(workspace).flatMap(({ contents }) => contents as readonly Item[]);
+  return new SearchIndex(blocks, () => changingOf(workspace));
 }
 
 function groupsOf(workspace: Blockly.WorkspaceSvg): readonly GroupInfo[] {
@@ -103,7 +112,8 @@ function madeBy(workspace: Blockly.WorkspaceSvg, custom: GroupTab["custom"]): It
   return make ? (make(workspace) as Item[]).filter(({ kind }) => kind === "block") : [];
 }
 
-function counting(): Item[] {
+/** The blocks that count, for a program without variables. */
+export function counting(): Item[] {
   const fields = { VAR: { name: t("page-search-variable") } };
   const number = (value: number) => ({ shadow: { type: "math_number", fields: { NUM: value } } });
   const blocks = [

@@ -13,7 +13,7 @@ import { found, type Item as Offered, type Section } from "./offers";
 import type { GroupInfo } from "./palette-group";
 import { paletteWords } from "./palette-words";
 import { searchedIn, searchPlugin } from "./patches";
-import { type Nearest, SearchIndex } from "./search-index";
+import { indexOf, type Nearest, type SearchIndex } from "./search-index";
 
 type FlyoutItem = Blockly.utils.toolbox.FlyoutItemInfo;
 type Item = Blockly.utils.toolbox.ToolboxItemInfo;
@@ -59,7 +59,7 @@ export function registerSearchTab(): void {
       const words = searchedIn(this);
       if (words === this.words) return;
       this.words = words;
-      this.index ??= new SearchIndex(this.workspace_);
+      this.index ??= indexOf(this.workspace_);
       this.flyoutItems_ = words ? foundBy(words, this.index, this.workspace_) : [nothing("")];
       this.parentToolbox_.refreshSelection();
     }
@@ -97,8 +97,9 @@ function foundBy(words: string, index: SearchIndex, workspace: Blockly.Workspace
   const known = new Set(matching);
   const foreign = index.foreign(words).map((near) => withoutKnown(near, known));
   const near = matching.length || foreign.length ? foreign : index.similar(words);
-  announce([...matching, ...near.flatMap(({ blocks }) => blocks)].length);
   const items = [...sorted(matching, workspace), ...near.flatMap((one) => headed(one, workspace))];
+  // Of two blocks that do the same, one is shown.
+  announce(items.filter(({ kind }) => kind === "block").length);
   return items.length ? items : [nothing(words)];
 }
 

@@ -32,7 +32,6 @@ page-bar-stage = Stage
 page-bar-stage-starter = Starter
 page-bar-stage-explorer = Explorer
 page-bar-stage-coder = Coder
-page-bar-help = Help
 page-bar-more = Settings and help
 page-bar-state-idle = Ready
 page-bar-state-starting = Starting

@@ -31,7 +31,6 @@ page-bar-stage = Etapa
 page-bar-stage-starter = Principiante
 page-bar-stage-explorer = Explorador
 page-bar-stage-coder = Programador
-page-bar-help = Ayuda
 page-bar-more = Ajustes y ayuda
 page-bar-state-idle = Listo
 page-bar-state-starting = Iniciando

@@ -8,31 +8,34 @@ import { theme } from "../../model/preferences";
 import type { Workspace } from "../../protocol/messages";
 import { Cleanup } from "../../ui/cleanup";
 import type { Island } from "../../ui/island";
-import { prepare } from "../../views/blocks/blocks-view";
-import { Checker } from "../../views/blocks/checker";
-import { MEDIA } from "../../views/blocks/media";
-import { fetchPalette, installPalette } from "../../views/blocks/palette";
-import { Sync } from "../../views/blocks/sync";
-import { themeOf } from "../../views/blocks/themes";
+import { Checker } from "./checker";
+import { MEDIA } from "./media";
+import { fetchPalette, installPalette, type Palette } from "./palette";
+import { Sync } from "./sync";
+import { themeOf } from "./themes";
+import "./drawing.css";
+
+type State = Blockly.serialization.blocks.State;
 
 const MARGIN = 6;
 const LARGEST_SCALE = 0.72;
 /** The language whose blocks Blockly has learned for drawings. */
-let installed: { readonly language: string; readonly done: Promise<void> } | null = null;
+let installed: { readonly language: string; readonly done: Promise<Palette> } | null = null;
 
 export class Drawing implements Island {
   readonly dom = document.createElement("div");
   private readonly host = document.createElement("div");
   private workspace: Blockly.WorkspaceSvg | null = null;
   private isGone = false;
+  private marked: string | null = null;
   private readonly cleanup: Cleanup;
 
   constructor(
-    private readonly blocks: Workspace,
+    /** A program, or a block as the palette has it. */
+    private readonly blocks: Workspace | State,
     text: string,
   ) {
-    prepare();
-    this.dom.className = "blocks lesson-drawing";
+    this.dom.className = "blocks block-drawing";
     this.dom.setAttribute("role", "img");
     this.dom.ariaLabel = text;
     // It is a picture: nothing in it takes the focus or a click.
@@ -51,6 +54,15 @@ export class Drawing implements Island {
     this.dom.remove();
   }
 
+  /** Mark a block as running, or none. */
+  mark(id: string | null): void {
+    if (id === this.marked) return;
+    const find = (block: string | null) => (block ? (this.workspace?.getBlockById(block) ?? null) : null);
+    (find(this.marked) as Blockly.BlockSvg | null)?.removeClass("lbRunning");
+    (find(id) as Blockly.BlockSvg | null)?.addClass("lbRunning");
+    this.marked = id;
+  }
+
   /** Blockly can only draw once the element has a size. */
   resize(): void {
     if (this.workspace) this.fit(this.workspace);
@@ -58,13 +70,18 @@ export class Drawing implements Island {
   }
 
   private async draw(code: string): Promise<void> {
-    await known(code);
+    await learnPalette(code);
     if (this.isGone || !this.dom.clientWidth || code !== language.peek()) return;
     this.workspace?.dispose();
-    this.workspace = Blockly.inject(this.host, options());
-    new Sync(this.workspace, this.workspace.connectionChecker as Checker).show(this.blocks);
+    this.workspace = Blockly.inject(this.host, pictureOptions());
+    this.fill(this.workspace);
     Blockly.renderManagement.triggerQueuedRenders(this.workspace);
     this.fit(this.workspace);
+  }
+
+  private fill(workspace: Blockly.WorkspaceSvg): void {
+    if ("stacks" in this.blocks) new Sync(workspace, workspace.connectionChecker as Checker).show(this.blocks);
+    else Blockly.serialization.blocks.append(this.blocks, workspace);
   }
 
   private fit(workspace: Blockly.WorkspaceSvg): void {
@@ -80,12 +97,19 @@ export class Drawing implements Island {
 }
 
 /** Teach Blockly the blocks of a language; the view of the blocks, if it is shown, has the same. */
-function known(code: string): Promise<void> {
-  if (installed?.language !== code) installed = { language: code, done: fetchPalette(code).then(installPalette) };
+export function learnPalette(code: string): Promise<Palette> {
+  if (installed?.language !== code) installed = { language: code, done: learn(code) };
   return installed.done;
 }
 
-function options(): Blockly.BlocklyOptions {
+async function learn(code: string): Promise<Palette> {
+  const palette = await fetchPalette(code);
+  installPalette(palette);
+  return palette;
+}
+
+/** A picture looks like the blocks in the program. */
+export function pictureOptions(): Blockly.BlocklyOptions {
   return {
     renderer: "zelos",
     theme: themeOf(theme.peek()),
