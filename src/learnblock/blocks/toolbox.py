@@ -178,34 +178,6 @@ _TABS: tuple[tuple[str, tuple[tuple[str, dict[str, Any]], ...]], ...] = (
             ("lb_setup", {"extraState": {"arguments": 0, "keywords": ["world"]}}),
             ("lb_python", {}),
             ("lb_python_value", {}),
-            ("lb_without_robot", {}),
-            ("lb_python_line", {"extraState": {"words": ["import math"]}}),
-            (
-                "lb_python_line",
-                {"extraState": {"words": ["from math import tau"]}, "variant": "from"},
-            ),
-            ("lb_python_line", {"extraState": {"words": ["a, b = ", ""]}, "variant": "several"}),
-            ("lb_python_line", {"extraState": {"words": ["raise ", ""]}, "variant": "raise"}),
-            ("lb_python_line", {"extraState": {"words": ["assert ", ""]}, "variant": "assert"}),
-            (
-                "lb_python_block",
-                {"extraState": {"parts": [["try"], ["except ValueError as error"]]}},
-            ),
-            ("lb_python_block", {"extraState": {"parts": [["class Dog"]]}, "variant": "class"}),
-            (
-                "lb_python_block",
-                {"extraState": {"parts": [["def bark(self)"]]}, "variant": "def"},
-            ),
-            (
-                "lb_python_block",
-                {"extraState": {"parts": [["with ", " as file"]]}, "variant": "with"},
-            ),
-            ("lb_python_form", {"extraState": {"words": ["self.x"]}}),
-            (
-                "lb_python_form",
-                {"extraState": {"words": ["[", " for x in ", "]"]}, "variant": "list"},
-            ),
-            ("lb_python_form", {"extraState": {"words": ["lambda x: ", ""]}, "variant": "lambda"}),
         ),
     ),
     (
