@@ -40,6 +40,9 @@ from learnblock.language.tree.nodes import (
     Pass,
     Perform,
     Program,
+    PythonBlock,
+    PythonLine,
+    PythonPart,
     Raw,
     RawExpression,
     Repeat,
@@ -88,7 +91,16 @@ LIBRARY = (
 )
 NUMBERS = ("0", "1", "2", "10", "2.5", "1e3", "0xFF", ".5", "5.")
 TEXTS = ("", "hi", '"', "'", "\\", "\n", "# end", "é", "\ud800", "a'b\"c", "\x00")
-RAW_EXPRESSIONS = ("{1, 2}", "lambda: 0", "x.y", "a @ b", "b'`'")
+RAW_EXPRESSIONS = ("{1, 2}", "lambda: 0", "x.y", "a @ b", "b'`'", "x.y(1, z='a')", "a[::n]")
+#: Lines of Python, and the first lines of blocks of it.
+LINES = ("import os", "a, b = b, a", "x.y(1, '`')", "raise E('no')", "x: int", "f(*a)(b)")
+HEADERS = (
+    ("try", "except (A, B) as e", "else", "finally"),
+    ("with open('a', b) as c",),
+    ("class Dog(Pet, n=2)",),
+    ("def f(a, b=[1, 'c'], *rest, **more)",),
+    ("for a, (b, c) in d.e", "else"),
+)
 RAW_STATEMENTS = (
     "import os\n",
     "import math\n",
@@ -223,9 +235,11 @@ class Trees:
             lambda _: self.choice((Activate, Deactivate))(self.choice(NAMES), self.comment()),
             lambda _: Comment(self.comment() or "text"),
             lambda _: Raw(self.choice(RAW_STATEMENTS)),
+            lambda _: PythonLine(self.choice(LINES), self.comment()),
             lambda _: Blank(),
         )
         blocks = (self.while_loop, self.repeat, self.for_each, self.for_range, self.if_chain)
+        blocks += (self.python_block,)
         return self.choice(simple if depth <= 0 else simple + blocks)(depth - 1)
 
     def body(self, depth):
@@ -257,6 +271,11 @@ class Trees:
             for _ in range(self.choice((1, 1, 2, 3)))
         )
         return If(branches, self.perhaps(Else(self.body(depth), self.comment())))
+
+    def python_block(self, depth):
+        headers = self.choice(HEADERS)
+        parts = (PythonPart(header, self.body(depth), self.comment()) for header in headers)
+        return PythonBlock(tuple(parts))
 
     def item(self):
         kind = self.random.randrange(8)

@@ -19,7 +19,7 @@ class BlockTrees(Trees):
 
     def __init__(self, seed):
         super().__init__(seed)
-        # Half of the calls of skills are of one, so that two thousand programs have all of them.
+        # Half of the calls of skills are of one, so that four thousand programs have all of them.
         self.skills = (*SKILLS, *[SKILLS[seed % len(SKILLS)]] * len(SKILLS))
 
     def number(self, _):

@@ -2,10 +2,10 @@
 
 A block with a variable shape names its extension or mutator in the page:
 ``lb_when_mutator``, ``lb_arguments_mutator``, ``lb_compare_mutator``, ``lb_dictionary_mutator``,
-``lb_unpacking_mutator``, ``lb_when_names``, ``lb_when_name``, ``lb_code_field``. An extension adds
-its field to the dummy input ``PLACE``, or in an input of its own. The page's field ``lb_direction``
-shows the sign of a number as a word, and ``lb_more`` is a button for a part of the sentence that
-only states a default.
+``lb_unpacking_mutator``, ``lb_python_mutator``, ``lb_when_names``, ``lb_when_name``,
+``lb_code_field``. An extension adds its field to the dummy input ``PLACE``, or in an input of its
+own. The page's field ``lb_direction`` shows the sign of a number as a word, and ``lb_more`` is a
+button for a part of the sentence that only states a default.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -127,7 +127,7 @@ def _statements() -> list[Definition]:
     entry = [_value("DICTIONARY"), _value("KEY")]
     change_entry = [*entry, _choice("OP", ("+=", *CHANGES)), _value("VALUE")]
     set_entry = [*entry, _value("VALUE")]
-    names, arguments = ["lb_when_names"], "lb_arguments_mutator"
+    names, arguments, words = ["lb_when_names"], "lb_arguments_mutator", "lb_python_mutator"
     found = [
         _block("lb_activate", "lb_events", [_PLACE], extensions=names),
         _block("lb_deactivate", "lb_events", [_PLACE], extensions=names),
@@ -144,6 +144,10 @@ def _statements() -> list[Definition]:
         _block("lb_do", "lb_control", [_value("VALUE")], inputsInline=True),
         _block("lb_call", "procedure_blocks", [_PLACE], mutator=arguments, inputsInline=True),
         _block("lb_python", "lb_control", [_PLACE], extensions=["lb_code_field"]),
+        _block("lb_python_text", "lb_control", [_PLACE], extensions=["lb_code_field"]),
+        _block("lb_python_line", "lb_control", [_PLACE], mutator=words, inputsInline=True),
+        _block("lb_python_block", "lb_control", [_PLACE], mutator=words, inputsInline=True),
+        _block("lb_without_robot", "lb_control"),
         _block("lb_comment", "lb_control", [_text("TEXT")]),
     ]
     forever = _block("lb_forever", "loop_blocks", **_DO)
@@ -187,6 +191,14 @@ def _values() -> list[Definition]:
             [_PLACE],
             output=None,
             mutator="lb_arguments_mutator",
+            **pair,
+        ),
+        _block(
+            "lb_python_form",
+            "lb_control",
+            [_PLACE],
+            output=None,
+            mutator="lb_python_mutator",
             **pair,
         ),
         _block(

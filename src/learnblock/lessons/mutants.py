@@ -43,6 +43,7 @@ from learnblock.language.tree.nodes import (
     WaitUntil,
     When,
     While,
+    WithoutRobot,
 )
 from learnblock.lessons.rewriting import Place, Sequence, places, sequences
 
@@ -54,7 +55,7 @@ _CHANGED_AGAIN = 12
 _COUNTABLE = 12
 
 #: Statements whose place doesn't matter.
-SILENT = (Comment, Blank, Pass, Import, Setup, Def, When)
+SILENT = (Comment, Blank, Pass, WithoutRobot, Import, Setup, Def, When)
 #: Parts of the names of skills that are easily confused.
 _CONFUSED = (
     ("left", "right"),
@@ -343,7 +344,7 @@ def _reordered(sequence: Sequence) -> Iterator[tuple[tuple[Any, ...], int, str]]
     statements = sequence.statements
     for index, statement in enumerate(statements):
         before, after = statements[:index], statements[index + 1 :]
-        if isinstance(statement, Comment | Blank | Import | Setup):
+        if isinstance(statement, Comment | Blank | WithoutRobot | Import | Setup):
             continue
         if not isinstance(statement, Def | When):
             yield (*before, *after) or (Pass(),), index, "statement missing"

@@ -162,12 +162,16 @@ def _number_in_variable(program: Program) -> Iterator[_Change]:
             yield replace(changed, items=items), f"number {first.text} in a variable", _NONE
 
 
+def _is_heading(item: Any) -> bool:
+    return type(item).__name__ in {"WithoutRobot", "Import", "Setup"}
+
+
 def _imports(program: Program) -> tuple[Any, ...]:
-    return tuple(item for item in program.items if type(item).__name__ in {"Import", "Setup"})
+    return tuple(item for item in program.items if _is_heading(item))
 
 
 def _rest(program: Program) -> tuple[Any, ...]:
-    return tuple(item for item in program.items if type(item).__name__ not in {"Import", "Setup"})
+    return tuple(item for item in program.items if not _is_heading(item))
 
 
 # Events.

@@ -40,7 +40,7 @@ def test_there_is_a_definition_for_each_block_of_ours_and_each_skill():
     skills = {f"lb_skill_{name}" for name in builtin()} - {"lb_skill_elapsedTime"}
     # The page creates the fields of parameters itself.
     fields = {"lb_slider", "lb_angle", "lb_choice", "lb_colour", "lb_tag", "lb_truth"}
-    assert (ours - fields) | skills | {"lb_import", "lb_setup"} == set(defined)
+    assert (ours - fields) | skills | {"lb_import", "lb_setup", "lb_without_robot"} == set(defined)
     assert len(defined) == len(set(defined))
 
 

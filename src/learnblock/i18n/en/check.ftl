@@ -11,6 +11,7 @@ check-function-as-variable = '{ $name }' is a function. Write '{ $name }(...)' t
 check-skill-as-name = '{ $name }' is a skill of the robot. Write '{ $skill }(...)' to use it.
 check-unknown-function = There is no function '{ $name }'. Define it with 'def { $name }(...)', or check the name.
 check-unknown-function-near = There is no function '{ $name }'. Did you mean '{ $near }'?
+check-without-robot = This program has no robot. Delete the line 'without robot'.
 check-robot-not-first = 'robot(...)' must come before everything else. Move it to the top.
 check-unknown-skill = There is no skill '{ $name }'. The palette shows all skills.
 check-unknown-skill-near = There is no skill '{ $name }'. Did you mean '{ $near }'?

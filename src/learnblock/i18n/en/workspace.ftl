@@ -24,6 +24,7 @@ workspace-unknown-skill = There is no skill '{ $name }' here. Remove this block.
 # $type: the name of the type in Blockly
 workspace-unknown-block = A program can't have a block of type '{ $type }' here. Remove it.
 workspace-misplaced-block = This block belongs under 'at the start', outside of all other blocks.
+workspace-without-robot = This program has no robot. Delete the block 'without robot'.
 workspace-robot-not-first = 'robot' must come before everything else. Move this block to the beginning.
 workspace-second-main = A program can have only one 'when Run is pressed'. Move the blocks under this one to the other one, and delete this one.
 workspace-empty-comparison = This comparison compares nothing. Remove it.

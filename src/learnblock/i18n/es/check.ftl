@@ -11,6 +11,7 @@ check-function-as-variable = '{ $name }' es una función. Escribe '{ $name }(...
 check-skill-as-name = '{ $name }' es una habilidad del robot. Escribe '{ $skill }(...)' para usarla.
 check-unknown-function = No hay ninguna función '{ $name }'. Defínela con 'def { $name }(...)', o revisa el nombre.
 check-unknown-function-near = No hay ninguna función '{ $name }'. ¿Querías decir '{ $near }'?
+check-without-robot = Este programa no tiene robot. Borra la línea 'without robot'.
 check-robot-not-first = 'robot(...)' va antes que todo lo demás. Muévelo al principio.
 check-unknown-skill = No hay ninguna habilidad '{ $name }'. En la paleta están todas.
 check-unknown-skill-near = No hay ninguna habilidad '{ $name }'. ¿Querías decir '{ $near }'?

@@ -24,6 +24,7 @@ workspace-unknown-skill = Aquí no hay ninguna habilidad '{ $name }'. Quita este
 # $type: the name of the type in Blockly
 workspace-unknown-block = Un programa no puede tener aquí un bloque de tipo '{ $type }'. Quítalo.
 workspace-misplaced-block = Este bloque va bajo 'al empezar', fuera de todos los demás bloques.
+workspace-without-robot = Este programa no tiene robot. Borra el bloque 'sin robot'.
 workspace-robot-not-first = 'robot' va antes que todo lo demás. Mueve este bloque al principio.
 workspace-second-main = Un programa solo puede tener un 'al pulsar Ejecutar'. Mueve los bloques de este al otro, y borra este.
 workspace-empty-comparison = Esta comparación no compara nada. Quítala.

@@ -3,6 +3,7 @@
 A block whose first line has an error keeps its body and its ``end``.
 """
 
+import re
 from collections.abc import Callable
 from typing import Any, TypeVar
 
@@ -33,11 +34,14 @@ STATEMENT_STARTS = frozenset(
         "pass",
         "return",
         "python",
+        "raw",
     ]
 )
 BLOCK_ENDS = frozenset(("end", "elif", "else"))
 STATEMENT_ENDS = BLOCK_ENDS | LINE_ENDS
 _IF_PARTS = frozenset(("if", "elif", "else"))
+#: The words that begin a further part of a block in Python.
+_PYTHON_PARTS = re.compile(r"`(?:except|finally|else)\b")
 _LINE_END = Phrase("blocktext-end-of-line")
 
 Read = TypeVar("Read")
@@ -183,6 +187,8 @@ class BlockParser(LineRewriter):
         empty = True
         while True:
             token = self.tokens[self.index]
+            if token.kind == "raw" and self.is_python_part():
+                break
             if token.kind not in STATEMENT_STARTS or self.hoisted:
                 if self.note(body):
                     continue
@@ -204,6 +210,14 @@ class BlockParser(LineRewriter):
             message = Phrase("blocktext-empty-block", word=opener.text)
             self.report("empty-block", message, opener)
         return body
+
+    def is_python_part(self) -> bool:
+        """Whether a further part of the innermost block in Python begins here."""
+        return (
+            self.openers[-1].kind == "raw"
+            and self.kinds[self.index + 1] == ":"
+            and _PYTHON_PARTS.match(self.token.text) is not None
+        )
 
     def check_depth(self, opener: Token) -> None:
         if len(self.openers) >= MAX_BLOCKS and not self.stopped:

@@ -364,9 +364,8 @@ class ExpressionParser(NestedReader):
     def raw_expression(self, token: Token) -> RawExpression:
         self.index += 1
         self.height = 1
-        text = token.text[1:-1].replace("``", "`")
         span = Span(token.line, token.column, token.line, token.column + len(token.text))
-        return RawExpression(text, span)
+        return RawExpression(python_of(token), span)
 
 
 # How an expression is read, by the kind of its first token.
@@ -385,6 +384,11 @@ _ATOMS: dict[str, Callable[[ExpressionParser, Token], Expression]] = {
     "{": dictionary,
     "raw": ExpressionParser.raw_expression,
 }
+
+
+def python_of(token: Token) -> str:
+    """The Python between the backticks of a token."""
+    return token.text[1:-1].replace("``", "`")
 
 
 def name_of(token: Token) -> Name:

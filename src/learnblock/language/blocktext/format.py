@@ -25,6 +25,7 @@ from learnblock.language.tree.nodes import (
     WaitUntil,
     When,
     While,
+    WithoutRobot,
 )
 from learnblock.language.tree.strings import quote
 from learnblock.language.tree.writer import ProgramWriter, comment_text
@@ -91,6 +92,9 @@ class _Writer(ProgramWriter):
         self.lines.extend(raw.written(node.text, self.indent + "    "))
         self.close()
 
+    def without_robot(self, node: WithoutRobot) -> None:
+        self.line("without robot", node)
+
     def import_(self, node: Import) -> None:
         self.line(f"import {quote(node.module)}", node, node.comment)
 
@@ -116,7 +120,10 @@ class _Writer(ProgramWriter):
         return f"function.{node.name}({self.arguments(node.arguments, node.keywords)})"
 
     def raw(self, node: RawExpression, _: int) -> str:
-        return "`" + node.text.replace("`", "``") + "`"
+        return self.python(node.text)
+
+    def python(self, text: str) -> str:
+        return "`" + text.replace("`", "``") + "`"
 
     def index(self, node: Index, level: int) -> str:
         # Unlike in Python, a number before a bracket needs no brackets.

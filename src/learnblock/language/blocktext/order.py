@@ -10,9 +10,11 @@ from collections.abc import Iterable, Iterator, Sequence
 from learnblock.language.blocktext.names import from_python, state_of, stem
 from learnblock.language.tree.layout import prologue_length
 from learnblock.language.tree.loads import Function, loaded_names, parsed
+from learnblock.language.tree.markers import defined_names
 from learnblock.language.tree.nodes import (
     Activate,
     Blank,
+    Body,
     Call,
     Comment,
     Deactivate,
@@ -21,12 +23,15 @@ from learnblock.language.tree.nodes import (
     Item,
     Main,
     Name,
+    PythonBlock,
+    PythonLine,
     Raw,
     RawExpression,
     Setup,
     When,
+    WithoutRobot,
 )
-from learnblock.language.tree.traversal import all_expressions, statements
+from learnblock.language.tree.traversal import all_expressions, bodies
 
 #: What identifies a definition.
 Key = tuple[type[Def | When], str]
@@ -37,8 +42,10 @@ def definitions_first(items: Sequence[Item | Main]) -> list[Item | Main]:
 
     If a statement uses a definition below it, all definitions below move above it, in their order,
     each with the comments directly above it. They move past the whole run of statements, so that
-    this stays one stack of blocks.
+    this stays one stack of blocks. A program without a robot keeps its order, as Python does.
     """
+    if any(isinstance(item, WithoutRobot) for item in items):
+        return list(items)
     place = _first_early_use(items)
     if place is None:
         return list(items)
@@ -101,6 +108,7 @@ class _Uses:
         self.definitions = {_key(item): item for item in found}
         self.whens = {item.name for item in found if isinstance(item, When)}
         self.in_raw = _raw_functions(item for item in items if isinstance(item, Raw))
+        self.in_blocks = dict(_functions_in_blocks(items))
 
     def of(self, item: Item) -> set[Key]:
         """The definitions that must exist when a statement runs."""
@@ -123,13 +131,18 @@ class _Uses:
         elif definition is None and key[0] is Def and key[1] in self.in_raw:
             for statement in self.in_raw[key[1]]:
                 yield from _keys(statement)
+        elif definition is None and key[0] is Def and key[1] in self.in_blocks:
+            yield from self.named(self.in_blocks[key[1]])
 
     def named(self, body: tuple[Item, ...]) -> Iterator[Key]:
-        for statement in statements(body):
+        for statement in at_once(body):
             if isinstance(statement, Activate | Deactivate):
                 yield When, statement.name
-            elif isinstance(statement, Raw):
+            elif isinstance(statement, Raw | PythonLine):
                 yield from _keys_in(statement.text)
+            elif isinstance(statement, PythonBlock):
+                for part in statement.parts:
+                    yield from _keys_in(f"{part.header}: pass")
             for node in all_expressions(statement):
                 yield from self.named_in(node)
 
@@ -142,6 +155,32 @@ class _Uses:
                 yield When, state[0]
         elif isinstance(node, RawExpression):
             yield from _keys_in(node.text)
+
+
+def at_once(body: tuple[Item, ...]) -> Iterator[Item]:
+    """The statements that run when a body does: not those of the functions in it."""
+    for statement in body:
+        yield statement
+        if not (isinstance(statement, PythonBlock) and statement.defers):
+            for inner in bodies(statement):
+                yield from at_once(inner)
+
+
+def _functions_in_blocks(items: Iterable[Item | Main]) -> Iterator[tuple[str, Body]]:
+    """The bodies of the functions and classes in blocks of Python, by their names."""
+    for item in items:
+        if isinstance(item, PythonBlock) and item.has_scope:
+            for name in defined_names(f"{item.parts[0].header}: pass"):
+                plain = from_python(name)
+                if plain is not None:
+                    yield plain, _within(item)
+
+
+def _within(block: PythonBlock) -> Body:
+    """The statements of a function, and those of the methods of a class."""
+    body = block.parts[0].body
+    methods = (item for item in body if isinstance(item, PythonBlock) and item.defers)
+    return (*body, *(statement for method in methods for statement in method.parts[0].body))
 
 
 def _raw_functions(raw: Iterable[Raw]) -> dict[str, list[ast.stmt]]:

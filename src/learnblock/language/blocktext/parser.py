@@ -5,7 +5,7 @@ This module reads the top level; statements, expressions and slips have their ow
 
 import re
 import unicodedata
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from operator import attrgetter
 
 from learnblock.errors import Diagnostic, ProgramError
@@ -15,6 +15,7 @@ from learnblock.language.blocktext.lexer import LINE_ENDS, Token, tokenize
 from learnblock.language.blocktext.order import definitions_first
 from learnblock.language.blocktext.slips import Slip
 from learnblock.language.blocktext.statement_parser import ASSIGNMENTS, StatementParser
+from learnblock.language.blocktext.token_reader import from_to
 from learnblock.language.tree.identifiers import IDENTIFIER
 from learnblock.language.tree.layout import normalized
 from learnblock.language.tree.nodes import (
@@ -30,6 +31,7 @@ from learnblock.language.tree.nodes import (
     Setup,
     Span,
     When,
+    WithoutRobot,
 )
 
 MAX_DIAGNOSTICS = 100
@@ -77,6 +79,8 @@ class _Parser(StatementParser):
         read = _TOPS.get(token.kind, _Parser.statement)
         if token.text == "robot" and self.sets_up(items):
             read = _Parser.setup
+        elif token.text == "without" and self.tokens[self.index + 1].text == "robot":
+            read = _Parser.without_robot
         try:
             if token.kind in _TOPS and self.kinds[self.index + 1] in ASSIGNMENTS:
                 raise slips.reserved(token)
@@ -163,6 +167,13 @@ class _Parser(StatementParser):
         self.index += 1
         return name, self.expression()
 
+    def without_robot(self, token: Token) -> WithoutRobot:
+        self.index += 2
+        if self.kinds[self.index] not in LINE_ENDS:
+            raise self.more_on_line(self.kinds[self.index])
+        # A comment behind it becomes the next line: Python has no line for it.
+        return WithoutRobot(from_to(token, self.before))
+
     def setup(self, token: Token) -> Setup:
         self.index += 1
         arguments, keywords = self.arguments()
@@ -186,6 +197,8 @@ def _arranged(items: list[Item | Main], span: Span) -> Program:
     The comments directly above `main` stay above it.
     """
     kinds = [type(item) for item in items]
+    if WithoutRobot in kinds:
+        items = without_robot_first(items)
     if Setup in kinds:
         items = _without_plain_setup(items)
     if Def in kinds or When in kinds:
@@ -199,6 +212,12 @@ def _arranged(items: list[Item | Main], span: Span) -> Program:
             ending = tuple(note for note in items[place:] if isinstance(note, Comment | Blank))
             return Program(_without_main(items[:place]), item, ending, span=span)
     return Program(_without_main(items), span=span)
+
+
+def without_robot_first(items: Sequence[Item | Main]) -> list[Item | Main]:
+    """The items with the first of the lines that say that there is no robot at their head."""
+    said = [item for item in items if isinstance(item, WithoutRobot)]
+    return [*said[:1], *(item for item in items if not isinstance(item, WithoutRobot))]
 
 
 def _without_main(items: list[Item | Main]) -> tuple[Item, ...]:

@@ -4,12 +4,13 @@ A statement with an error is reported and left out, and parsing continues with t
 """
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import NamedTuple
 
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext import slips
 from learnblock.language.blocktext.block_parser import STATEMENT_ENDS, TOP_LEVEL, BlockParser
-from learnblock.language.blocktext.expression_parser import OPERATORS, name_of
+from learnblock.language.blocktext.expression_parser import OPERATORS, name_of, python_of
 from learnblock.language.blocktext.lexer import LINE_ENDS, Token
 from learnblock.language.blocktext.token_reader import from_to
 from learnblock.language.tree import raw
@@ -34,6 +35,9 @@ from learnblock.language.tree.nodes import (
     Name,
     Pass,
     Perform,
+    PythonBlock,
+    PythonLine,
+    PythonPart,
     Raw,
     Repeat,
     Return,
@@ -188,6 +192,24 @@ class StatementParser(BlockParser):
             self.line_end(token)
         return Raw(text, span)
 
+    def python_statement(self, token: Token) -> PythonLine | PythonBlock:
+        if self.kinds[self.index + 1] != ":":
+            self.index += 1
+            return PythonLine(python_of(token), *self.line_end(token))
+        parts = [self.python_part(token)]
+        while self.kinds[self.index] == "raw":
+            parts.append(self.python_part(self.token))
+        last = list(parts[-1].body)
+        self.close(token, last)
+        parts[-1] = replace(parts[-1], body=tuple(last))
+        return PythonBlock(tuple(parts), self.line_span(token))
+
+    def python_part(self, opener: Token) -> PythonPart:
+        self.index += 1
+        _, comment = self.header(opener, lambda: None, None)
+        span = self.line_span(opener)
+        return PythonPart(python_of(opener), tuple(self.body(opener)), comment, span)
+
     def if_chain(self, token: Token) -> If:
         parts = [self.part(token)]
         while self.kinds[self.index] in {"elif", "else"}:
@@ -306,4 +328,5 @@ _READERS: dict[str, _Reader] = {
     "pass": StatementParser.word,
     "return": StatementParser.return_statement,
     "python": StatementParser.raw_statement,
+    "raw": StatementParser.python_statement,
 }

@@ -20,8 +20,10 @@ from learnblock.language.check.variable_checker import check_variables
 from learnblock.language.python.syntax_errors import syntax_message
 from learnblock.language.tree.nodes import (
     Activate,
+    AnyPython,
     Blank,
     Break,
+    Call,
     Comment,
     Continue,
     Deactivate,
@@ -34,13 +36,18 @@ from learnblock.language.tree.nodes import (
     Number,
     Pass,
     Program,
+    PythonBlock,
+    PythonLine,
     Raw,
     Return,
+    Setup,
     SkillCall,
     Span,
     String,
     Unary,
+    WaitUntil,
     When,
+    WithoutRobot,
     is_only_raw,
 )
 from learnblock.language.tree.traversal import (
@@ -123,6 +130,7 @@ class _Checker:
     def run(self) -> None:
         self.duplicates()
         self.values_of_events()
+        self.without_robot()
         for item in self.findings.program.items:
             if isinstance(item, Def):
                 self.calls.parameters = frozenset(item.parameters)
@@ -139,6 +147,14 @@ class _Checker:
         check_types(self.findings)
         self.flow.run()
         self.sensors_outside_loops()
+
+    def without_robot(self) -> None:
+        """Report the first use of a robot in a program that says it has none."""
+        if not self.findings.program.is_without_robot:
+            return
+        found = next(filter(_uses_robot, self.findings.everything), None)
+        if found is not None:
+            self.report("without-robot", Phrase("check-without-robot"), found.span)
 
     def duplicates(self) -> None:
         variables = self.findings.assigned - self.findings.raw_names
@@ -181,7 +197,7 @@ class _Checker:
             self.statement(item, depth, loops, within_def=within_def)
 
     def statement(self, item: Item, depth: int, loops: int, *, within_def: bool) -> None:
-        if isinstance(item, Comment | Blank | Pass | Import):
+        if isinstance(item, Comment | Blank | Pass | Import | WithoutRobot):
             return
         self.calls.own_expressions(item)
         self.calls.unused(item)
@@ -192,17 +208,34 @@ class _Checker:
             self.report("outside-loop", Phrase("check-outside-loop", word=word), item.span)
         elif isinstance(item, Return) and not within_def:
             self.report("outside-function", Phrase("check-outside-function"), item.span)
-        elif isinstance(item, Raw) and (problem := _invalid_statements(item)):
-            self.findings.diagnostics.append(problem)
+        elif isinstance(item, AnyPython):
+            self.python(item)
         elif isinstance(item, ForRange):
             self.whole_numbers(item)
-        if isinstance(item, LOOPS):
+        if isinstance(item, PythonBlock):
+            loops = 0 if item.has_scope else loops
+            within_def = within_def or item.defers
+        if isinstance(item, LOOPS) or (isinstance(item, PythonBlock) and item.is_loop):
             loops += 1
-            if loops == MAX_LOOPS + 1:
-                message = Phrase("check-too-many-loops", limit=MAX_LOOPS)
-                self.report("too-deep", message, item.span)
+            self.loops(item, loops)
         for body in bodies(item):
             self.block(body, depth + 1, loops, within_def=within_def)
+
+    def loops(self, item: Item, depth: int) -> None:
+        if depth == MAX_LOOPS + 1:
+            message = Phrase("check-too-many-loops", limit=MAX_LOOPS)
+            self.report("too-deep", message, item.span)
+
+    def python(self, item: AnyPython) -> None:
+        """Report what is no Python."""
+        if isinstance(item, Raw):
+            self.findings.diagnostics += filter(None, [_invalid_statements(item)])
+            return
+        is_decorator = isinstance(item, PythonLine) and item.text.startswith("@")
+        error = python_error(item.text + ("\nclass _: pass" if is_decorator else ""), "exec")
+        if error is not None:
+            message = syntax_message(error, item.text)
+            self.report("invalid-python", message, item.span._replace(end_column=0))
 
     def activation(self, item: Activate | Deactivate) -> None:
         if item.name in self.findings.raw_names:
@@ -255,6 +288,13 @@ class _Checker:
                     message = Phrase(code, skill=called)
                     self.report("sensor-outside-loop", message, branch.span, "warning")
                     return
+
+
+def _uses_robot(item: Item) -> bool:
+    if isinstance(item, When | Activate | Deactivate | Setup | WaitUntil):
+        return True
+    calls = (node for node in all_expressions(item) if isinstance(node, Call | SkillCall))
+    return any(isinstance(call, SkillCall) or call.name == "elapsedTime" for call in calls)
 
 
 def _used_parameters(function: Def) -> list[str]:

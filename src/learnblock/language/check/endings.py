@@ -12,6 +12,7 @@ from learnblock.language.check.findings import Findings, constant
 from learnblock.language.check.types import KNOWN, Type, Types
 from learnblock.language.tree.nodes import (
     Activate,
+    AnyPython,
     Assign,
     Body,
     Break,
@@ -28,6 +29,8 @@ from learnblock.language.tree.nodes import (
     Item,
     Name,
     Perform,
+    PythonBlock,
+    PythonLine,
     Raw,
     RawExpression,
     Repeat,
@@ -277,7 +280,7 @@ class Endings:
                 effects.stopped.add(name)
             case Assign(target=Index(value=value)):
                 effects.items.add(_root(value))
-            case Raw():
+            case Raw() | PythonLine() | PythonBlock():
                 effects.anything = True
         for node in all_expressions(item):
             match node:
@@ -306,7 +309,9 @@ class Endings:
                 if isinstance(item, Perform) and item.call.name in self.functions.keys() - found:
                     found.add(item.call.name)
                     ahead.append(item.call.name)
-                if any(isinstance(statement, Return | Raw) for statement in statements((item,))):
+                if any(
+                    isinstance(statement, Return | AnyPython) for statement in statements((item,))
+                ):
                     break
         return found
 
@@ -326,7 +331,7 @@ class Endings:
 
     def _never_returns(self, body: Body, endless: set[str]) -> bool:
         for item in body:
-            if any(isinstance(statement, Return | Raw) for statement in statements((item,))):
+            if any(isinstance(statement, Return | AnyPython) for statement in statements((item,))):
                 return False
             if isinstance(item, While) and is_endless(item) and not breaks(item.body):
                 return True
@@ -345,7 +350,9 @@ class Endings:
 
     def leaves(self, loop: While) -> bool:
         """Whether a ``break``, a ``return``, or raw Python that may contain one, leaves a loop."""
-        returns = any(isinstance(statement, Return | Raw) for statement in statements(loop.body))
+        returns = any(
+            isinstance(statement, Return | AnyPython) for statement in statements(loop.body)
+        )
         return returns or breaks(loop.body)
 
 
@@ -373,7 +380,7 @@ def _truth(condition: Expression) -> bool | None:
 def breaks(body: Body) -> bool:
     """Whether a ``break``, or raw Python that may contain one, leaves the loop of this body."""
     for item in body:
-        if isinstance(item, Break | Raw):
+        if isinstance(item, Break | AnyPython):
             return True
         if not isinstance(item, LOOPS) and any(map(breaks, bodies(item))):
             return True
@@ -383,7 +390,7 @@ def breaks(body: Body) -> bool:
 def _exits(body: Body, guards: tuple[Expression, ...]) -> Iterator[tuple[Expression, ...]]:
     """The conditions that lead to each way out of a loop, or to one that is not certain."""
     for item in body:
-        if isinstance(item, Break | Return | Raw):
+        if isinstance(item, Break | Return | AnyPython):
             yield guards
         elif isinstance(item, If):
             conditions: tuple[Expression, ...] = ()
@@ -392,7 +399,7 @@ def _exits(body: Body, guards: tuple[Expression, ...]) -> Iterator[tuple[Express
                 yield from _exits(branch.body, guards + conditions)
             if item.otherwise is not None:
                 yield from _exits(item.otherwise.body, guards + conditions)
-        elif any(isinstance(statement, Return | Raw) for statement in statements((item,))):
+        elif any(isinstance(statement, Return | AnyPython) for statement in statements((item,))):
             yield ()
 
 

@@ -10,6 +10,7 @@ from learnblock.errors import Diagnostic, Severity, nearest
 from learnblock.i18n import Phrase
 from learnblock.language.tree import markers
 from learnblock.language.tree.nodes import (
+    AnyPython,
     Body,
     Call,
     Constant,
@@ -22,7 +23,6 @@ from learnblock.language.tree.nodes import (
     Name,
     Number,
     Program,
-    Raw,
     RawExpression,
     SkillCall,
     Span,
@@ -112,8 +112,8 @@ class Findings:
     def names_in_raw(self) -> set[str]:
         found: set[str] = set()
         for item in self.everything:
-            if isinstance(item, Raw):
-                found |= markers.raw_names(item.text) | defined_names(item.text)
+            if isinstance(item, AnyPython):
+                found |= markers.raw_names(item.text) | markers.defined_names(item.text)
             for node in all_expressions(item):
                 if isinstance(node, RawExpression) and ":=" in node.text:
                     found |= markers.raw_names(node.text.strip())
@@ -169,18 +169,3 @@ def python_error(text: str, mode: str) -> SyntaxError | None:
     except (ValueError, RecursionError, MemoryError) as error:
         return SyntaxError(str(error))
     return None
-
-
-def defined_names(text: str) -> set[str]:
-    """The names that raw Python imports and defines."""
-    try:
-        tree = ast.parse(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return set()
-    found: set[str] = set()
-    for node in ast.walk(tree):
-        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
-            found.add(node.name)
-        elif isinstance(node, ast.alias):
-            found.add((node.asname or node.name).partition(".")[0])
-    return found

@@ -10,6 +10,7 @@ from learnblock.language.check.endings import START, Endings, breaks, is_endless
 from learnblock.language.check.findings import Findings, constant
 from learnblock.language.tree.nodes import (
     Activate,
+    AnyPython,
     Blank,
     Body,
     Break,
@@ -25,7 +26,6 @@ from learnblock.language.tree.nodes import (
     Name,
     Pass,
     Perform,
-    Raw,
     RawExpression,
     Repeat,
     Return,
@@ -195,7 +195,7 @@ class FlowChecker:
                     message = Phrase(code, name=item.name)
                     self.report("calls-itself", message, call.span, "warning")
                     return
-            if any(isinstance(inner, Return | Raw) for inner in statements((statement,))):
+            if any(isinstance(inner, Return | AnyPython) for inner in statements((statement,))):
                 return
 
     def event(self, item: When) -> None:
@@ -216,7 +216,7 @@ class FlowChecker:
             if isinstance(statement, Activate)
             else name in statement.text
             for statement in self.findings.everything
-            if isinstance(statement, Activate | Raw)
+            if isinstance(statement, Activate | AnyPython)
         )
 
     def events_behind_loops(self) -> None:

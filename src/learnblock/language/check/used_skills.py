@@ -10,8 +10,10 @@ from dataclasses import dataclass
 from learnblock.blocks.source.uses import dotted
 from learnblock.language.blocktext.names import from_python
 from learnblock.language.tree.loads import parsed
+from learnblock.language.tree.markers import defined_names
 from learnblock.language.tree.nodes import (
     NOWHERE,
+    AnyPython,
     Blank,
     Call,
     Comment,
@@ -23,18 +25,20 @@ from learnblock.language.tree.nodes import (
     Keyword,
     Name,
     Program,
+    PythonBlock,
     Raw,
     RawExpression,
     Setup,
     SkillCall,
     Span,
     String,
+    WithoutRobot,
 )
 from learnblock.language.tree.traversal import all_expressions, statements
 from learnblock.senses import METHODS
 
 #: What else a file with functions for other programs may contain.
-_BESIDE_FUNCTIONS = Blank | Comment | Import | Setup
+_BESIDE_FUNCTIONS = Blank | Comment | WithoutRobot | Import | Setup
 #: Columns by which Block-Text indents a block.
 _INDENT = 4
 
@@ -59,10 +63,12 @@ def skill_calls(
     parts = tuple(statements(_running(program)))
     raw = _Raw.of(parts, skills, functions)
     for item in parts:
-        if isinstance(item, Raw):
+        if isinstance(item, AnyPython):
             # In Block-Text it is inside of a block.
             line, column = item.span.line, item.span.column
-            place = Span(line, column) if in_python else Span(line + 1, column + _INDENT)
+            if not in_python and isinstance(item, Raw):
+                line, column = line + 1, column + _INDENT
+            place = Span(line, column)
             yield from raw.calls(item.text, place)
         for node in all_expressions(item):
             if isinstance(node, SkillCall):
@@ -78,7 +84,7 @@ def imports_of(program: Program) -> ast.Module:
     """What the parts of a program that stay Python import, and its own imports."""
     found: list[ast.stmt] = []
     for item in statements(_running(program)):
-        if isinstance(item, Raw):
+        if isinstance(item, AnyPython):
             nodes = ast.walk(parsed(item.text))
             found += [node for node in nodes if isinstance(node, ast.Import | ast.ImportFrom)]
         elif isinstance(item, Import):
@@ -105,7 +111,7 @@ def _running(program: Program) -> tuple[Item, ...]:
 def _names(item: Item) -> Iterator[str]:
     """The names of variables and functions that an item mentions."""
     for statement in statements((item,)):
-        if isinstance(statement, Raw):
+        if isinstance(statement, AnyPython):
             yield from _names_in(statement.text)
         for node in all_expressions(statement):
             if isinstance(node, Call | Name):
@@ -146,7 +152,10 @@ class _Raw:
         modules = {item.module for item in parts if isinstance(item, Import)}
         methods: set[str] = set()
         for item in parts:
-            for node in ast.walk(parsed(item.text if isinstance(item, Raw) else "")):
+            if isinstance(item, PythonBlock) and item.parts[0].word == "class":
+                inner = (found for found in item.parts[0].body if isinstance(found, PythonBlock))
+                methods |= {name for found in inner for name in defined_names(found.text)}
+            for node in ast.walk(parsed(item.text if isinstance(item, AnyPython) else "")):
                 if isinstance(node, ast.Import):
                     modules |= {
                         (alias.asname or alias.name).partition(".")[0] for alias in node.names

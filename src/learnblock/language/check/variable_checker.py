@@ -26,6 +26,7 @@ from learnblock.language.tree.nodes import (
     If,
     Item,
     Name,
+    PythonBlock,
     RawExpression,
     When,
 )
@@ -137,6 +138,9 @@ class _Order:
     def run(self) -> None:
         program, whens = self.findings.program, self.findings.whens
         known = set(self.findings.raw_names)
+        blocks = (item for item in self.findings.everything if isinstance(item, PythonBlock))
+        # Something else may run them, in an order that only the run knows.
+        known.update(*(self.sets(body) for block in blocks for body in bodies(block)))
         known.update(*(self.sets(self.functions[name].body) for name in self.called_in_raw()))
         runs = [item for item in program.items if not isinstance(item, Def | When)]
         if self.findings.in_python:
@@ -198,6 +202,8 @@ class _Order:
         self.expressions(_evaluated(item), scope)
         for name in set_by(item):
             scope.bind(name)
+        if isinstance(item, PythonBlock) and item.has_scope:
+            return
         for body in bodies(item):
             self.block(body, self.inner(item, body, scope))
 

@@ -9,13 +9,15 @@ from learnblock.errors import Diagnostic, LibraryError, UnknownNameError
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.format import format as format_program
 from learnblock.language.blocktext.names import state_of
-from learnblock.language.check.findings import defined_names, python_error
+from learnblock.language.check.findings import python_error
 from learnblock.language.edit.symbols import Symbols
 from learnblock.language.python.scopes import stored_names
+from learnblock.language.tree import markers
 from learnblock.language.tree.builtins import FUNCTIONS
 from learnblock.language.tree.markers import raw_names
 from learnblock.language.tree.nodes import (
     Activate,
+    AnyPython,
     Assign,
     Call,
     Comment,
@@ -25,7 +27,6 @@ from learnblock.language.tree.nodes import (
     Item,
     Name,
     Program,
-    Raw,
     RawExpression,
     SkillCall,
     Span,
@@ -190,7 +191,9 @@ class _Extraction:
         """The names that raw Python outside of functions sets, defines and imports."""
         outside = (item for item in self.symbols.items if not isinstance(item, Def))
         found = (
-            statement.text for statement in statements(tuple(outside)) if isinstance(statement, Raw)
+            statement.text
+            for statement in statements(tuple(outside))
+            if isinstance(statement, AnyPython)
         )
         return {name for text in found for name in _set_by_python(text)}
 
@@ -228,7 +231,7 @@ class _Extraction:
 
 
 def _set_in(statement: Item) -> Iterator[str]:
-    if isinstance(statement, Raw):
+    if isinstance(statement, AnyPython):
         yield from raw_names(statement.text)
     else:
         yield from set_by(statement)
@@ -246,9 +249,9 @@ def _called_by(function: Def) -> Iterator[str]:
                 yield node.name
 
 
-def _names_in(statement: Item) -> Iterator[tuple[Name | Raw | RawExpression, str]]:
+def _names_in(statement: Item) -> Iterator[tuple[Name | AnyPython | RawExpression, str]]:
     """The names in a statement without its bodies, including those in its raw Python."""
-    if isinstance(statement, Raw):
+    if isinstance(statement, AnyPython):
         for name in sorted(raw_names(statement.text)):
             yield statement, name
     for node in all_expressions(statement):
@@ -263,4 +266,4 @@ def _set_by_python(text: str) -> set[str]:
     """The names that raw Python sets, defines and imports."""
     if python_error(text, "exec"):
         return set()
-    return defined_names(text) | stored_names(ast.parse(text))
+    return markers.defined_names(text) | stored_names(ast.parse(text))

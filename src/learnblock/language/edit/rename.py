@@ -15,6 +15,7 @@ from learnblock.language.tree.builtins import FUNCTIONS
 from learnblock.language.tree.markers import raw_names
 from learnblock.language.tree.nodes import (
     Activate,
+    AnyPython,
     Call,
     Deactivate,
     Def,
@@ -22,7 +23,7 @@ from learnblock.language.tree.nodes import (
     Main,
     Name,
     Program,
-    Raw,
+    PythonBlock,
     RawExpression,
     SkillCall,
     Span,
@@ -182,21 +183,27 @@ def _when(symbols: Symbols, name: str, new: str) -> Program:
 
 
 def _in_python(node: Any, name: str, new: str) -> Any:
-    if not isinstance(node, Raw | RawExpression):
+    if not isinstance(node, AnyPython | RawExpression):
         return node
     old = names.to_python(name)
-    if old not in raw_names(node.text if isinstance(node, Raw) else node.text.strip()):
+    if old not in raw_names(node.text if isinstance(node, AnyPython) else node.text.strip()):
         return node
     text = _renamed_in(node.text, old, names.to_python(new))
     if text is None:
         if node.span.line:
             raise LearnBlockError("edit-used-in-line", name=name, line=str(node.span.line))
         raise LearnBlockError("edit-used-in-python", name=name)
+    if isinstance(node, PythonBlock):
+        headers = [line.removesuffix(": pass") for line in text.splitlines()]
+        parts = zip(node.parts, headers, strict=True)
+        return replace(node, parts=tuple(replace(part, header=header) for part, header in parts))
     return replace(node, text=text)
 
 
 def _renamed_in(text: str, old: str, new: str) -> str | None:
     """Rename a variable in Python; None if it is used in a way that is not supported."""
+    if text.startswith("@"):
+        return None
     places: list[tuple[int, int]] = []
     indent = len(text) - len(text.lstrip()) if "\n" not in text else 0
     for node in ast.walk(ast.parse(text.strip() if indent else text)):

@@ -7,6 +7,7 @@ from functools import cached_property
 from learnblock.language.blocktext.names import state_of
 from learnblock.language.tree.markers import raw_names
 from learnblock.language.tree.nodes import (
+    AnyPython,
     Def,
     ForEach,
     ForRange,
@@ -14,7 +15,6 @@ from learnblock.language.tree.nodes import (
     Main,
     Name,
     Program,
-    Raw,
     Span,
     When,
 )
@@ -62,7 +62,7 @@ class Symbols:
     @cached_property
     def in_python(self) -> set[str]:
         """The names that raw Python uses."""
-        raw = (node.text for node in statements(self.items) if isinstance(node, Raw))
+        raw = (node.text for node in statements(self.items) if isinstance(node, AnyPython))
         return {name for text in raw for name in raw_names(text)}
 
     @cached_property

@@ -18,10 +18,12 @@ comments, blank lines, marked raw Python    Comment, Blank, Raw             comm
 operators, constants, names, f-strings      Binary, Compare, Name, FString  expression_reader.py
 ``robot.get_tag()``, ``sqrt(x)``            SkillCall, Call                 expression_reader.py
 lists, dictionaries, ``a if b else c``      List, Dictionary, Conditional   expression_reader.py
-any other statement or expression           Raw, RawExpression              the reader of its kind
+any other statement                         PythonLine, PythonBlock         python_reader.py
+any other expression, several in a line     RawExpression, Raw              the reader of its kind
 ==========================================  ==============================  ======================
 
-`scopes.py` decides whether the local variables of functions could be shared. `generation.py` puts a
-whole program together, with a map of its lines (`source_map.py`), or the functions of a library.
+`forms.py` splits a line that stays Python into words and values, for blocks. `scopes.py` decides
+whether the local variables of functions could be shared. `generation.py` puts a whole program
+together, with a map of its lines (`source_map.py`), or the functions of a library.
 `syntax_errors.py` and `foreign_lines.py` explain what is no Python.
 """

@@ -28,6 +28,7 @@ from learnblock.language.tree.nodes import (
     String,
     Unary,
 )
+from learnblock.language.tree.traversal import moved
 
 BINARY: dict[type[ast.operator], str] = {
     ast.Add: "+",
@@ -163,11 +164,20 @@ class ExpressionReader:
 
     def f_string(self, values: list[ast.expr], span: Span) -> FString:
         if span.line != span.end_line:
-            raise Unlike
+            return self.long_f_string(values, span)
         found = texts.f_string(map(self.part, values), span)
         if found is None:
             raise Unlike
         return found
+
+    def long_f_string(self, values: list[ast.expr], span: Span) -> FString:
+        """An f-string on several lines, of which Python 3.11 doesn't know where its values are."""
+        text = _on_one_line(ast.JoinedStr(values))
+        reader = ExpressionReader([text], self.whens, self.functions)
+        match ast.parse(text, mode="eval").body:
+            case ast.JoinedStr(values=found):
+                return moved(reader.f_string(found, Span(1, 1, 1)), span)
+        raise Unlike
 
     def part(self, node: ast.expr) -> Expression:
         """A text or a value of an f-string."""
@@ -225,6 +235,10 @@ class ExpressionReader:
             return Call(python_name, arguments, keywords, span)
         name = self.called(python_name)
         arguments, keywords = self.arguments(node, names.keyword_from_python)
+        if [names.to_python(keyword.name) for keyword in keywords] != [
+            keyword.arg for keyword in node.keywords
+        ]:
+            raise Unlike
         if name not in self.functions and self.means_another(name, arguments, keywords):
             raise Unlike
         return Call(name, arguments, keywords, span)
@@ -256,7 +270,7 @@ class ExpressionReader:
         return self.expression(node)
 
     def raw(self, node: ast.expr) -> RawExpression:
-        text = self.segment(node)
+        text = self.segment(node) if node.end_lineno == node.lineno else _on_one_line(node)
         if isinstance(node, ast.Yield | ast.YieldFrom | ast.NamedExpr):
             # Python's tree omits their brackets, which are needed in most places.
             text = f"({text})"
@@ -271,6 +285,13 @@ class ExpressionReader:
         if line.isascii():
             return line[node.col_offset : end]
         return line.encode()[node.col_offset : end].decode()
+
+
+def _on_one_line(node: ast.expr) -> str:
+    text = ast.unparse(node)
+    if "\n" in text:
+        raise Unlike
+    return text
 
 
 def start_of(node: ast.stmt) -> int:

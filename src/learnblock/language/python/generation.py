@@ -11,7 +11,16 @@ from learnblock.language.python.source_map import SourceMap
 from learnblock.language.python.writer import PythonWriter
 from learnblock.language.tree.builtins import MODULES
 from learnblock.language.tree.extents import Extent, every
-from learnblock.language.tree.nodes import Call, Def, If, Node, Program, Raw, is_only_raw
+from learnblock.language.tree.nodes import (
+    Call,
+    Def,
+    If,
+    Node,
+    Program,
+    PythonBlock,
+    Raw,
+    is_only_raw,
+)
 from learnblock.language.tree.traversal import statements
 
 DEFAULT_ROBOT = "learnblock.robots.sim_ebo"
@@ -101,6 +110,9 @@ def _read_lines(program: Program) -> Iterator[tuple[int, int, Node]]:
             for part in (*statement.branches, statement.otherwise):
                 if part is not None:
                     yield part.span.line, part.span.line, statement
+        elif isinstance(statement, PythonBlock):
+            for header in statement.parts:
+                yield header.span.line, header.span.line, statement
 
 
 def to_skills(program: Program, origin: str) -> str:

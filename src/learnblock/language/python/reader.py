@@ -27,9 +27,16 @@ from learnblock.language.python.expression_reader import (
 )
 from learnblock.language.python.foreign_lines import RULES
 from learnblock.language.python.generation import DEFAULT_ROBOT, ROBOT_IMPORT, canonical
+from learnblock.language.python.python_reader import PythonReader
 from learnblock.language.python.scopes import Scopes, stored_names
-from learnblock.language.python.skeleton import Skeleton, is_when, skeleton_of, unusual
-from learnblock.language.python.statement_reader import StatementReader, acts, stripped
+from learnblock.language.python.skeleton import (
+    Skeleton,
+    is_when,
+    leading_globals,
+    skeleton_of,
+    unusual,
+)
+from learnblock.language.python.statement_reader import acts, stripped
 from learnblock.language.python.syntax_errors import error_in, syntax_message
 from learnblock.language.python.writer import global_names
 from learnblock.language.tree import markers
@@ -46,16 +53,21 @@ from learnblock.language.tree.nodes import (
     Main,
     Pass,
     Program,
+    PythonBlock,
+    PythonLine,
     Raw,
     Setup,
     Span,
     When,
+    WithoutRobot,
     is_only_raw,
 )
 from learnblock.language.tree.traversal import statements
 
 #: The most known slips that are reported at once.
 MAX_SLIPS = 10
+_NOT_IN_MAIN = Def | When | Import | Setup | WithoutRobot
+_PYTHON = (Raw, PythonLine, PythonBlock)
 
 
 def from_python(text: str, filename: str = "program.py") -> Program:
@@ -132,13 +144,16 @@ def _read(text: str, tree: ast.Module) -> Program | None:
     skeleton = skeleton_of(tree)
     if skeleton is None or "\r" in text.replace("\r\n", ""):
         return None
-    if any(isinstance(node, ast.ImportFrom) and node.module == "__future__" for node in tree.body):
+    has_robot = skeleton.importing is not None
+    if has_robot and any(
+        isinstance(node, ast.ImportFrom) and node.module == "__future__" for node in tree.body
+    ):
         return None
     plain = text.replace("\r\n", "\n") if text.count("\r\n") == text.count("\n") else text
     plain = plain.removeprefix("\ufeff")
     line = plain.count("\n", 0, match.start()) + 1 if (match := ROBOT_IMPORT.search(plain)) else 0
     notes = markers.notes(plain)
-    if line != skeleton.importing.lineno or notes is None:
+    if line != (skeleton.importing.lineno if skeleton.importing else 0) or notes is None:
         return None
     defined = _Defined.by(skeleton)
     while True:
@@ -178,7 +193,7 @@ class _Defined(NamedTuple):
         return _Defined(kept, self.functions & program.functions.keys())
 
 
-class _Reader(StatementReader):
+class _Reader(PythonReader):
     """Reads a whole file; of its functions, those that are `defined` are definitions."""
 
     def __init__(
@@ -197,6 +212,7 @@ class _Reader(StatementReader):
             defined.functions,
         )
         self.skeleton = skeleton
+        self.is_own_style = skeleton.importing is None
         if self.raw_ends:
             begins = _begins(tree, sorted(self.raw_ends.values()))
             # A marker that was moved into a statement by hand has no meaning.
@@ -210,7 +226,7 @@ class _Reader(StatementReader):
     def program(self) -> Program:
         head = self.head()
         rest = list(self.skeleton.rest)
-        while rest and self.is_own_import(rest[0]):
+        while rest and not self.is_own_style and self.is_own_import(rest[0]):
             del rest[0]
         self.remove_run(rest)
         main_line = self.main_marker()
@@ -239,7 +255,7 @@ class _Reader(StatementReader):
         nodes = [node for node in rest if node.lineno > main_line]
         read = self.block(nodes, 0, end_line or len(self.lines) + 1, top_level=True)
         late: list[Item] = [item for item in read if isinstance(item, Def | When | Import)]
-        body = tuple(item for item in read if not isinstance(item, Def | When | Import | Setup))
+        body = tuple(item for item in read if not isinstance(item, _NOT_IN_MAIN))
         body = stripped(body)
         span = Span(main_line, 1, self.line - 1, 1)
         return Main(body if any(map(acts, body)) else (*body, Pass()), span), late
@@ -277,13 +293,13 @@ class _Reader(StatementReader):
                 continue
             before = bisect.bisect(starts, line) - 1
             inside = before >= 0 and line <= end_of(rest[before])
-            if line > self.skeleton.creating.lineno and not inside:
+            if line > self.skeleton.robot_line and not inside:
                 return line
         return 0
 
     def end_marker(self, rest: list[ast.stmt]) -> int:
         """The line of the comment that marks the end of `main`, or 0."""
-        last = max([end_of(node) for node in rest], default=self.skeleton.creating.lineno)
+        last = max([end_of(node) for node in rest], default=self.skeleton.robot_line)
         after = [
             line
             for line, comment in self.comments.items()
@@ -304,6 +320,8 @@ class _Reader(StatementReader):
     def head(self) -> list[Item]:
         """The items above the line that creates the robot, and a `Setup` if that needs one."""
         skeleton = self.skeleton
+        if skeleton.importing is None or skeleton.creating is None:
+            return [WithoutRobot()]
         self.check_lines()
         others = [node for node in skeleton.head if not self.is_own_import(node)]
         line = skeleton.importing.lineno
@@ -320,7 +338,7 @@ class _Reader(StatementReader):
     def check_lines(self) -> None:
         """Leave a file as it is whose other statements share a line with the robot's."""
         skeleton = self.skeleton
-        own = (skeleton.importing.lineno, skeleton.creating.lineno)
+        own = (skeleton.importing and skeleton.importing.lineno, skeleton.robot_line)
         if any(node.lineno in own or end_of(node) in own for node in skeleton.head):
             raise Unlike
 
@@ -350,13 +368,14 @@ class _Reader(StatementReader):
         return [*plain, *others]
 
     def setup(self) -> Setup:
-        node = self.skeleton.creation
+        node, creating = self.skeleton.creation, self.skeleton.creating
+        if node is None or creating is None:
+            raise Unlike
         arguments, keywords = self.arguments(node, names.attribute_from_python)
-        creating = self.skeleton.creating
         return Setup(arguments, keywords, self.comment_after(creating), span_of(creating))
 
     def with_imports(self, items: tuple[Item, ...], main: Main | None) -> tuple[Item, ...]:
-        """The items, with imports that only raw Python can need as raw Python."""
+        """The items, with imports that only Python between backticks can need."""
         text = canonical(Program(items, main), DEFAULT_ROBOT).text if self.modules else ""
         unused = [
             module
@@ -365,10 +384,10 @@ class _Reader(StatementReader):
         ]
         if not unused:
             return items
-        raw = Raw("".join(f"import {module}\n" for module in unused))
+        lines = tuple(PythonLine(f"import {module}") for module in unused)
         setup = next((i + 1 for i, item in enumerate(items) if isinstance(item, Setup)), 0)
         place = setup or prologue_length(items)
-        return (*items[:place], raw, *items[place:])
+        return (*items[:place], *lines, *items[place:])
 
     # Items.
 
@@ -383,7 +402,7 @@ class _Reader(StatementReader):
 
     def import_(self, node: ast.ImportFrom) -> Import:
         module = imports.from_python(node.module or "")
-        if module is None:
+        if module is None or self.is_own_style:
             raise Unlike
         return Import(module, self.comment_after(node), span_of(node))
 
@@ -435,14 +454,16 @@ class _Reader(StatementReader):
 
     def shares_enough(self, node: ast.FunctionDef, body: Body, parameters: tuple[str, ...]) -> bool:
         """Whether a function keeps its meaning if it shares all variables that it sets."""
-        declared: set[str] = set()
-        for first in node.body:
-            if not isinstance(first, ast.Global):
-                break
-            declared.update(first.names)
-        shared = set(global_names(body, parameters, self.when_names))
+        statements_of_globals = leading_globals(node.body)
+        written = [name for found in statements_of_globals for name in found.names]
+        declared = set(written)
+        names_of_globals = global_names(body, parameters, self.when_names)
+        if self.is_own_style:
+            # What a person wrote keeps its words: a local variable stays local.
+            return written == names_of_globals and len(statements_of_globals) <= 1
+        shared = set(names_of_globals)
         needless = declared - shared
-        if needless and any(isinstance(statement, Raw) for statement in statements(body)):
+        if needless and any(isinstance(found, _PYTHON) for found in statements(body)):
             return False
         return not needless & stored_names(node) and self.scopes.may_be_shared(
             shared - declared, node

@@ -2,6 +2,9 @@
 
 import ast
 from dataclasses import dataclass, field
+from itertools import takewhile
+
+_LEARNBLOCK = "learnblock"
 
 
 @dataclass(slots=True)
@@ -9,21 +12,29 @@ class Skeleton:
     """The statements of a file, split at the import and creation of the robot.
 
     Args:
-        importing: the statement that imports ``Robot``.
+        importing: the statement that imports ``Robot``; None in a program without a robot.
         creating: the statement ``robot = Robot(...)``.
+        creation: its value.
         head: the other statements before `creating`.
         rest: the statements after it.
     """
 
-    importing: ast.ImportFrom
-    creating: ast.Assign
-    creation: ast.Call
+    importing: ast.ImportFrom | None = None
+    creating: ast.Assign | None = None
+    creation: ast.Call | None = None
     head: list[ast.stmt] = field(default_factory=list)
     rest: list[ast.stmt] = field(default_factory=list)
+
+    @property
+    def robot_line(self) -> int:
+        """The line that creates the robot, or 0."""
+        return 0 if self.creating is None else self.creating.lineno
 
 
 def skeleton_of(tree: ast.Module) -> Skeleton | None:
     """The parts of a file, or None if it does not create a robot in this way."""
+    if tree.body and not _mentions_robot(tree):
+        return Skeleton(rest=list(tree.body))
     importing: ast.ImportFrom | None = None
     head: list[ast.stmt] = []
     for index, statement in enumerate(tree.body):
@@ -45,6 +56,36 @@ def skeleton_of(tree: ast.Module) -> Skeleton | None:
             case _:
                 return None
     return None
+
+
+def _mentions_robot(tree: ast.Module) -> bool:
+    """Whether a file may create or use a robot."""
+    for node in ast.walk(tree):
+        match node:
+            case ast.Name(id="robot" | "Robot") | ast.arg(arg="robot" | "Robot"):
+                return True
+            case ast.alias(name=name, asname=other):
+                if name == "Robot" or {name, other} & {"robot"} or name.startswith(_LEARNBLOCK):
+                    return True
+            case ast.ImportFrom(module=str(module)) if module.startswith(_LEARNBLOCK):
+                return True
+            case ast.FunctionDef(name="robot") | ast.ClassDef(name="robot" | "Robot"):
+                return True
+    return False
+
+
+def docstring_length(body: list[ast.stmt]) -> int:
+    """How many statements at the head of a body are its docstring: one or none."""
+    match body:
+        case [ast.Expr(value=ast.Constant(value=str())), *_]:
+            return 1
+    return 0
+
+
+def leading_globals(body: list[ast.stmt]) -> list[ast.Global]:
+    """The ``global`` statements at the head of a function, below its docstring."""
+    below = body[docstring_length(body) :]
+    return list(takewhile(lambda node: isinstance(node, ast.Global), below))  # type: ignore[arg-type]
 
 
 def unusual(arguments: ast.arguments) -> bool:

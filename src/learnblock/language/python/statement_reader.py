@@ -11,6 +11,7 @@ from learnblock.language.python.expression_reader import (
     span_of,
     start_of,
 )
+from learnblock.language.python.skeleton import leading_globals
 from learnblock.language.tree import markers, ranges
 from learnblock.language.tree import raw as raw_python
 from learnblock.language.tree.builtins import LOOPED
@@ -48,13 +49,21 @@ from learnblock.language.tree.nodes import (
     WaitUntil,
     When,
     While,
+    WithoutRobot,
 )
 
 _ELSE = re.compile(r"\s*else\s*[:\\]")
 
 
 class StatementReader(CommentReader):
-    """Reads statements and bodies."""
+    """Reads statements and bodies.
+
+    `keeps_globals` is whether ``global`` is a statement of its own here, and not implied;
+    `is_own_style` whether the file's author did not write it for a robot, and wants it as it is.
+    """
+
+    keeps_globals = False
+    is_own_style = False
 
     def trailing(self, body: Body, node: ast.stmt) -> Body:
         """A body with the comments below its last statement that are indented like it."""
@@ -73,15 +82,9 @@ class StatementReader(CommentReader):
         start, end = start_of(first), end_of(nodes[last])
         if self.line > start:
             raise Unlike
-        before = items[-1] if items else None
-        joined = isinstance(before, Raw) and before.span.end_line == start - 1
         indent = self.lines[start - 1][: first.col_offset]
         text = markers.raw_text(self.lines[start - 1 : end], start, indent, self.in_string)
         span = Span(start, first.col_offset + 1, end, 1)
-        if joined and isinstance(before, Raw):
-            items.pop()
-            text = before.text + text
-            span = Span(before.span.line, before.span.column, end, 1)
         items.append(Raw(text, span))
         self.line = end + 1
         return last + 1
@@ -110,7 +113,7 @@ class StatementReader(CommentReader):
         """Read one statement, or several as raw Python; return the index of the next."""
         node = nodes[index]
         saved = self.line
-        if not top_level and all(isinstance(node, ast.Global) for node in nodes[: index + 1]):
+        if not top_level and not self.keeps_globals and node in leading_globals(nodes):
             if self.comment_after(node) is not None:
                 items.append(self.own_comment(end_of(node)))
             self.line = end_of(node) + 1
@@ -120,11 +123,28 @@ class StatementReader(CommentReader):
             item = self.item(node) if top_level else self.statement(node)
         except Unlike:
             self.line = saved
-            return self.add_raw(items, nodes, index)
+            return self.add_python(items, nodes, index)
         items.extend(inner)
         items.append(item)
         self.line = max(self.line, end_of(node) + 1)
         return index + 1
+
+    def add_python(self, items: list[Item], nodes: list[ast.stmt], index: int) -> int:
+        """Read a statement without an equivalent in Block-Text, or several that share a line."""
+        node = nodes[index]
+        saved = self.line
+        try:
+            found = self.python_items(node)
+        except Unlike:
+            self.line = saved
+            return self.add_raw(items, nodes, index)
+        items.extend(found)
+        self.line = max(self.line, end_of(node) + 1)
+        return index + 1
+
+    def python_items(self, node: ast.stmt) -> list[Item]:
+        """Read a statement as Python that stays Python, with the comments inside it."""
+        raise NotImplementedError
 
     def body(self, owner: int, nodes: list[ast.stmt], limit: int) -> Body:
         self.line = min(self.header_end(owner, nodes) + 1, start_of(nodes[0]))
@@ -173,8 +193,8 @@ class StatementReader(CommentReader):
                 return Assign(self.target(target), "=", self.expression(value), comment, span)
             case ast.AugAssign(target=target, op=operator, value=value):
                 return self.augmented(target, operator, value, comment, span)
-            case ast.Delete(targets=[ast.Subscript(value=values, slice=key)]) if not isinstance(
-                key, ast.Slice | ast.Tuple
+            case ast.Delete(targets=[ast.Subscript(value=values, slice=key)]) if (
+                not isinstance(key, ast.Slice | ast.Tuple) and not self.is_own_style
             ):
                 removed = (self.expression(values), self.expression(key))
                 return Perform(Call("pop", removed, (), span), comment, span)
@@ -383,7 +403,7 @@ def _last(end: Expression, direction: int) -> Expression:
 
 
 def _statement(item: Item) -> Statement:
-    if isinstance(item, Def | When | Import | Setup):
+    if isinstance(item, Def | When | Import | Setup | WithoutRobot):
         raise Unlike
     return item
 

@@ -10,8 +10,9 @@ from learnblock.language.python import imports
 from learnblock.language.tree import markers, ranges
 from learnblock.language.tree.builtins import LOOPED, MODULES, TEMPLATES, is_builtin
 from learnblock.language.tree.expression_writer import LOOSEST, SIGN, TIGHTEST
+from learnblock.language.tree.extents import every
 from learnblock.language.tree.identifiers import IDENTIFIER
-from learnblock.language.tree.layout import placed, prologue_length
+from learnblock.language.tree.layout import is_definition, placed, prologue_length
 from learnblock.language.tree.nodes import (
     Activate,
     Assign,
@@ -34,6 +35,7 @@ from learnblock.language.tree.nodes import (
     Number,
     Pass,
     Program,
+    PythonLine,
     Raw,
     RawExpression,
     Repeat,
@@ -42,10 +44,14 @@ from learnblock.language.tree.nodes import (
     Unary,
     WaitUntil,
     When,
+    WithoutRobot,
 )
-from learnblock.language.tree.traversal import set_by, statements
+from learnblock.language.tree.traversal import own_statements, set_by
 from learnblock.language.tree.writer import ProgramWriter, comment_text
 
+#: Text as a statement, and what else must be above every other statement.
+_TEXT = re.compile(r"[rRuU]?[\"']")
+_HEAD = re.compile(r"[rRuU]?[\"']|from\s+__future__\b")
 _RAW_ATOM = re.compile(rf"{IDENTIFIER}(?:\.{IDENTIFIER})*")
 
 
@@ -53,7 +59,7 @@ def global_names(body: Body, parameters: tuple[str, ...], whens: AbstractSet[str
     """The variables that a function must declare ``global`` in Python, by their Python names."""
     assigned: set[str] = set()
     counted: set[str] = set()
-    for statement in statements(body):
+    for statement in own_statements(body):
         if isinstance(statement, Assign) and isinstance(statement.target, Name):
             assigned.add(statement.target.name)
         elif isinstance(statement, ForEach | ForRange):
@@ -99,6 +105,8 @@ class PythonWriter(ProgramWriter):
             self.blank()
 
     def program(self, robot_module: str) -> str:
+        if self.tree.is_without_robot:
+            return self.program_without_robot()
         length = prologue_length(self.tree.items)
         self.in_order(self.tree.items[:length])
         above = len(self.lines)
@@ -113,6 +121,31 @@ class PythonWriter(ProgramWriter):
         self.import_lines(above, robot_module, apart=apart)
         return "\n".join([*self.lines, ""])
 
+    def program_without_robot(self) -> str:
+        self.body_of(list(self.tree.items[1:]))
+        missing = [
+            f"import {module}"
+            for module in MODULES
+            if module in self.modules and not self.imports(module)
+        ]
+        if missing:
+            self.insert(self.place_of_imports(), [*missing, ""])
+        return "\n".join([*self.lines, ""]) if self.lines else ""
+
+    def imports(self, module: str) -> bool:
+        """Whether the program imports a module itself."""
+        texts = (item.text for item in every(self.tree) if isinstance(item, Raw | PythonLine))
+        return any(module in markers.defined_names(text) for text in texts)
+
+    def place_of_imports(self) -> int:
+        """The number of lines above the first statement that may need an import."""
+        for item in self.tree.items[1:]:
+            if isinstance(item, PythonLine | Raw) and _HEAD.match(item.text):
+                continue
+            if not isinstance(item, Comment | Blank):
+                return self.extents[id(item)][0] - 1
+        return len(self.lines)
+
     def import_lines(self, place: int, robot_module: str, *, apart: bool) -> None:
         """Insert the imports above the code that needs them, in the order of isort."""
         lines = [f"import {module}" for module in MODULES if module in self.modules]
@@ -121,6 +154,9 @@ class PythonWriter(ProgramWriter):
         lines.append(f"from {robot_module} import Robot")
         if apart:
             lines.append("")
+        self.insert(place, lines)
+
+    def insert(self, place: int, lines: list[str]) -> None:
         self.lines[place:place] = lines
         self.sources[place:place] = [0] * len(lines)
         self.nodes[place:place] = [None] * len(lines)
@@ -130,10 +166,10 @@ class PythonWriter(ProgramWriter):
 
     def body_of(self, items: list[Item]) -> None:
         main = () if self.tree.main is None else (self.tree.main,)
-        previous: Item | Main = Setup()
+        previous: Item | Main | None = None if self.tree.is_without_robot else Setup()
         for item, apart, blank, leads in placed([*items, *main]):
             if apart or blank or isinstance(previous, Setup):
-                far = isinstance(previous, Def | When) or isinstance(leads, Def | When)
+                far = is_definition(previous) or is_definition(leads)
                 self.blanks(2 if far else 1)
             self.item(item)
             previous = item
@@ -208,12 +244,22 @@ class PythonWriter(ProgramWriter):
 
     def raw_block(self, node: Raw) -> None:
         self.watch_raw(node.text)
-        self.line("# python", node)
+        is_marked = not markers.is_long_text(node.text)
+        if is_marked:
+            self.line("# python", node)
         for index, line in enumerate(markers.raw_lines(node.text, self.indent), 1):
             self.lines.append(line)
             self.nodes.append(node)
             self.sources.append(node.span.line + index if node.span.line else 0)
-        self.line("# end")
+        if is_marked:
+            self.line("# end")
+
+    def python(self, text: str) -> str:
+        self.watch_raw(text)
+        return text
+
+    def without_robot(self, node: WithoutRobot) -> None:
+        """Nothing says it in Python."""
 
     def definition(self, node: Def) -> None:
         parameters = [self.variable(parameter) for parameter in node.parameters]
@@ -234,9 +280,12 @@ class PythonWriter(ProgramWriter):
         self.indent = "    "
         parameters = node.parameters if isinstance(node, Def) else ()
         shared = global_names(node.body, parameters, self.whens.keys())
+        docstring = _docstring_length(node.body)
+        for statement in node.body[:docstring]:
+            self.item(statement)
         if shared:
             self.line(f"global {', '.join(shared)}")
-        for statement in node.body or (Pass(),):
+        for statement in node.body[docstring:] or (() if docstring else (Pass(),)):
             self.item(statement)
         self.indent = ""
 
@@ -320,6 +369,16 @@ class PythonWriter(ProgramWriter):
         if self.watched:
             found = {names.from_python(name) for name in markers.raw_names(text)}
             self.clashes.update(name for name in found if name and names.stem(name) in self.watched)
+
+
+def _docstring_length(body: Body) -> int:
+    """How many statements at the head of a function are its docstring and comments above it."""
+    for place, statement in enumerate(body):
+        if isinstance(statement, PythonLine | Raw):
+            return place + 1 if _TEXT.match(statement.text) else 0
+        if not isinstance(statement, Comment | Blank):
+            return 0
+    return 0
 
 
 def _simple(node: Expression) -> bool:

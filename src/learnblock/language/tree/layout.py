@@ -7,7 +7,19 @@ belongs to it. These blank lines are not in the tree, so that adding them does n
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from learnblock.language.tree.nodes import Blank, Comment, Def, Import, Item, Main, Setup, When
+from learnblock.language.tree.nodes import (
+    Blank,
+    Comment,
+    Def,
+    Import,
+    Item,
+    Main,
+    PythonBlock,
+    PythonLine,
+    Setup,
+    When,
+    WithoutRobot,
+)
 
 SET_APART = (Def, When, Main, Setup)
 
@@ -26,6 +38,11 @@ class Placed(NamedTuple):
     apart: bool
     blank: bool
     leads: Item | Main | None
+
+
+def is_definition(item: Item | Main | None) -> bool:
+    """Whether an item of the top level defines a function, an event or a class."""
+    return isinstance(item, Def | When) or (isinstance(item, PythonBlock) and item.has_scope)
 
 
 def placed(items: Sequence[Item | Main]) -> list[Placed]:
@@ -51,6 +68,16 @@ def normalized(items: Iterable[Item | Main]) -> list[Item | Main]:
             result.append(Blank())
         result.append(item)
     return result
+
+
+def is_set_apart(item: Item | Main) -> bool:
+    """Whether blank lines are above and below an item."""
+    return isinstance(item, SET_APART) or is_definition(item)
+
+
+def is_lead(item: Item | Main) -> bool:
+    """Whether an item belongs to the one below it: a comment or a decorator."""
+    return isinstance(item, Comment) or (isinstance(item, PythonLine) and item.text[:1] == "@")
 
 
 def prologue_length(items: Sequence[Item]) -> int:
@@ -79,17 +106,17 @@ def _leads(items: Sequence[Item | Main]) -> list[Item | Main | None]:
     leads: list[Item | Main | None] = []
     below: Item | Main | None = None
     for item in reversed(items):
-        if isinstance(item, SET_APART):
+        if is_set_apart(item):
             below = item
-        elif not isinstance(item, Comment):
+        elif not is_lead(item):
             below = None
         leads.append(below)
     return leads[::-1]
 
 
 def _apart(previous: Item | Main, item: Item | Main, leads: Item | Main | None) -> bool:
-    if isinstance(previous, SET_APART):
+    if is_set_apart(previous) or isinstance(previous, WithoutRobot):
         return True
     if isinstance(previous, Import):
         return not isinstance(item, Import)
-    return leads is not None and not isinstance(previous, Comment)
+    return leads is not None and not is_lead(previous)

@@ -94,6 +94,20 @@ def unescaped(comment: str) -> str:
     return comment
 
 
+def is_long_text(text: str) -> bool:
+    """Whether raw Python is only text on several lines, which needs no markers around it."""
+    if text[:1] not in "rRuU\"'" or text.count("\n") < 2 or not text.endswith("\n"):
+        return False
+    try:
+        body = ast.parse(text).body
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return False
+    match body:
+        case [ast.Expr(value=ast.Constant(value=str()), lineno=1, end_lineno=last)]:
+            return last == text.count("\n") and text.rstrip("\n") == text[:-1]
+    return False
+
+
 def raw_lines(text: str, indent: str) -> list[str]:
     """The lines of a block of raw Python between its markers, indented by `indent`."""
     found = notes(text)
@@ -124,7 +138,7 @@ def raw_text(lines: list[str], first: int, indent: str, in_string: set[int]) -> 
 def raw_names(text: str) -> set[str]:
     """The variables that Python source reads or sets; empty if it is not valid Python."""
     try:
-        tree = ast.parse(text)
+        tree = ast.parse(text.removeprefix("@"))
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return set()
     return variable_names(tree)
@@ -148,6 +162,21 @@ def variable_names(tree: ast.AST, whens: Container[str] | None = None) -> set[st
         elif isinstance(node, ast.arg):
             names.add(node.arg)
     return names
+
+
+def defined_names(text: str) -> set[str]:
+    """The names that Python source imports and defines."""
+    try:
+        tree = ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return set()
+    found: set[str] = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
+            found.add(node.name)
+        elif isinstance(node, ast.alias):
+            found.add((node.asname or node.name).partition(".")[0])
+    return found
 
 
 STATE_ATTRIBUTES = frozenset(("active", "time", "activate", "deactivate"))

@@ -6,6 +6,7 @@ has the comment at the end of its line. Blank lines that the layout adds to ever
 the one before a ``def``, are not in the tree.
 """
 
+import re
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -20,6 +21,7 @@ class Span(NamedTuple):
 
 
 NOWHERE = Span()
+_WORDS = re.compile(r"\w+")
 
 
 @dataclass(frozen=True, slots=True)
@@ -369,6 +371,62 @@ class Raw:
     span: Span = field(default=NOWHERE, compare=False)
 
 
+@dataclass(frozen=True, slots=True)
+class PythonLine:
+    """One statement of Python on one line that Block-Text has no words of its own for.
+
+    In Block-Text it is between backticks: ```import turtle```. It may be a decorator, too.
+    """
+
+    text: str
+    comment: str | None = None
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class PythonPart:
+    """The first line of a part of a `PythonBlock`, without its colon, and the statements in it."""
+
+    header: str
+    body: "Body"
+    comment: str | None = None
+    span: Span = field(default=NOWHERE, compare=False)
+
+    @property
+    def word(self) -> str:
+        """The word that it begins with, such as ``class``; ``def`` for ``async def``."""
+        words = _WORDS.findall(self.header)
+        return "" if not words else words[1] if words[0] == "async" and words[1:] else words[0]
+
+
+@dataclass(frozen=True, slots=True)
+class PythonBlock:
+    """A statement of Python with statements in it: a ``class``, a ``try`` with its handlers."""
+
+    parts: tuple[PythonPart, ...]
+    span: Span = field(default=NOWHERE, compare=False)
+
+    @property
+    def text(self) -> str:
+        """Its first lines as Python, without the statements in it."""
+        return "".join(f"{part.header}: pass\n" for part in self.parts)
+
+    @property
+    def defers(self) -> bool:
+        """Whether its statements run later, when something calls it."""
+        return self.parts[0].word == "def"
+
+    @property
+    def is_loop(self) -> bool:
+        """Whether it repeats its statements."""
+        return self.parts[0].word in {"for", "while"}
+
+    @property
+    def has_scope(self) -> bool:
+        """Whether the variables that it sets are its own."""
+        return self.parts[0].word in {"def", "class"}
+
+
 Statement = (
     Comment
     | Blank
@@ -387,8 +445,19 @@ Statement = (
     | Activate
     | Deactivate
     | Raw
+    | PythonLine
+    | PythonBlock
 )
 Body = tuple[Statement, ...]
+#: Statements of which a part is only Python, their `text`.
+AnyPython = Raw | PythonLine | PythonBlock
+
+
+@dataclass(frozen=True, slots=True)
+class WithoutRobot:
+    """``without robot``: the program creates no robot. It is the first item, if it is one."""
+
+    span: Span = field(default=NOWHERE, compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -440,7 +509,7 @@ class Main:
     span: Span = field(default=NOWHERE, compare=False)
 
 
-Item = Statement | Import | Setup | Def | When
+Item = Statement | WithoutRobot | Import | Setup | Def | When
 
 
 @dataclass(frozen=True, slots=True)
@@ -461,6 +530,11 @@ class Program:
     span: Span = field(default=NOWHERE, compare=False)
 
     @property
+    def is_without_robot(self) -> bool:
+        """Whether it creates no robot."""
+        return bool(self.items) and type(self.items[0]) is WithoutRobot
+
+    @property
     def functions(self) -> dict[str, Def]:
         """The user's functions by name; if several have the same name, the last."""
         return {item.name: item for item in self.items if type(item) is Def}
@@ -471,7 +545,7 @@ class Program:
         return {item.name: item for item in self.items if type(item) is When}
 
 
-Node = Item | Main | Branch | Else | Expression | Keyword | Program
+Node = Item | Main | Branch | Else | PythonPart | Expression | Keyword | Program
 
 
 def is_only_raw(items: tuple[Item, ...]) -> bool:

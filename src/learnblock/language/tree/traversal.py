@@ -1,7 +1,8 @@
 """Find the statements and expressions inside the nodes of a tree."""
 
 from collections.abc import Callable, Iterator
-from typing import Any, cast
+from dataclasses import fields, is_dataclass, replace
+from typing import Any, TypeVar, cast
 
 from learnblock.language.tree.nodes import (
     Assign,
@@ -23,15 +24,19 @@ from learnblock.language.tree.nodes import (
     Main,
     Name,
     Perform,
+    PythonBlock,
     Repeat,
     Return,
     Setup,
     SkillCall,
+    Span,
     Unary,
     WaitUntil,
     When,
     While,
 )
+
+Moved = TypeVar("Moved", bound=Any)
 
 
 def targets(node: Item | Main) -> tuple[Name, ...]:
@@ -67,6 +72,7 @@ _BODIES: dict[type, Callable[[Any], tuple[Body, ...]]] = {
     Def: _own_body,
     When: _own_body,
     Main: _own_body,
+    PythonBlock: lambda node: tuple(part.body for part in node.parts),
 }
 
 
@@ -84,6 +90,15 @@ def statements(body: tuple[Item, ...]) -> Iterator[Item]:
         yield statement
         for inner in reversed(bodies(statement)):
             ahead.extend(reversed(inner))
+
+
+def own_statements(body: tuple[Item, ...]) -> Iterator[Item]:
+    """Every statement of a body that shares its variables: without those of inner functions."""
+    for statement in body:
+        yield statement
+        if not (isinstance(statement, PythonBlock) and statement.has_scope):
+            for inner in bodies(statement):
+                yield from own_statements(inner)
 
 
 def _range_parts(node: ForRange) -> tuple[Expression, ...]:
@@ -143,6 +158,20 @@ def all_expressions(node: Item | Main) -> Iterator[Expression]:
     """The expressions of a statement and those inside them, except those in its bodies."""
     for expression in expressions(node):
         yield from within(expression)
+
+
+def moved(expression: Moved, span: Span) -> Moved:
+    """An expression with all its parts at one place."""
+    changed: dict[str, Any] = {"span": span}
+    for field in fields(expression):
+        value = getattr(expression, field.name)
+        if isinstance(value, tuple) and field.name != "span":
+            changed[field.name] = tuple(
+                moved(part, span) if is_dataclass(part) else part for part in value
+            )
+        elif is_dataclass(value):
+            changed[field.name] = moved(value, span)
+    return replace(expression, **changed)
 
 
 def within(expression: Expression) -> list[Expression]:

@@ -26,6 +26,8 @@ from learnblock.language.tree.nodes import (
     Node,
     Pass,
     Perform,
+    PythonBlock,
+    PythonLine,
     Raw,
     Repeat,
     Return,
@@ -33,6 +35,7 @@ from learnblock.language.tree.nodes import (
     WaitUntil,
     When,
     While,
+    WithoutRobot,
 )
 
 _WRITERS: dict[type[Item | Main], str] = {
@@ -53,6 +56,9 @@ _WRITERS: dict[type[Item | Main], str] = {
     Activate: "activation",
     Deactivate: "activation",
     Raw: "raw_block",
+    PythonLine: "python_line",
+    PythonBlock: "python_block",
+    WithoutRobot: "without_robot",
     Import: "import_",
     Setup: "setup",
     Def: "definition",
@@ -169,6 +175,21 @@ class ProgramWriter(ExpressionWriter):
         raise NotImplementedError
 
     def raw_block(self, node: Raw) -> None:
+        raise NotImplementedError
+
+    def python_line(self, node: PythonLine) -> None:
+        self.line(self.python(node.text), node, node.comment)
+
+    def python_block(self, node: PythonBlock) -> None:
+        for part in node.parts:
+            self.block(self.python(part.header), part.body, part, part.comment)
+        self.close()
+
+    def python(self, text: str) -> str:
+        """Python in the notation."""
+        return text
+
+    def without_robot(self, node: WithoutRobot) -> None:
         raise NotImplementedError
 
     def import_(self, node: Import) -> None:

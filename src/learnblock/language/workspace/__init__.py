@@ -13,16 +13,17 @@ blocks                                      node                          read i
 ``variables_set``, ``math_change``          Assign                        statement_reader.py
 skills and calls on their own               Perform                       statement_reader.py
 ``lb_python``, ``lb_comment``               Raw, Comment                  statement_reader.py
+``lb_python_line``, ``lb_python_block``     PythonLine, PythonBlock       statement_reader.py
 ``math_*``, ``logic_*``, ``text_*``         Binary, Compare, FString      value_reader.py
 numbers, texts, True and False              Number, String, Constant      literals.py
 skills and calls that answer                SkillCall, Call               value_reader.py
 the inputs of a skill                       Keyword                       arguments.py
 ==========================================  ============================  ===================
 
-`types.py` has the types and inputs of all these blocks, `blocks.py` their form in messages and
-files, `notes.py` what a block stores but doesn't show. `writer.py` and `value_writer.py` turn
-shapes into blocks and keep those of the workspace before, which `alignment.py` finds and
-`survey.py` lists; `arrangement.py` decides which stack is where. `block_reader.py` is below all
-readers. Messages: `idle_blocks.py` about blocks that do nothing, `wording.py` in the words of
-blocks.
+`python_shapes.py` makes sockets for the values in Python that stays Python. `types.py` has the
+types and inputs of all these blocks, `blocks.py` their form in messages and files, `notes.py` what
+a block stores but doesn't show. `writer.py` and `value_writer.py` turn shapes into blocks and keep
+those of the workspace before, which `alignment.py` finds and `survey.py` lists; `arrangement.py`
+decides which stack is where. `block_reader.py` is below all readers. Messages: `idle_blocks.py`
+about blocks that do nothing, `wording.py` in the words of blocks.
 """

@@ -7,6 +7,7 @@ definitions that they use, so that the beginning of a program is in sight howeve
 from collections.abc import Iterable, Iterator, Sequence
 
 from learnblock.language.blocktext.order import definitions_first
+from learnblock.language.blocktext.parser import without_robot_first
 from learnblock.language.tree.layout import normalized
 from learnblock.language.tree.nodes import Blank, Comment, Def, Item, Main, Program, When
 from learnblock.language.workspace.statement_reader import Group, spaced
@@ -21,7 +22,7 @@ def arranged(groups: Sequence[Group]) -> Program:
     # Comments stay below `main` only if nothing else is below it.
     if not all(type(group.statement) is Comment for group in behind):
         groups = [*groups[:place], *behind, *main]
-    items = normalized(definitions_first(spaced(groups)))
+    items = normalized(definitions_first(without_robot_first(spaced(groups))))
     at = next((i for i, item in enumerate(items) if isinstance(item, Main)), len(items))
     above, found, below = items[:at], items[at : at + 1], items[at + 1 :]
     return Program(tuple(above), found[0] if found else None, tuple(below))  # type: ignore[arg-type]

@@ -28,6 +28,7 @@ class Notes(Struct, omit_defaults=True):
         step: whether a ``for`` has a step even though it equals the default.
         unfinished: whether the last line of Python has no line feed.
         apart: whether there is a blank line above the ``return`` of a function.
+        python: each line of Python as its author spelled it, such as its quotes.
     """
 
     blank: bool = False
@@ -40,6 +41,7 @@ class Notes(Struct, omit_defaults=True):
     step: bool = False
     unfinished: bool = False
     apart: bool = False
+    python: tuple[str, ...] = ()
 
     def data(self) -> str:
         """As JSON."""

@@ -15,14 +15,17 @@ from learnblock.language.tree.nodes import (
     Import,
     Item,
     Main,
+    Program,
     Return,
     Setup,
     When,
+    WithoutRobot,
 )
 from learnblock.language.workspace.arrangement import arranged
 from learnblock.language.workspace.block_reader import extra, extra_list, is_disabled, plugged
 from learnblock.language.workspace.blocks import Block, Workspace
 from learnblock.language.workspace.notes import Ends, Notes
+from learnblock.language.workspace.python_shapes import Joiner
 from learnblock.language.workspace.statement_reader import (
     Group,
     StatementReader,
@@ -30,12 +33,14 @@ from learnblock.language.workspace.statement_reader import (
     setup_of,
 )
 from learnblock.language.workspace.types import (
+    ANSWERING_FUNCTION,
     COMMENT,
     FUNCTION,
     HATS,
     MAIN,
     START,
     WHENS,
+    is_name,
 )
 
 
@@ -54,6 +59,7 @@ class WorkspaceReader(StatementReader):
         self.silent: set[str] = set()
         self.entries: list[tuple[Group, Block, Block | None]] = []
         self.has_main = False
+        self.joiner = Joiner(self.definitions(workspace))
         program = [stack for stack in workspace.stacks if is_part(stack)]
         self.alone = len(program) == 1 and len(statements_of(program[0][0])) == 1
         self.robot_and_raw = len(program) == 1 and _is_robot_and_raw(statements_of(program[0][0]))
@@ -63,6 +69,19 @@ class WorkspaceReader(StatementReader):
             else:
                 self.stack(stack[0])
         self.program = arranged(self.separated())
+
+    def definitions(self, workspace: Workspace) -> Program:
+        """The functions and events of a workspace, without what is in them."""
+        found: list[Item] = []
+        for hat, *_ in workspace.stacks:
+            name = hat.fields.get("NAME")
+            if not isinstance(name, str) or not is_name(name) or is_disabled(hat):
+                continue
+            if hat.type in WHENS:
+                found.append(When(name, None, ()))
+            elif hat.type in {FUNCTION, ANSWERING_FUNCTION}:
+                found.append(Def(name, (), ()))
+        return Program(tuple(found))
 
     def stack(self, hat: Block) -> None:
         """Read a stack that is part of the program."""
@@ -107,6 +126,8 @@ class WorkspaceReader(StatementReader):
                 return import_of(self, block, ends)
             case "lb_setup":
                 return setup_of(self, block, ends)
+            case "lb_without_robot":
+                return WithoutRobot()
         return self.statement(block, notes, ends)
 
     def hat(self, block: Block, notes: Notes, ends: Ends) -> Def | When | Main:

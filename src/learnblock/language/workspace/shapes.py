@@ -1,6 +1,6 @@
 """Turn expressions into shapes: the content of a block, before its id is known."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from learnblock.blocks import BlockConfiguration
@@ -36,6 +36,7 @@ from learnblock.language.workspace.arguments import given_by, noted
 from learnblock.language.workspace.blocks import FieldValue
 from learnblock.language.workspace.literals import literal
 from learnblock.language.workspace.notes import NO_NOTES, Ends, Notes
+from learnblock.language.workspace.python_shapes import VALUE, Sockets, value_parts
 from learnblock.language.workspace.types import (
     ANSWERING_FUNCTION,
     ARITHMETIC,
@@ -92,6 +93,7 @@ class Shaper:
         self.whens = program.whens.keys()
         self.functions = _functions(program)
         self.dictionaries = _dictionaries(program)
+        self.sockets = Sockets(program)
 
     def value(self, node: Expression) -> Shape:
         return _SHAPES[type(node)](self, node)
@@ -156,6 +158,22 @@ class Shaper:
         values = dict(zip(given.arguments, node.arguments, strict=True))
         values.update((keyword.name, keyword.value) for keyword in node.keywords)
         return Shape(SKILL + node.name, values=values, notes=noted(node, configuration, values))
+
+    def raw(self, node: RawExpression) -> Shape:
+        """The shape of an expression of Python."""
+        found = value_parts(self.sockets, node)
+        if found is None:
+            return Shape("lb_python_value", {"CODE": node.text})
+        form, values = found
+        return python_shape(VALUE, {"words": list(form.words)}, values, (node.text,))
+
+
+def python_shape(
+    kind: str, extra: Mapping[str, Any], values: Sequence[Expression], spelled: tuple[str, ...]
+) -> Shape:
+    """The shape of Python with sockets for its values, which keeps how it was spelled."""
+    notes = Notes(python=spelled) if values else NO_NOTES
+    return Shape(kind, values=numbered("A", values), extra=dict(extra), notes=notes)
 
 
 def any_call(kind: str, node: Call | SkillCall | Setup) -> Shape:
@@ -311,5 +329,5 @@ _SHAPES: dict[type[Expression], Callable[[Shaper, Any], Shape]] = {
     Binary: _binary,
     Compare: _compare,
     Conditional: _conditional,
-    RawExpression: lambda _, node: Shape("lb_python_value", {"CODE": node.text}),
+    RawExpression: Shaper.raw,
 }

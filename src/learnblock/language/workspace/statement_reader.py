@@ -35,6 +35,9 @@ from learnblock.language.tree.nodes import (
     Number,
     Pass,
     Perform,
+    PythonBlock,
+    PythonLine,
+    PythonPart,
     Raw,
     Repeat,
     Return,
@@ -45,9 +48,16 @@ from learnblock.language.tree.nodes import (
     WaitUntil,
     While,
 )
-from learnblock.language.workspace.block_reader import extra, extra_count, is_disabled, plugged
+from learnblock.language.workspace.block_reader import (
+    extra,
+    extra_count,
+    extra_list,
+    is_disabled,
+    plugged,
+)
 from learnblock.language.workspace.blocks import Block
 from learnblock.language.workspace.notes import Ends, Lead, Notes, comments_in, notes_of
+from learnblock.language.workspace.python_shapes import BLOCK, LINE, TEXT, words_in
 from learnblock.language.workspace.types import (
     FOR_EACH,
     FOR_UNPACKING,
@@ -68,9 +78,10 @@ _OPENERS = frozenset(
         FOR_EACH,
         FOR_UNPACKING,
         "controls_for",
+        BLOCK,
     )
 )
-_NO_PARTS = frozenset(("lb_python", "lb_comment", "lb_main"))
+_NO_PARTS = frozenset(("lb_python", TEXT, "lb_comment", "lb_main", "lb_without_robot"))
 
 
 class Group(NamedTuple):
@@ -185,7 +196,7 @@ class StatementReader(ValueReader):
 
 Reading = Callable[[Block, Notes, Ends], Item | Main | None]
 Handler = Callable[[StatementReader, Block, Notes, Ends], Statement | None]
-TOP_LEVEL = frozenset(("lb_import", "lb_setup"))
+TOP_LEVEL = frozenset(("lb_import", "lb_setup", "lb_without_robot"))
 
 
 def parts(block: Block) -> int:
@@ -194,7 +205,7 @@ def parts(block: Block) -> int:
         return 0
     if block.type == "controls_if":
         return extra_count(block, "elseIfCount") + 1 + (extra(block, "hasElse") is True)
-    return 1
+    return len(extra_list(block, "parts")) if block.type == BLOCK else 1
 
 
 def spaced(groups: Sequence[Group]) -> tuple[Item | Main, ...]:
@@ -275,6 +286,29 @@ def _raw(reader: StatementReader, block: Block, notes: Notes, _: Ends) -> Raw:
     code = reader.words(block, "CODE")
     unfinished = notes.unfinished and (reader.alone or not code)
     return Raw(code if unfinished else code + "\n")
+
+
+def _python_line(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> PythonLine:
+    words = words_in(extra(block, "words"))
+    if len(words) < 2 and "CODE" in block.fields:
+        words = [" ".join(reader.words(block, "CODE").split("\n")).strip()]
+    return PythonLine(reader.python(block, LINE, words or ["pass"]), ends[0])
+
+
+def _python_block(
+    reader: StatementReader, block: Block, _: Notes, ends: Ends
+) -> PythonBlock | None:
+    parts: list[PythonPart] = []
+    first = 0
+    for place, comment in enumerate(ends):
+        words = words_in(extra_list(block, "parts")[place])
+        if len(words) < 2 and f"CODE{place}" in block.fields:
+            words = [" ".join(reader.words(block, f"CODE{place}").split("\n")).strip()]
+        header = reader.python(block, BLOCK, words or ["try"], first, place)
+        first += max(len(words) - 1, 0)
+        parts.append(PythonPart(header, reader.body(block, f"DO{place}"), comment))
+        reader.note(parts[-1], block)
+    return PythonBlock(tuple(parts)) if parts else None
 
 
 def _do(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> Perform | None:
@@ -397,6 +431,9 @@ STATEMENTS: dict[str, Handler] = {
         block, reader.own_call(block), ends
     ),
     "lb_python": _raw,
+    TEXT: _raw,
+    LINE: _python_line,
+    BLOCK: _python_block,
     "lb_comment": lambda reader, block, _notes, _ends: Comment(
         " ".join(reader.words(block, "TEXT").split("\n")).strip()
     ),

@@ -27,6 +27,8 @@ from learnblock.language.tree.nodes import (
     Number,
     Pass,
     Perform,
+    PythonBlock,
+    PythonLine,
     Raw,
     Repeat,
     Return,
@@ -35,8 +37,16 @@ from learnblock.language.tree.nodes import (
     WaitUntil,
     When,
     While,
+    WithoutRobot,
 )
 from learnblock.language.workspace.notes import NO_NOTES, Notes
+from learnblock.language.workspace.python_shapes import (
+    BLOCK,
+    LINE,
+    block_parts,
+    line_parts,
+    raw_type,
+)
 from learnblock.language.workspace.shapes import (
     Shape,
     Shaper,
@@ -45,6 +55,7 @@ from learnblock.language.workspace.shapes import (
     entry,
     function_type,
     numbered,
+    python_shape,
 )
 from learnblock.language.workspace.types import (
     ANSWERING_FUNCTION,
@@ -209,8 +220,22 @@ def _loop(kind: str, node: Any, values: dict[str, Expression], fields: dict[str,
 
 
 def _raw(_: StatementShaper, node: Raw) -> Shape:
-    notes = NO_NOTES if node.text.endswith("\n") else Notes(unfinished=True)
-    return Shape("lb_python", {"CODE": node.text.removesuffix("\n")}, notes=notes)
+    kind, notes = raw_type(node)
+    return Shape(kind, {"CODE": node.text.removesuffix("\n")}, notes=notes)
+
+
+def _python_line(shaper: StatementShaper, node: PythonLine) -> Shape:
+    found = line_parts(shaper.sockets, node)
+    words = [node.text] if found is None else list(found[0].words)
+    shape = python_shape(LINE, {"words": words}, found[1] if found else (), (node.text,))
+    return shape._replace(ends=(node.comment,))
+
+
+def _python_block(shaper: StatementShaper, node: PythonBlock) -> Shape:
+    words, values, found = block_parts(shaper.sockets, node)
+    shape = python_shape(BLOCK, {"parts": words}, values, tuple(part.header for part in node.parts))
+    inside = _busy({f"DO{place}": body for place, body in enumerate(found)})
+    return shape._replace(bodies=inside, ends=tuple(part.comment for part in node.parts))
 
 
 def _def(_: StatementShaper, node: Def) -> Shape:
@@ -278,6 +303,9 @@ _SHAPES: dict[type[Item | Main], Callable[[StatementShaper, Any], Shape]] = {
     Activate: _activation("lb_activate"),
     Deactivate: _activation("lb_deactivate"),
     Raw: _raw,
+    PythonLine: _python_line,
+    PythonBlock: _python_block,
+    WithoutRobot: lambda _, _node: Shape("lb_without_robot"),
     Import: lambda _, node: Shape("lb_import", {"MODULE": node.module}, ends=(node.comment,)),
     Setup: lambda _, node: any_call("lb_setup", node),
     Def: _def,

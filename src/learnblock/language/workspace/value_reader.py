@@ -1,6 +1,6 @@
 """Read value blocks as expressions. Missing or invalid values are reported and replaced."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 
 from learnblock.blocks import BlockConfiguration, Parameter
 from learnblock.blocks.toolbox import SKILL
@@ -37,6 +37,7 @@ from learnblock.language.workspace.block_reader import (
 )
 from learnblock.language.workspace.blocks import Block
 from learnblock.language.workspace.notes import NO_NOTES, Notes, notes_of
+from learnblock.language.workspace.python_shapes import SPLITS, VALUE, Joiner, words_in
 from learnblock.language.workspace.types import (
     ARITHMETIC,
     COMPARISONS,
@@ -58,7 +59,9 @@ _CONSTANTS = {word: value for value, word in CONSTANTS.items()}
 
 
 class ValueReader(BlockReader):
-    """Reads values."""
+    """Reads values; `joiner` knows the names that the workspace defines."""
+
+    joiner: Joiner
 
     # Values.
 
@@ -158,6 +161,17 @@ class ValueReader(BlockReader):
         if isinstance(name, str) and name.startswith(SKILL_PREFIX):
             return skill_call(self.word(block, name[len(SKILL_PREFIX) :]), arguments, keywords)
         return Call(self.name(block, name), arguments, keywords)
+
+    def python(
+        self, block: Block, kind: str, words: Sequence[str], first: int = 0, part: int = 0
+    ) -> str:
+        """The Python of words and the values between them, from a number on."""
+        places = range(first, first + len(words) - 1)
+        values = [self.value(block, f"A{place}") for place in places]
+        for value in values:
+            self.note(value, block)
+        spelled = "" if len(words) < 2 else "".join(notes_of(block).python[part : part + 1])
+        return self.joiner.kept(spelled, words, values, SPLITS[kind]).strip() or "None"
 
     def own_call(self, block: Block) -> Call:
         """A call of a user's function."""
@@ -355,6 +369,10 @@ def _code(reader: ValueReader, block: Block) -> Expression:
     return RawExpression(text)
 
 
+def _form(reader: ValueReader, block: Block) -> Expression:
+    return RawExpression(reader.python(block, VALUE, words_in(extra(block, "words"))))
+
+
 def _when_word(prefix: str) -> Handler:
     return lambda reader, block: Name(prefix + reader.name(block, block.fields.get("WHEN")))
 
@@ -407,6 +425,7 @@ VALUES: dict[str, Handler] = {
     "procedures_callreturn": lambda reader, block: reader.own_call(block),
     "lb_call_value": lambda reader, block: reader.call(block),
     "lb_python_value": _code,
+    VALUE: _form,
 }
 
 

@@ -45,6 +45,7 @@ _IN_BLOCKS: Mapping[str, str] = MappingProxyType(
             ("check-follows-condition", "check-follows-condition-python"),
             "workspace-follows-condition",
         ),
+        "check-without-robot": "workspace-without-robot",
         "check-decimals": "workspace-decimals",
         "check-not-imported": "workspace-not-imported",
         "check-missing-argument": "workspace-missing-argument",

@@ -15,6 +15,7 @@ from learnblock.language.tree.nodes import (
     Main,
     Node,
     Program,
+    PythonBlock,
     When,
     While,
 )
@@ -372,7 +373,9 @@ def _key(group: Group) -> tuple[type, str] | None:
 
 
 def _parts(node: Item | Main) -> tuple[Node, ...]:
-    """The branches of an ``if``."""
+    """The parts of a statement that are nodes: the branches of an ``if``."""
+    if isinstance(node, PythonBlock):
+        return node.parts
     if not isinstance(node, If):
         return ()
     return node.branches if node.otherwise is None else (*node.branches, node.otherwise)

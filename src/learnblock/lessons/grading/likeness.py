@@ -27,6 +27,9 @@ from learnblock.language.tree.nodes import (
     ForRange,
     Name,
     Program,
+    PythonBlock,
+    PythonLine,
+    PythonPart,
     Raw,
     RawExpression,
     When,
@@ -212,9 +215,13 @@ def _tokens(value: object, names: Mapping[str, str]) -> Iterator[str]:
     match value:
         case Comment() | Blank():
             return
-        case Raw() | RawExpression():
+        case Raw() | PythonLine() | RawExpression():
             yield type(value).__name__
             yield from _python_tokens(value.text, names)
+        case PythonPart():
+            yield type(value).__name__
+            yield from _python_tokens(value.header, names)
+            yield from _tokens(value.body, names)
         case _ if is_dataclass(value) and not isinstance(value, type):
             yield type(value).__name__
             for field in fields(value):
@@ -260,7 +267,7 @@ def _chosen(value: object) -> Iterator[str]:
             yield value.name
         case Assign() | ForEach() | ForRange():
             yield from set_by(value)
-        case Raw() | RawExpression():
+        case Raw() | PythonLine() | PythonBlock() | RawExpression():
             yield from _python_names(value.text)
     if isinstance(value, tuple):
         for item in value:

@@ -55,4 +55,4 @@ def test_an_event_of_python_is_accepted_in_every_notation(events):
 
 def test_a_run_that_is_not_at_the_end_stays_python():
     python = f"{HEAD}@robot.when\ndef go():\n{BODY}\n\nrobot.run()\nprint(2)\n"
-    assert "python:\n    robot.run()\nend\n" in format_program(from_python(python))
+    assert "`robot.run()`\n" in format_program(from_python(python))

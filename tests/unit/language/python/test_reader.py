@@ -1,3 +1,4 @@
+import ast
 import os
 from functools import cache
 from pathlib import Path
@@ -11,6 +12,7 @@ from learnblock.errors import ProgramError
 from learnblock.language import format as format_program
 from learnblock.language import from_python, parse, to_python
 from learnblock.language.tree.nodes import Import, Raw
+from python_scores import meaning
 
 SKELETON = "from learnblock.robots.ebo import Robot\n\nrobot = Robot()\n\n"
 
@@ -29,6 +31,11 @@ def exact(text):
     """Convert all the way: to a tree, to Block-Text, and back."""
     program = from_python(text)
     return to_python(program, None).text, to_python(parse(format_program(program))).text
+
+
+def tree_of(python):
+    """What the statements of a file mean."""
+    return meaning(ast.parse(python.removeprefix("\ufeff")))
 
 
 @pytest.mark.parametrize(
@@ -58,7 +65,7 @@ def exact(text):
         ),
         (
             "for a, in xs:\n    pass\n",
-            "robot()\n\npython:\n    for a, in xs:\n        pass\nend\n",
+            "`for a, in xs`:\n    pass\nend\n",
         ),
         ("x = list(d.keys())\n", "x = keys(d)\n"),
         ("robot.wait_until(lambda: x)\n", "wait until x\n"),
@@ -70,21 +77,21 @@ def exact(text):
         ("for x in xs:\n  pass\n", "for x in xs:\n    pass\nend\n"),
         ("x = y if z else 0\n", "x = y if z else 0\n"),
         ("x = y[1:]\n", "x = `y[1:]`\n"),
-        ("a = b = 1\n", "robot()\n\npython:\n    a = b = 1\nend\n"),
-        ("with a as b:\n    pass\n", "robot()\n\npython:\n    with a as b:\n        pass\nend\n"),
+        ("a = b = 1\n", "`a = b = 1`\n"),
+        ("with a as b:\n    pass\n", "`with a as b`:\n    pass\nend\n"),
         ("x = (  # why\n  1)\n", "# why\nx = 1\n"),
         ("if a:\n  b()\n  # c\n# d\n", "if a:\n    b()\n    # c\nend\n# d\n"),
         (
             "import math\nx = math.gcd(4, 6)\n",
-            "python:\n    import math\nend\nx = `math.gcd(4, 6)`\n",
+            "`import math`\nx = `math.gcd(4, 6)`\n",
         ),
-        ("def f(x=1):\n    pass\n", "robot()\n\npython:\n    def f(x=1):\n        pass\nend\n"),
+        ("def f(x=1):\n    pass\n", "`def f(x=1)`:\n    pass\nend\n"),
         ("while a:\n    b = {}\n    c, d = 1, 2\n", None),
     ],
 )
 def test_python_with_an_equivalent_is_converted_and_the_rest_is_raw(python, expected):
     if expected is None:
-        expected = "while a:\n    b = {}\n    python:\n        c, d = 1, 2\n    end\nend\n"
+        expected = "while a:\n    b = {}\n    `c, d = 1, 2`\nend\n"
     assert expected == block_text(python)
 
 
@@ -141,20 +148,24 @@ def test_the_variants_of_pupils_need_no_raw_python(python, expected):
         "def f():\n    global i\n    for i in xs:\n        pass\n",
     ],
 )
-def test_a_function_that_needs_local_variables_stays_raw(function):
-    # The robot is named if there is nothing but raw Python, which would be a whole file otherwise.
-    text = block_text(function).removeprefix("robot()\n\n")
-    assert text.startswith("python:\n    def f():\n")
+def test_a_function_that_needs_local_variables_keeps_them(function):
+    assert block_text(function).startswith("`def f()`:\n")
 
 
 def test_a_brace_in_a_string_is_not_a_bracket():
     assert 'x = f"{{"\n\n# note\ny = 1\n' == block_text('x = f"{{"\n\n# note\ny = 1\n')
 
 
-def test_a_file_without_our_robot_is_one_block_of_raw_python():
+def test_a_file_without_a_robot_is_a_program():
     program = from_python("x = 1\n")
-    assert (Raw("x = 1\n"),) == program.items
-    assert "python:\n    x = 1\nend\n" == format_program(program)
+    assert "without robot\n\nx = 1\n" == format_program(program)
+    assert "x = 1\n" == to_python(parse(format_program(program))).text
+
+
+def test_a_file_that_makes_its_robot_in_another_way_is_one_block_of_raw_python():
+    text = "from learnblock.robots.ebo import Robot\n\nwith Robot() as robot:\n    robot.turn(90)\n"
+    assert (Raw(text),) == from_python(text).items
+    assert text == to_python(parse(format_program(from_python(text)))).text
 
 
 @pytest.mark.parametrize(
@@ -190,7 +201,7 @@ def test_every_file_is_restored_byte_for_byte(text):
     kept, through_block_text = exact(text)
     assert text == kept
     if SKELETON.strip().split("\n", maxsplit=1)[0] not in text:
-        assert text == through_block_text
+        assert tree_of(text) == tree_of(through_block_text)
 
 
 def test_files_of_the_standard_library_are_restored_byte_for_byte():
@@ -203,7 +214,7 @@ def test_files_of_the_standard_library_are_restored_byte_for_byte():
         except (UnicodeDecodeError, ProgramError):
             continue  # Invalid files in the test data of Python's own tests.
         assert text == to_python(program).text
-        assert text == to_python(parse(format_program(program))).text
+        assert tree_of(text) == tree_of(to_python(parse(format_program(program))).text)
         ours = SKELETON + text
         assert ours == to_python(from_python(ours), None).text
 
@@ -224,7 +235,7 @@ def test_any_text_is_restored_or_is_not_valid_python(text):
     except ProgramError:
         return
     assert text == kept
-    assert text == through_block_text
+    assert tree_of(text) == tree_of(through_block_text)
 
 
 def test_the_rest_of_a_program_does_not_use_a_raw_when():

@@ -80,7 +80,7 @@ def test_the_random_programs_have_every_block_of_the_language_and_every_skill():
     of_language = {one for one in offered if not one.startswith(SKILL)}
     # Time has a block of the language.
     missing = of_language | {SKILL + skill for skill in CONFIGURATIONS if skill != "elapsedTime"}
-    for seed in range(2000):
+    for seed in range(4000):
         if not missing:
             break
         missing -= {block.type for block in blocks(written(BlockTrees(seed).program()))}

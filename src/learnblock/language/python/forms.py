@@ -1,0 +1,177 @@
+"""Split a line of Python into its words and the values between them, for blocks with sockets.
+
+``turtle.forward(n + 1)`` has the words ``turtle.forward(`` and ``)``, and one value. Variables that
+are set, and what is before a dot or a call if it is only a name, belong to the words.
+"""
+
+import ast
+from collections.abc import Callable, Iterator, Sequence
+from functools import lru_cache
+from itertools import zip_longest
+from typing import NamedTuple
+
+#: The values that have sockets for the values in them; others are one socket with Python.
+_VALUES = (
+    ast.Attribute,
+    ast.Await,
+    ast.BinOp,
+    ast.BoolOp,
+    ast.Call,
+    ast.Compare,
+    ast.Dict,
+    ast.DictComp,
+    ast.GeneratorExp,
+    ast.IfExp,
+    ast.Lambda,
+    ast.List,
+    ast.ListComp,
+    ast.Name,
+    ast.NamedExpr,
+    ast.Set,
+    ast.SetComp,
+    ast.Subscript,
+    ast.Tuple,
+    ast.UnaryOp,
+    ast.Yield,
+    ast.YieldFrom,
+)
+_LINES = (
+    ast.AnnAssign,
+    ast.Assert,
+    ast.Assign,
+    ast.AugAssign,
+    ast.Delete,
+    ast.Expr,
+    ast.Global,
+    ast.Import,
+    ast.ImportFrom,
+    ast.Nonlocal,
+    ast.Pass,
+    ast.Raise,
+    ast.Return,
+)
+
+
+class Form(NamedTuple):
+    """The words of a line, one more than the values between them."""
+
+    words: tuple[str, ...]
+    values: tuple[ast.expr, ...] = ()
+
+
+Split = Callable[[str], Form | None]
+
+
+@lru_cache(maxsize=4096)
+def value_form(text: str) -> Form | None:
+    """The form of an expression; None if Python alone shows it."""
+    node = _parsed(text)
+    match node:
+        case ast.Expr(value=value) if isinstance(value, _VALUES):
+            return _split(text, value)
+    return None
+
+
+@lru_cache(maxsize=4096)
+def line_form(text: str) -> Form | None:
+    """The form of a statement on one line; None if Python alone shows it."""
+    if text.startswith("@"):
+        return Form((text,))
+    node = _parsed(text)
+    return _split(text, node) if isinstance(node, _LINES) else None
+
+
+@lru_cache(maxsize=4096)
+def header_form(header: str) -> Form:
+    """The form of the first line of a block, without its colon."""
+    node = _parsed(f"{header}: pass")
+    return Form((header,)) if node is None else _split(header, node)
+
+
+def filled(words: Sequence[str], texts: Sequence[str], split: Split) -> str:
+    """The line with other values, in brackets where it would mean something else without them."""
+    plain = _joined(words, texts)
+    form = split(plain)
+    if form is not None and form.words == tuple(words):
+        meant = [_parsed(text) for text in texts]
+        if [ast.dump(value) for value in form.values] == [
+            ast.dump(node.value) for node in meant if isinstance(node, ast.Expr)
+        ]:
+            return plain
+    return _joined(words, [f"({text})" for text in texts])
+
+
+def _joined(words: Sequence[str], texts: Sequence[str]) -> str:
+    return "".join(word + text for word, text in zip_longest(words, texts, fillvalue=""))
+
+
+def _parsed(text: str) -> ast.stmt | None:
+    try:
+        body = ast.parse(text.strip()).body
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return None
+    return body[0] if len(body) == 1 else None
+
+
+def _split(text: str, node: ast.AST) -> Form:
+    written = text.strip().encode()
+    values = sorted(_sockets(node), key=lambda value: value.col_offset)
+    words: list[str] = []
+    place = 0
+    for value in values:
+        words.append(written[place : value.col_offset].decode())
+        place = value.end_col_offset or 0
+    words.append(written[place:].decode())
+    return Form(tuple(words), tuple(values))
+
+
+def _sockets(node: ast.AST) -> Iterator[ast.expr]:
+    """The values in a node that have sockets of their own."""
+    match node:
+        case ast.Expr(value=value):
+            yield from _sockets(value)
+        case ast.Name() | ast.JoinedStr() | ast.Constant():
+            return
+        case ast.Attribute(value=value):
+            yield from _owner(value)
+        case ast.Call(func=function, args=arguments, keywords=keywords):
+            yield from _owner(function)
+            for part in (*arguments, *keywords):
+                yield from _socket(part)
+        case ast.FunctionDef() | ast.AsyncFunctionDef():
+            yield from _socket(node.args)
+        case ast.AnnAssign(value=value):
+            if value is not None:
+                yield value
+        case _:
+            for part in ast.iter_child_nodes(node):
+                yield from _socket(part)
+
+
+def _socket(part: ast.AST) -> Iterator[ast.expr]:
+    """A value itself; of what is no value, the values in it."""
+    match part:
+        case ast.Starred() | ast.Slice():
+            yield from _sockets(part)
+        case ast.stmt():
+            return
+        case ast.arguments(defaults=defaults, kw_defaults=others):
+            yield from defaults
+            yield from filter(None, others)
+        case ast.expr() if isinstance(getattr(part, "ctx", None), ast.Store | ast.Del):
+            return
+        case ast.expr():
+            yield part
+        case ast.keyword() | ast.comprehension() | ast.withitem():
+            yield from _sockets(part)
+
+
+def _owner(node: ast.expr) -> Iterator[ast.expr]:
+    """What is before a dot or a call, unless it is only names with dots."""
+    match node:
+        case ast.Attribute(value=value):
+            yield from _owner(value)
+        case ast.Name():
+            return
+        case _:
+            yield node
