@@ -10,6 +10,7 @@ import { registerCategories } from "./categories";
 import { Checker } from "./checker";
 import { Dragger, EDGE } from "./dragger";
 import { pieceWith, type Rest } from "./folds";
+import { areaToFollow } from "./follow";
 import { Invitation } from "./invitation";
 import { Loading } from "./loading";
 import { Loose } from "./loose";
@@ -250,6 +251,12 @@ export class BlockEditor {
   /** Scroll to a block if it is not in sight. */
   scrollTo(block: Blockly.BlockSvg): void {
     this.workspace.scrollBoundsIntoView(block.getBoundingRectangleWithoutChildren());
+  }
+
+  /** Scroll up or down to the block that runs, and sideways only if nothing of it is in the view. */
+  follow(block: Blockly.BlockSvg): void {
+    const view = this.workspace.getMetricsManager().getViewMetrics(true);
+    this.workspace.scrollBoundsIntoView(areaToFollow(block.getBoundingRectangleWithoutChildren(), view));
   }
 
   /** The state for a successor. */
