@@ -1,6 +1,9 @@
 /** Where the program scrolls to while it runs. */
 
-import * as Blockly from "blockly/core";
+interface Area {
+  readonly left: number;
+  readonly right: number;
+}
 
 interface View {
   readonly left: number;
@@ -8,12 +11,11 @@ interface View {
 }
 
 /**
- * The area to bring into sight for a block that runs: a program that fits must not move sideways, so a block that can
- * be seen only asks for its height.
+ * The sides to bring into sight for a block that runs: a program must not move sideways, so a block of which something
+ * is in the view asks for no more than the view's middle.
  */
-export function areaToFollow(block: Blockly.utils.Rect, { left, width }: View): Blockly.utils.Rect {
-  const isBeside = block.right <= left || block.left >= left + width;
-  if (isBeside) return block;
-  const middle = left + width / 2;
-  return new Blockly.utils.Rect(block.top, block.bottom, middle, middle);
+export function sidesToFollow({ left, right }: Area, view: View): Area {
+  const isBeside = right <= view.left || left >= view.left + view.width;
+  const middle = view.left + view.width / 2;
+  return isBeside ? { left, right } : { left: middle, right: middle };
 }
