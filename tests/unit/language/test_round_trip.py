@@ -1,5 +1,6 @@
 """Round trips between the notations: golden, example and random programs in every direction."""
 
+import ast
 import subprocess
 import sys
 
@@ -22,6 +23,7 @@ from learnblock.language import (
 from learnblock.language import format as format_program
 from learnblock.language.tree.nodes import Raw
 from places import ROOT, TESTS
+from python_scores import meaning
 from trees import NUMBERS, Trees, has_distinct_whens
 
 CASES = sorted((TESTS / "cases").glob("*/program.bt"))
@@ -134,6 +136,8 @@ TERMINALS = {
     "NUMBER": spaced(*NUMBERS),
     "STRING": spaced('"a"', "'b'", r'"\n"', "'\"'"),
     "FSTRING": spaced('f"a{x}"', "f'{x[0]} {y}'", 'f"{{}}"', "F'{state_seen}!'"),
+    "RAW_HEADER": spaced("`for a, in b`"),
+    "RAW_PART": spaced("`else`"),
     "RAW": spaced("`{1, 2}`", "`lambda: 0`"),
     "PYTHON_BLOCK": spaced("\npython:\n    import os\n    end\n", "\npython:\n\\end\n  end\n"),
     "_NL": st.sampled_from(["\n", "\n\n", " # note\n", "\n# main\n\n  # end\n"]),
@@ -146,12 +150,16 @@ TERMINALS = {
 @settings(many, max_examples=examples(60, gate=15))
 @given(from_lark(GRAMMAR, start="program", explicit=TERMINALS))
 def test_a_program_of_the_grammar_survives_every_round_trip(text):
+    # A grammar cannot forbid a second else of Python, nor one that shares its line.
+    assume("`else`" not in text)
     program, diagnostics = recover(text)
     # A grammar cannot forbid duplicate names, nor bodies of comments in raw Python.
     beyond = {"duplicate-argument", "duplicate-parameter", "empty-block", "import-name"}
     beyond |= {"too-deep", "second-main", "argument-order"}
     codes = {diagnostic.code for diagnostic in diagnostics}
     assume(not codes & beyond and not is_all_raw(program) and has_distinct_whens(program))
+    # Nor that a program without a robot uses none, or has no statement.
+    assume(not program.is_without_robot)
     assert not codes
     assert_ladder(program)
 
@@ -169,6 +177,26 @@ def test_junk_never_crashes_the_language(text):
     check(program, {})
     format_program(program)
     to_python(program)
+
+
+WITHOUT_ROBOT = [
+    "x = 1\n",
+    "import math  # why\n\nprint(math.tau)\n",
+    "@cache\ndef f(a, b=2):  # f\n    c = a\n    return c\n",
+    'class A(B):\n    """A.\n\n    B.\n    """\n\n    def f(self):\n        self.x += \'a\'[0:2]\n',
+    "try:\n    f()\nexcept E as e:\n    raise\nelse:\n    pass\n# note\nfinally:\n    x.y(1)\n",
+    "def f(n):\n    global a, b\n    a = b = [i for i in n if i]\n",
+    "for a, (b, c) in d:\n    pass\nelse:\n    assert a < b < c, 'no'\n",
+]
+
+
+@pytest.mark.parametrize("python", WITHOUT_ROBOT)
+def test_python_without_a_robot_survives_in_every_notation(python):
+    program = from_python(python)
+    assert_ladder(parse(format_program(program)))
+    assert program == from_workspace(to_workspace(program, {}).workspace, {}).program
+    again = to_python(parse(format_program(program))).text
+    assert meaning(ast.parse(again)) == meaning(ast.parse(python))
 
 
 @pytest.mark.parametrize(
