@@ -63,7 +63,7 @@ class Form:
 
 
 @dataclass(frozen=True, slots=True)
-class Truth(Form):
+class YesOrNo(Form):
     """A reading that is True or False."""
 
     annotation = "bool"
@@ -77,7 +77,7 @@ class Truth(Form):
 
 
 @dataclass(frozen=True, slots=True)
-class Code(Form):
+class CodeOrNone(Form):
     """A reading that is a whole number, or None before the first one."""
 
     annotation = "int | None"
@@ -139,7 +139,7 @@ class SeveralByPlace(ByPlace):
 
 
 @dataclass(frozen=True, slots=True)
-class InOrder(ByPlace):
+class Axes(ByPlace):
     """A reading with a number for each of its places, in their order."""
 
     annotation = "tuple[float, ...]"

@@ -4,7 +4,15 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from learnblock.devices.device import Sensor
-from learnblock.devices.readings import Buttons, ByPlace, Code, Form, InOrder, SeveralByPlace, Truth
+from learnblock.devices.readings import (
+    Axes,
+    Buttons,
+    ByPlace,
+    CodeOrNone,
+    Form,
+    SeveralByPlace,
+    YesOrNo,
+)
 from learnblock.devices.values import whole
 
 if TYPE_CHECKING:
@@ -111,7 +119,7 @@ class Gyroscope(Sensor[float]):
 class Accelerometer(Sensor[tuple[float, float, float]]):
     """An accelerometer: `read` returns (x forward, y left, z up) in m/s2; z is 9.81 at rest."""
 
-    form = InOrder(
+    form = Axes(
         -20,
         20,
         "m/s²",
@@ -125,7 +133,7 @@ class Accelerometer(Sensor[tuple[float, float, float]]):
 class Bumper(Sensor[bool]):
     """A bumper: `read` returns True while it touches something."""
 
-    form = Truth(quiet=False)
+    form = YesOrNo(quiet=False)
 
 
 class LightSensor(Sensor[float]):
@@ -146,7 +154,7 @@ class Controller(Sensor[Mapping[str, bool]]):
 class Infrared(Sensor[int | None]):
     """An infrared remote control: `read` returns the last code received, `send` sends one."""
 
-    form = Code(0, 255)
+    form = CodeOrNone(0, 255)
 
     def __init__(
         self, read: Callable[[], int | None], send: Callable[[int], None] | None = None
