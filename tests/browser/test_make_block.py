@@ -27,7 +27,7 @@ def open_dialog(pupil):
 
 
 def test_a_block_is_made_with_its_inputs_and_undone_in_one_step(sit_down, server):
-    pupil = sit_down(server, empty=True, flat=True)
+    pupil = sit_down(server, stage="starter", empty=True, flat=True)
     dialog = open_dialog(pupil)
     keys = pupil.page.keyboard
     keys.type("dance")
