@@ -337,10 +337,10 @@ class Blocks implements BlocksIsland {
     this.editor?.marks.showValues(texts);
   }
 
-  private follow(block: Parameters<BlockEditor["scrollTo"]>[0], atOnce: boolean): void {
+  private follow(block: Parameters<BlockEditor["follow"]>[0], atOnce: boolean): void {
     const now = performance.now();
     if (!atOnce && now - this.followed < FOLLOWING) return;
     this.followed = now;
-    this.editor?.scrollTo(block);
+    this.editor?.follow(block);
   }
 }

@@ -11,6 +11,7 @@ import { registerCategories } from "./categories";
 import { Checker } from "./checker";
 import { Dragger, EDGE } from "./dragger";
 import { pieceWith, type Rest } from "./folds";
+import { sidesToFollow } from "./follow";
 import { Invitation } from "./invitation";
 import { Loading } from "./loading";
 import { Loose } from "./loose";
@@ -282,6 +283,14 @@ export class BlockEditor {
   /** Scroll to a block if it is not in sight. */
   scrollTo(block: Blockly.BlockSvg): void {
     this.workspace.scrollBoundsIntoView(block.getBoundingRectangleWithoutChildren());
+  }
+
+  /** Scroll up or down to the block that runs, and sideways only if nothing of it is in the view. */
+  follow(block: Blockly.BlockSvg): void {
+    const view = this.workspace.getMetricsManager().getViewMetrics(true);
+    const { top, bottom, ...sides } = block.getBoundingRectangleWithoutChildren();
+    const { left, right } = sidesToFollow(sides, view);
+    this.workspace.scrollBoundsIntoView(new Blockly.utils.Rect(top, bottom, left, right));
   }
 
   /** The state for a successor. */
