@@ -1,5 +1,6 @@
 """The guide to a custom robot: its code is run as it is in the guide."""
 
+import asyncio
 import os
 import re
 import subprocess
@@ -11,6 +12,7 @@ import pytest
 from learnblock import robots
 from learnblock.devices import Base, DistanceSensors, GroundSensors, Led
 from learnblock.errors import RobotConnectionError, SettingsError
+from learnblock.robots.event_loop import EventLoop
 from places import ROOT
 from runs import EXAMPLES, run_example
 from waiting import wait_for
@@ -86,6 +88,40 @@ def test_the_guides_asynchronous_robot_is_told_and_tells_what_the_guide_says(own
     exec(code("check_pi_ball.py"), {})  # noqa: S102 - our own guide
     said = re.findall(r"print\(.*\)  # (.*)", code("check_pi_ball.py"))
     assert capsys.readouterr().out.splitlines() == said
+
+
+def test_a_contained_run_drives_the_guides_asynchronous_robot(own_home, tmp_path):
+    (own_home / "robots").mkdir()
+    (own_home / "robots" / "pi_ball.py").write_text(code("pi_ball.py"))
+    program = tmp_path / "program.py"
+    program.write_text(
+        "from learnblock_home.robots.pi_ball import Robot\n\n"
+        "robot = Robot()\n"
+        "robot.move_straight(100)\n"
+        "print(robot.get_min_distance())\n"
+    )
+    commands = []
+
+    async def ball(reader, writer):
+        writer.write(b"250\n")
+        while line := await reader.readline():
+            commands.append(line.decode().strip())
+        writer.close()
+
+    with EventLoop("the ball") as loop:
+        server = loop.run(asyncio.start_server(ball, "127.0.0.1", 0), seconds=5)
+        loop.enter(server, seconds=5)
+        port = server.sockets[0].getsockname()[1]
+        (own_home / "settings.toml").write_text(f"[robots.pi-ball]\nport = {port}\n")
+        done = subprocess.run(
+            [sys.executable, "-m", "learnblock", "run", program, "--robot=pi-ball", "--for=5"],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        wait_for(lambda: commands[-1:] == ["0 0"], "the ball is stopped")
+    assert (done.returncode, done.stdout) == (0, "250.0\n"), done.stderr
+    assert commands[0] == "100 0"
 
 
 #: The environment that the guide advises without a Raspberry Pi.

@@ -19,6 +19,7 @@ from types import MappingProxyType, ModuleType
 from learnblock.devices import actuators, sensors
 from learnblock.devices.actuators import *
 from learnblock.devices.device import *
+from learnblock.devices.readings import Form
 from learnblock.devices.sensors import *
 from learnblock.devices.values import *
 
@@ -33,7 +34,16 @@ def _defined_in(module: ModuleType) -> dict[str, type[Device]]:
     }
 
 
+_SENSORS = _defined_in(sensors)
 #: Every type of device, by its name.
 DEVICE_TYPES: Mapping[str, type[Device]] = MappingProxyType(
-    dict(sorted({**_defined_in(sensors), **_defined_in(actuators)}.items()))
+    dict(sorted({**_SENSORS, **_defined_in(actuators)}.items()))
+)
+#: What the readings of each type of sensor look like, in the order in which the page shows them.
+FORMS: Mapping[str, Form] = MappingProxyType(
+    {
+        name: kind.form
+        for name, kind in _SENSORS.items()
+        if issubclass(kind, Sensor) and kind.form is not None
+    }
 )

@@ -1,7 +1,9 @@
 """What all devices have in common."""
 
 from collections.abc import Callable
-from typing import Any, Generic, TypeVar
+from typing import Any, ClassVar, Generic, TypeVar
+
+from learnblock.devices.readings import Form
 
 Reading = TypeVar("Reading")
 Function = Callable[..., Any]
@@ -39,7 +41,13 @@ class Device:
 
 
 class Sensor(Device, Generic[Reading]):
-    """A device with readings."""
+    """A device with readings.
+
+    Attributes:
+        form: what its readings look like; None if they are not numbers.
+    """
+
+    form: ClassVar[Form | None] = None
 
     def __init__(self, read: Callable[[], Reading], **functions: Function | None) -> None:
         super().__init__(read=read, **functions)

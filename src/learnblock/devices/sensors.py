@@ -1,9 +1,18 @@
-"""The devices that measure."""
+"""The devices that measure, in the order in which the page shows their readings."""
 
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from learnblock.devices.device import Sensor
+from learnblock.devices.readings import (
+    Axes,
+    Buttons,
+    ByPlace,
+    CodeOrNone,
+    Form,
+    SeveralByPlace,
+    YesOrNo,
+)
 from learnblock.devices.values import whole
 
 if TYPE_CHECKING:
@@ -16,6 +25,10 @@ if TYPE_CHECKING:
 
 #: The reading of a distance sensor that sees nothing, in mm.
 NOTHING_SEEN = 2000.0
+
+_SIDES = ("front", "left", "right", "back")
+_UNDER = ("left", "central", "right")
+_BUTTONS = ("lUp", "lLeft", "lRight", "lDown", "rUp", "rLeft", "rRight", "rDown")
 
 
 class Camera(Sensor["Frame | None"]):
@@ -72,9 +85,19 @@ class DistanceSensors(Sensor[Mapping[str, Sequence[float]]]):
     A sensor between two directions is listed in both; 2000 means that it sees nothing.
     """
 
+    form = SeveralByPlace(
+        0,
+        NOTHING_SEEN,
+        "mm",
+        places=_SIDES,
+        quiet={side: [NOTHING_SEEN] for side in _SIDES},
+    )
+
 
 class GroundSensors(Sensor[Mapping[str, float | None]]):
     """Ground sensors: brightness left, central and right, 0 (dark) to 100, None if absent."""
+
+    form = ByPlace(0, 100, "%", places=_UNDER, quiet=dict.fromkeys(_UNDER, 100.0))
 
 
 class Gyroscope(Sensor[float]):
@@ -82,6 +105,8 @@ class Gyroscope(Sensor[float]):
 
     The angle is not wrapped. The usual key is ``Z_AXIS``, the axis that points up.
     """
+
+    form = Form(-360, 360, "°", 1, is_limited=False)
 
     def __init__(self, read: Callable[[], float], reset: Callable[[], None]) -> None:
         super().__init__(read, reset=reset)
@@ -94,13 +119,27 @@ class Gyroscope(Sensor[float]):
 class Accelerometer(Sensor[tuple[float, float, float]]):
     """An accelerometer: `read` returns (x forward, y left, z up) in m/s2; z is 9.81 at rest."""
 
-
-class LightSensor(Sensor[float]):
-    """A light sensor: `read` returns 0 (dark) to 1023."""
+    form = Axes(
+        -20,
+        20,
+        "m/s²",
+        2,
+        places=("forward", "left", "up"),
+        is_limited=False,
+        quiet=(0.0, 0.0, 9.81),
+    )
 
 
 class Bumper(Sensor[bool]):
     """A bumper: `read` returns True while it touches something."""
+
+    form = YesOrNo(quiet=False)
+
+
+class LightSensor(Sensor[float]):
+    """A light sensor: `read` returns 0 (dark) to 1023."""
+
+    form = Form(0, 1023, quiet=0.0)
 
 
 class Controller(Sensor[Mapping[str, bool]]):
@@ -109,9 +148,13 @@ class Controller(Sensor[Mapping[str, bool]]):
     The buttons are lUp, lLeft, lRight, lDown, rUp, rLeft, rRight and rDown.
     """
 
+    form = Buttons(places=_BUTTONS, quiet=dict.fromkeys(_BUTTONS, False))
+
 
 class Infrared(Sensor[int | None]):
     """An infrared remote control: `read` returns the last code received, `send` sends one."""
+
+    form = CodeOrNone(0, 255)
 
     def __init__(
         self, read: Callable[[], int | None], send: Callable[[int], None] | None = None

@@ -1,17 +1,13 @@
 """Single sensor readings, and the units and ranges of the types of devices."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from types import MappingProxyType
 from typing import Any
 
 from msgspec import Struct, structs
 
-from learnblock.devices import DEFAULT_KEY, NOTHING_SEEN
-
-Value = float | bool | None
-
-#: In the order of an accelerometer's readings.
-_AXES = ("forward", "left", "up")
+from learnblock.devices import DEFAULT_KEY, FORMS
+from learnblock.devices.readings import Value
 
 
 class Sensor(Struct, frozen=True, omit_defaults=True):
@@ -62,45 +58,17 @@ def sensors_of(device: str, reading: Any, key: str = DEFAULT_KEY) -> Iterator[Se
         reading: the result of its ``read``.
         key: its key.
     """
-    if device not in _KINDS or reading is None:
+    if device not in FORMS or reading is None:
         return
-    _, take_apart = _KINDS[device]
-    for place, number, value in take_apart(reading):
+    for place, number, value in FORMS[device].singles(reading):
         yield Sensor(device, key, value, place, number)
 
 
-_Single = tuple[str, int, Value]
-
-
-def _one(reading: float | bool) -> Iterator[_Single]:  # noqa: FBT001 - a bumper reads True or False
-    yield "", 0, reading
-
-
-def _lists(reading: Mapping[str, Sequence[float]]) -> Iterator[_Single]:
-    for side, distances in reading.items():
-        for number, distance in enumerate(distances, start=1):
-            yield side, number, distance
-
-
-def _sides(reading: Mapping[str, float | None]) -> Iterator[_Single]:
-    # A side without a sensor reads None.
-    return ((side, 0, value) for side, value in reading.items() if value is not None)
-
-
-def _axes(reading: Sequence[float]) -> Iterator[_Single]:
-    return ((axis, 0, value) for axis, value in zip(_AXES, reading, strict=True))
-
-
-_KINDS: Mapping[str, tuple[Quantity, Callable[[Any], Iterator[_Single]]]] = {
-    "DistanceSensors": (Quantity("mm", 0, NOTHING_SEEN, 0), _lists),
-    "GroundSensors": (Quantity("%", 0, 100, 0), _sides),
-    "Gyroscope": (Quantity("°", -360, 360, 1), _one),
-    "Accelerometer": (Quantity("m/s²", -20, 20, 2), _axes),
-    "Bumper": (Quantity("", 0, 1, 1), _one),
-    "LightSensor": (Quantity("", 0, 1023, 0), _one),
-    "Controller": (Quantity("", 0, 1, 1), _sides),
-    "Infrared": (Quantity("", 0, 255, 0), _one),
-}
 #: What the sensors that are shown as numbers measure, in the order in which they are shown.
-QUANTITIES = MappingProxyType({kind: quantity for kind, (quantity, _) in _KINDS.items()})
-SENSOR_TYPES = tuple(QUANTITIES)
+QUANTITIES = MappingProxyType(
+    {
+        kind: Quantity(form.unit, form.lowest, form.highest, form.digits)
+        for kind, form in FORMS.items()
+    }
+)
+SENSOR_TYPES = tuple(FORMS)

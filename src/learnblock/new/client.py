@@ -1,10 +1,12 @@
 """The client of a new robot, written from its description."""
 
 import json
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
+from learnblock.devices import DEVICE_TYPES, FORMS
 from learnblock.new.robot_plan import RobotPlan
-from learnblock.new.template import fill, indented
+from learnblock.new.template import fill, has, indented
 from learnblock.simulator.robot_description import Joint
 
 _WIDTH = 100
@@ -80,10 +82,27 @@ def _entry(text: str) -> str:
 
 def _part(plan: RobotPlan, kind: str) -> tuple[str, str]:
     """The lines that add a device, and its functions."""
-    sides = ", ".join(sensor.side for sensor in plan.ground)
-    text = fill(f"robot/devices/{kind}", count=len(plan.distance), sides=sides)
+    name = f"robot/devices/{kind}"
+    if has(name):
+        sides = ", ".join(sensor.side for sensor in plan.ground)
+        text = fill(name, count=len(plan.distance), sides=sides)
+    else:
+        text = fill("robot/devices/Sensor", **_plain_sensor(kind))
     added, _, functions = text.partition("---\n")
     return added, functions
+
+
+def _plain_sensor(kind: str) -> dict[str, str]:
+    """What the template of a sensor that only reads shows of its type."""
+    first_line = (DEVICE_TYPES[kind].__doc__ or kind).partition("\n")[0]
+    what, _, reading = first_line.partition(": `read` returns ")
+    return {
+        "kind": kind,
+        "function": re.sub(r"(?<=[a-z])(?=[A-Z])", "_", kind).lower(),
+        "annotation": FORMS[kind].annotation,
+        "what": what[0].lower() + what[1:],
+        "reading": reading,
+    }
 
 
 def _imports(kinds: list[str], plan: RobotPlan) -> Iterator[str]:

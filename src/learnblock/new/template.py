@@ -16,9 +16,18 @@ def fill(name: str, /, **values: object) -> str:
     return Template(read(name)).substitute(values)
 
 
+def has(name: str) -> bool:
+    """Whether there is such a template."""
+    return _path(name).is_file()
+
+
 def read(name: str) -> str:
     """The text of a template."""
-    return (_FOLDER / f"{name}.template").read_text(encoding="utf-8")
+    return _path(name).read_text(encoding="utf-8")
+
+
+def _path(name: str) -> Path:
+    return _FOLDER / f"{name}.template"
 
 
 def indented(lines: str, depth: int) -> str:

@@ -15,9 +15,10 @@ from typing import Any
 
 from learnblock.client import Client
 from learnblock.devices import Base, Camera, Device, Sensor
+from learnblock.devices.readings import is_number
 from learnblock.errors import UnknownNameError
 from learnblock.testing.conformance import NotConformingError
-from learnblock.testing.forms import has_form, is_number, is_pose
+from learnblock.testing.forms import has_form, is_pose
 
 #: The arguments of each command, chosen for the smallest effect.
 _COMMANDS: Mapping[str, tuple[object, ...]] = {

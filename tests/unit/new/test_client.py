@@ -39,7 +39,7 @@ READERS = {
     "acceleration": Accelerometer,
     "touches": Bumper,
     "ground": GroundSensors,
-    "light": LightSensor,
+    "light_sensor": LightSensor,
 }
 COMMANDS = (
     "animate", "show_emotion", "send_code", "switch_lamp", "select_song", "press", "set_volume",

@@ -70,7 +70,7 @@ function ShownChip({ measure, value }: { measure: Measure; value: string }) {
         onClick={() => (measure === FOUND ? arrange({ camera: true }) : views.plot(measure))}
       >
         <Icon name={ICONS[device] ?? "sense"} />
-        {t("page-world-measure", { device, place })} <b>{value}</b>
+        {t("page-sensors-measure", { device, place })} <b>{value}</b>
       </button>
     </li>
   );

@@ -1,7 +1,7 @@
 """Block configurations from JSON: the built-in ones, and files of users and libraries."""
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -14,9 +14,9 @@ from learnblock.fields import Range
 from learnblock.i18n import Phrase
 
 _CONFIGURATIONS = Path(__file__).parents[1] / "configurations"
-#: The built-in configurations: one file per tab, in the order of the palette.
-#: Their words are in `words/`, one file per language.
-TABS = (
+#: The first built-in configurations, in the order of the palette; all others follow by name. There
+#: is one file per tab; their words are in `words/`, one file per language.
+_FIRST_TABS = (
     "base",
     "motor",
     "distances",
@@ -66,10 +66,17 @@ def builtin() -> Mapping[str, BlockConfiguration]:
     words = {path.stem.upper(): _json(path) for path in _CONFIGURATIONS.glob("words/*.json")}
     blocks = [
         _trusted(raw, _of(words, raw["name"]))
-        for tab in TABS
+        for tab in tabs()
         for raw in _json(_CONFIGURATIONS / f"{tab}.json")
     ]
     return MappingProxyType({block.name: block for block in blocks})
+
+
+def tabs() -> Iterator[str]:
+    """The names of the files of built-in configurations, in the order of the palette."""
+    there = sorted(path.stem for path in _CONFIGURATIONS.glob("*.json"))
+    yield from _FIRST_TABS
+    yield from (tab for tab in there if tab not in _FIRST_TABS)
 
 
 def _read(path: Path) -> str:

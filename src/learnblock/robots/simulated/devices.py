@@ -5,21 +5,17 @@ from functools import partial, wraps
 from typing import Any
 
 from learnblock.devices import (
+    DEVICE_TYPES,
     MP3,
-    Accelerometer,
     Animator,
     Base,
-    Bumper,
     Camera,
     Device,
     Display,
-    DistanceSensors,
-    GroundSensors,
     Gyroscope,
     Infrared,
     JointMotor,
     Led,
-    LightSensor,
     Matrix,
     Pen,
     RGBLed,
@@ -28,6 +24,7 @@ from learnblock.devices import (
 )
 from learnblock.senses import ABILITIES
 from learnblock.simulator import RobotBody
+from learnblock.simulator.robot_body import READINGS
 
 #: What every robot has in a world, even if the real one does not.
 WORLD_DEVICES = ("Pen:ROBOT", "Screen:ROBOT")
@@ -38,7 +35,13 @@ DECIMALS = 3
 
 def make_device(body: RobotBody, kind: str, key: str) -> Device:
     """The device with this type and key, such as ``Camera`` and ``ROBOT``."""
-    return _MAKERS[kind](body, key)
+    maker = _MAKERS.get(kind)
+    return maker(body, key) if maker else _sensor(body, kind)
+
+
+def _sensor(body: RobotBody, kind: str) -> Device:
+    """A sensor that can only be read."""
+    return DEVICE_TYPES[kind](read=_reading(partial(READINGS[kind], body)))
 
 
 def _reading(read: Callable[[], Any]) -> Callable[[], Any]:
@@ -110,19 +113,14 @@ def _joint(body: RobotBody, key: str) -> JointMotor:
 
 
 _MAKERS: dict[str, Callable[[RobotBody, str], Device]] = {
-    "Accelerometer": lambda body, _: Accelerometer(_reading(body.acceleration)),
     "Animator": lambda body, _: Animator(_logged(body, "Animator", "play")),
     "Base": _base,
-    "Bumper": lambda body, _: Bumper(body.bumper),
     "Camera": lambda body, key: Camera(partial(body.frame, key), drawn=True, focal=body.focal(key)),
     "Display": lambda body, _: Display(show_emotion=body.show_emotion),
-    "DistanceSensors": lambda body, _: DistanceSensors(_reading(body.distances)),
-    "GroundSensors": lambda body, _: GroundSensors(_reading(body.ground)),
     "Gyroscope": lambda body, _: Gyroscope(_reading(body.gyroscope), body.reset_gyroscope),
     "Infrared": lambda body, _: Infrared(lambda: None, _logged(body, "Infrared", "send")),
     "JointMotor": _joint,
     "Led": _led,
-    "LightSensor": lambda body, _: LightSensor(_reading(body.light)),
     "MP3": _mp3,
     "Matrix": _matrix,
     "Pen": _pen,

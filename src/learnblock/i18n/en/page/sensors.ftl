@@ -44,3 +44,22 @@ page-sensors-name = { $device ->
     [0] {""}
    *[other] {" "}{ $number }
 }
+# $device is the type of the device that measures, $place the side of a distance sensor.
+page-sensors-measure = { $device ->
+    [DistanceSensors] { $place ->
+        [front] Front
+        [left] Left
+        [right] Right
+       *[back] Behind
+    }
+    [GroundSensors] Floor
+    [Bumper] Bumper
+    [Accelerometer] Acceleration
+    [LightSensor] Light
+    [Controller] Buttons
+    [Infrared] Infrared
+    [Camera] Camera
+    [Heading] Heading
+    [Driven] Driven
+   *[other] { $device }
+}

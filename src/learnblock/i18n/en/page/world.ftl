@@ -9,25 +9,6 @@ page-world-eye = View and robot
 page-world-this = This world
 page-world-shown = Shown
 page-world-values = Values of the robot
-# $device is the type of the device that measures, $place the side of a distance sensor.
-page-world-measure = { $device ->
-    [DistanceSensors] { $place ->
-        [front] Front
-        [left] Left
-        [right] Right
-       *[back] Behind
-    }
-    [GroundSensors] Floor
-    [Bumper] Bumper
-    [Accelerometer] Acceleration
-    [LightSensor] Light
-    [Controller] Buttons
-    [Infrared] Infrared
-    [Camera] Camera
-    [Heading] Heading
-    [Driven] Driven
-   *[other] { $device }
-}
 page-world-plot = Plot these values
 # $thing is such as "a wall".
 page-world-goal = Goal: { $goal }

@@ -42,3 +42,22 @@ page-sensors-name = { $device ->
     [0] {""}
    *[other] {" "}{ $number }
 }
+# $device is the type of the device that measures, $place the side of a distance sensor.
+page-sensors-measure = { $device ->
+    [DistanceSensors] { $place ->
+        [front] Delante
+        [left] Izquierda
+        [right] Derecha
+       *[back] Detrás
+    }
+    [GroundSensors] Suelo
+    [Bumper] Parachoques
+    [Accelerometer] Aceleración
+    [LightSensor] Luz
+    [Controller] Botones
+    [Infrared] Infrarrojos
+    [Camera] Cámara
+    [Heading] Rumbo
+    [Driven] Recorrido
+   *[other] { $device }
+}

@@ -9,25 +9,6 @@ page-world-eye = Vista y robot
 page-world-this = Este mundo
 page-world-shown = Se muestra
 page-world-values = Valores del robot
-# $device is the type of the device that measures, $place the side of a distance sensor.
-page-world-measure = { $device ->
-    [DistanceSensors] { $place ->
-        [front] Delante
-        [left] Izquierda
-        [right] Derecha
-       *[back] Detrás
-    }
-    [GroundSensors] Suelo
-    [Bumper] Parachoques
-    [Accelerometer] Aceleración
-    [LightSensor] Luz
-    [Controller] Botones
-    [Infrared] Infrarrojos
-    [Camera] Cámara
-    [Heading] Rumbo
-    [Driven] Recorrido
-   *[other] { $device }
-}
 page-world-plot = Ver la gráfica de estos valores
 page-world-goal = Objetivo: { $goal }
 page-world-goal-of = Objetivo { $number } de { $all }: { $goal }
