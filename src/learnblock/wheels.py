@@ -119,6 +119,12 @@ class Odometry:
         """(x mm, y mm, heading in degrees clockwise, from -180 to 180)."""
         return self._x, self._y, (self._heading + 180) % 360 - 180
 
+    def copy(self) -> "Odometry":
+        """Another one at the same pose, made in a fraction of the time of `copy.copy`."""
+        copy = Odometry(self._track)
+        copy._x, copy._y, copy._heading = self._x, self._y, self._heading
+        return copy
+
     def roll(self, left: float, right: float) -> None:
         """Process the mm that each wheel has rolled forward, at speeds with a fixed ratio."""
         self.proceed(*body_speeds((left, right), self._track))

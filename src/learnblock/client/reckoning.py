@@ -3,7 +3,6 @@
 import math
 import threading
 from collections.abc import Callable
-from copy import copy
 
 from learnblock.client.clock import Clock
 from learnblock.devices import Pose
@@ -60,7 +59,7 @@ class Reckoning:
     def pose(self) -> Pose:
         """(x mm, y mm, heading in degrees from -180 to 180, clockwise)."""
         with self._lock:
-            now = copy(self._odometry)
+            now = self._odometry.copy()
             self._proceed(now)
             return now.pose
 

@@ -1,5 +1,8 @@
 """The calls of a program in the thread of its host, which need no message."""
 
+import sys
+from collections.abc import Callable
+from threading import get_ident
 from typing import Any
 
 from learnblock.runtime.conversation import Conversation
@@ -14,13 +17,23 @@ class DirectCalls:
         robot: the program's robot, which is simulated: no time passes while the program runs.
         recorder: its recorder.
         conversation: the conversation with the program.
+        wait: lets steps of its world pass; None if others wait there, too, or somebody looks.
     """
 
-    def __init__(self, robot: HostedRobot, recorder: Recorder, conversation: Conversation) -> None:
+    def __init__(
+        self,
+        robot: HostedRobot,
+        recorder: Recorder,
+        conversation: Conversation,
+        wait: Callable[[int], int | None] | None = None,
+    ) -> None:
         self.note = recorder.note
         self.note_call = recorder.note_call
         self._call = robot.call
         self._conversation = conversation
+        self._wait = wait
+        self._write_noted = recorder.write_noted
+        self._thread = get_ident()
 
     def obey(self, device: int, function: str, args: tuple[Any, ...]) -> bool:
         try:
@@ -32,3 +45,18 @@ class DirectCalls:
 
     def answer(self, device: int, function: str, args: tuple[Any, ...]) -> Any:
         return self._conversation.copied(self._call(device, function, args))
+
+    def wait(self, steps: int) -> int | None:
+        if self._wait is None or get_ident() != self._thread:
+            return None
+        self._write_noted()
+        # The world runs no line of the program.
+        tracer = sys.gettrace()
+        sys.settrace(None)
+        try:
+            return self._wait(steps)
+        except Exception as error:  # noqa: BLE001 - as above
+            self._conversation.fail(error)
+            return None
+        finally:
+            sys.settrace(tracer)

@@ -76,6 +76,12 @@ class AtOnce(Protocol):
             LearnBlockError: the call failed.
         """
 
+    def wait(self, steps: int) -> int | None:
+        """Let so many steps of the world pass; return its step counter.
+
+        None if that needs a message.
+        """
+
 
 class Link(Generic[Incoming]):
     """One end of a conversation.

@@ -31,6 +31,7 @@ from learnblock.runtime.status import State
 from learnblock.runtime.supervision import Supervision
 from learnblock.runtime.validation import Validator, refused
 from learnblock.runtime.variables import VariableReports
+from learnblock.runtime.waiting import Waiting
 from learnblock.runtime.watcher import Watcher
 from learnblock.runtime.world import Simulation, World
 
@@ -295,7 +296,21 @@ class Run:
         """Offer a program that shares this thread to do at once what takes no time."""
         is_simulated = self.simulation is not None
         if self.recorder and self._conversation and is_simulated and self._is_unwatched:
-            self._conversation.offer(DirectCalls(self.robot, self.recorder, self._conversation))
+            calls = DirectCalls(self.robot, self.recorder, self._conversation, self._waiting())
+            self._conversation.offer(calls)
+
+    def _waiting(self) -> Callable[[int], int | None] | None:
+        """What lets time pass for a program in this thread, if only its run depends on that."""
+        is_looked_at = type(self.watcher).tick is not Watcher.tick or self._log is not None
+        if self.simulation is None or not self.world.is_private or is_looked_at:
+            return None
+        return Waiting(self.simulation, self.supervision, self._is_ending).wait
+
+    def _is_ending(self) -> bool:
+        """Look around while the program waits in this thread; return whether its run is ending."""
+        if self._conversation:
+            self._end_soon(self.supervision.check_usage(self._conversation.worker.usage))
+        return self.stopping is not None or self.variables.enabled
 
     def _on_disconnect(self, _: messages.Disconnect) -> None:
         if self._conversation:

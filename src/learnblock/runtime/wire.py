@@ -92,6 +92,12 @@ class Wire:
     def sleep(self, steps: int) -> int:
         """Park for that many steps; return the world's step counter on waking."""
         reads, self._used = tuple(self._used), {}
+        if self._at_once is not None:
+            self.turn.require_permission()
+            at = self._at_once.wait(min(steps, MOST_WAITED))
+            if at is not None:
+                self._fresh = {index: self.call(index, "read") for index in reads}
+                return at
         woke, readings = self.ask(Sleep(min(steps, MOST_WAITED), reads))
         self._fresh = dict(zip(reads, readings, strict=True))
         return int(woke)

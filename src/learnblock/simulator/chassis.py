@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Callable
-from copy import copy
 
 import pymunk
 
@@ -102,7 +101,7 @@ class Chassis:
     def odometry(self) -> tuple[float, float, float]:
         """The pose by the wheels' encoders, relative to the start; see `Odometry`."""
         # Computed each time, because reading it must not change its last digits.
-        now = copy(self._odometry)
+        now = self._odometry.copy()
         now.roll(*self._uncounted)
         return now.pose
 

@@ -3,6 +3,7 @@
 import io
 import re
 from functools import partial
+from threading import Event, Thread
 
 import pytest
 from hypothesis import given
@@ -150,6 +151,9 @@ AT_ONCE = {
     "reads what it changes": "from learnblock.devices import Gyroscope\n"
     "print(robot.read(Gyroscope, 'Z_AXIS'))\nrobot.device(Gyroscope, 'Z_AXIS').reset()\n"
     "robot.forget_readings()\nprint(robot.read(Gyroscope, 'Z_AXIS'))",
+    "waits between readings": "from learnblock.devices import DistanceSensors\n"
+    "for seconds in (0.01, 0.02, 0.07, 0.1, 0.2):\n    robot.clock.sleep(seconds)\n"
+    "    print(robot.time(), robot.read(DistanceSensors))",
     "changes a reading of its own": "from learnblock.devices import DistanceSensors\n"
     "robot.read(DistanceSensors)['front'].append(1)\nrobot.forget_readings()\n"
     "print(robot.read(DistanceSensors))",
@@ -176,6 +180,25 @@ def test_what_the_host_does_at_once_is_as_if_it_had_been_sent(stage, kind, broke
     assert outcomes[0] == outcomes[1]
     # A thread is interrupted elsewhere, which shows in nothing but the line of its ending.
     assert outcomes[0][0] == outcomes[2][0]
+
+
+def test_a_program_that_waits_without_messages_is_stopped_by_another_thread(stage):
+    began = Event()
+
+    class Beginning(Silent):
+        def printed(self, text):
+            super().printed(text)
+            began.set()
+
+    loop = "print('begun')\nwhile True:\n    robot.clock.sleep(0.01)"
+    stage.add(loop, worker=InlineWorker, watcher=Beginning())
+    host = stage.host()
+    stopping = Thread(target=lambda: began.wait(10) and host.stop())
+    stopping.start()
+    host.run()
+    stopping.join()
+
+    assert stage.results()[0].ending.how is How.STOPPED
 
 
 def test_steps_of_robots_that_take_turns_stay_in_order(stage):
