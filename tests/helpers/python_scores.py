@@ -139,7 +139,21 @@ def meaning(tree: ast.Module) -> str:
 
 
 class _Plain(ast.NodeTransformer):
-    """Leaves out the 0 of ``range(0, n)``, which Block-Text does not tell from ``range(n)``."""
+    """Leaves out what means nothing, and what Block-Text leaves out.
+
+    It is the ``u`` of a text, the 0 of ``range(0, n)``, and the brackets of ``(a and b) and c``.
+    """
+
+    def visit_Constant(self, node: ast.Constant) -> ast.Constant:
+        node.kind = None
+        return node
+
+    def visit_BoolOp(self, node: ast.BoolOp) -> ast.BoolOp:
+        self.generic_visit(node)
+        match node.values[0]:
+            case ast.BoolOp(op=op, values=values) if type(op) is type(node.op):
+                node.values[:1] = values
+        return node
 
     def visit_Call(self, node: ast.Call) -> ast.Call:
         self.generic_visit(node)

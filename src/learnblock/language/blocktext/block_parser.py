@@ -3,7 +3,6 @@
 A block whose first line has an error keeps its body and its ``end``.
 """
 
-import re
 from collections.abc import Callable
 from typing import Any, TypeVar
 
@@ -14,7 +13,15 @@ from learnblock.language.blocktext.slips import Rewritten, Slip
 from learnblock.language.blocktext.token_reader import from_to
 from learnblock.language.tree import raw
 from learnblock.language.tree.characters import write_instead
-from learnblock.language.tree.nodes import Blank, Body, Comment, Raw, Span, Statement
+from learnblock.language.tree.nodes import (
+    Blank,
+    Body,
+    Comment,
+    Raw,
+    Span,
+    Statement,
+    is_further_part,
+)
 
 # Writing a deeper tree would overflow the stack of Python.
 MAX_BLOCKS = 120
@@ -40,8 +47,6 @@ STATEMENT_STARTS = frozenset(
 BLOCK_ENDS = frozenset(("end", "elif", "else"))
 STATEMENT_ENDS = BLOCK_ENDS | LINE_ENDS
 _IF_PARTS = frozenset(("if", "elif", "else"))
-#: The words that begin a further part of a block in Python.
-_PYTHON_PARTS = re.compile(r"`(?:except|finally|else)\b")
 _LINE_END = Phrase("blocktext-end-of-line")
 
 Read = TypeVar("Read")
@@ -216,7 +221,7 @@ class BlockParser(LineRewriter):
         return (
             self.openers[-1].kind == "raw"
             and self.kinds[self.index + 1] == ":"
-            and _PYTHON_PARTS.match(self.token.text) is not None
+            and is_further_part(self.token.text[1:])
         )
 
     def check_depth(self, opener: Token) -> None:

@@ -184,7 +184,9 @@ class ExpressionReader:
         match node:
             case ast.Constant(value=str(value)):
                 return String(value, span_of(node))
-            case ast.FormattedValue(value=value, conversion=-1, format_spec=None):
+            case ast.FormattedValue(value=value, conversion=-1, format_spec=None) if not (
+                isinstance(value, ast.Constant) and isinstance(value.value, str)
+            ):
                 return self.expression(value)
         raise Unlike
 

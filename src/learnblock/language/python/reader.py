@@ -347,7 +347,9 @@ class _Reader(PythonReader):
         if node.lineno in self.raw_lines:
             return False
         match node:
-            case ast.Import(names=[ast.alias(name=module, asname=None)]) if module in MODULES:
+            case ast.Import(names=[ast.alias(name=module, asname=None)]) if (
+                module in MODULES and module not in self.modules
+            ):
                 if self.lines[node.lineno - 1].strip() == f"import {module}":
                     self.modules.add(module)
                     self.lines[node.lineno - 1] = ""

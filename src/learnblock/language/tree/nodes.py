@@ -22,6 +22,7 @@ class Span(NamedTuple):
 
 NOWHERE = Span()
 _WORDS = re.compile(r"\w+")
+_FURTHER = re.compile(r"(?:except|finally|else)\b")
 
 
 @dataclass(frozen=True, slots=True)
@@ -381,6 +382,11 @@ class PythonLine:
     text: str
     comment: str | None = None
     span: Span = field(default=NOWHERE, compare=False)
+
+
+def is_further_part(header: str) -> bool:
+    """Whether the first line of a part of a `PythonBlock` can't be that of the first part."""
+    return _FURTHER.match(header) is not None
 
 
 @dataclass(frozen=True, slots=True)

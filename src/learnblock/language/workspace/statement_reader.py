@@ -47,6 +47,7 @@ from learnblock.language.tree.nodes import (
     Unary,
     WaitUntil,
     While,
+    is_further_part,
 )
 from learnblock.language.workspace.block_reader import (
     extra,
@@ -306,6 +307,10 @@ def _python_block(
             words = [" ".join(reader.words(block, f"CODE{place}").split("\n")).strip()]
         header = reader.python(block, BLOCK, words or ["try"], first, place)
         first += max(len(words) - 1, 0)
+        if is_further_part(header) != (place > 0):
+            code = "workspace-not-a-part" if place else "workspace-not-a-beginning"
+            reader.report(block, "invalid-python", Phrase(code, words=header))
+            header = "else" if place else "try"
         parts.append(PythonPart(header, reader.body(block, f"DO{place}"), comment))
         reader.note(parts[-1], block)
     return PythonBlock(tuple(parts)) if parts else None
