@@ -25,9 +25,11 @@ const RAN: WhySentence = {
   phrase: { code: "why-ran", values: { line: "7", code: "drive()", time: "1.00" } },
   time: 1,
   block: "go",
+  inner: null,
 };
 const NEEDS: WhySentence = {
   phrase: { code: "why-left", values: { line: "3", code: "break", inner: "9", time: "2" } },
+  time: null,
   block: "loop",
   inner: "go",
 };

@@ -25,6 +25,7 @@ const ACTIONS: BlockActions = {
   customBlocks: () => new Set(),
   tagNames: () => [],
   offered: nothing,
+  openExample: nothing,
   makeBlock: nothing,
   changeBlock: nothing,
   listCustomBlocks: nothing,
