@@ -87,6 +87,8 @@ def check(
     findings = Findings(program, skills, equipment, importable, in_python=python is not None)
     if _is_only_raw(program):
         findings.diagnostics.extend(_raw_problems(program))
+    elif program.is_without_robot:
+        _Checker(findings).run_without_robot()
     else:
         _Checker(findings).run()
     check_devices(findings)
@@ -130,7 +132,6 @@ class _Checker:
     def run(self) -> None:
         self.duplicates()
         self.values_of_events()
-        self.without_robot()
         for item in self.findings.program.items:
             if isinstance(item, Def):
                 self.calls.parameters = frozenset(item.parameters)
@@ -148,10 +149,14 @@ class _Checker:
         self.flow.run()
         self.sensors_outside_loops()
 
-    def without_robot(self) -> None:
-        """Report the first use of a robot in a program that says it has none."""
-        if not self.findings.program.is_without_robot:
-            return
+    def run_without_robot(self) -> None:
+        """Check only what a run can't: the names and calls of plain Python are Python's to judge.
+
+        They may be a base class's, an imported module's, or set by something that we don't see.
+        """
+        for item in self.findings.everything:
+            if isinstance(item, AnyPython):
+                self.python(item)
         found = next(filter(_uses_robot, self.findings.everything), None)
         if found is not None:
             self.report("without-robot", Phrase("check-without-robot"), found.span)

@@ -165,7 +165,7 @@ def variable_names(tree: ast.AST, whens: Container[str] | None = None) -> set[st
 
 
 def defined_names(text: str) -> set[str]:
-    """The names that Python source imports and defines."""
+    """The names that Python source imports and defines, and those of the errors that it catches."""
     try:
         tree = ast.parse(text)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
@@ -173,6 +173,8 @@ def defined_names(text: str) -> set[str]:
     found: set[str] = set()
     for node in ast.walk(tree):
         if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
+            found.add(node.name)
+        elif isinstance(node, ast.ExceptHandler) and node.name:
             found.add(node.name)
         elif isinstance(node, ast.alias):
             found.add((node.asname or node.name).partition(".")[0])

@@ -5,6 +5,9 @@ The floors may only rise; `scripts/bench foreign_python` prints the scores.
 
 import pytest
 
+from learnblock.blocks.schema.loading import builtin
+from learnblock.language import check, from_python, parse
+from learnblock.language import format as format_program
 from python_scores import TURTLEDEMO, scores_of
 
 STATEMENTS_IN_BLOCKS = 99.9
@@ -29,3 +32,35 @@ def test_most_of_their_statements_and_values_are_blocks(scores):
     assert scores.in_blocks >= STATEMENTS_IN_BLOCKS
     assert scores.sockets_in_blocks >= SOCKETS_IN_BLOCKS
     assert scores.ungrey >= FILES_WITHOUT_GREY
+
+
+@pytest.mark.parametrize("path", sorted(TURTLEDEMO.glob("*.py")), ids=lambda path: path.stem)
+def test_a_program_that_runs_is_not_refused(path):
+    python = path.read_text("utf-8")
+    program = from_python(python)
+    assert check(program, builtin(), python=python) == []
+    assert check(parse(format_program(program)), builtin()) == []
+
+
+CAUGHT = """\
+class Stack(list):
+    def last(self):
+        return self.pop()
+
+
+try:
+    print(Stack([1]).last(), NotImplemented)
+except ValueError as error:
+    print(error)
+"""
+
+
+def test_names_and_calls_of_plain_python_are_left_to_python():
+    program = from_python(CAUGHT)
+    assert check(program, builtin(), python=CAUGHT) == []
+    assert check(parse(format_program(program)), builtin()) == []
+
+
+def test_lines_that_are_no_python_are_reported_without_a_robot_too():
+    program = parse("without robot\n`x = = 1`\n")
+    assert [found.code for found in check(program, builtin())] == ["invalid-python"]
