@@ -52,18 +52,18 @@ _LINES = (
 )
 
 
-class Form(NamedTuple):
+class SplitLine(NamedTuple):
     """The words of a line, one more than the values between them."""
 
     words: tuple[str, ...]
     values: tuple[ast.expr, ...] = ()
 
 
-Split = Callable[[str], Form | None]
+Split = Callable[[str], SplitLine | None]
 
 
 @lru_cache(maxsize=4096)
-def value_form(text: str) -> Form | None:
+def value_form(text: str) -> SplitLine | None:
     """The form of an expression; None if Python alone shows it."""
     node = _parsed(text)
     match node:
@@ -73,19 +73,19 @@ def value_form(text: str) -> Form | None:
 
 
 @lru_cache(maxsize=4096)
-def line_form(text: str) -> Form | None:
+def line_form(text: str) -> SplitLine | None:
     """The form of a statement on one line; None if Python alone shows it."""
     if text.startswith("@"):
-        return Form((text,))
+        return SplitLine((text,))
     node = _parsed(text)
     return _split(text, node) if isinstance(node, _LINES) else None
 
 
 @lru_cache(maxsize=4096)
-def header_form(header: str) -> Form:
+def header_form(header: str) -> SplitLine:
     """The form of the first line of a block, without its colon."""
     node = _parsed(f"{header}: pass")
-    return Form((header,)) if node is None else _split(header, node)
+    return SplitLine((header,)) if node is None else _split(header, node)
 
 
 def filled(words: Sequence[str], texts: Sequence[str], split: Split) -> str:
@@ -113,7 +113,7 @@ def _parsed(text: str) -> ast.stmt | None:
     return body[0] if len(body) == 1 else None
 
 
-def _split(text: str, node: ast.AST) -> Form:
+def _split(text: str, node: ast.AST) -> SplitLine:
     written = text.strip().encode()
     values = sorted(_sockets(node), key=lambda value: value.col_offset)
     words: list[str] = []
@@ -122,7 +122,7 @@ def _split(text: str, node: ast.AST) -> Form:
         words.append(written[place : value.col_offset].decode())
         place = value.end_col_offset or 0
     words.append(written[place:].decode())
-    return Form(tuple(words), tuple(values))
+    return SplitLine(tuple(words), tuple(values))
 
 
 def _sockets(node: ast.AST) -> Iterator[ast.expr]:

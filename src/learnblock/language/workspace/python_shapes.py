@@ -7,7 +7,14 @@ sockets.
 from collections.abc import Iterable, Mapping, Sequence
 
 from learnblock.language.python.expression_reader import ExpressionReader
-from learnblock.language.python.forms import Form, Split, filled, header_form, line_form, value_form
+from learnblock.language.python.forms import (
+    Split,
+    SplitLine,
+    filled,
+    header_form,
+    line_form,
+    value_form,
+)
 from learnblock.language.python.writer import PythonWriter
 from learnblock.language.tree import markers
 from learnblock.language.tree.nodes import (
@@ -35,7 +42,7 @@ class Sockets:
         self.functions = frozenset(program.functions)
         self.kept: list[Expression] = []
 
-    def values(self, text: str, form: Form) -> list[Expression]:
+    def values(self, text: str, form: SplitLine) -> list[Expression]:
         """The values of a form of `text`."""
         reader = ExpressionReader([text.strip()], self.whens, self.functions)
         found = [reader.expression(value) for value in form.values]
@@ -43,13 +50,13 @@ class Sockets:
         return found
 
 
-def value_parts(sockets: Sockets, node: RawExpression) -> tuple[Form, list[Expression]] | None:
+def value_parts(sockets: Sockets, node: RawExpression) -> tuple[SplitLine, list[Expression]] | None:
     """The words and values of an expression; None if it is one grey socket."""
     form = value_form(node.text)
     return None if form is None else (form, sockets.values(node.text, form))
 
 
-def line_parts(sockets: Sockets, node: PythonLine) -> tuple[Form, list[Expression]] | None:
+def line_parts(sockets: Sockets, node: PythonLine) -> tuple[SplitLine, list[Expression]] | None:
     """The words and values of a line; None if it is one grey block."""
     form = line_form(node.text)
     return None if form is None else (form, sockets.values(node.text, form))
