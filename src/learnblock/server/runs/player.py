@@ -349,10 +349,11 @@ class Player:
             ending.callback(self._note_end)
             ending.callback(self._enter, "ended")
             ending.callback(self._send_end)
+            # Once the report says what it has bumped into, which is forgotten with the run.
+            ending.callback(self._reporter.flush)
             if not isinstance(report, Phrase):
                 # Otherwise its robot may hang.
                 self._monitor = playing.run.monitor or self._monitor
-            self._reporter.flush()
             self._keyboard.ignore(self)
             self._reporter.attend()
             self._describe_end(playing, report)
