@@ -16,7 +16,7 @@ from learnblock.evidence.evidence import Evidence, Noted
 from learnblock.i18n import ENGLISH, Multilingual, Phrase
 from learnblock.lessons import expert_child
 from learnblock.lessons.checks import Expert
-from learnblock.lessons.judging import Finding
+from learnblock.lessons.finding import Finding
 from learnblock.lessons.opened import EXPERTS, OpenLesson
 from learnblock.runtime import process_group
 from learnblock.runtime.containment.environment import environment

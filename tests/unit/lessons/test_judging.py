@@ -32,7 +32,8 @@ from learnblock.lessons.checks import (
     Turns,
     Uses,
 )
-from learnblock.lessons.judging import Finding, is_done, judge
+from learnblock.lessons.finding import Finding
+from learnblock.lessons.judging import is_done, judge
 from learnblock.robots.simulated import find_world
 from lesson_files import ENDED, STEP, evidence
 
