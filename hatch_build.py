@@ -7,7 +7,6 @@ sdist contains all of it, so installing from it needs no Node. A checkout uses a
 build.
 """
 
-import hashlib
 import importlib.util
 import os
 import re
@@ -86,9 +85,13 @@ class BuildHook(BuildHookInterface):  # type: ignore[misc]  # hatchling has no t
 
     def _has_page(self) -> bool:
         built = self._static / HASH_FILE
-        return built.is_file() and built.read_text(encoding="utf-8").strip() == sources_hash(
-            self.root
-        )
+        return built.is_file() and built.read_text(encoding="utf-8").strip() == self._page_hash()
+
+    def _page_hash(self) -> str:
+        """A hash of everything that the built page depends on."""
+        root = Path(self.root)
+        files = sorted(page_sources(root), key=lambda path: path.as_posix())
+        return str(self._part("hatch_types").hash_of(root, files))
 
     def _build_page(self) -> None:
         self.app.display_info("Building the page: npm ci, vite build (about half a minute)")
@@ -97,7 +100,7 @@ class BuildHook(BuildHookInterface):  # type: ignore[misc]  # hatchling has no t
             what, self._frontend, "ci", "--omit=peer", "--ignore-scripts", "--no-fund", "--no-audit"
         )
         _npm(what, self._frontend, "run", "build")
-        (self._static / HASH_FILE).write_text(sources_hash(self.root) + "\n", encoding="utf-8")
+        (self._static / HASH_FILE).write_text(self._page_hash() + "\n", encoding="utf-8")
 
     def _make_weights(self, maker: ModuleType) -> None:
         self.app.display_info(f"Making the weights for emotions from {maker.PACKAGE}")
@@ -121,16 +124,6 @@ def _run(what: str, command: list[str], folder: Path, environment: dict[str, str
     if done.returncode:
         output = f"{done.stdout}\n{done.stderr}"
         raise RuntimeError(f"{what}: `{' '.join(command)}` failed:\n{output}")
-
-
-def sources_hash(root: str) -> str:
-    """Return a hash of everything that the built page depends on."""
-    digest = hashlib.sha256()
-    for path in sorted(page_sources(Path(root)), key=lambda path: path.as_posix()):
-        digest.update(path.relative_to(root).as_posix().encode() + b"\0")
-        # A checkout on Windows may have other line ends.
-        digest.update(path.read_bytes().replace(b"\r\n", b"\n") + b"\0")
-    return digest.hexdigest()
 
 
 def page_sources(root: Path) -> list[Path]:

@@ -10,6 +10,7 @@ import hashlib
 import re
 import sys
 import tomllib
+from collections.abc import Iterable
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -52,9 +53,14 @@ def cache_keys(root: Path) -> list[str]:
 
 def sources_hash(root: Path) -> str:
     """Return a hash of everything that the written files depend on: their sources and this file."""
+    return hash_of(root, [root / Path(__file__).name, *sources(root)])
+
+
+def hash_of(root: Path, files: Iterable[Path]) -> str:
+    """Return a hash of files in a folder: of their places and of what is in them."""
     digest = hashlib.sha256()
-    for path in [Path(__file__), *sources(root)]:
-        digest.update(path.name.encode() + b"\0")
+    for path in files:
+        digest.update(path.relative_to(root).as_posix().encode() + b"\0")
         # A checkout on Windows may have other line ends.
         digest.update(path.read_bytes().replace(b"\r\n", b"\n") + b"\0")
     return digest.hexdigest()
