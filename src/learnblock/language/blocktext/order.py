@@ -31,7 +31,7 @@ from learnblock.language.tree.nodes import (
     When,
     WithoutRobot,
 )
-from learnblock.language.tree.traversal import all_expressions, bodies
+from learnblock.language.tree.traversal import all_expressions, statements_at_once
 
 #: What identifies a definition.
 Key = tuple[type[Def | When], str]
@@ -135,7 +135,7 @@ class _Uses:
             yield from self.named(self.in_blocks[key[1]])
 
     def named(self, body: tuple[Item, ...]) -> Iterator[Key]:
-        for statement in at_once(body):
+        for statement in statements_at_once(body):
             if isinstance(statement, Activate | Deactivate):
                 yield When, statement.name
             elif isinstance(statement, Raw | PythonLine):
@@ -155,15 +155,6 @@ class _Uses:
                 yield When, state[0]
         elif isinstance(node, RawExpression):
             yield from _keys_in(node.text)
-
-
-def at_once(body: tuple[Item, ...]) -> Iterator[Item]:
-    """The statements that run when a body does: not those of the functions in it."""
-    for statement in body:
-        yield statement
-        if not (isinstance(statement, PythonBlock) and statement.defers):
-            for inner in bodies(statement):
-                yield from at_once(inner)
 
 
 def _functions_in_blocks(items: Iterable[Item | Main]) -> Iterator[tuple[str, Body]]:

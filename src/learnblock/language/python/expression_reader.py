@@ -272,14 +272,18 @@ class ExpressionReader:
         return self.expression(node)
 
     def raw(self, node: ast.expr) -> RawExpression:
-        text = self.segment(node) if node.end_lineno == node.lineno else _on_one_line(node)
+        text = self.one_line(node)
         if isinstance(node, ast.Yield | ast.YieldFrom | ast.NamedExpr):
             # Python's tree omits their brackets, which are needed in most places.
             text = f"({text})"
         return RawExpression(text, span_of(node))
 
-    def segment(self, node: ast.expr) -> str:
-        """The source of an expression on a single line."""
+    def one_line(self, node: ast.stmt | ast.expr) -> str:
+        """The source of a node on a single line; that of another, written on one line."""
+        return self.segment(node) if node.end_lineno == node.lineno else _on_one_line(node)
+
+    def segment(self, node: ast.stmt | ast.expr) -> str:
+        """The source of a node on a single line."""
         end = node.end_col_offset
         if node.end_lineno != node.lineno or end is None:
             raise Unlike
@@ -289,7 +293,7 @@ class ExpressionReader:
         return line.encode()[node.col_offset : end].decode()
 
 
-def _on_one_line(node: ast.expr) -> str:
+def _on_one_line(node: ast.AST) -> str:
     text = ast.unparse(node)
     if "\n" in text:
         raise Unlike

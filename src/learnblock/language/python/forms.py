@@ -10,6 +10,8 @@ from functools import lru_cache
 from itertools import zip_longest
 from typing import NamedTuple
 
+from learnblock.language.tree.loads import parsed
+
 #: The values that have sockets for the values in them; others are one socket with Python.
 _VALUES = (
     ast.Attribute,
@@ -65,7 +67,7 @@ Split = Callable[[str], SplitLine | None]
 @lru_cache(maxsize=4096)
 def value_form(text: str) -> SplitLine | None:
     """The form of an expression; None if Python alone shows it."""
-    node = _parsed(text)
+    node = _only_statement(text)
     match node:
         case ast.Expr(value=value) if isinstance(value, _VALUES):
             return _split(text, value)
@@ -77,14 +79,14 @@ def line_form(text: str) -> SplitLine | None:
     """The form of a statement on one line; None if Python alone shows it."""
     if text.startswith("@"):
         return SplitLine((text,))
-    node = _parsed(text)
+    node = _only_statement(text)
     return _split(text, node) if isinstance(node, _LINES) else None
 
 
 @lru_cache(maxsize=4096)
 def header_form(header: str) -> SplitLine:
     """The form of the first line of a block, without its colon."""
-    node = _parsed(f"{header}: pass")
+    node = _only_statement(f"{header}: pass")
     return SplitLine((header,)) if node is None else _split(header, node)
 
 
@@ -93,7 +95,7 @@ def filled(words: Sequence[str], texts: Sequence[str], split: Split) -> str:
     plain = _joined(words, texts)
     form = split(plain)
     if form is not None and form.words == tuple(words):
-        meant = [_parsed(text) for text in texts]
+        meant = [_only_statement(text) for text in texts]
         if [ast.dump(value) for value in form.values] == [
             ast.dump(node.value) for node in meant if isinstance(node, ast.Expr)
         ]:
@@ -105,11 +107,9 @@ def _joined(words: Sequence[str], texts: Sequence[str]) -> str:
     return "".join(word + text for word, text in zip_longest(words, texts, fillvalue=""))
 
 
-def _parsed(text: str) -> ast.stmt | None:
-    try:
-        body = ast.parse(text.strip()).body
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return None
+def _only_statement(text: str) -> ast.stmt | None:
+    """The statement that the text is; None if it is not valid Python, or several statements."""
+    body = parsed(text.strip()).body
     return body[0] if len(body) == 1 else None
 
 

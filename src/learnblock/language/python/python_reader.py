@@ -5,9 +5,9 @@ import re
 from copy import copy
 
 from learnblock.language.python.expression_reader import Unlike, span_of, start_of
+from learnblock.language.python.skeleton import is_text
 from learnblock.language.python.statement_reader import StatementReader
 from learnblock.language.tree.nodes import (
-    Body,
     Item,
     Pass,
     PythonBlock,
@@ -40,25 +40,11 @@ class PythonReader(StatementReader):
             return [*self.decorated(node), self.python_block(node)]
         if isinstance(node, _COMPOUND):
             raise Unlike
+        if is_text(node) and node.end_lineno != node.lineno:
+            # Its lines are the author's.
+            raise Unlike
         line = PythonLine(self.one_line(node), self.comment_after(node), span_of(node))
         return [*self.inner_comments(node), line]
-
-    def one_line(self, node: ast.stmt | ast.expr) -> str:
-        """The source of a node, on one line."""
-        first, last = node.lineno, node.end_lineno
-        if first != last:
-            if is_text(node):
-                # Its lines are the author's.
-                raise Unlike
-            text = ast.unparse(node)
-            if "\n" in text:
-                raise Unlike
-            return text
-        line = self.lines[first - 1]
-        start, end = (
-            self.character(first, column) for column in (node.col_offset, node.end_col_offset)
-        )
-        return line[start:end]
 
     def decorated(self, node: ast.stmt) -> list[Item]:
         """The decorators of a function or a class, a line for each, with the comments there."""
@@ -74,7 +60,8 @@ class PythonReader(StatementReader):
         return [*found, *self.comments_in(line, self.header_end(node.lineno, _body(node)))]
 
     def python_block(self, node: ast.stmt) -> PythonBlock:
-        outer, self.keeps_globals = self.keeps_globals, self.keeps_globals or _is_scope(node)
+        outer = self.keeps_globals
+        self.keeps_globals = outer or isinstance(node, _SCOPES)
         try:
             parts = self.parts(node)
             read = [
@@ -141,25 +128,9 @@ class PythonReader(StatementReader):
             below = following[0], self.header_end(following[0], following[2])
         body = self.part_body(line, nodes, below)
         column = len(self.lines[line - 1]) - len(self.lines[line - 1].lstrip())
-        return PythonPart(header, _acting(body), comment, Span(line, column + 1, line))
+        return PythonPart(header, body or (Pass(),), comment, Span(line, column + 1, line))
 
 
 def _body(node: ast.stmt | ast.ExceptHandler) -> list[ast.stmt]:
     body: list[ast.stmt] = getattr(node, "body", [])
     return body
-
-
-def _acting(body: Body) -> Body:
-    return body or (Pass(),)
-
-
-def is_text(node: ast.AST) -> bool:
-    """Whether a statement is only text, as docstrings are."""
-    match node:
-        case ast.Expr(value=ast.Constant(value=str())):
-            return True
-    return False
-
-
-def _is_scope(node: ast.stmt) -> bool:
-    return isinstance(node, _SCOPES)

@@ -43,6 +43,7 @@ from learnblock.language.tree import markers
 from learnblock.language.tree.builtins import MODULES
 from learnblock.language.tree.layout import normalized, prologue_length
 from learnblock.language.tree.nodes import (
+    AnyPython,
     Blank,
     Body,
     Comment,
@@ -53,7 +54,6 @@ from learnblock.language.tree.nodes import (
     Main,
     Pass,
     Program,
-    PythonBlock,
     PythonLine,
     Raw,
     Setup,
@@ -67,7 +67,6 @@ from learnblock.language.tree.traversal import statements
 #: The most known slips that are reported at once.
 MAX_SLIPS = 10
 _NOT_IN_MAIN = Def | When | Import | Setup | WithoutRobot
-_PYTHON = (Raw, PythonLine, PythonBlock)
 
 
 def from_python(text: str, filename: str = "program.py") -> Program:
@@ -465,7 +464,7 @@ class _Reader(PythonReader):
             return written == names_of_globals and len(statements_of_globals) <= 1
         shared = set(names_of_globals)
         needless = declared - shared
-        if needless and any(isinstance(found, _PYTHON) for found in statements(body)):
+        if needless and any(isinstance(found, AnyPython) for found in statements(body)):
             return False
         return not needless & stored_names(node) and self.scopes.may_be_shared(
             shared - declared, node

@@ -65,7 +65,7 @@ def _mentions_robot(tree: ast.Module) -> bool:
             case ast.Name(id="robot" | "Robot") | ast.arg(arg="robot" | "Robot"):
                 return True
             case ast.alias(name=name, asname=other):
-                if name == "Robot" or {name, other} & {"robot"} or name.startswith(_LEARNBLOCK):
+                if name == "Robot" or "robot" in (name, other) or name.startswith(_LEARNBLOCK):
                     return True
             case ast.ImportFrom(module=str(module)) if module.startswith(_LEARNBLOCK):
                 return True
@@ -76,10 +76,15 @@ def _mentions_robot(tree: ast.Module) -> bool:
 
 def docstring_length(body: list[ast.stmt]) -> int:
     """How many statements at the head of a body are its docstring: one or none."""
-    match body:
-        case [ast.Expr(value=ast.Constant(value=str())), *_]:
-            return 1
-    return 0
+    return int(bool(body) and is_text(body[0]))
+
+
+def is_text(node: ast.AST) -> bool:
+    """Whether a statement is only text, as docstrings are."""
+    match node:
+        case ast.Expr(value=ast.Constant(value=str())):
+            return True
+    return False
 
 
 def leading_globals(body: list[ast.stmt]) -> list[ast.Global]:

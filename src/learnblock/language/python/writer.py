@@ -51,7 +51,7 @@ from learnblock.language.tree.writer import ProgramWriter, comment_text
 
 #: Text as a statement, and what else must be above every other statement.
 _TEXT = re.compile(r"[rRuU]?[\"']")
-_HEAD = re.compile(r"[rRuU]?[\"']|from\s+__future__\b")
+_HEAD = re.compile(rf"{_TEXT.pattern}|from\s+__future__\b")
 _RAW_ATOM = re.compile(rf"{IDENTIFIER}(?:\.{IDENTIFIER})*")
 
 

@@ -12,6 +12,8 @@ import tokenize
 from collections.abc import Container
 from typing import NamedTuple
 
+from learnblock.language.tree.loads import parsed
+
 MAIN, END, PYTHON = "main", "end", "python"
 _MARKERS = frozenset((MAIN, END, PYTHON))
 _PLAIN_END = re.compile(r"(\s*)(#[# ]*end\s*)")
@@ -98,11 +100,7 @@ def is_long_text(text: str) -> bool:
     """Whether raw Python is only text on several lines, which needs no markers around it."""
     if text[:1] not in "rRuU\"'" or text.count("\n") < 2 or not text.endswith("\n"):
         return False
-    try:
-        body = ast.parse(text).body
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return False
-    match body:
+    match parsed(text).body:
         case [ast.Expr(value=ast.Constant(value=str()), lineno=1, end_lineno=last)]:
             return last == text.count("\n") and text.rstrip("\n") == text[:-1]
     return False
@@ -137,11 +135,7 @@ def raw_text(lines: list[str], first: int, indent: str, in_string: set[int]) -> 
 
 def raw_names(text: str) -> set[str]:
     """The variables that Python source reads or sets; empty if it is not valid Python."""
-    try:
-        tree = ast.parse(text.removeprefix("@"))
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return set()
-    return variable_names(tree)
+    return variable_names(parsed(text.removeprefix("@")))
 
 
 def variable_names(tree: ast.AST, whens: Container[str] | None = None) -> set[str]:
@@ -166,12 +160,8 @@ def variable_names(tree: ast.AST, whens: Container[str] | None = None) -> set[st
 
 def defined_names(text: str) -> set[str]:
     """The names that Python source imports and defines, and those of the errors that it catches."""
-    try:
-        tree = ast.parse(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return set()
     found: set[str] = set()
-    for node in ast.walk(tree):
+    for node in ast.walk(parsed(text)):
         match node:
             case (
                 ast.FunctionDef(name=name)

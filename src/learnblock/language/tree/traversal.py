@@ -94,11 +94,23 @@ def statements(body: tuple[Item, ...]) -> Iterator[Item]:
 
 def own_statements(body: tuple[Item, ...]) -> Iterator[Item]:
     """Every statement of a body that shares its variables: without those of inner functions."""
+    return _statements_outside(body, lambda block: block.has_scope)
+
+
+def statements_at_once(body: tuple[Item, ...]) -> Iterator[Item]:
+    """The statements that run when a body does: not those of the functions in it."""
+    return _statements_outside(body, lambda block: block.defers)
+
+
+def _statements_outside(
+    body: tuple[Item, ...], is_apart: Callable[[PythonBlock], bool]
+) -> Iterator[Item]:
+    """Every statement of a body, without those inside blocks of Python that are apart."""
     for statement in body:
         yield statement
-        if not (isinstance(statement, PythonBlock) and statement.has_scope):
+        if not (isinstance(statement, PythonBlock) and is_apart(statement)):
             for inner in bodies(statement):
-                yield from own_statements(inner)
+                yield from _statements_outside(inner, is_apart)
 
 
 def _range_parts(node: ForRange) -> tuple[Expression, ...]:

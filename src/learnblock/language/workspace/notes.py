@@ -28,7 +28,7 @@ class Notes(Struct, omit_defaults=True):
         step: whether a ``for`` has a step even though it equals the default.
         unfinished: whether the last line of Python has no line feed.
         apart: whether there is a blank line above the ``return`` of a function.
-        python: each line of Python as its author spelled it, such as its quotes.
+        python: each line of Python as its author wrote it, such as its quotes.
     """
 
     blank: bool = False

@@ -50,15 +50,11 @@ class Sockets:
         return found
 
 
-def value_parts(sockets: Sockets, node: RawExpression) -> tuple[SplitLine, list[Expression]] | None:
-    """The words and values of an expression; None if it is one grey socket."""
-    form = value_form(node.text)
-    return None if form is None else (form, sockets.values(node.text, form))
-
-
-def line_parts(sockets: Sockets, node: PythonLine) -> tuple[SplitLine, list[Expression]] | None:
-    """The words and values of a line; None if it is one grey block."""
-    form = line_form(node.text)
+def python_parts(
+    sockets: Sockets, node: RawExpression | PythonLine
+) -> tuple[SplitLine, list[Expression]] | None:
+    """The words and values of an expression or a line; None if it is one grey block."""
+    form = (line_form if isinstance(node, PythonLine) else value_form)(node.text)
     return None if form is None else (form, sockets.values(node.text, form))
 
 
@@ -98,7 +94,7 @@ class Joiner:
     def kept(
         self, spelled: str, words: Sequence[str], values: Sequence[Expression], split: Split
     ) -> str:
-        """The line as its author spelled it; joined anew if its words or values have changed."""
+        """The line as its author wrote it; joined again if its words or values have changed."""
         form = split(spelled) if spelled else None
         same = form is not None and form.words == tuple(words)
         if form is not None and same and self.sockets.values(spelled, form) == list(values):

@@ -36,7 +36,7 @@ from learnblock.language.workspace.arguments import given_by, noted
 from learnblock.language.workspace.blocks import FieldValue
 from learnblock.language.workspace.literals import literal
 from learnblock.language.workspace.notes import NO_NOTES, Ends, Notes
-from learnblock.language.workspace.python_shapes import VALUE, Sockets, value_parts
+from learnblock.language.workspace.python_shapes import VALUE, Sockets, python_parts
 from learnblock.language.workspace.types import (
     ANSWERING_FUNCTION,
     ARITHMETIC,
@@ -161,7 +161,7 @@ class Shaper:
 
     def raw(self, node: RawExpression) -> Shape:
         """The shape of an expression of Python."""
-        found = value_parts(self.sockets, node)
+        found = python_parts(self.sockets, node)
         if found is None:
             return Shape("lb_python_value", {"CODE": node.text})
         form, values = found

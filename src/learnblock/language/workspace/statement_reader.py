@@ -289,10 +289,21 @@ def _raw(reader: StatementReader, block: Block, notes: Notes, _: Ends) -> Raw:
     return Raw(code if unfinished else code + "\n")
 
 
+def _python_words(reader: StatementReader, block: Block, state: object, field: str) -> list[str]:
+    """The words of a line of Python: those around its sockets, else those in a field."""
+    words = words_in(state)
+    if len(words) < 2 and field in block.fields:
+        return [_one_line(reader, block, field)]
+    return words
+
+
+def _one_line(reader: StatementReader, block: Block, field: str) -> str:
+    """What a field says, on one line."""
+    return " ".join(reader.words(block, field).split("\n")).strip()
+
+
 def _python_line(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> PythonLine:
-    words = words_in(extra(block, "words"))
-    if len(words) < 2 and "CODE" in block.fields:
-        words = [" ".join(reader.words(block, "CODE").split("\n")).strip()]
+    words = _python_words(reader, block, extra(block, "words"), "CODE")
     return PythonLine(reader.python(block, LINE, words or ["pass"]), ends[0])
 
 
@@ -302,9 +313,7 @@ def _python_block(
     parts: list[PythonPart] = []
     first = 0
     for place, comment in enumerate(ends):
-        words = words_in(extra_list(block, "parts")[place])
-        if len(words) < 2 and f"CODE{place}" in block.fields:
-            words = [" ".join(reader.words(block, f"CODE{place}").split("\n")).strip()]
+        words = _python_words(reader, block, extra_list(block, "parts")[place], f"CODE{place}")
         header = reader.python(block, BLOCK, words or ["try"], first, place)
         first += max(len(words) - 1, 0)
         if is_further_part(header) != (place > 0):
@@ -439,7 +448,5 @@ STATEMENTS: dict[str, Handler] = {
     TEXT: _raw,
     LINE: _python_line,
     BLOCK: _python_block,
-    "lb_comment": lambda reader, block, _notes, _ends: Comment(
-        " ".join(reader.words(block, "TEXT").split("\n")).strip()
-    ),
+    "lb_comment": lambda reader, block, _notes, _ends: Comment(_one_line(reader, block, "TEXT")),
 }

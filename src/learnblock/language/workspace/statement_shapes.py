@@ -44,7 +44,7 @@ from learnblock.language.workspace.python_shapes import (
     BLOCK,
     LINE,
     block_parts,
-    line_parts,
+    python_parts,
     raw_type,
 )
 from learnblock.language.workspace.shapes import (
@@ -225,7 +225,7 @@ def _raw(_: StatementShaper, node: Raw) -> Shape:
 
 
 def _python_line(shaper: StatementShaper, node: PythonLine) -> Shape:
-    found = line_parts(shaper.sockets, node)
+    found = python_parts(shaper.sockets, node)
     words = [node.text] if found is None else list(found[0].words)
     shape = python_shape(LINE, {"words": words}, found[1] if found else (), (node.text,))
     return shape._replace(ends=(node.comment,))
