@@ -1,5 +1,7 @@
 """The help: of one block, and the search over blocks, lessons and docs."""
 
+import re
+
 from playwright.sync_api import expect
 
 
@@ -26,8 +28,8 @@ def test_the_help_searches_and_explains_a_block_with_its_example(sit_down, serve
     expect(dialog.get_by_role("searchbox")).to_be_focused()
 
 
-def test_f1_on_a_block_shows_its_example_beside_the_program(sit_down, server):
-    pupil = sit_down(server, empty=True, flat=True)
+def test_f1_on_a_block_shows_its_example_beside_the_program_in_its_colours(sit_down, server):
+    pupil = sit_down(server, theme="system", empty=True, flat=True)
     pupil.write("blocktext", "main:\n    function.turn(90)\nend\n")
     pupil.select_block(pupil.blocks("lb_skill_turn"))
     pupil.page.keyboard.press("F1")
@@ -35,3 +37,7 @@ def test_f1_on_a_block_shows_its_example_beside_the_program(sit_down, server):
     expect(panel.locator(".lbSentence .lb_skill_turn")).to_be_visible()
     expect(panel.locator(".lbMoving .robot")).to_be_visible()
     pupil.picture("panel")
+    pupil.page.emulate_media(color_scheme="dark")
+    for picture in (".lbSentence", ".lbMoving"):
+        drawn = panel.locator(f"{picture} .injectionDiv")
+        expect(drawn).to_have_class(re.compile("learnblock-dark-theme"))

@@ -23,8 +23,8 @@ const LARGEST_SCALE = 0.72;
 let installed: { readonly language: string; readonly done: Promise<Palette> } | null = null;
 
 export class Drawing implements Island {
-  readonly dom = document.createElement("div");
   private readonly host = document.createElement("div");
+  readonly dom = pictureOf(this.host);
   private workspace: Blockly.WorkspaceSvg | null = null;
   private isGone = false;
   private marked: string | null = null;
@@ -35,14 +35,10 @@ export class Drawing implements Island {
     private readonly blocks: Workspace | State,
     text: string,
   ) {
-    this.dom.className = "blocks block-drawing";
-    this.dom.setAttribute("role", "img");
+    this.dom.classList.add("block-drawing");
     this.dom.ariaLabel = text;
-    // It is a picture: nothing in it takes the focus or a click.
-    this.host.inert = true;
-    this.dom.append(this.host);
     this.cleanup = new Cleanup(
-      effect(() => this.workspace?.setTheme(themeOf(theme.value))),
+      followTheme(() => this.workspace),
       effect(() => void this.draw(language.value)),
     );
   }
@@ -106,6 +102,26 @@ async function learn(code: string): Promise<Palette> {
   const palette = await fetchPalette(code);
   installPalette(palette);
   return palette;
+}
+
+/** The picture that Blockly draws in a host. */
+export function pictureOf(host: HTMLElement): HTMLElement {
+  const dom = document.createElement("div");
+  dom.className = "blocks";
+  dom.setAttribute("role", "img");
+  // It is a picture: nothing in it takes the focus or a click.
+  host.inert = true;
+  dom.append(host);
+  return dom;
+}
+
+/** Keep a picture in the colours that the user has chosen; the answer ends that. */
+export function followTheme(picture: () => Blockly.WorkspaceSvg | null): () => void {
+  return effect(() => {
+    // Read before there is a picture, so that a later one follows too.
+    const chosen = themeOf(theme.value);
+    picture()?.setTheme(chosen);
+  });
 }
 
 /** A picture looks like the blocks in the program. */
