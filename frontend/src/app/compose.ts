@@ -102,7 +102,7 @@ function places(views: Views, program: Program): Pick<Context, "openView" | "rev
   };
 }
 
-/** The dialogs for blocks of one's own. */
+/** The dialogs in which own and custom blocks are made. */
 function blockDialogs(dialogs: Dialogs): Pick<Context, "makeBlock" | "listCustomBlocks" | "editCustomBlock"> {
   return {
     makeBlock: (makeBlock) => dialogs.show({ makeBlock }),

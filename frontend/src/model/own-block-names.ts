@@ -1,6 +1,7 @@
-/** The names of own blocks and their inputs: those of the language, whatever one types. */
+/** The names of own blocks and their inputs, as the language allows them. */
 
 import type { Workspace } from "../protocol/messages";
+import { DEFINITIONS } from "./own-blocks";
 import { WHENS } from "./whens";
 
 /** The words of the language, which the server refuses as names. */
@@ -10,7 +11,6 @@ const WORDS = new Set(
     "activate deactivate function"
   ).split(" "),
 );
-const DEFINITIONS: readonly string[] = ["procedures_defnoreturn", "procedures_defreturn"];
 const NAMED = new Set([...DEFINITIONS, ...WHENS]);
 
 /** The name in the texts, such as "go_home" for "go home". */

@@ -29,7 +29,8 @@ export interface StoredInput {
 
 type Variables = Workspace["variables"];
 
-const DEFINITION = "procedures_defnoreturn";
+/** The blocks of definitions: the page makes the first, Blockly has both. */
+export const DEFINITIONS: readonly string[] = ["procedures_defnoreturn", "procedures_defreturn"];
 /** The block of a sample value in a call, and its field. */
 const SHADOWS = { number: ["math_number", "NUM"], text: ["text", "TEXT"], truth: ["lb_truth", "BOOL"] } as const;
 /** Calls that fit no definition, such as those with arguments by name. */
@@ -67,7 +68,7 @@ export function withNew(program: Workspace, own: OwnBlock): { program: Workspace
   const fresh = freshIds(program);
   const { variables, inputs } = stored(program.variables, own.inputs, fresh);
   const id = fresh();
-  const block: Block = { type: DEFINITION, id, fields: { NAME: own.name }, ...stateOf(inputs) };
+  const block: Block = { type: DEFINITIONS[0]!, id, fields: { NAME: own.name }, ...stateOf(inputs) };
   return { program: { variables, stacks: [...program.stacks, [block]] }, id };
 }
 

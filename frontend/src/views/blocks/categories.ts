@@ -106,7 +106,10 @@ function callsOf(definition: Blockly.Block): Items {
   const own = ownBlockOf(definition);
   const always = definition.type === "procedures_defreturn";
   const shapes = always ? [true] : [false, ...(answers(definition) ? [true] : [])];
-  return shapes.map((isValue) => block(callState(own, isValue).type, callState(own, isValue)));
+  return shapes.map((isValue) => {
+    const state = callState(own, isValue);
+    return block(state.type, state);
+  });
 }
 
 function label(text: string, look: string): Item {

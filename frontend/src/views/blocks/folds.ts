@@ -1,5 +1,6 @@
 /** Leaves most of a large program undrawn: bodies of functions, and pieces of long lists of statements. */
 
+import { DEFINITIONS } from "../../model/own-blocks";
 import { WHENS } from "../../model/whens";
 import type { Block, Workspace } from "../../protocol/messages";
 
@@ -13,7 +14,7 @@ const PIECE = 40;
 const ENDS = 16;
 /** Shorter bodies of functions are always drawn. */
 const SHORT = 3;
-const DEFINITIONS = new Set([...WHENS, "procedures_defnoreturn", "procedures_defreturn"]);
+const HEADS = new Set([...WHENS, ...DEFINITIONS]);
 
 type Chain = readonly Block[];
 
@@ -90,7 +91,7 @@ export function* blocksIn(chain: Chain): Generator<Block> {
 
 function foldStack(stack: Chain, isOpen: IsOpen): Block[] {
   const [head, ...others] = stack;
-  if (!head || !DEFINITIONS.has(head.type)) return cut(stack, isOpen);
+  if (!head || !HEADS.has(head.type)) return cut(stack, isOpen);
   return [withStacks(head, (body) => foldBody(body, isOpen)), ...cut(others, isOpen)];
 }
 

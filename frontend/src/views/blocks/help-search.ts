@@ -1,6 +1,7 @@
 /** The blocks for the search of the help: without a program, and on every page. */
 
 import * as Blockly from "blockly/core";
+import { DEFINITIONS } from "../../model/own-blocks";
 import { nameOf } from "../../model/shown-blocks";
 import { plain } from "../../ui/plain";
 import { learnPalette } from "./drawing";
@@ -22,7 +23,7 @@ export interface FoundBlock {
 }
 
 /** The blocks of groups that depend on the program. */
-const CHANGING: readonly Item[] = ["lb_when", "procedures_defnoreturn", "procedures_defreturn"].map((type) => {
+const CHANGING: readonly Item[] = ["lb_when", ...DEFINITIONS].map((type) => {
   return { kind: "block", type };
 });
 

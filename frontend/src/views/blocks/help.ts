@@ -3,13 +3,14 @@
 import * as Blockly from "blockly/core";
 
 import { t } from "../../i18n";
-import { type IconName, icon } from "../../ui/icons";
+import { icon } from "../../ui/icons";
 import type { Island } from "../../ui/island";
 import "./help.css";
 import { actionsOf, type OfferedRobot } from "./actions";
 import { blockHelp } from "./block-help";
 import { type Parameter, parametersOf } from "./fields/allowed";
 import { STYLES } from "./groups";
+import { button } from "./help-button";
 import type { Item } from "./offers";
 import { otherNames } from "./other-names";
 import { groupIcon } from "./palette-group";
@@ -145,15 +146,6 @@ function place(name: string): HTMLElement {
 
 function heading(word: string): HTMLElement {
   return Object.assign(document.createElement("h4"), { textContent: t(word) });
-}
-
-function button(picture: IconName, text: string, act: () => void): HTMLElement {
-  const made = document.createElement("button");
-  made.type = "button";
-  made.className = "lbInsert";
-  made.append(icon(picture), text);
-  made.addEventListener("click", act);
-  return made;
 }
 
 function headOf(block: Block, close: () => void): HTMLElement {

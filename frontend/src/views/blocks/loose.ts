@@ -2,12 +2,13 @@
 
 import type * as Blockly from "blockly/core";
 
+import { DEFINITIONS } from "../../model/own-blocks";
 import { WHENS } from "../../model/whens";
 
 type Svg = Blockly.BlockSvg;
 
 /** The blocks that begin a part of the program, as on the server. */
-const HATS = new Set(["lb_main", "lb_start", ...WHENS, "procedures_defnoreturn", "procedures_defreturn"]);
+const HATS = new Set(["lb_main", "lb_start", ...WHENS, ...DEFINITIONS]);
 export const COMMENT = "lb_comment";
 
 /** Whether a stack, given by its blocks' types, is a part of the program. */

@@ -2,13 +2,13 @@
 
 import { t } from "../../i18n";
 import { face } from "../../ui/face";
-import { icon } from "../../ui/icons";
 import type { Island } from "../../ui/island";
 import { planOf } from "../world/plan/plan";
 import { arrow } from "../world/plan/robot";
 import { chain, set, svg } from "../world/plan/svg";
 import type { BlockHelp } from "./block-help";
 import { Drawing } from "./drawing";
+import { button } from "./help-button";
 import { drawnAt, type Frame, paced, placeAt, shownAt, timeAt, type Waypoint, wayUntil } from "./playback";
 
 /** mm: around the floor, and half the length of the robot. */
@@ -31,7 +31,12 @@ export class MovingPicture implements Island {
     this.said.className = "lbSaid";
     // It changes all the time: what it says is in the example.
     this.said.ariaLive = "off";
-    this.dom.append(...(this.world ? [this.world.dom] : []), this.blocks.dom, this.said, this.playButton());
+    this.dom.append(
+      ...(this.world ? [this.world.dom] : []),
+      this.blocks.dom,
+      this.said,
+      button("run", t("page-help-play"), () => this.play()),
+    );
     if (matchMedia("(prefers-reduced-motion: reduce)").matches) this.show(this.length);
     else this.play();
   }
@@ -48,15 +53,6 @@ export class MovingPicture implements Island {
 
   private get length(): number {
     return this.frames.at(-1)?.at ?? 0;
-  }
-
-  private playButton(): HTMLElement {
-    const button = document.createElement("button");
-    button.type = "button";
-    button.className = "lbInsert";
-    button.append(icon("run"), t("page-help-play"));
-    button.addEventListener("click", () => this.play());
-    return button;
   }
 
   private play(): void {

@@ -1,5 +1,6 @@
 /** What the search offers besides the blocks with the searched words: what others call them, and slips of a key. */
 
+import { DEFINITIONS } from "../../model/own-blocks";
 import { WHENS } from "../../model/whens";
 import { plain } from "../../ui/plain";
 
@@ -27,7 +28,7 @@ export const FOREIGN: Readonly<Record<string, readonly string[]>> = {
   text: ["text_join", "lists_length", "lb_in"],
   remainder: ["math_modulo", "lb_floor_divide"],
   array: ["lists_create_with", "lists_getIndex", "lists_length"],
-  function: ["procedures_defnoreturn", "procedures_defreturn"],
+  function: DEFINITIONS,
   pen: skills("pen_down", "pen_up", "set_pen_color", "clear_drawing"),
   icon: skills("matrix_icon", "show_text", "RGBled"),
   volume: skills("modify_volume"),

@@ -3,6 +3,7 @@
 import * as Blockly from "blockly/core";
 
 import {
+  DEFINITIONS,
   type OwnBlock,
   type OwnInput,
   type Sample,
@@ -21,7 +22,6 @@ type Definition = Blockly.Block & {
   samples_?: Map<string, Sample>;
 };
 
-const DEFINITIONS = ["procedures_defnoreturn", "procedures_defreturn"];
 const CALLS = ["procedures_callnoreturn", "procedures_callreturn"];
 
 export function isDefinition({ type }: Blockly.Block): boolean {

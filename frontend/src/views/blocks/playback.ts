@@ -15,7 +15,7 @@ export interface Frame {
   readonly text: string;
 }
 
-/** The shortest seconds of a step, or nobody would see it. */
+/** How long a step is shown at least, in seconds, so that one can see it. */
 const SHORTEST = 0.45;
 /** The last printed lines that are shown. */
 const LINES = 3;

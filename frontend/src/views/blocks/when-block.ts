@@ -2,6 +2,7 @@
 
 import * as Blockly from "blockly/core";
 
+import { freeName } from "../../model/own-block-names";
 import { READY_HATS, WHENS } from "../../model/whens";
 import { FreeChoice } from "./fields/free-choice";
 import { renameHidden } from "./rest-block";
@@ -73,10 +74,7 @@ export function whenNames(workspace: Blockly.Workspace): string[] {
 
 /** A free name for a `when`: the requested one, or that with a number. */
 export function freeWhenName(workspace: Blockly.Workspace, wish: string): string {
-  const taken = new Set(whenNames(workspace));
-  let name = wish;
-  for (let number = 2; taken.has(name); number++) name = `${wish}${number}`;
-  return name;
+  return freeName(wish, whenNames(workspace));
 }
 
 // A validator runs before the block has the new name.
