@@ -7,7 +7,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 _FOLDER = Path(__file__).parent / "translations"
-#: Begins the key of a unit's usual word; that for its word after 1 also ends as the second one.
+#: The key of a unit's plural begins with the first; that of its singular also ends with the second.
 _UNIT, _AFTER_ONE = "LB_UNIT_", "_ONE"
 
 
@@ -26,7 +26,7 @@ def translation(language: str) -> Mapping[str, str]:
 
 @cache
 def units() -> Mapping[str, str]:
-    """The units after numbers, each with its word after 1.
+    """The units after numbers, each with its singular.
 
     They are those of all languages, because a block without a translation is shown in English.
 

@@ -8,7 +8,7 @@ from learnblock.evidence.gaps import heading_between, is_on_line, turned_along
 from learnblock.lessons.checks import Drives, EndsAt, StaysOnLine, Turns
 from learnblock.lessons.finding import OPEN, Finding, RunSoFar, failed_at, met_at
 
-#: Of a way in a trace.
+#: How often a trace has the place of the robot.
 _POSES_PER_SECOND = 10
 
 

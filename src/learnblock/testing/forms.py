@@ -1,4 +1,4 @@
-"""Whether readings have the form of their type of sensor, the same on every robot; quiet ones."""
+"""Checks readings against the form of their type of sensor, and makes those of a quiet robot."""
 
 from collections.abc import Sequence
 from copy import deepcopy

@@ -1,4 +1,4 @@
-/** What a block that is being made will look like: how it is used, and where one says what it does. */
+/** What a block that is being made will look like: how it is used, and where its maker says what it does. */
 
 import type { OwnBlock } from "../../model/own-blocks";
 import type { Island } from "../../ui/island";

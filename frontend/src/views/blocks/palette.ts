@@ -55,7 +55,7 @@ export interface Palette {
   readonly messages: Messages;
   /** The styles of calls of the language's functions, by name. */
   readonly calls: Readonly<Record<string, string>>;
-  /** The words of units after a one, by their usual words. */
+  /** The singulars of units, by their plurals. */
   readonly units: Readonly<Record<string, string>>;
 }
 

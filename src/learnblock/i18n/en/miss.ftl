@@ -1,5 +1,5 @@
 # By how much, and where, a run missed a goal, or what a check of a lesson asks for. $gap and $turn are
-# of the messages that begin with miss-gap.
+# messages whose names begin with miss-gap.
 
 miss-gap-short = { $mm } mm short
 miss-gap-past = { $mm } mm too far

@@ -1,5 +1,5 @@
-# Answers to questions about a run. $line is a line's number, $code its text, $time seconds.
-# On a page that shows only blocks $line and $inner are "block", and $code and $innerCode are the words of the blocks.
+# Respuestas a preguntas sobre una ejecución. $line es el número de una línea, $code su texto y $time son segundos.
+# En una página que solo muestra bloques, $line e $inner son "block", y $code e $innerCode, las palabras de los bloques.
 why-line = { $line ->
     [block] el bloque { $code }
    *[other] la línea { $line }

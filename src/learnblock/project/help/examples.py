@@ -44,14 +44,11 @@ class _Usual(msgspec.Struct, frozen=True):
     measurement: str
 
 
-class _Skills(msgspec.Struct, frozen=True, kw_only=True):
+class _Skills(HelpExample, frozen=True, kw_only=True):
     """What the examples of some skills have in common; no program stands for the usual one."""
 
     names: tuple[str, ...]
     program: str = ""
-    world: str = "floor"
-    keys: tuple[tuple[float, str], ...] = ()
-    seconds: float = 8.0
 
 
 class _File(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

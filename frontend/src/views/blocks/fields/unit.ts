@@ -2,7 +2,7 @@
 
 import * as Blockly from "blockly/core";
 
-/** The words of units after a one, by their usual words, in all languages of the blocks. */
+/** The singulars of units, by their plurals, in all languages of the blocks. */
 type Units = Readonly<Record<string, string>>;
 let units: Units = {};
 const FIRST_WORD = /^\s*\p{L}+/u;

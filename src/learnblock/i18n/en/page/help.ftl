@@ -3,7 +3,7 @@
 page-help-title = Help
 page-help-search = Search blocks, lessons and docs
 page-help-hint = Type a word, such as “turn”, “loop” or “Wi-Fi”.
-page-help-nothing = Nothing has the words “{ $words }”. Try a shorter or another word.
+page-help-nothing = Nothing found for “{ $words }”. Try a shorter word, or another one.
 page-help-blocks = Blocks
 page-help-lessons = Lessons
 page-help-docs = Docs

@@ -9,7 +9,7 @@ page-make-used = You use it like this
 page-make-defined = You say what it does here
 page-make-name = Name
 page-make-placeholder = my_block
-# $name is what was typed, or the name that comes of it.
+# $name is what was typed, or the name that results from it.
 page-make-unnamed = Give it a name, such as “dance” or “go home”.
 page-make-reserved = “{ $name }” is a word of the language. Choose another name.
 page-make-taken = There is already something called “{ $name }”. Choose another name.

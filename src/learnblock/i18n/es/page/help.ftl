@@ -3,7 +3,7 @@
 page-help-title = Ayuda
 page-help-search = Buscar bloques, lecciones y documentación
 page-help-hint = Escribe una palabra, como «girar», «bucle» o «wifi».
-page-help-nothing = Nada dice «{ $words }». Prueba una palabra más corta u otra.
+page-help-nothing = No se encontró nada para «{ $words }». Prueba con una palabra más corta o con otra.
 page-help-blocks = Bloques
 page-help-lessons = Lecciones
 page-help-docs = Documentación (en inglés)

@@ -1,4 +1,4 @@
-# Making the blocks of a program.
+# Crear los bloques de un programa.
 
 page-make-button = Crear un bloque
 page-make-none = Pon nombre a lo que repites.
@@ -9,7 +9,7 @@ page-make-used = Se usa así
 page-make-defined = Aquí dices lo que hace
 page-make-name = Nombre
 page-make-placeholder = mi_bloque
-# $name is what was typed, or the name that comes of it.
+# $name es lo que se ha escrito, o el nombre que resulta de ello.
 page-make-unnamed = Dale un nombre, como «bailar» o «ir a casa».
 page-make-reserved = «{ $name }» es una palabra del lenguaje. Elige otro nombre.
 page-make-taken = Ya hay algo que se llama «{ $name }». Elige otro nombre.
@@ -20,7 +20,7 @@ page-make-kind = Tipo de { $name }
 page-make-kind-number = Número
 page-make-kind-text = Texto
 page-make-kind-truth = Sí o no
-# The names of new inputs: letters, digits and _ only.
+# Los nombres de las entradas nuevas: solo letras, dígitos y _.
 page-make-name-number = número
 page-make-name-text = texto
 page-make-name-truth = opción

@@ -21,7 +21,7 @@ page-why-moment = Otras preguntas sobre este momento
 page-why-variable = ¿Por qué está así?
 page-why-printed = ¿Por qué se escribió esto?
 page-why-mark = { $what }: ¿por qué?
-# $subject is a block in its own words, $time such as " at 2.5 s".
+# $subject es un bloque con sus propias palabras; $time es, por ejemplo, " a los 2.5 s".
 page-why-ask-print-block = ¿Por qué escribió su texto el bloque «{ $subject }»{ $time }?
 page-why-ask-not-print-block = ¿Por qué no escribió su texto el bloque «{ $subject }»{ $time }?
 page-why-ask-line-block = ¿Por qué se ejecutó el bloque «{ $subject }»{ $time }?
