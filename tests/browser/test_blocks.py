@@ -22,6 +22,12 @@ main:
     end
 end
 """
+#: Without a definition, "My blocks" has no blocks.
+OWN = """\
+def greet():
+    print("hello")
+end
+"""
 SENTENCES = """\
 main:
     wait until function.is_front_obstacle(200)
@@ -45,6 +51,7 @@ def pupil(sit_down, server):
 
 
 def test_all_blocks_of_a_group_have_one_colour_and_the_groups_have_nine(pupil):
+    pupil.write("blocktext", OWN)
     found = {}
     for name in pupil.groups():
         pupil.open_category(name)
