@@ -13,10 +13,12 @@ from learnblock.monitor.pictures import png
 from learnblock.robots.simulated import check_file_name, find_world, own_worlds
 from learnblock.simulator import RobotDescription, Template, WorldFile, read_world, write_world
 from learnblock.simulator.colours import Colour
+from learnblock.simulator.props import SIZES as PROP_SIZES
 from learnblock.simulator.world_description import PropKind, Theme
 from learnblock.storage.files import save
 
 __all__ = [
+    "PROP_SIZES",
     "Colour",
     "PropKind",
     "RobotDescription",

@@ -39,7 +39,7 @@ def typescript() -> str:
     """The whole module."""
     unions = {"FromPage": messages.FROM_PAGE, "ToPage": messages.TO_PAGE}
     aliases = {"Notation": views.Notation, "View": views.View}
-    quantities = _constant("QUANTITIES", dict[str, Quantity], dict(QUANTITIES))
+    quantities = _constant("QUANTITIES", "Record<string, Quantity>", dict(QUANTITIES))
     return (
         module(_HEADER, unions, aliases, [Quantity])
         + answers(messages.FROM_PAGE)
@@ -51,7 +51,9 @@ def typescript() -> str:
 def world_typescript() -> str:
     """The module of what `Scene` and the world editor's messages carry as plain values."""
     aliases = {name: getattr(worlds, name) for name in ("Colour", "PropKind", "Theme")}
-    return module(_WORLD_HEADER, {}, aliases, [worlds.WorldFile, worlds.RobotDescription])
+    types = module(_WORLD_HEADER, {}, aliases, [worlds.WorldFile, worlds.RobotDescription])
+    sizes = "Readonly<Record<PropKind, readonly [number, number] | number>>"
+    return types + _constant("PROP_SIZES", sizes, dict(worlds.PROP_SIZES))
 
 
 def module(
@@ -121,10 +123,10 @@ def _max_length(kind: inspect.Type) -> int | None:
     return most
 
 
-def _constant(name: str, kind: Any, value: Any) -> str:
-    """The constants that page and server share."""
+def _constant(name: str, kind: str, value: Any) -> str:
+    """A constant that page and server share, of a type of TypeScript."""
     written = json.format(json.encode(value)).decode()
-    return f"\nexport const {name}: {_written(inspect.type_info(kind))} = {written};\n"
+    return f"\nexport const {name}: {kind} = {written};\n"
 
 
 def _members(kind: inspect.Type) -> Iterator[str]:

@@ -1,6 +1,6 @@
 """The bodies of props: what robots bump into and see where a prop is solid.
 
-A body is as wide as the prop that the page draws (frontend/src/views/world/scenery/props.ts).
+The page has their sizes from here: the plan draws them, and a prop in space is as wide.
 """
 
 from collections.abc import Iterable, Iterator
@@ -42,6 +42,12 @@ _SHAPES: MappingProxyType[PropKind, _Shape] = MappingProxyType(
         "rocket": _Shape(87, 357, "white"),
         "tree": _Shape(60, 290, "green"),
     }
+)
+
+
+#: Length and width, or the radius, of a prop of usual size, in mm.
+SIZES: MappingProxyType[PropKind, tuple[float, float] | float] = MappingProxyType(
+    {kind: shape.size for kind, shape in _SHAPES.items()}
 )
 
 

@@ -1,5 +1,3 @@
-import json
-import re
 from pathlib import Path
 from typing import get_args
 
@@ -10,7 +8,6 @@ from learnblock.simulator import World, load_robot, load_world
 from learnblock.simulator.physics import things
 from learnblock.simulator.props import body_of
 from learnblock.simulator.world_description import Box, Cylinder, Prop, PropKind, WorldDescription
-from places import ROOT
 
 
 def world_with(tmp_path: Path, text: str) -> WorldDescription:
@@ -85,13 +82,3 @@ def test_props_may_stand_around_the_floor(tmp_path: Path) -> None:
     world = world_with(tmp_path, '[[prop]]\nkind = "house"\nx = 2000\ny = 0')
 
     assert world.prop[0].x == 2000
-
-
-def test_the_plan_of_the_world_editor_draws_props_as_wide_as_their_bodies() -> None:
-    source = (ROOT / "frontend/src/views/world/plan/shapes.ts").read_text(encoding="utf-8")
-    drawn = dict(re.findall(r"^  (\w+): \[(\[\d+, \d+\]|\d+), \"#", source, re.MULTILINE))
-
-    for kind in get_args(PropKind):
-        body = body_of(Prop(kind=kind, x=0, y=0))
-        size = [body.length, body.width] if isinstance(body, Box) else body.radius
-        assert json.loads(drawn[kind]) == size

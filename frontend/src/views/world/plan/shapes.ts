@@ -1,6 +1,7 @@
 /** The shapes of each sort of object in the plan. */
 
 import { theme } from "../../../model/preferences";
+import { PROP_SIZES } from "../../../protocol/world";
 import { iconSource } from "../../../ui/icons";
 import { friendly, MARKS } from "../scenery/colours";
 import type {
@@ -139,26 +140,26 @@ function lamp({ x, y }: LampValues): Shapes {
   return [svg("circle", { cx: x, cy: -y, r: 26, class: "lamp" }), ...rays];
 }
 
-/** Length and width, or the radius, of a prop of usual size, and its colour: as in learnblock/simulator/props.py. */
-const PROPS: Readonly<Record<PropKind, readonly [XY | number, string]>> = {
-  ball: [70, "#f0529c"],
-  barrel: [65, "#2f7bff"],
-  block: [[130, 130], "#8257e6"],
-  cone: [[96, 96], "#e06a10"],
-  crate: [[158, 158], "#b9803f"],
-  flowers: [80, "#4fae5a"],
-  house: [[216, 216], "#d77f54"],
-  lamp: [30, "#5b6680"],
-  pile: [[290, 140], "#dd4b4b"],
-  planet: [110, "#e58a45"],
-  post: [[84, 84], "#8d80c4"],
-  rocket: [87, "#6b7a94"],
-  tree: [60, "#2f9a53"],
+/** The colour of each prop, dark enough for the white picture on it. */
+const PROP_COLOURS: Readonly<Record<PropKind, string>> = {
+  ball: "#f0529c",
+  barrel: "#2f7bff",
+  block: "#8257e6",
+  cone: "#e06a10",
+  crate: "#b9803f",
+  flowers: "#4fae5a",
+  house: "#d77f54",
+  lamp: "#5b6680",
+  pile: "#dd4b4b",
+  planet: "#e58a45",
+  post: "#8d80c4",
+  rocket: "#6b7a94",
+  tree: "#2f9a53",
 };
 
 /** A decoration is drawn with a dashed edge: robots drive through it. */
 function prop({ kind, scale, solid }: PropValues): Shapes {
-  const [size, fill] = PROPS[kind];
+  const size = PROP_SIZES[kind];
   const kindOfEdge = solid ? "solid" : "solid decoration";
   const isRound = typeof size === "number";
   const [length, width] = isRound ? [2 * size, 2 * size] : size;
@@ -166,7 +167,7 @@ function prop({ kind, scale, solid }: PropValues): Shapes {
   const side = 0.7 * Math.min(place.width, place.height);
   const picture = svg("image", { x: -side / 2, y: -side / 2, width: side, height: side, class: "sign" });
   picture.setAttribute("href", iconSource(`prop_${kind}`, "#fff"));
-  const edge = svg("rect", { ...place, rx: isRound ? size * scale : 8, class: kindOfEdge, fill });
+  const edge = svg("rect", { ...place, rx: isRound ? size * scale : 8, class: kindOfEdge, fill: PROP_COLOURS[kind] });
   return [edge, picture];
 }
 

@@ -2,6 +2,7 @@
 
 import { Group, type Object3D, TorusGeometry } from "three";
 
+import { PROP_SIZES } from "../../../protocol/world";
 import type { PropKind, PropValues, Theme, WorldValues, XY } from "./description";
 import { circle, shadows } from "./shadows";
 import { ball, cone, cylinder, drum, Parts, roundedBox } from "./solids";
@@ -181,22 +182,30 @@ export function props(theme: Theme, [width, length]: XY, depth: number): Object3
   return new Group().add(mesh, blobs);
 }
 
-/** The props that worlds may name, with the radius of their shadow. Their bodies are in learnblock/simulator/props.py. */
-const NAMED: Readonly<Record<PropKind, { readonly prop: Prop; readonly shadow: number }>> = {
-  ball: { prop: toyBall("#f0529c"), shadow: 62 },
-  barrel: { prop: barrel, shadow: 64 },
-  block: { prop: block("#8257e6"), shadow: 84 },
-  cone: { prop: trafficCone, shadow: 58 },
-  crate: { prop: crate, shadow: 98 },
-  flowers: { prop: flowers, shadow: 78 },
-  house: { prop: house("#e58f65", 2), shadow: 138 },
-  lamp: { prop: streetLamp, shadow: 32 },
-  pile: { prop: pile, shadow: 130 },
-  planet: { prop: planet("#ff9f5a", "#ffd9a0"), shadow: 100 },
-  post: { prop: post("#12a594"), shadow: 54 },
-  rocket: { prop: rocket, shadow: 84 },
-  tree: { prop: tree("#46b96b", "#58c877"), shadow: 70 },
+/** The props that worlds may name. Their bodies are as wide: a test compares them with `PROP_SIZES`. */
+export const NAMED: Readonly<Record<PropKind, Prop>> = {
+  ball: toyBall("#f0529c"),
+  barrel,
+  block: block("#8257e6"),
+  cone: trafficCone,
+  crate,
+  flowers,
+  house: house("#e58f65", 2),
+  lamp: streetLamp,
+  pile,
+  planet: planet("#ff9f5a", "#ffd9a0"),
+  post: post("#12a594"),
+  rocket,
+  tree: tree("#46b96b", "#58c877"),
 };
+/** Of the half side of a square, how far its round shadow reaches. */
+const SHADOW_OF_SQUARE = 1.25;
+
+/** The radius of the shadow of a prop of usual size, mm. */
+function shadowOf(kind: PropKind): number {
+  const size = PROP_SIZES[kind];
+  return typeof size === "number" ? size : (SHADOW_OF_SQUARE * (size[0] + size[1])) / 4;
+}
 
 /**
  * The props of a world, on its floor or on the ground around it.
@@ -206,13 +215,12 @@ const NAMED: Readonly<Record<PropKind, { readonly prop: Prop; readonly shadow: n
 export function namedProps({ prop: named, floor }: Pick<WorldValues, "prop" | "floor">, depth: number): Object3D {
   const parts = new Parts();
   const outlines: Record<"floor" | "ground", XY[][]> = { floor: [], ground: [] };
-  for (const one of named) {
-    const onFloor = isOn(floor.size, one);
-    const { prop, shadow } = NAMED[one.kind];
+  for (const prop of named) {
+    const onFloor = isOn(floor.size, prop);
     const single = new Parts();
-    prop(single, 0, 0, 0, one.scale);
-    parts.put(single, one, onFloor ? 0 : -depth);
-    outlines[onFloor ? "floor" : "ground"].push(circle(one.x, one.y, shadow * one.scale));
+    NAMED[prop.kind](single, 0, 0, 0, prop.scale);
+    parts.put(single, prop, onFloor ? 0 : -depth);
+    outlines[onFloor ? "floor" : "ground"].push(circle(prop.x, prop.y, shadowOf(prop.kind) * prop.scale));
   }
   const below = shadows(outlines.ground);
   below.position.z = -depth;
