@@ -12,7 +12,6 @@ from learnblock.language import format as format_program
 from learnblock.language.check.robots import asked, demands
 from learnblock.language.edit.imports import imported, libraries_used, with_import
 from learnblock.language.edit.rename import Sort, rename
-from learnblock.language.tree.extents import Extent, moved
 from learnblock.language.tree.nodes import Program as Tree
 from learnblock.language.workspace.blocks import Workspace
 from learnblock.language.workspace.idle_blocks import idle_blocks
@@ -26,7 +25,8 @@ from learnblock.project.document.notations import (
     read_python,
     with_robot,
 )
-from learnblock.project.document.problems import owners, problem, problems
+from learnblock.project.document.positions import Positions
+from learnblock.project.document.problems import problem, problems
 from learnblock.project.document.renames import rename_between
 from learnblock.project.document.views import Notation, Place, Problem, View
 from learnblock.runtime.program import Program
@@ -305,44 +305,18 @@ class Document:
     # Positions.
 
     @cached_property
+    def positions(self) -> Positions:
+        """Where each statement is in the texts that are shown."""
+        return Positions(self.good, self.blocktext, self.python)
+
+    @property
     def places(self) -> tuple[Place, ...]:
         """Every statement in all three views."""
-        places: dict[str, Place] = {}
-        rows = zip(
-            self.good.statement_blocks(),
-            self._extents("blocktext"),
-            self._extents("python"),
-            strict=True,
-        )
-        for block, blocktext, python in rows:
-            if block is not None:
-                # A comment belongs to the block of the statement below it, which comes later.
-                places[block] = Place(block, *blocktext, *python)
-        return tuple(places.values())
+        return self.positions.places
 
     def block_at(self, python_line: int) -> str | None:
         """The innermost block in a line of the Python view; lines count from 1."""
-        owner = self._python_owners
-        index = owner[python_line] if 0 < python_line < len(owner) else None
-        return None if index is None else self.good.statement_blocks()[index]
-
-    def python_line(self, block: str) -> int | None:
-        """The first line of a block in the Python view; lines count from 1."""
-        return self._python_lines.get(block)
-
-    @cached_property
-    def _python_lines(self) -> dict[str, int]:
-        return {place.block: place.python for place in self.places if place.python}
-
-    @cached_property
-    def _python_owners(self) -> list[int | None]:
-        return owners(self._extents("python"))
-
-    def _extents(self, notation: Notation) -> tuple[Extent, ...]:
-        written = self.good.blocktext if notation == "blocktext" else self.good.python
-        if self.unread and self.unread.view == notation:
-            return moved(written.extents, written.text, self.unread.text)
-        return written.extents
+        return self.positions.block_at("python", python_line)
 
     # Reading.
 
@@ -392,16 +366,10 @@ class Document:
     def _mistakes(
         self, notation: Notation, text: str, diagnostics: tuple[Diagnostic, ...]
     ) -> tuple[Problem, ...]:
-        written = self.good.blocktext if notation == "blocktext" else self.good.python
-        owner = owners(moved(written.extents, written.text, text))
-        blocks = self.good.statement_blocks()
-
-        def block(line: int) -> str | None:
-            index = owner[line] if line < len(owner) else None
-            return None if index is None else blocks[index]
-
+        positions = self.positions.with_text(notation, text)
         return tuple(
-            problem(diagnostic, notation, block(diagnostic.line)) for diagnostic in diagnostics
+            problem(diagnostic, notation, positions.block_at(notation, diagnostic.line))
+            for diagnostic in diagnostics
         )
 
     def _refuse_unread(self, task: str) -> None:

@@ -1,56 +1,44 @@
 """The folder of a user's projects."""
 
 import os
-import re
 import time
-import unicodedata
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
-from itertools import count, takewhile
+from itertools import takewhile
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal, Self
+from typing import TYPE_CHECKING, Self
 
-from learnblock import language, robots
-from learnblock.blocks.known import all_configurations
 from learnblock.errors import (
     Diagnostic,
-    LearnBlockError,
-    ProgramError,
     ProjectError,
     SettingsError,
     UnknownNameError,
     shortage,
 )
 from learnblock.i18n import Phrase
-from learnblock.language.python.generation import ROBOT_IMPORT
-from learnblock.project.document.views import LONGEST_TEXT
 from learnblock.project.files import ENDING
+from learnblock.project.files.exchange import project_of, project_of_original
 from learnblock.project.files.history import History, PastRun, Reason, Version
 from learnblock.project.files.kept_runs import KeptRuns
 from learnblock.project.files.lesson_folder import LessonFolder
+from learnblock.project.files.names import names_like
 from learnblock.project.files.packing import encode_whole
 from learnblock.project.files.picture import LARGEST_PICTURE, PictureError, check_picture
 from learnblock.project.files.project import (
-    LONGEST_NAME,
     Project,
     ProjectEntry,
-    ProjectPart,
     checked_name,
 )
 from learnblock.project.files.project_file import LARGEST, decode, encode
-from learnblock.running import DEFAULT_ROBOT, forbid_network, move_network
-from learnblock.storage.files import is_device_name, save
+from learnblock.running import forbid_network, move_network
+from learnblock.storage.files import save
 
 if TYPE_CHECKING:
     from learnblock.importing import FindLibrary, Report
 
-__all__ = ["FileState", "Format", "Project", "ProjectFolder"]
-
-Format = Literal["bt", "py", "learnblock"]
-
-_NOT_IN_NAMES = re.compile(r"[^\w .-]+")
+__all__ = ["FileState", "Project", "ProjectFolder"]
 
 
 class FileChangedError(Exception):
@@ -179,21 +167,15 @@ class ProjectFolder:
 
     def free_name(self, wish: str) -> str:
         """Find a free name like `wish`."""
+        # They are compared without case, which Windows and macOS ignore in file names.
         taken = {name.casefold() for name in self._names()}
-        return next(name for name in self._names_like(wish) if name.casefold() not in taken)
+        return next(name for name in names_like(wish) if name.casefold() not in taken)
 
     def taken_names(self, wish: str) -> list[str]:
         """The names of projects that were created with this name, the first one first."""
         known = {name.casefold(): name for name in self._names()}
-        wanted = (name.casefold() for name in self._names_like(wish))
+        wanted = (name.casefold() for name in names_like(wish))
         return [known[name] for name in takewhile(known.__contains__, wanted)]
-
-    def _names_like(self, wish: str) -> Iterator[str]:
-        # They are compared without case, which Windows and macOS ignore in file names.
-        plain = _plain(wish)
-        yield plain
-        for number in count(2):
-            yield f"{plain} {number}"
 
     def rename(self, name: str, wish: str) -> None:
         """Rename a project's file and its history, both or neither.
@@ -262,78 +244,24 @@ class ProjectFolder:
     def import_file(self, filename: str, text: str) -> Project:
         """Create a project from a file's text, under a free name; it is not saved yet.
 
-        Args:
-            filename: the file name, ending in .bt, .py or .learnblock.
-            text: the text of a program, which may have mistakes, or of a project.
-
         Raises:
-            ProjectError: the file has another type, or is not a valid project.
+            ProjectError: see `exchange.project_of`.
         """
-        stem, _, ending = filename.replace("\\", "/").rpartition("/")[2].rpartition(".")
-        ending = ending.lower()
-        text = text.removeprefix("\ufeff").replace("\r\n", "\n")
-        name = self.free_name(stem)
-        if ending in ("bt", "py"):
-            _require_short(text, filename)
-        if ending == "bt":
-            return Project(name, text)
-        if ending == "py":
-            return _from_python(name, text)
-        if f".{ending}" != ENDING:
-            raise ProjectError(filename, [Diagnostic("unknown-file", Phrase("project-type"))])
-        project = decode(text.encode("utf-8", "replace"), stem)
-        for part in project.parts:
-            _require_short(part.blocktext, filename)
-            _require_short(part.python or "", filename)
-        return replace(project, name=name)
+        return self._freely_named(project_of(filename, text))
 
     def import_original(
         self, filename: str, data: bytes, find_library: "FindLibrary"
     ) -> "tuple[Project, Report]":
         """Create a project from a file of the original LearnBlock, under a free name.
 
-        Args:
-            filename: ends in .blockProject or .lb.
-            data: the file.
-            find_library: finds the libraries that a project imports.
-
         Raises:
-            FileError: the file is damaged, or has another type.
+            FileError: see `exchange.project_of_original`.
         """
-        from learnblock import importing  # noqa: PLC0415 - few pages open such files
+        project, report = project_of_original(filename, data, find_library)
+        return self._freely_named(project), report
 
-        stem, _, ending = filename.replace("\\", "/").rpartition("/")[2].rpartition(".")
-        skills = all_configurations()
-        if f".{ending}".lower() == importing.ENDING.lower():
-            imported = importing.import_project(data, filename, skills, find_library)
-        elif f".{ending}".lower() == importing.LIBRARY_ENDING:
-            imported = importing.import_text(data, filename, skills)
-        else:
-            raise ProjectError(filename, [Diagnostic("unknown-file", Phrase("import-type"))])
-        _require_short(imported.blocktext, filename)
-        project = Project(self.free_name(stem), imported.blocktext, workspace=imported.workspace)
-        return project, imported.report
-
-    def export(self, project: Project, format_: Format, part: int = 0) -> tuple[str, str]:
-        """Export a project, or the program of one of its robots: the name and text of a file.
-
-        Args:
-            project: the project.
-            format_: the format; only `learnblock` has all robots.
-            part: the index of the robot whose program is exported.
-
-        Raises:
-            ProgramError: the format is Python and the program has mistakes.
-            ProjectError: the project can't be written as a file.
-        """
-        if format_ == "learnblock":
-            return f"{project.name}.{format_}", encode_whole(project, leaves=True).decode()
-        chosen = project.parts[part]
-        name = chosen.name if project.has_several else project.name
-        if format_ == "bt":
-            return f"{name}.{format_}", chosen.blocktext
-        text = chosen.python if chosen.python is not None else _python(chosen)
-        return f"{name}.{format_}", text
+    def _freely_named(self, project: Project) -> Project:
+        return replace(project, name=self.free_name(project.name))
 
     # History.
 
@@ -464,56 +392,6 @@ def _lines(data: bytes, name: str) -> int:
         return decode(data, name).blocktext.count("\n") + 1
     except ProjectError:
         return 0
-
-
-def _require_short(text: str, filename: str) -> None:
-    """Check that a program from a page can be edited there.
-
-    Raises:
-        ProjectError: it is longer than any program that a page may send.
-    """
-    if len(text) > LONGEST_TEXT:
-        message = Phrase("project-program-too-long", size=len(text), limit=LONGEST_TEXT)
-        raise ProjectError(filename, [Diagnostic("too-large", message)])
-
-
-def _plain(wish: str) -> str:
-    """Convert any string to a valid project name."""
-    wish = unicodedata.normalize("NFC", wish)
-    short = _NOT_IN_NAMES.sub(" ", wish).encode("utf-8", "ignore")[: LONGEST_NAME - 10]
-    name = short.decode("utf-8", "ignore").strip(" ._-")
-    if is_device_name(name):
-        # Windows has no file with such a name, but one that contains it.
-        name = f"program {name}"
-    try:
-        return checked_name(name)
-    except ProjectError:
-        return "program"
-
-
-def _from_python(name: str, text: str) -> Project:
-    """Create a project from a Python file, which may have mistakes."""
-    module = ROBOT_IMPORT.search(text)
-    robot = _robot_of(module[1]) if module else DEFAULT_ROBOT
-    try:
-        blocktext = language.format(language.from_python(text))
-    except ProgramError:
-        # The page shows the mistakes in the Python itself.
-        blocktext = ""
-    return Project(name, blocktext, text, robot=robot)
-
-
-def _robot_of(module: str) -> str:
-    try:
-        return robots.find(module).name
-    except LearnBlockError:
-        # The robot is not installed; the program can still be parsed, and run on another robot.
-        return DEFAULT_ROBOT
-
-
-def _python(part: ProjectPart) -> str:
-    tree = language.parse(part.blocktext, f"{part.name}.bt")
-    return language.to_python(tree, robots.module_of(part.robot)).text
 
 
 @contextmanager

@@ -8,6 +8,7 @@ from anyio import to_thread
 from learnblock import robots, running
 from learnblock.i18n import Phrase
 from learnblock.project.files import unpacking
+from learnblock.project.files.exchange import export
 from learnblock.project.files.packing import fits
 from learnblock.project.files.project import Project, ProjectPart
 from learnblock.project.files.project_file import LARGEST
@@ -127,14 +128,13 @@ async def _delete(page: Page, message: messages.Delete) -> None:
 
 @HANDLERS.add
 async def _export(page: Page, message: messages.Export) -> None:
-    folder = page.sessions.folder
     if message.project:
         session = await page.sessions.open(message.project)
         page.sessions.left(session)
         project, part = session.project, 0
     else:
         project, part = page.session.project, page.session.parts.index(page.part)
-    filename, text = await to_thread.run_sync(folder.export, project, message.format, part)
+    filename, text = await to_thread.run_sync(export, project, message.format, part)
     page.send(messages.File(filename, text))
     if message.format == "learnblock" and not await to_thread.run_sync(fits, project):
         page.send(messages.Failed(Phrase("project-carries-less", limit=LARGEST)))

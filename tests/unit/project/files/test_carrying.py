@@ -14,7 +14,7 @@ from learnblock.extensions.worlds import PackedWorld
 from learnblock.perception import tag_names
 from learnblock.project.files import unpacking
 from learnblock.project.files.carried import Carried, CarriedWorld, Code
-from learnblock.project.files.folder import ProjectFolder
+from learnblock.project.files.exchange import export
 from learnblock.project.files.packing import encode_whole, fits, packed
 from learnblock.project.files.project import Project
 from learnblock.project.files.project_file import LARGEST, decode, encode
@@ -223,8 +223,8 @@ def test_a_block_that_can_not_be_installed_replaces_nothing(file, go):
     assert "stop_bot()" in custom_blocks.find("dances").source
 
 
-def test_a_downloaded_file_is_foreign_everywhere(file, tmp_path):
-    _, text = ProjectFolder(tmp_path).export(PROJECT, "learnblock")
+def test_a_downloaded_file_is_foreign_everywhere(file):
+    _, text = export(PROJECT, "learnblock")
     carried = decode(text.encode(), "dance").carried
     assert carried.home == ""
     assert carried.code.blocks

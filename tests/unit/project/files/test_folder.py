@@ -17,6 +17,7 @@ from learnblock.errors import (
 )
 from learnblock.language.workspace.blocks import Block, BlockComment, Input, Variable, Workspace
 from learnblock.project.document.document import Document
+from learnblock.project.files.exchange import export
 from learnblock.project.files.folder import ProjectFolder
 from learnblock.project.files.history import PastRun
 from learnblock.project.files.project import Project, checked_name
@@ -472,21 +473,21 @@ def test_another_file_is_refused(folder):
 
 def test_a_project_is_exported_in_each_notation(folder):
     project = Project("p", "x = 1\n", robot="sim-thymio")
-    assert folder.export(project, "bt") == ("p.bt", "x = 1\n")
-    filename, python = folder.export(project, "py")
+    assert export(project, "bt") == ("p.bt", "x = 1\n")
+    filename, python = export(project, "py")
     assert filename == "p.py"
     assert python.startswith("from learnblock.robots.sim_thymio import Robot\n")
-    filename, text = folder.export(project, "learnblock")
+    filename, text = export(project, "learnblock")
     assert folder.import_file(filename, text) == project
 
 
-def test_hand_written_python_is_exported_unchanged(folder):
-    assert folder.export(Project("p", "x = 1\n", "x=1"), "py") == ("p.py", "x=1")
+def test_hand_written_python_is_exported_unchanged():
+    assert export(Project("p", "x = 1\n", "x=1"), "py") == ("p.py", "x=1")
 
 
-def test_a_program_with_mistakes_has_no_python(folder):
+def test_a_program_with_mistakes_has_no_python():
     with pytest.raises(ProgramError):
-        folder.export(Project("p", "x = (\n"), "py")
+        export(Project("p", "x = (\n"), "py")
 
 
 @given(st.text(max_size=40), st.sampled_from(["a.bt", "a.py", "a.learnblock", "a", ""]))
