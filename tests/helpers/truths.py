@@ -23,7 +23,7 @@ from learnblock.runtime.log.noting import TICK
 from learnblock.runtime.log.snapshots import snapshot
 from learnblock.runtime.watcher import Watcher
 from learnblock.simulator import World
-from learnblock.simulator.robot_body import TILTS
+from learnblock.simulator.hand import TILTS
 from learnblock.why import History, Recorded
 from learnblock.why.moments import Moments, shown
 from learnblock.why.world_again import WorldAgain

@@ -112,7 +112,7 @@ class WorldMonitor:
         self._start = (x, y, heading)
 
     def handle(self, how: str) -> None:
-        """Shake or tilt the robot, also while a program runs; see `RobotBody.handle`."""
+        """Shake or tilt the robot, also while a program runs; see `Hand.move`."""
         self._simulation.handle(self._name, how)
 
     def drive(self, advance: float, rotation: float) -> None:

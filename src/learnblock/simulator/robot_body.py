@@ -11,6 +11,7 @@ from learnblock.simulator.chassis import Chassis
 from learnblock.simulator.colours import RGB
 from learnblock.simulator.drawing import Drawing, Pen
 from learnblock.simulator.geometry import Pose
+from learnblock.simulator.hand import Hand
 from learnblock.simulator.joints import Joints
 from learnblock.simulator.noise import Noise
 from learnblock.simulator.physics import DT
@@ -26,25 +27,9 @@ if TYPE_CHECKING:
 
 PartT = TypeVar("PartT")
 
-STANDARD_GRAVITY = 9.80665
-"""m/s²; the upward reading of an accelerometer at rest (ISO 80000-3)."""
 BUMPER_PARTS = 5
 """Points along a bumper's bar that detect a touch."""
 LOG_LENGTH = 10_000
-
-TILTS: Mapping[str, tuple[float, float]] = {
-    "level": (0, 0),
-    "front": (-30, 0),
-    "back": (30, 0),
-    "left": (0, -30),
-    "right": (0, 30),
-}
-"""Degrees by which a hand raises the front and the left side to tilt a robot to a side."""
-SHAKE_SECONDS = 1.0
-SHAKE_RATE = 7.0
-"""Hz."""
-SHAKE_STRENGTH = 20.0
-"""m/s²; the amplitude to the left and right."""
 
 EMOTION_COLOURS: Mapping[str, RGB] = {
     "fear": (124, 0, 255),
@@ -117,10 +102,10 @@ class RobotBody:
         self.text = ""
         self.leds: dict[str, RGB] = {led.slot: (0, 0, 0) for led in description.led}
         self._coloured = [led.slot for led in description.led if led.kind == "rgb"]
-        self._tilt = TILTS["level"]
-        self._shaken_from = -math.inf
         self._world = world
         self._group = group
+        #: The hand that holds the robot.
+        self.hand = Hand(world)
         self._noise = Noise(world.seed, name, world.sensor_noise)
         error = description.wheels.error
         errors = self._wheel_error("left", error), self._wheel_error("right", error)
@@ -246,21 +231,8 @@ class RobotBody:
             sensor.noise * self._noise.normal(f"accelerometer {axis}", self._world.steps)
             for axis in "xyz"
         )
-        forward, left, up = self._held_acceleration()
+        forward, left, up = self.hand.acceleration()
         return along + forward + x, across + left + y, up + z
-
-    def handle(self, how: str) -> None:
-        """Let a hand tilt the robot until further notice, or ``shake`` it for a second.
-
-        Only its accelerometer notices.
-
-        Args:
-            how: ``shake``, or one of `TILTS`.
-        """
-        if how == "shake":
-            self._shaken_from = self._world.time
-        else:
-            self._tilt = TILTS[how]
 
     def bumper(self) -> bool:
         """Whether the bumper is pressed.
@@ -415,17 +387,6 @@ class RobotBody:
     def _lost(self, wheel: str, period: int) -> float:
         evenly = self._noise.bits(f"{wheel} slip", period) / 2**63
         return self._world.slip * evenly
-
-    def _held_acceleration(self) -> tuple[float, float, float]:
-        """What the accelerometer measures because of gravity and the hand that holds the robot."""
-        pitch, roll = map(math.radians, self._tilt)
-        forward = STANDARD_GRAVITY * math.sin(pitch)
-        left = STANDARD_GRAVITY * math.cos(pitch) * math.sin(roll)
-        up = STANDARD_GRAVITY * math.cos(pitch) * math.cos(roll)
-        shaken = self._world.time - self._shaken_from
-        if shaken < SHAKE_SECONDS:
-            left += SHAKE_STRENGTH * math.cos(2 * math.pi * SHAKE_RATE * shaken)
-        return forward, left, up
 
     def _require(self, part: PartT | None, device: str) -> PartT:
         if part is None:

@@ -162,11 +162,11 @@ def test_its_accelerometer_reads_1_g_upwards(pair):
 def test_it_feels_that_it_is_tilted_and_shaken(pair):
     there, robot = pair
     with there.twin.body() as body:
-        body.handle("left")
+        body.hand.move("left")
     wait_for(lambda: robot.is_tilted("left"), "it is tilted")
     with there.twin.body() as body:
-        body.handle("level")
-        body.handle("shake")
+        body.hand.move("level")
+        body.hand.move("shake")
     wait_for(robot.is_shaken, "it is shaken")
     wait_for(lambda: not robot.is_shaken() and not robot.is_tilted(), "it is left alone")
 

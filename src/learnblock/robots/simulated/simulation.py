@@ -77,7 +77,7 @@ class Simulation:
             how: see `RobotBody.handle`.
         """
         with self.lock:
-            self.world.robots[name].handle(how)
+            self.world.robots[name].hand.move(how)
             if name in self.witnesses:
                 self.witnesses[name].handled(self.world.time, how)
 
