@@ -5,10 +5,10 @@ from dataclasses import dataclass, replace
 from functools import cached_property, reduce
 
 from learnblock.blocks import BlockConfiguration
-from learnblock.errors import Diagnostic, FileError, LearnBlockError, ProgramError
+from learnblock.errors import Diagnostic, LearnBlockError, ProgramError
 from learnblock.i18n import Phrase
-from learnblock.language import WorkspaceProgram, from_workspace, parse, recover
 from learnblock.language import format as format_program
+from learnblock.language import from_workspace, parse, recover
 from learnblock.language.check.robots import asked, demands
 from learnblock.language.edit.imports import imported, libraries_used, with_import
 from learnblock.language.edit.rename import Sort, rename
@@ -26,7 +26,12 @@ from learnblock.project.document.notations import (
     with_robot,
 )
 from learnblock.project.document.positions import Positions
-from learnblock.project.document.problems import problem, problems
+from learnblock.project.document.problems import (
+    mistakes_in_blocks,
+    problem,
+    problems,
+    remarks_on_blocks,
+)
 from learnblock.project.document.renames import rename_between
 from learnblock.project.document.views import Notation, Place, Problem, View
 from learnblock.runtime.program import Program
@@ -122,8 +127,8 @@ class Document:
         try:
             read = from_workspace(workspace, self.target.configurations)
         except LearnBlockError as error:
-            return self._unreadable(workspace, _mistakes_of_blocks(error))
-        remarks = _said_of_blocks(read)
+            return self._unreadable(workspace, mistakes_in_blocks(error))
+        remarks = remarks_on_blocks(read)
         if any(remark.severity == "error" for remark in remarks):
             return self._unreadable(workspace, remarks)
         blocks = Blocks(workspace, read.block_ids)
@@ -318,6 +323,10 @@ class Document:
         """The innermost block in a line of the Python view; lines count from 1."""
         return self.positions.block_at("python", python_line)
 
+    def python_line(self, block: str) -> int | None:
+        """The first line of a block in the Python view; lines count from 1."""
+        return self.positions.python_lines.get(block)
+
     # Reading.
 
     def _read(self, notation: Notation, text: str) -> Notations:
@@ -377,11 +386,6 @@ class Document:
             raise LearnBlockError("edit-errors-first", task=task)
 
 
-def _said_of_blocks(read: WorkspaceProgram) -> tuple[Problem, ...]:
-    """The errors and warnings about blocks."""
-    return tuple(problem(diagnostic, "blocks", block) for block, diagnostic in read.problems)
-
-
 def _laid_out(target: Target, tree: Tree, blocktext: str, workspace: Workspace | None) -> Document:
     """Lay out a program with its saved blocks, if these have the same meaning."""
     written = Written.by_author(blocktext, tree)
@@ -392,7 +396,7 @@ def _laid_out(target: Target, tree: Tree, blocktext: str, workspace: Workspace |
             # These blocks are not a program, so lay out new ones.
             workspace = None
         else:
-            remarks = _said_of_blocks(read)
+            remarks = remarks_on_blocks(read)
             if read.program == tree and not any(remark.severity == "error" for remark in remarks):
                 blocks = Blocks(workspace, read.block_ids)
                 good = derive(read.program, target, blocks=blocks, blocktext=written)
@@ -442,9 +446,3 @@ def _last_good(
 
 def _unless_unread(before: Document, after: Document) -> Document:
     return before if after.unread else after
-
-
-def _mistakes_of_blocks(error: LearnBlockError) -> tuple[Problem, ...]:
-    if isinstance(error, FileError):
-        return tuple(problem(diagnostic, "blocks") for diagnostic in error.diagnostics)
-    return (Problem(code="blocks", message=error.phrase, severity="error", view="blocks"),)

@@ -1,5 +1,6 @@
 """Where the statements of a program are in its views."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -44,6 +45,11 @@ class Positions:
                 # A comment belongs to the block of the statement below it, which comes later.
                 places[block] = Place(block, *blocktext, *python)
         return tuple(places.values())
+
+    @cached_property
+    def python_lines(self) -> Mapping[str, int]:
+        """The first line of each block in the Python that is shown."""
+        return {place.block: place.python for place in self.places if place.python}
 
     def block_at(self, notation: Notation, line: int) -> str | None:
         """The innermost block in a line of a text; lines count from 1."""

@@ -3,9 +3,9 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
-from learnblock.errors import Diagnostic
+from learnblock.errors import Diagnostic, FileError, LearnBlockError
 from learnblock.i18n import Phrase
-from learnblock.language import check, parse
+from learnblock.language import WorkspaceProgram, check, parse
 from learnblock.language.tree.extents import Extent, every
 from learnblock.language.tree.nodes import Expression, Item, Main, Program, Raw
 from learnblock.language.tree.traversal import expressions, within
@@ -190,3 +190,15 @@ class _Located:
 def _expressions(item: Item | Main) -> Iterable[Expression]:
     for expression in expressions(item):
         yield from within(expression)
+
+
+def remarks_on_blocks(read: WorkspaceProgram) -> tuple[Problem, ...]:
+    """The errors and warnings about blocks."""
+    return tuple(problem(diagnostic, "blocks", block) for block, diagnostic in read.problems)
+
+
+def mistakes_in_blocks(error: LearnBlockError) -> tuple[Problem, ...]:
+    """The mistakes of blocks that are no program."""
+    if isinstance(error, FileError):
+        return tuple(problem(diagnostic, "blocks") for diagnostic in error.diagnostics)
+    return (Problem(code="blocks", message=error.phrase, severity="error", view="blocks"),)

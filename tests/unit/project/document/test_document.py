@@ -292,6 +292,8 @@ def test_places_name_existing_lines_and_each_block_once(path):
 def test_a_line_of_python_belongs_to_its_innermost_block():
     one = document()
     lines = one.python.split("\n")
+    for place in one.places:
+        assert one.python_line(place.block) == place.python
     turn = lines.index("    robot.turn(90)") + 1
     block = one.block_at(turn)
     assert Place(block, 4, 4, turn, turn) in one.places
