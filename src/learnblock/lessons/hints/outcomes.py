@@ -35,7 +35,7 @@ from learnblock.lessons.checks import (
     Uses,
 )
 from learnblock.lessons.happening import fits, moments
-from learnblock.lessons.hints.built import number_of
+from learnblock.lessons.hints.conditions import number_of
 from learnblock.lessons.hints.guess import Guess
 from learnblock.lessons.hints.situation import Situation, calls_in
 from learnblock.lessons.hints.vocabulary import LASTING, asks_line, sensors, side

@@ -14,6 +14,7 @@ from learnblock.language.tree.nodes import (
     Blank,
     Body,
     Branch,
+    Break,
     Call,
     Comment,
     Else,
@@ -23,6 +24,7 @@ from learnblock.language.tree.nodes import (
     Main,
     Pass,
     Program,
+    Return,
     SkillCall,
 )
 from learnblock.language.tree.traversal import all_expressions, statements, within
@@ -270,6 +272,11 @@ def parts(node: If) -> Iterator[Branch | Else]:
 def first_line(body: Body) -> int:
     """The line of the first statement of a body."""
     return next((node.span.line for node in body if not isinstance(node, NOTHING)), 0)
+
+
+def can_leave(body: Body) -> bool:
+    """Whether a body has a statement that leaves its loop."""
+    return any(isinstance(node, Break | Return) for node in statements(body))
 
 
 def is_empty(body: Body) -> bool:

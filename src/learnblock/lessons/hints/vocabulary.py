@@ -29,6 +29,9 @@ _ACTS = frozenset(("send", "send_code_IR"))
 #: What is asked about the program or the robot itself, not about its world.
 _CLOCKS = frozenset(("elapsedTime", "get_timer"))
 
+#: The `when` that runs first, which needs no condition.
+START = "start"
+
 OBSTACLES = frozenset(
     (
         "is_front_obstacle",
