@@ -1,7 +1,7 @@
 """The generic client: base class of every robot."""
 
 import threading
-from collections.abc import Callable, Collection, Hashable, Iterator, Mapping
+from collections.abc import Callable, Collection, Hashable, Iterator
 from contextlib import ExitStack, contextmanager
 from enum import Enum, auto
 from types import TracebackType
@@ -12,10 +12,11 @@ from learnblock.client import endings
 from learnblock.client import skills as skill_registry
 from learnblock.client.announced import Announced
 from learnblock.client.clock import Clock, WallClock
+from learnblock.client.driver import Driver
 from learnblock.client.events import Events
 from learnblock.client.keyboard import Keyboard
 from learnblock.client.mailbox import Mailbox
-from learnblock.client.observers import Observer, Outcome, Witness
+from learnblock.client.observers import Observer
 from learnblock.client.operations import Operations
 from learnblock.client.readings import (
     READING,
@@ -27,7 +28,6 @@ from learnblock.client.readings import (
 )
 from learnblock.client.reckoning import Reckoning
 from learnblock.client.senses import Senses
-from learnblock.client.status import RobotStatus
 from learnblock.client.unseen import UnseenTexts
 from learnblock.devices import (
     DEFAULT_KEY,
@@ -35,7 +35,6 @@ from learnblock.devices import (
     Base,
     Camera,
     Device,
-    Pose,
     Reading,
     Sensor,
 )
@@ -58,7 +57,7 @@ class State(Enum):
     STOPPED = auto()
 
 
-class Client(Announced, Events):
+class Client(Announced, Driver, Events):
     """A robot as programs see it: its skills are methods, and its hardware is hidden.
 
     A new robot is a subclass that connects, disconnects and adds its devices:
@@ -133,61 +132,6 @@ class Client(Announced, Events):
         self._attach(skills)
         self._connect()
 
-    # For subclasses to override.
-
-    def connect(self) -> None:
-        """Connect to the robot and `add` its devices."""
-
-    def disconnect(self) -> None:
-        """Disconnect from the robot, whose motors have already stopped."""
-
-    @classmethod
-    def check_wishes(cls, wishes: Mapping[str, Any]) -> None:
-        """Check the options for `hosted` before a program is started.
-
-        Raises:
-            LearnBlockError: one of them is not possible.
-        """
-
-    @classmethod
-    def hosted(cls, arguments: Mapping[str, Any], wishes: Mapping[str, Any]) -> Self:
-        """Create the robot in a host that runs the program in a separate process.
-
-        Args:
-            arguments: the arguments of ``Robot(...)`` in the program.
-            wishes: world, seed and pace chosen outside the program; only simulated robots use
-                them.
-        """
-        del wishes
-        return cls(**arguments)
-
-    def conditions(self) -> dict[str, object]:
-        """Everything except the program that affects a run, for the first line of a trace."""
-        from learnblock.perception.sources import TABLE  # noqa: PLC0415 - as above
-
-        # Names only: a trace must not reveal addresses and paths.
-        chosen = [setting.name for setting in TABLE.describe() if setting.value != setting.default]
-        robot = type(self).__module__.rpartition(".")[2].replace("_", "-")
-        return {"robot": robot, **({"perception": chosen} if chosen else {})}
-
-    def surroundings(self) -> Mapping[str, object]:
-        """What the log of a run must know: a simulated robot's world, a real one's calibration."""
-        return {}
-
-    def where(self) -> Pose | None:
-        """The robot's true pose (x mm, y mm, heading in degrees); only a simulator knows it."""
-        return None
-
-    def observe(self, witness: Witness) -> None:
-        """Report events in the robot's world to a witness; only simulated robots do this."""
-
-    def check_link(self) -> None:
-        """Check that the robot can still be reached; called several times a second.
-
-        Raises:
-            RobotConnectionError: the link to the robot broke.
-        """
-
     def require_link(self) -> None:
         """Call `check_link`, and keep its error for observers of the robot.
 
@@ -200,18 +144,10 @@ class Client(Announced, Events):
             self.link_error = error
             raise
 
-    def status(self) -> RobotStatus:
-        """Battery and link as last reported; this does not access the robot."""
-        return RobotStatus()
-
     @property
     def readings(self) -> Readings:
         """The latest readings of its sensors."""
         return self._readings
-
-    def outcome(self) -> Outcome:
-        """The result of the run so far."""
-        return Outcome()
 
     # Devices.
 
