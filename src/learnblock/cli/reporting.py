@@ -1,7 +1,7 @@
 """A run on the command line: a live status line, and a report at the end."""
 
 import sys
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext
 from dataclasses import dataclass, replace
 from functools import partial
@@ -21,10 +21,9 @@ from learnblock.cli.keyboard import (
     listens_to_terminal,
     terminal_keyboard,
 )
-from learnblock.client import Goal
+from learnblock.cli.report import decimal, effect_rows, ending_rows, goal_row, print_row, short
 from learnblock.errors import Diagnostic, FileError, LearnBlockError
 from learnblock.i18n import Phrase
-from learnblock.language.check.robots import need_phrase
 from learnblock.project.files.programs import ProgramFile, opened
 from learnblock.robots import RobotEntry
 from learnblock.running import Job, Options, ProgramRun, Report, Source
@@ -39,16 +38,6 @@ from learnblock.runtime.watcher import Watcher
 DEFAULT_SECONDS = 300.0
 #: Seconds of the wall clock between two updates of the status line.
 STATUS_PERIOD = 0.1
-
-#: Characters of the longest label of the report, and the indent of a value's further lines.
-LABEL = 10
-#: Digits of a trace's hash in the report.
-SHORT = 12
-_NEW_LINE = "\n" + " " * (LABEL + 1)
-#: How a run ended, by the names in the report's words.
-_HOW = {How.FINISHED: "report-ended-finished", How.STOPPED: "report-ended-stopped"}
-#: What became of a goal that has been decided.
-_GOALS = {"reached": "report-goal-reached", "failed": "report-goal-failed"}
 
 EXIT_CODES = {
     How.ERROR: ExitCode.PROGRAM_FAILED,
@@ -382,16 +371,6 @@ def _print(report: Report, session: ProgramRun, *, as_json: bool) -> None:
         print_row(label, value)
 
 
-def short(trace_sha256: str) -> str:
-    """As much of a trace's hash as a person compares; ``--json`` has all of it."""
-    return trace_sha256[:SHORT]
-
-
-def print_row(label: str, value: str) -> None:
-    """Print a row of the report: the code of its label, and its value."""
-    click.echo(f"{text(Phrase(label)):<{LABEL}} {text(value)}", err=True)
-
-
 def _rows(report: Report, session: ProgramRun) -> Iterator[tuple[str, str]]:
     """The rows of the report: the code of the label, and the value."""
     yield from ending_rows(report, session.job.options.seconds)
@@ -400,69 +379,3 @@ def _rows(report: Report, session: ProgramRun) -> Iterator[tuple[str, str]]:
     yield from effect_rows(report, session.job.robot.name)
     if report.trace_sha256:
         yield "report-label-trace", short(report.trace_sha256)
-
-
-def ending_rows(report: Report, limit: float | None) -> Iterator[tuple[str, str]]:
-    """The rows on how and when a program ended, and how far its robot has driven."""
-    yield "report-label-ended", ending(report, limit)
-    yield "report-label-time", f"{report.time:.2f} s"
-    if report.distance is not None:
-        yield "report-label-driven", f"{report.distance:.0f} mm"
-
-
-def effect_rows(report: Report, robot: str) -> Iterator[tuple[str, str]]:
-    """The rows on the emotions that a robot has shown, and the skills without effect."""
-    if report.emotions:
-        yield "report-label-shown", ", ".join(report.emotions)
-    for missed in report.no_effect:
-        reason = _missing_reason(robot, str(missed["device"]))
-        yield "report-label-no-effect", f"{missed['skill']}: {text(reason)}"
-
-
-def goal_row(goal: Goal) -> str:
-    """A goal with its state, as text."""
-    if goal.time is None:
-        return text(Phrase("report-goal-open", name=goal.name))
-    return text(Phrase(_GOALS[goal.state], name=goal.name, time=decimal(goal.time)))
-
-
-def decimal(number: float) -> Phrase:
-    """A number with one decimal, without Fluent, which takes longer to load than many a run."""
-    whole, _, tenths = f"{number:.1f}".partition(".")
-    return Phrase("report-decimal", whole=whole, tenths=tenths)
-
-
-def _missing_reason(robot: str, device: str) -> Phrase:
-    """The reason why a skill that needs the device had no effect."""
-    if device == "Detector:emotions":
-        return Phrase("report-emotions-off", robot=robot)
-    return Phrase("report-no-device", robot=robot, device=need_phrase(device))
-
-
-def ending(report: Report, limit: float | None) -> str:
-    """How a program ended, with the line where it failed.
-
-    Args:
-        report: its report.
-        limit: the run's time limit in seconds, if it has one.
-    """
-    error = report.error
-    if error is None:
-        if report.ended == How.TIME_LIMIT and limit is not None:
-            return text(Phrase("report-ended-time-limit", seconds=limit))
-        return text(Phrase(_HOW.get(How(report.ended), "report-ended-otherwise")))
-    place = f"{error['file']}:{error['line']}: " if error["line"] else ""
-    message = error["message"]
-    shown = text(message) if isinstance(message, Phrase) else str(message)
-    return text(f"{place}{shown}{_quoted(error)}{_within(error.get('within'))}")
-
-
-def _within(place: object) -> str:
-    """The position in a file of the user's folder, shown below the program's line."""
-    if not isinstance(place, Mapping):
-        return ""
-    return f"{_NEW_LINE}{place['file']}:{place['line']}{_quoted(place)}"
-
-
-def _quoted(place: Mapping[str, object]) -> str:
-    return f"{_NEW_LINE}{place['text']}" if place["text"] else ""

@@ -21,22 +21,17 @@ from learnblock.cli.keyboard import (
     listens_to_terminal,
     shared_keyboard,
 )
+from learnblock.cli.report import decimal, effect_rows, ending_rows, goal_row, print_row, short
 from learnblock.cli.reporting import (
     EXIT_CODES,
     STATUS_PERIOD,
     Collector,
     ask,
     check_picture,
-    decimal,
-    effect_rows,
-    ending_rows,
-    goal_row,
     mistakes,
     opened_trace,
-    print_row,
     refused_report,
     say_if_not_whole,
-    short,
     time_limit,
 )
 from learnblock.errors import FileError, LearnBlockError

@@ -9,13 +9,8 @@ import click
 
 from learnblock.cli.console import ExitCode, print_json, text, usage_error
 from learnblock.cli.interrupts import stopped_by_signals
-from learnblock.cli.reporting import (
-    EXIT_CODES,
-    Prepared,
-    decimal,
-    ending,
-    prepared,
-)
+from learnblock.cli.report import decimal, ending
+from learnblock.cli.reporting import EXIT_CODES, Prepared, prepared
 from learnblock.i18n import Phrase
 from learnblock.running import Report
 from learnblock.running.batch import Batch
