@@ -8,7 +8,7 @@ from learnblock.runtime.log.nodes import Kind, Node
 from learnblock.why import wording
 from learnblock.why.history import History
 from learnblock.why.questions import Ask
-from learnblock.why.vocabulary import EMOTIONS, Concept, concept, words
+from learnblock.why.vocabulary import EMOTIONS, Concept, concept, forms, words
 
 #: Skills by what they use.
 _DEVICES: tuple[tuple[Concept, str], ...] = (
@@ -43,11 +43,10 @@ _MOTIONS = frozenset(
     }
 )
 #: Where the subject ends and the circumstances begin.
-_CIRCUMSTANCES = re.compile(
-    r",|\b(?:before|when|while|whenever|although|though|because|but|instead|if|after it|until it"
-    r"|cuando|mientras|aunque|pero|si|antes de|despues de|en vez de|en lugar de|hasta que)\b"
-)
-_WHY = re.compile(r"^(?:why|por que|porque|pq|xq|what|que)\b")
+_CIRCUMSTANCES = re.compile(rf",|\b{forms('circumstances')}\b")
+_WHY = re.compile(rf"^{forms('why')}\b")
+#: What is left of a question without a subject.
+_NO_SUBJECT = re.compile(rf"{forms('no_subject')}?")
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +67,7 @@ def main_part(text: str) -> str:
         return rest.strip() or text
     circumstances = _CIRCUMSTANCES.search(text)
     part = text[: circumstances.start()].strip() if circumstances else text
-    return text if _WHY.sub("", part).strip() in ("", "did it", "does it") else part
+    return text if _NO_SUBJECT.fullmatch(_WHY.sub("", part).strip()) else part
 
 
 class SentenceReader:

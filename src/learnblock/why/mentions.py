@@ -6,28 +6,13 @@ from itertools import takewhile
 
 from learnblock.runtime.log.nodes import Kind, Node
 from learnblock.why.history import History
-from learnblock.why.vocabulary import Concept, concept, plain
+from learnblock.why.vocabulary import Concept, concept, plain, translated
 
 #: The number of letters in the root of a word.
 _ROOT = 4
 _WORD = re.compile(r"[^\W_]+")
 _CAMEL = re.compile(r"(?<=[a-z0-9])(?=[A-Z])")
 _TEXT = re.compile(r"[\"'](.*?)[\"']")
-#: Colours, and other words of programs, in Spanish.
-_TRANSLATED = {
-    "rojo": "red",
-    "roja": "red",
-    "verde": "green",
-    "azul": "blue",
-    "amarillo": "yellow",
-    "amarilla": "yellow",
-    "naranja": "orange",
-    "morado": "purple",
-    "morada": "purple",
-    "blanco": "white",
-    "negro": "black",
-    "petalo": "petal",
-}
 
 
 def words_of(text: str) -> frozenset[str]:
@@ -38,8 +23,8 @@ def words_of(text: str) -> frozenset[str]:
 def root(word: str) -> str:
     """A word without the end of its plural, in English if its translation is known."""
     for singular in (word, word.removesuffix("s"), word.removesuffix("es")):
-        if singular in _TRANSLATED:
-            return _TRANSLATED[singular]
+        if singular in translated():
+            return translated()[singular]
     return word.removesuffix("s") if len(word) > 3 else word
 
 

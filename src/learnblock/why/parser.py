@@ -1,4 +1,4 @@
-"""Questions as a person writes them, in English or Spanish: "not turn left at 8.9"."""
+"""Questions as a person writes them, in any language that has its words: "not turn left at 8.9"."""
 
 import re
 from collections.abc import Iterator
@@ -17,32 +17,23 @@ from learnblock.why.near import nearest
 from learnblock.why.places import place_time
 from learnblock.why.questions import Ask, Question, askable, questions
 from learnblock.why.spans import Span, take_span
-from learnblock.why.vocabulary import Concept, concept, corrected, plain, words
+from learnblock.why.vocabulary import Concept, concept, corrected, forms, plain, words
 
-_LINE = re.compile(r"\b(?:line|block|linea|bloque)\s+(\d+)\b")
-_NOT = re.compile(r"\b(?:not|no|never|nunca|didnt|doesnt|wasnt|isnt|hasnt)\b|n't\b|n’t\b")
-_OPENING = re.compile(
-    r"^(?:why|por que|porque|what made|did|does|do|is|was|has|have|the|robot|it|el|la|se|ha|ran|run"
-    r"|what|which|still|todavia|program|programa|my|mi|then|keeps?|sigue|hizo|hace|esta|estaba)\b\s*"
-)
+_LINE = re.compile(rf"\b{forms('line')}\s+(\d+)\b")
+_NOT = re.compile(rf"\b{forms('negation')}\b|n't\b|n’t\b")
+_OPENING = re.compile(rf"^{forms('opening')}\b\s*")
 _QUOTED = re.compile(r"[\"'“«](.+?)[\"'”»]")
-_NOW = re.compile(
-    r"^(?:what|que)\b.*\b(?:do|doing|happen\w*|hac\w+|pas\w+)\b|^(?:what|que|now|ahora)$"
-    r"|\b(?:doing|does|did|do) (?:that|this)$|\bha(?:ce|cia|ciendo) eso$"
-)
-_GOALS = re.compile(r"\b(?:goal|reach|reached|objetivo|meta|alcanz\w+)\b")
-_PRINTS = re.compile(r"^(?:print|printed|say|escribir|escribio|imprimir)\b\s*")
-_SAYS = re.compile(r"^(?:say|said|decir|dijo)\b\s*")
-_PRINTED = re.compile(r"\b(?:printed|escribio|imprimio)\b")
-_VARIABLES = re.compile(
-    r"^(?:variable|value of|value|valor de|valor|la variable|the value of"
-    r"|cambio|tiene|vale|valia)\s+"
-)
+_NOW = re.compile(forms("now"))
+_GOALS = re.compile(rf"\b{forms('goal')}\b")
+_PRINTS = re.compile(rf"^{forms('prints')}\b\s*")
+_SAYS = re.compile(rf"^{forms('says')}\b\s*")
+_PRINTED = re.compile(rf"\b{forms('printed')}\b")
+_VARIABLES = re.compile(rf"^{forms('variable')}\s+")
 #: The names in programs for the state of a `when`, and for how long it has been active.
 _STATES = re.compile(r"^(?:state|time)_")
 _QUOTES = re.compile(r"[\"'“”«»]")
 #: After a name that is also a word, as in "drive backwards", these make it a name.
-_ABOUT_WHEN = re.compile(r"^(?:active|run|ran|running|activo|activa|start\w*|happen\w*)\b")
+_ABOUT_WHEN = re.compile(rf"^{forms('about_when')}\b")
 _NEGATED = {
     Ask.MOVEMENT: Ask.NOT_MOVEMENT,
     Ask.SKILL: Ask.NOT_SKILL,

@@ -4,14 +4,10 @@ import re
 
 from learnblock.runtime.log.events import Op
 from learnblock.why.history import History
-from learnblock.why.vocabulary import Concept, concept, plain, words
+from learnblock.why.vocabulary import Concept, concept, forms, plain, words
 from learnblock.why.wording import unpacked
 
-_PLACE = re.compile(
-    r"\b(?:at|by|near|into|against|in front of|next to|en|ante|delante de|junto a|cerca de|contra"
-    r"|con|delante del|al lado de)"
-    r" (?:the |a |an |that |el |la |un |una |los |las )?(\w+)"
-)
+_PLACE = re.compile(rf"\b{forms('place')} (?:{forms('article')} )?(\w+)")
 #: A sensor that measures less, in mm, is near a thing.
 _NEAR = 200.0
 

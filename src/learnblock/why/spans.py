@@ -3,27 +3,20 @@
 import re
 from dataclasses import dataclass
 
-_NUMBER = r"(?:(?:the |el |los )?(?:second|segundo|seconds|segundos)s? |t ?= ?)?(\d+(?:[.,]\d+)?)"
-_UNIT = r"\s*(?:s|sec|secs|second|seconds|seg|segs|segundo|segundos)\b\.?"
+from learnblock.why.vocabulary import forms
+
+_NUMBER = rf"(?:{forms('second')} |t ?= ?)?(\d+(?:[.,]\d+)?)"
+_UNIT = rf"\s*{forms('unit')}\b\.?"
 _BETWEEN = re.compile(
-    rf"\b(?:between|from|entre|desde|de|del)\s+(?:el |los )?{_NUMBER}(?:{_UNIT})?"
-    rf"\s*(?:and|to|until|till|y|a|al|hasta|-)\s*(?:el )?{_NUMBER}(?:{_UNIT})?"
+    rf"\b{forms('between')}\s+{_NUMBER}(?:{_UNIT})?"
+    rf"\s*(?:{forms('until')}|-)\s*{_NUMBER}(?:{_UNIT})?"
 )
-_RANGE = re.compile(rf"\b{_NUMBER}\s*(?:-|–|to|a)\s*{_NUMBER}{_UNIT}")
-_AFTER = re.compile(
-    rf"\b(?:after|since|later than|despues de(?:l)?|a partir de(?:l)?|tras|desde|pasados)\s+"
-    rf"{_NUMBER}(?:{_UNIT})?"
-)
-_BEFORE = re.compile(
-    rf"\b(?:before|earlier than|within|in the first|antes de(?:l)?|en los primeros)\s+"
-    rf"{_NUMBER}(?:{_UNIT})?"
-)
-_AT = (
-    r"(?:\b(?:at|by|until|around|about|t|en|a los|a las|hasta|sobre|hacia|a)\b|@|=)"
-    r"\s*(?:t ?= ?|about |el )?"
-)
+_RANGE = re.compile(rf"\b{_NUMBER}\s*(?:-|–|{forms('range')})\s*{_NUMBER}{_UNIT}")
+_AFTER = re.compile(rf"\b{forms('after')}\s+{_NUMBER}(?:{_UNIT})?")
+_BEFORE = re.compile(rf"\b{forms('before')}\s+{_NUMBER}(?:{_UNIT})?")
+_AT = rf"(?:\b(?:{forms('at')}|t)\b|@|=)\s*(?:t ?= ?)?"
 #: A number is a time only after "at", as the last word or with a unit.
-_MOMENT = re.compile(rf"{_AT}{_NUMBER}(?:{_UNIT}|\s*$)|^at {_NUMBER}\b")
+_MOMENT = re.compile(rf"{_AT}{_NUMBER}(?:{_UNIT}|\s*$)|^{forms('moment')} {_NUMBER}\b")
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,19 @@ import pytest
 from places import ROOT
 
 #: Where words are.
-COPIED = ("i18n", "blocks", "project/help")
+COPIED = ("i18n", "blocks", "project/help", "why/words")
+#: How one asks *why?* in it.
+QUESTIONS = """
+[words]
+right = "dekstr*"
+
+[forms]
+line = ["linio"]
+at = ["je"]
+
+[translated]
+ruga = "red"
+"""
 FIRST_LINE = re.compile(r"# Not translated yet.*\n")
 
 
@@ -36,6 +48,7 @@ def repository(tmp_path_factory):
     for line in made.splitlines():
         if line.startswith("made "):
             translate(Path(line.removeprefix("made ")))
+    (package / "why" / "words" / "eo.toml").write_text(QUESTIONS, "utf-8")
     return root
 
 
@@ -123,6 +136,16 @@ def test_a_number_has_its_unit_on_the_block_and_its_singular_in_a_sentence(repos
         "print(spoken(builtin()['sleep'], 'eo', {'seconds': 1}))"
     )
     assert run(repository, "-c", code) == "seconds! second!\nwait 1 second!\n"
+
+
+def test_questions_about_a_run_are_read_in_it(repository):
+    code = (
+        "from learnblock.why.mentions import root; from learnblock.why.spans import take_span\n"
+        "from learnblock.why.vocabulary import concept, forms\n"
+        "print(concept('dekstren'), root('ruga'), take_span('turn je 3.5')[0].time)\n"
+        "print('linio' in forms('line'), concept('right'))"
+    )
+    assert run(repository, "-c", code) == "right red 3.5\nTrue right\n"
 
 
 def test_the_catalogue_misses_nothing_of_it(repository):
