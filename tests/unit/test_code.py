@@ -11,6 +11,18 @@ from modules import circles, imports_of, modules, tree_of
 from places import TESTS
 
 DOUBLETS = TESTS / "cases" / "doublets.toml"
+#: The lines of a module and of a function.
+LONGEST_MODULE, LONGEST_FUNCTION = 450, 50
+#: Longer modules, with the reason.
+LONG_MODULES = {
+    "learnblock.language.check.type_checker": "to be cut",
+    "learnblock.language.python.reader": "to be cut",
+    "learnblock.language.tree.nodes": "one list: the nodes of the tree",
+    "learnblock.language.workspace.statement_reader": "to be cut",
+    "learnblock.robots.ev3.agent": "one file, since it is copied to the brick",
+}
+#: The same for functions.
+LONG_FUNCTIONS = {"learnblock.runtime.run": ["__init__"]}
 
 
 def loops_over(name, source):
@@ -35,6 +47,16 @@ def public_classes():
     return found
 
 
+def long_functions(source):
+    """Return the names of a module's functions that are longer than a reader takes in at once."""
+    return [
+        node.name
+        for node in ast.walk(tree_of(source))
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
+        and node.end_lineno - node.lineno >= LONGEST_FUNCTION
+    ]
+
+
 def listed_doublets():
     """Return how often each class name may be taken."""
     groups = tomllib.loads(DOUBLETS.read_text("utf-8"))
@@ -43,6 +65,16 @@ def listed_doublets():
 
 def test_a_loop_names_what_it_holds():
     assert [module for module, source in modules().items() if loops_over("one", source)] == []
+
+
+def test_a_module_is_one_noun():
+    long = {name for name, source in modules().items() if source.count("\n") > LONGEST_MODULE}
+    assert long - LONG_MODULES.keys() == set()
+
+
+def test_a_function_is_read_at_once():
+    long = {name: long_functions(source) for name, source in modules().items()}
+    assert {name: functions for name, functions in long.items() if functions} == LONG_FUNCTIONS
 
 
 def test_a_name_of_a_class_is_taken_once():

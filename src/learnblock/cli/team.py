@@ -118,11 +118,13 @@ def run_team(
             say_if_not_whole(log)
         if picture:
             _draw(session, picture)
-    codes = [
-        EXIT_CODES.get(How(robot_report.ended), ExitCode.WELL)
-        for robot_report in report.robots.values()
-    ]
-    return max(codes)
+    return _exit_code(report)
+
+
+def _exit_code(report: TeamReport) -> int:
+    """The worst exit code of a program."""
+    endings = (How(part.ended) for part in report.robots.values())
+    return max(EXIT_CODES.get(how, ExitCode.WELL) for how in endings)
 
 
 def _keyboards(
