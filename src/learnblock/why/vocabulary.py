@@ -122,7 +122,7 @@ def languages_of_questions() -> tuple[LanguageOfQuestions, ...]:
 
 def forms(name: str) -> str:
     """A regular expression of the forms with a name, in any language."""
-    every = (form for asked in languages_of_questions() for form in asked.forms.get(name, ()))
+    every = (form for language in languages_of_questions() for form in language.forms.get(name, ()))
     return f"(?:{'|'.join(every)})"
 
 
@@ -131,8 +131,8 @@ def translated() -> Mapping[str, str]:
     """Words of other languages for those that programs have in English."""
     return {
         word: english
-        for asked in languages_of_questions()
-        for word, english in asked.translated.items()
+        for language in languages_of_questions()
+        for word, english in language.translated.items()
     }
 
 
@@ -140,8 +140,8 @@ def translated() -> Mapping[str, str]:
 def _together() -> tuple[tuple[re.Pattern[str], str], ...]:
     return tuple(
         (re.compile(rule.pattern), rule.word)
-        for asked in languages_of_questions()
-        for rule in asked.together
+        for language in languages_of_questions()
+        for rule in language.together
     )
 
 
@@ -237,7 +237,7 @@ def _table() -> tuple[dict[str, Concept], dict[str, Concept]]:
     stems: dict[str, Concept] = {}
     for meaning in Concept:
         for word in chain.from_iterable(
-            asked.words.get(meaning, "").split() for asked in languages_of_questions()
+            language.words.get(meaning, "").split() for language in languages_of_questions()
         ):
             table = stems if word.endswith("*") else exact
             table.setdefault(word.removesuffix("*"), meaning)

@@ -6,9 +6,9 @@ brick it can also be started from the brick's file browser.
 
 It is one file, and longer than others, because it is copied to the brick. It uses only the
 kernel's files under /sys/class and the standard library of Python 3.5, which is part of the ev3dev
-image: python-ev3dev2 takes seconds to import on the brick, and its version varies. `Motor` and `Sensor` have the properties
-of python-ev3dev2 that `Brick` needs, so that it works with either: over rpyc, the client executes
-`serve` on the brick with python-ev3dev2.
+image: python-ev3dev2 takes seconds to import on the brick, and its version varies. `Motor` and
+`Sensor` have the properties of python-ev3dev2 that `Brick` needs, so that it works with either:
+over rpyc, the client executes `serve` on the brick with python-ev3dev2.
 
 The protocol is lines of JSON over TCP. The agent starts with a nonce. The client answers with its
 HMAC-SHA256, made with the shared secret, and with the ports of motors and sensors:
