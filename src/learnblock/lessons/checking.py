@@ -200,8 +200,8 @@ def _hint_problems(
     rules = tuple(hint.rule for hint in hints_for(opened, wrong.step, tree, tried))
     if rules[:1] == (wrong.hint,):
         return ()
-    found = rules or (Phrase("lesson-cli-no-hint"),)
-    return (Phrase("lesson-cli-other-hint", wanted=wrong.hint, found=found),)
+    hinted = rules or (Phrase("lesson-cli-no-hint"),)
+    return (Phrase("lesson-cli-other-hint", wanted=wrong.hint, found=hinted),)
 
 
 def hints_for(

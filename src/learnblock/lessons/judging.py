@@ -104,11 +104,11 @@ class _Judgement:
         evidence = self.evidence
         if evidence is not None and check.robot is not None:
             evidence = evidence.of(check.robot)
-        found = self._finding(check, evidence)
+        finding = self._finding(check, evidence)
         miss = None
-        if found.state == "failed" and evidence is not None:
+        if finding.state == "failed" and evidence is not None:
             miss = missed(check, evidence, self.world)
-        return Verdict(check, index, found.state, found.at, found.reason, miss)
+        return Verdict(check, index, finding.state, finding.at, finding.reason, miss)
 
     def _finding(self, check: Check, evidence: Evidence | None) -> Finding:
         if isinstance(check, Uses | Size):

@@ -66,18 +66,18 @@ def read_files(name: str, files: Mapping[str, bytes]) -> OpenLesson:
     """
     if MAIN not in files:
         refuse(name, "no-lesson", Phrase("lesson-no-main-file", file=MAIN))
-    kept = MappingProxyType(dict(files))
+    contents = MappingProxyType(dict(files))
 
     def examine_lesson(lesson: Lesson) -> Iterable[toml_source.Finding]:
-        return lesson_findings(OpenLesson(name, lesson, None, kept))
+        return lesson_findings(OpenLesson(name, lesson, None, contents))
 
     def examine_teacher(teacher: Teacher) -> Iterable[toml_source.Finding]:
         return teacher_findings(opened, teacher)
 
-    opened = OpenLesson(name, _parsed(name, kept, MAIN, Lesson, examine_lesson), None, kept)
+    opened = OpenLesson(name, _parsed(name, contents, MAIN, Lesson, examine_lesson), None, contents)
     if TEACHER not in files:
         return opened
-    return replace(opened, teacher=_parsed(name, kept, TEACHER, Teacher, examine_teacher))
+    return replace(opened, teacher=_parsed(name, contents, TEACHER, Teacher, examine_teacher))
 
 
 def for_pupils(opened: OpenLesson) -> OpenLesson:

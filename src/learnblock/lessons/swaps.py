@@ -99,8 +99,8 @@ def _shown(program: Program) -> Iterator[tuple[_Changes, str]]:
     nodes = _nodes(program)
     calls = [node.call for node in nodes if isinstance(node, Perform) and _shows(node.call)]
     texts = [node for node in nodes if isinstance(node, String | FString)]
-    for kind, found in (("shown things", calls), ("texts", texts)):
-        for first, second in combinations(found, 2):
+    for kind, nodes in (("shown things", calls), ("texts", texts)):
+        for first, second in combinations(nodes, 2):
             yield _exchanged(first, second), f"{_lines(first, second)}: {kind} swapped"
 
 

@@ -21,7 +21,7 @@ _LONGEST_KEY = 200
 
 @dataclass
 class _Repeated:
-    said: float
+    printed: float
     count: int = 0
 
 
@@ -45,7 +45,7 @@ class SaidOnce(logging.Filter):
         key = _key(record)
         now = self._now()
         fault = self._faults.pop(key, None)
-        if fault and now - fault.said < _PAUSE:
+        if fault and now - fault.printed < _PAUSE:
             fault.count += 1
             self._remember(key, fault)
             return False

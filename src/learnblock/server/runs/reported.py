@@ -59,11 +59,11 @@ def predicted(recorded: "Recorded") -> messages.Predicted:
     reported = odometry(recorded.lines)
     start = reported.poses[0] if reported.poses else (0.0, 0.0, 0.0)
     drifted = drift(prediction)
-    found = findings(prediction, drifted)
+    listed = findings(prediction, drifted)
     return messages.Predicted(
         _points(prediction.twin.moved_to(start)),
         prediction.parting.time if prediction.parting else None,
-        tuple(messages.TwinFinding(finding.phrase, finding.time) for finding in found),
+        tuple(messages.TwinFinding(finding.phrase, finding.time) for finding in listed),
         unrecorded(prediction, drifted),
     )
 

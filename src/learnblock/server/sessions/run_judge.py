@@ -92,7 +92,7 @@ class RunJudge:
 
     async def _follow(self) -> None:
         loop, took = asyncio.get_running_loop(), 0.0
-        told, is_over = None, False
+        reported, is_over = None, False
         while not is_over:
             with suppress(TimeoutError):
                 async with asyncio.timeout(max(PERIOD, REST * took)):
@@ -100,23 +100,23 @@ class RunJudge:
             # A run that ends while it is judged is judged once more.
             is_over = self._over.is_set()
             began = loop.time()
-            looked = await to_thread.run_sync(self._judged)
+            judgement = await to_thread.run_sync(self._judged)
             took = loop.time() - began
             if self._is_forgotten:
                 return
-            if is_over or looked.verdicts != told:
-                told = looked.verdicts
-                await self._tell(looked, live=not is_over)
+            if is_over or judgement.verdicts != reported:
+                reported = judgement.verdicts
+                await self._tell(judgement, live=not is_over)
 
     def _judged(self) -> Looked:
         """Judge what has happened so far; this is slow for long runs."""
         robots = [(part, player) for part in self._parts for player in part.players]
         several = len(robots) > 1
-        found = {part.name_of(player) if several else "": player for part, player in robots}
-        reports = {name: player.report for name, player in found.items() if player.report}
-        own = next(iter(found))
+        players = {part.name_of(player) if several else "": player for part, player in robots}
+        reports = {name: player.report for name, player in players.items() if player.report}
+        own = next(iter(players))
         report = reports.get(own)
-        collisions = {name: player.collisions for name, player in found.items()}
+        collisions = {name: player.collisions for name, player in players.items()}
         evidence = evidence_so_far(self.lines, 0.0, report, collisions, own)
         now = report.time if report else _last_time(evidence)
         evidence = dataclasses.replace(evidence, now=now, team=reports)

@@ -290,7 +290,7 @@ class Runs:
                 version=version,
             )
         )
-        found = (player.shown_run.newest for player in self._players)
+        newest_runs = (player.shown_run.newest for player in self._players)
         self._project.archive.keep_logs(
-            began, version, [newest.log.blocks for newest in found if newest]
+            began, version, [newest.log.blocks for newest in newest_runs if newest]
         )
