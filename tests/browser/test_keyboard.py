@@ -2,10 +2,11 @@
 
 import re
 
+import pytest
 from playwright.sync_api import expect
 
 from browser.test_square import SQUARE
-from browser.typist import Typist
+from browser.typist import IN_TABS, Typist
 
 STEPS = (
     "Add a block",
@@ -275,3 +276,31 @@ def test_a_when_is_made_with_the_keyboard(pupil):
     keys.find("obstacle ahead", "^obstacle ahead")
     pupil.picture("built")
     pupil.sees("blocktext", "when my_event = function.is_front_obstacle(200):")
+
+
+@pytest.mark.parametrize("place", ["Run", "Page", "World menu", "Console"])
+def test_keys_lead_into_the_blocks_from_everywhere_but_never_from_a_field(sit_down, server, place):
+    pupil = sit_down(server, empty=True, flat=True)
+    page = pupil.page
+    expect(page.locator(".lbGroupIcon").first).to_be_visible()
+    keys, found = Typist(pupil), page.locator(".lbSearchHead input")
+    outside = {
+        "Run": page.get_by_role("button", name="Run", exact=True),
+        "Page": page.locator("header [aria-haspopup=menu]").first,
+        "World menu": page.locator(".world-place [aria-haspopup=menu]").first,
+        "Console": page.get_by_role("tab", name="Console"),
+    }[place]
+    outside.focus()
+    keys.press("Control+b")
+    expect(found).to_be_focused()
+    page.keyboard.type("twf")
+    expect(found).to_have_value("twf")
+    outside.focus()
+    keys.press("t")
+    page.wait_for_function(IN_TABS)
+    outside.focus()
+    keys.press("w")
+    assert keys.region() == "blocks"
+    outside.focus()
+    keys.press("Control+f")
+    expect(page.locator(".blockly-ws-search input")).to_be_focused()

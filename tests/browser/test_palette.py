@@ -317,3 +317,15 @@ def test_events_are_named_before_they_are_made_from_coder_on(sit_down, server, s
     ).to_be_visible()
     button = pupil.page.locator(".blocklyFlyout:visible .blocklyFlyoutButton")
     expect(button.filter(has_text="New event")).to_have_count(count)
+
+
+@pytest.mark.parametrize(
+    ("language", "words"), [("en", "repeat 10"), ("es", "repetir 10"), ("es", "girar 90")]
+)
+def test_a_block_is_found_by_its_words_with_its_usual_value(sit_down, server, language, words):
+    pupil = sit_down(server, empty=True, flat=True, language=language)
+    page = pupil.page
+    page.locator(".lbSearch").click()
+    page.keyboard.type(words)
+    kind = "controls_repeat_ext" if words.endswith("10") else "lb_skill_turn"
+    expect(page.locator(f".blocklyFlyout:visible .{kind}").first).to_be_visible()

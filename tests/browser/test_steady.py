@@ -26,6 +26,13 @@ PLACES = f"""() => {{
     return Object.fromEntries(parts.map(([name, part]) => [name, placeOf(part)]));
 }}"""
 
+TALKS = """main:
+    print("I am a robot")
+    name = input("Your name?")
+    print("Hello, " + name)
+end
+"""
+
 
 class Places:
     """Remembers where everything is, and says what has moved."""
@@ -92,6 +99,30 @@ def test_a_run_moves_nothing(sit_down, server, stage):
     expect(page.get_by_role("button", name="Stop", exact=True)).to_be_visible()
     expect(page.locator(".status .state").first).to_contain_text("Ended")
     assert places.moved() == {}
+
+
+def test_a_run_that_prints_and_asks_moves_nothing(sit_down, server):
+    pupil = sit_down(server, stage="explorer", empty=True, flat=True)
+    page = pupil.page
+    pupil.write("blocktext", TALKS)
+    expect(pupil.blocks("lb_main").locator(".text_print")).to_have_count(2)
+    page.locator(".output-button button").click()
+    expect(page.locator("#panel")).to_be_hidden()
+    places = Places(page)
+    page.get_by_role("button", name="Run", exact=True).click()
+    question = page.locator(".world-asked .question input")
+    expect(question).to_be_focused()
+    assert places.moved() == {}
+    pupil.picture("asked")
+    page.keyboard.type("Ada")
+    page.keyboard.press("Enter")
+    said = page.locator(".world-said button")
+    expect(said).to_have_text("Hello, Ada")
+    pupil.state("Ended")
+    assert places.moved() == {}
+    pupil.picture("said")
+    said.click()
+    expect(page.locator(".console-lines")).to_contain_text("Your name? Ada")
 
 
 def test_the_offer_of_the_tour_moves_nothing(sit_down, server):

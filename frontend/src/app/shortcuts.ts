@@ -2,8 +2,8 @@
 
 import { t } from "../i18n";
 import type { Page } from "../model/page";
-import { matches, SHORTCUTS, type ShortcutWord } from "../ui/shortcuts";
-import { isTyped } from "../ui/typing";
+import { INTO_BLOCKS, matches, SHORTCUTS, type ShortcutWord } from "../ui/shortcuts";
+import { isTyped, takesKeys } from "../ui/typing";
 import { nextRegion } from "../views/regions";
 
 const ACTIONS: Readonly<Record<ShortcutWord, (page: Page) => unknown>> = {
@@ -38,7 +38,11 @@ export function listen(page: Page): () => void {
     event.stopPropagation();
     ACTIONS[shortcut.word](page);
   };
-  const unclaimed = (event: KeyboardEvent) => undoOrRedo(page, event);
+  const unclaimed = (event: KeyboardEvent) => {
+    if (event.defaultPrevented || page.project.atStart.value || page.dialogs.open.value !== null) return;
+    undoOrRedo(page, event);
+    enterBlocks(page, event);
+  };
   // Before the editors, where Ctrl+Enter starts a new line.
   addEventListener("keydown", pressed, { capture: true });
   addEventListener("keydown", unclaimed);
@@ -49,12 +53,17 @@ export function listen(page: Page): () => void {
 }
 
 /** Undo and redo also work outside the views; in a field they are those of its text, and a dialog has none. */
-function undoOrRedo({ context: { program }, dialogs, project }: Page, event: KeyboardEvent): void {
-  const isElsewhere = project.atStart.value || dialogs.open.value !== null || isTyped(event.target);
-  if (isElsewhere || event.defaultPrevented || !(event.ctrlKey || event.metaKey)) return;
+function undoOrRedo({ context: { program } }: Page, event: KeyboardEvent): void {
+  if (isTyped(event.target) || !(event.ctrlKey || event.metaKey)) return;
   const key = event.key.toLowerCase();
   if (key === "z" && !event.shiftKey) program.undo();
   else if (key === "y" || key === "z") program.redo();
+}
+
+/** The keys that lead into the blocks work wherever the focus is; Blockly itself hears only those pressed inside. */
+function enterBlocks({ views }: Page, event: KeyboardEvent): void {
+  if (!views.shows("blocks") || takesKeys(event.target)) return;
+  if (INTO_BLOCKS.some((one) => matches(one, event)) && views.pressInBlocks(event)) event.preventDefault();
 }
 
 function saves({ context: { program }, toasts }: Page): void {

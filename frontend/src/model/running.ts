@@ -21,6 +21,7 @@ import type {
   ValueThere,
   Variables,
 } from "../protocol/messages";
+import { Dialogue } from "./dialogue";
 import { addParts, Drawing } from "./drawing";
 import { type MissedPlace, missedPlace } from "./missed";
 import { Pace, shownSpeed } from "./pace";
@@ -52,6 +53,8 @@ export class Running {
   readonly telemetry = signal<Telemetry | null>(null);
   /** The world at present, wherever the user looks. */
   readonly measured = signal<Telemetry | null>(null);
+  /** What the program says and asks. */
+  readonly dialogue: Dialogue;
   private readonly drawing = new Drawing();
   private readonly pace = new Pace();
   private readonly reached = signal<number | null>(null);
@@ -124,6 +127,7 @@ export class Running {
   );
 
   constructor(private readonly connection: Connection) {
+    this.dialogue = new Dialogue(connection);
     connection.on("TabOpened", (opened) => this.reset(opened));
     connection.on("Settings", (settings) => {
       this.robot.value = settings.robot;
@@ -134,6 +138,7 @@ export class Running {
       // It is idle again once the user has chosen another world.
       if (state.state === "starting" || state.state === "idle") {
         this.forgetPast();
+        this.dialogue.reset();
         this.variables.value = this.ended.value = this.line.value = this.lastBump.value = null;
       }
       if (!PAUSED.has(state.state)) this.pausedValues.value = [];
@@ -174,6 +179,7 @@ export class Running {
   /** Forget the last run; begin with the robot, the world and the breakpoints of a project or of a tab. */
   reset({ robot, world, breakpoints }: Opened | TabOpened): void {
     this.forgetPast();
+    this.dialogue.reset();
     this.robot.value = robot;
     this.world.value = world;
     this.breakpoints.value = new Set(breakpoints);

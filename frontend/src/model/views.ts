@@ -49,6 +49,8 @@ export interface ViewIsland extends Island {
   enter?(block: string): void;
   /** Show help on what has the focus in it; return whether there is any. */
   explain?(): boolean;
+  /** Obey a key that was pressed outside of it; return whether it did. */
+  press?(event: KeyboardEvent): boolean;
   /** Both from 1; column 0 is the line's first word. */
   goTo?(line: number, column: number): void;
 }
@@ -63,8 +65,6 @@ export class Views {
   readonly plotted = signal<Measure | null>(null);
   /** The statement that the user has selected in a view, by its block. */
   readonly selected = signal<string | null>(null);
-  /** Whether the user has closed the output. */
-  private dismissed = false;
   private readonly islands = new Map<View, ViewIsland>();
 
   /** Register a view, or remove it with null. */
@@ -118,15 +118,9 @@ export class Views {
   }
 
   togglePanel(): void {
-    this.dismissed = this.shows("panel");
-    if (!this.dismissed) return this.show("panel");
+    if (!this.shows("panel")) return this.show("panel");
     this.area.value = preferences.value.layout.view;
     arrange({ panel: false });
-  }
-
-  /** Show what the program prints, unless the user has closed the output. */
-  offerConsole(): void {
-    if (!this.dismissed && room.value !== "narrow" && !this.shows("panel")) this.showPanel("console");
   }
 
   showPanel(panel: PanelName): void {
@@ -163,6 +157,11 @@ export class Views {
   /** Move the focus to a block, in sight. */
   enterBlock(block: string): void {
     this.islands.get("blocks")?.enter?.(block);
+  }
+
+  /** Obey a key of the blocks that was pressed elsewhere; return whether they did. */
+  pressInBlocks(event: KeyboardEvent): boolean {
+    return this.islands.get("blocks")?.press?.(event) ?? false;
   }
 
   zoomBlocks(change: Zoom): void {

@@ -25,6 +25,14 @@ export const SHORTCUTS = [
 
 export type ShortcutWord = (typeof SHORTCUTS)[number]["word"];
 
+/** Keys that lead into the blocks from the whole page, where they are shown. */
+export const INTO_BLOCKS: readonly Shortcut[] = [
+  { key: "t", word: "page-settings-toolbox" },
+  { key: "b", control: true, word: "page-blocks-search-blocks" },
+  { key: "w", word: "page-settings-workspace" },
+  { key: "f", control: true, word: "page-settings-search" },
+];
+
 /** Keys that work in one region, for the dialog of shortcuts: keys and the code of their description. */
 export const OTHER_KEYS: Readonly<Record<string, readonly (readonly [string, string])[]>> = {
   "page-settings-everywhere": [
@@ -40,16 +48,13 @@ export const OTHER_KEYS: Readonly<Record<string, readonly (readonly [string, str
     ["Esc", "page-timeline-present"],
   ],
   "page-shell-blocks": [
-    ["T", "page-settings-toolbox"],
-    ["Ctrl+B", "page-blocks-search-blocks"],
+    ...INTO_BLOCKS.map((one) => [keysOf(one), one.word] as const),
     ["F1, Ctrl+I", "page-blocks-help-key"],
-    ["W", "page-settings-workspace"],
     ["←↑↓→", "page-settings-move-cursor"],
     ["Enter", "page-settings-edit-block"],
     ["M", "page-settings-move-block"],
     ["D", "page-settings-duplicate"],
     ["Delete", "page-settings-delete"],
-    ["Ctrl+F", "page-settings-search"],
   ],
   "page-settings-texts": [
     ["Ctrl+Space", "page-settings-complete"],

@@ -7,12 +7,19 @@ const FIELDS = [
   "textarea",
   "[contenteditable=true]",
 ].join();
+/** What finds its own entries by their letters. */
+const SPELT = "select, dialog, [role=menu], [role=listbox], [role=grid]";
 /** Buttons that open nothing: the focus stays on them. */
 const STAYING = "[role=tab], [role=radio], [role=switch], [aria-pressed]";
 
 /** Whether letters are typed into an element. */
 export function isTyped(element: EventTarget | null): boolean {
   return element instanceof HTMLElement && (element.isContentEditable || element.matches(FIELDS));
+}
+
+/** Whether keys have a meaning of their own in an element: what is typed there is never a shortcut. */
+export function takesKeys(element: EventTarget | null): boolean {
+  return isTyped(element) || (element instanceof Element && element.closest(SPELT) !== null);
 }
 
 /**

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import compress, pairwise
 from typing import Any
 
@@ -50,11 +50,13 @@ class Miss:
         words: what was missed, and by how much.
         place: where it is, if it has a place.
         nearest: how near to it the robot came, or where it failed.
+        time: when it was there, in s; None without such a place.
     """
 
     words: Phrase
     place: XY | None = None
     nearest: XY | None = None
+    time: float | None = None
 
 
 @dataclass(frozen=True)
@@ -103,10 +105,18 @@ def _is_reached(name: str, run: RunInWorld) -> bool:
 
 def _goal(goal: AnyGoal, run: RunInWorld) -> Miss | None:
     """The best miss of the robots that may reach a goal."""
-    found = [miss for own in run.of(goal) if (miss := _GOALS[type(goal)](goal, own))]
+    found = [_timed(miss, own) for own in run.of(goal) if (miss := _GOALS[type(goal)](goal, own))]
     # All of several robots have to come: the last of them counts.
     choose = max if isinstance(goal, Reach) and goal.together else min
     return choose(found, key=_distance) if found else None
+
+
+def _timed(miss: Miss, run: RunInWorld) -> Miss:
+    """A miss with the first time at which the robot was nearest."""
+    if (nearest := miss.nearest) is None or not run.path:
+        return miss
+    there = min(run.path, key=lambda placed: math.dist(xy(placed), nearest))
+    return replace(miss, time=there.moment.time)
 
 
 def _distance(miss: Miss) -> float:

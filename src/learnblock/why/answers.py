@@ -304,7 +304,8 @@ class _Answering:
                 self._now("", until, None)
                 return
             if miss := goal_missed(self._history.recorded, name, at):
-                self._draft.say_of_line(miss.words.code, 0, event, **miss.words.values)
+                there = {} if miss.time is None else {"time": round(miss.time, 2)}
+                self._draft.say_of_line(miss.words.code, 0, event, **miss.words.values, **there)
         if not named:
             self._draft.say_of_line("why-no-goal", 0, until)
         self._first_bump(until)

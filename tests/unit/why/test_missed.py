@@ -1,5 +1,6 @@
 """By how much a run missed a goal of its world, also if the log lacks what tells."""
 
+import math
 from dataclasses import replace
 
 import pytest
@@ -42,3 +43,12 @@ def test_nothing_is_said_of_a_run_without_its_world(recorded):
 
 def test_a_run_that_goes_on_has_missed_nothing_yet(recorded):
     assert first_missed(replace(recorded, ending={})) is None
+
+
+def test_a_miss_tells_when_the_robot_was_nearest(recorded):
+    miss = first_missed(recorded)
+    path = [(line["t"], line["pose"]) for line in recorded.lines if "pose" in line]
+    x, y = miss.nearest
+    time, _ = min(path, key=lambda seen: math.dist(seen[1][:2], (x, y)))
+    assert miss.time == pytest.approx(time, abs=0.5)
+    assert miss.time < recorded.ending["time"] - 1

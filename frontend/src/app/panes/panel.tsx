@@ -1,6 +1,6 @@
 /** The panel below the world: console, variables, calls, why, runs, sensors, problems, result. */
 
-import { useEffect } from "preact/hooks";
+import { untracked, useSignalEffect } from "@preact/signals";
 
 import { Calls } from "../../features/calls/calls";
 import { Runs } from "../../features/runs/runs";
@@ -16,9 +16,11 @@ import { Result } from "./result-panel";
 export function Panel() {
   const page = usePage();
   const { views, context } = page;
-  useEffect(() => context.connection.on("InputWanted", () => views.showPanel("console")), [context, views]);
-  useEffect(() => context.connection.on("Printed", () => views.offerConsole()), [context, views]);
-  useEffect(() => context.connection.on("PrintedByRobots", () => views.offerConsole()), [context, views]);
+  // While the output is closed, the world shows a question.
+  useSignalEffect(() => {
+    const isAsked = context.running.dialogue.asked.value !== null;
+    if (isAsked && untracked(() => views.shows("panel"))) views.panel.value = "console";
+  });
   return (
     <section
       id="panel"

@@ -13,6 +13,7 @@ import { Chips } from "./chips";
 import { EyeMenu } from "./eye-menu";
 import { Goals } from "./goals";
 import { RunBar } from "./run-bar";
+import { Said } from "./said";
 import { Status } from "./status";
 import { Timeline } from "./timeline";
 import { WhyChip } from "./why-chip";
@@ -45,6 +46,7 @@ export function WorldPane() {
           <EyeMenu />
         </div>
         <div class="world-bottom">
+          <Said />
           <Hint />
           <Status />
           <WhyChip />

@@ -92,8 +92,8 @@ function Answer({ answer }: { answer: WhyAnswer }) {
       </button>
       <h3>{say(questionInView(page, asked))}</h3>
       <ol class="why-answer" aria-live="polite">
-        {[...sentences, ...(opened.value ? more : [])].map((one) => (
-          <Sentence key={JSON.stringify(one)} sentence={one} />
+        {[...sentences, ...(opened.value ? more : [])].map((one, index, all) => (
+          <Sentence key={JSON.stringify(one)} sentence={one} isThere={all[index - 1]?.time === one.time} />
         ))}
       </ol>
       {more.length > 0 && !opened.value && (
@@ -126,8 +126,8 @@ function Part({ text, block }: { text: string; block?: string }) {
   );
 }
 
-/** A fact, and the way to its moment and its block. */
-function Sentence({ sentence }: { sentence: WhySentence }) {
+/** A fact, and the way to its block and to its moment, unless the sentence before `isThere` already. */
+function Sentence({ sentence, isThere }: { sentence: WhySentence; isThere: boolean }) {
   const page = usePage();
   const { lookingBack, views } = page;
   const { time, block } = sentence;
@@ -139,7 +139,7 @@ function Sentence({ sentence }: { sentence: WhySentence }) {
       {parts.map((part) => (
         <Part key={part.text} {...part} />
       ))}{" "}
-      {time !== undefined && time !== null && (
+      {time !== undefined && time !== null && !isThere && (
         <button type="button" class="why-link" onClick={() => lookingBack.look(time)}>
           {t("page-why-look", { seconds: time.toFixed(2) })}
         </button>

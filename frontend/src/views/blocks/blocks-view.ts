@@ -29,6 +29,8 @@ export interface BlocksIsland extends Island {
   resize(): void;
   /** Show help on what has the focus; return whether there is any. */
   explain(): boolean;
+  /** Obey a key that was pressed outside of it; return whether it did. */
+  press(event: KeyboardEvent): boolean;
   /** Enlarge or shrink the program, or show it in its usual size. */
   zoom(change: Zoom): void;
   /** A block that the program defines, by its definition. */
@@ -105,6 +107,10 @@ class Blocks implements BlocksIsland {
 
   explain(): boolean {
     return this.editor?.explain() ?? false;
+  }
+
+  press(event: KeyboardEvent): boolean {
+    return this.editor?.press(event) ?? false;
   }
 
   ownBlock(definition: string): OwnBlock | null {

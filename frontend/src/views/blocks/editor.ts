@@ -227,6 +227,15 @@ export class BlockEditor {
     return this.focused !== null && explainFocused(this.workspace);
   }
 
+  /** Obey a key that was pressed outside; inside, Blockly has done so already. */
+  press(event: KeyboardEvent): boolean {
+    if (this.workspace.getInjectionDiv().contains(event.target as Node)) return false;
+    if (Blockly.ShortcutRegistry.registry.onKeyDown(this.workspace, event)) return true;
+    const isSearch = event.ctrlKey || event.metaKey;
+    if (isSearch) this.search.open();
+    return isSearch;
+  }
+
   /** Change the size around the middle of the view; the usual size shows the program's upper left corner. */
   zoom(change: Zoom): void {
     if (change !== "reset") return this.workspace.zoomCenter(change === "in" ? 1 : -1);

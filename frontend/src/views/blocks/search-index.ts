@@ -89,7 +89,8 @@ function groupsOf(workspace: Blockly.WorkspaceSvg): readonly GroupInfo[] {
 function entryOf(block: Item, undrawn: Blockly.Workspace): Entry {
   const type = block.type ?? "";
   const made = Blockly.serialization.blocks.append(block as unknown as State, undrawn);
-  const fields = made.inputList.flatMap(({ fieldRow }) => fieldRow);
+  // With the values that it comes with, which are blocks inside it.
+  const fields = made.getDescendants(true).flatMap(({ inputList }) => inputList.flatMap(({ fieldRow }) => fieldRow));
   const sentence = fields.map((field) => field.getText()).join(" ");
   const said = [sentence, ...fields.flatMap(choicesOf), type.replaceAll("_", " "), ...wordsFor(type, t)];
   return { block, text: ` ${plain(said.join(" "))}` };

@@ -3,9 +3,10 @@
 import "./panel.css";
 import "./console.css";
 
-import { effect } from "@preact/signals";
+import { effect, untracked } from "@preact/signals";
 import { language, say, t } from "../../i18n";
 import type { Context } from "../../model/context";
+import type { Answered } from "../../model/dialogue";
 import { placeIn, placeText, warningsAtStart } from "../../model/findings";
 import { explained } from "../../model/run-error";
 import { endingAfter } from "../../model/run-result";
@@ -47,12 +48,13 @@ class Console implements ConsoleIsland {
   private readonly cleanup: Cleanup;
 
   constructor(private readonly context: Context) {
-    this.question = createQuestion((text) => this.answer(text));
+    this.question = createQuestion(context.running.dialogue);
     const copy = button("tool", () => void this.copy());
     const clear = button("tool", () => this.lines.clear());
     this.dom.append(this.lines.dom, this.question.dom, element("div", { class: "tools" }, copy, clear));
     this.cleanup = new Cleanup(
       ...this.listen(),
+      effect(() => this.showAnswer(context.running.dialogue.answered.value)),
       effect(() => this.lines.showUntil(context.running.printed.value)),
       effect(() => {
         copy.textContent = t("page-console-copy");
@@ -91,7 +93,6 @@ class Console implements ConsoleIsland {
       connection.on("Tabs", ({ shows = "" }) => this.lines.show(shows)),
       connection.on("Printed", ({ text, until = 0 }) => this.lines.print({ robot: "", text, until })),
       connection.on("PrintedByRobots", ({ parts }) => parts.forEach((part) => this.lines.print(part))),
-      connection.on("InputWanted", ({ prompt }) => this.question.ask(prompt || t("page-console-asks"))),
       connection.on("Bumped", ({ thing, time }) =>
         this.lines.add({
           words: () => t("page-console-bumped", { thing: say(thing), time: time.toFixed(1) }),
@@ -121,7 +122,6 @@ class Console implements ConsoleIsland {
 
   /** A program that ends before those of other robots is reported again with the whole run. */
   private ended(ended: Ended): void {
-    this.question.close();
     if (!this.isDone) this.lines.add({ words: () => ending(ended), isEnd: true, ...this.described(ended) });
     this.isDone = ended.others ?? false;
   }
@@ -155,14 +155,13 @@ class Console implements ConsoleIsland {
   private begin(): void {
     this.isDone = false;
     this.runs = 0;
-    this.question.close();
     this.lines.clear();
   }
 
-  private answer(text: string): void {
-    const line = `${this.question.prompt} ${text}`;
-    this.lines.add({ words: () => line, sort: "asked" });
-    this.context.connection.send({ kind: "Answer", text });
+  private showAnswer(answered: Answered | null): void {
+    if (!answered) return;
+    const line = `${(answered.prompt || t("page-console-asks")).trim()} ${answered.text}`;
+    untracked(() => this.lines.add({ words: () => line, sort: "asked" }));
   }
 
   private async copy(): Promise<void> {

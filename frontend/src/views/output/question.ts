@@ -1,24 +1,25 @@
 /** The input line for a program's question. */
 
+import "./panel.css";
+import "./question.css";
+
+import { effect } from "@preact/signals";
 import { t } from "../../i18n";
+import type { Dialogue } from "../../model/dialogue";
 import { LIMITS } from "../../protocol/messages";
+import type { Island } from "../../ui/island";
 import { element } from "./elements";
 
-export interface Question {
-  readonly dom: HTMLElement;
+export interface Question extends Island {
   readonly open: boolean;
-  readonly prompt: string;
-  ask(prompt: string): void;
-  close(): void;
   focus(): void;
-  destroy(): void;
 }
 
 /** Longer answers are refused by the server. */
 const LONGEST = `${LIMITS.Answer.text}`;
 
-/** `answer` receives the line when Enter is pressed. */
-export function createQuestion(answer: (text: string) => void): Question {
+/** It is open while the program waits for an answer. */
+export function createQuestion(dialogue: Dialogue): Question {
   const label = element("label", { class: "prompt" });
   const input = element("input", { type: "text", autocomplete: "off", maxlength: LONGEST });
   const send = element("button", { type: "submit", class: "tool" });
@@ -42,7 +43,7 @@ export function createQuestion(answer: (text: string) => void): Question {
   }
 
   function ask(prompt: string): void {
-    label.replaceChildren(element("span", {}, prompt.trim()), input);
+    label.replaceChildren(element("span", {}, (prompt || t("page-console-asks")).trim()), input);
     send.textContent = t("page-console-answer");
     input.value = "";
     dom.hidden = false;
@@ -51,20 +52,23 @@ export function createQuestion(answer: (text: string) => void): Question {
   dom.hidden = true;
   dom.onsubmit = (event) => {
     event.preventDefault();
-    answer(input.value);
-    close();
+    dialogue.answer(input.value);
   };
+  const stop = effect(() => {
+    const prompt = dialogue.asked.value;
+    if (prompt === null) close();
+    else ask(prompt);
+  });
   return {
     dom,
-    ask,
-    close,
     focus,
-    destroy: () => seen.disconnect(),
+    destroy: () => {
+      seen.disconnect();
+      stop();
+      close();
+    },
     get open() {
       return !dom.hidden;
-    },
-    get prompt() {
-      return label.firstChild?.textContent ?? "";
     },
   };
 }

@@ -4,6 +4,7 @@ page-console-empty = What the program prints appears here.
 page-console-lines = Program output
 page-console-copy = Copy
 page-console-clear = Clear
+page-console-open = Show the whole output
 page-console-asks = The program asks:
 page-console-answer = Answer
 # $number counts the runs since the program was opened; $time is the time of day.

@@ -4,6 +4,7 @@ page-console-empty = Aquí aparece lo que escribe el programa.
 page-console-lines = Salida del programa
 page-console-copy = Copiar
 page-console-clear = Vaciar
+page-console-open = Mostrar toda la salida
 page-console-asks = El programa pregunta:
 page-console-answer = Responder
 # $number counts the runs since the program was opened; $time is the time of day.
