@@ -58,8 +58,8 @@ blocktext-declaration = Block-Text has no '{ $word }'. Write only the name, '=' 
 blocktext-loop = Block-Text has no 'loop'. Write 'repeat 10:' or 'forever:'.
 blocktext-foreach = Block-Text has no 'foreach'. Write 'for x in values:'.
 blocktext-from = Block-Text has no 'from'. Write 'import "name"' to import a library.
-blocktext-python-statement = Block-Text has no '{ $word }'. Write 'python:' above this line and 'end' below it.
-blocktext-python-block = Block-Text has no '{ $word }'. Write 'python:' above it and keep the 'end' below; in between write Python, with 'robot.' instead of 'function.'.
+blocktext-python-statement = Block-Text has no '{ $word }', but Python has. Write a backtick before and after this line.
+blocktext-python-block = Block-Text has no '{ $word }', but Python has. Write a backtick before this line and another before its ':'; below the last part write 'end'.
 # $word: a word of Python, such as class
 blocktext-global = Remove 'global': all variables are global.
 blocktext-is = Write '==' to compare. Block-Text has no 'is'.
