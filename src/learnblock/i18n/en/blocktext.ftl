@@ -113,7 +113,7 @@ blocktext-name-alone = '{ $name }' does nothing by itself. Write '{ $name }()' t
 blocktext-call-or-assignment = Write '(' after '{ $name }' to call it, or '=' to set it.
 blocktext-skill-of-robot = Write 'function.{ $skill }(...)' to use this skill.
 # $name: with a dot, such as values.append
-blocktext-dot = Block-Text has no '{ $name }': call functions without a dot, as in 'append(values, 1)' or 'sqrt(9)'. Write other Python between backticks or in a 'python:' block.
+blocktext-dot = Block-Text has no '{ $name }': call functions without a dot, as in 'append(values, 1)' or 'sqrt(9)'. Write a backtick before and after other Python.
 blocktext-call-needs-brackets = Write 'function.{ $skill }()'. A call needs its brackets.
 blocktext-missing-brackets = Write the arguments of '{ $name }' in brackets: '{ $name }(...)'.
 blocktext-duplicate-argument = The argument '{ $name }' is given twice. Remove one.

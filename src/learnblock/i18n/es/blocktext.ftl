@@ -113,7 +113,7 @@ blocktext-name-alone = '{ $name }' no hace nada por sí solo. Escribe '{ $name }
 blocktext-call-or-assignment = Escribe '(' después de '{ $name }' para llamarlo, o '=' para darle un valor.
 blocktext-skill-of-robot = Escribe 'function.{ $skill }(...)' para usar esta habilidad.
 # $name: with a dot, such as values.append
-blocktext-dot = En Block-Text no hay '{ $name }': las funciones se llaman sin punto, como en 'append(values, 1)' o 'sqrt(9)'. Escribe otro código de Python entre acentos graves o en un bloque 'python:'.
+blocktext-dot = En Block-Text no hay '{ $name }': las funciones se llaman sin punto, como en 'append(values, 1)' o 'sqrt(9)'. Escribe un acento grave antes y otro después de otro código de Python.
 blocktext-call-needs-brackets = Escribe 'function.{ $skill }()'. Una llamada lleva paréntesis.
 blocktext-missing-brackets = Escribe los argumentos de '{ $name }' entre paréntesis: '{ $name }(...)'.
 blocktext-duplicate-argument = El argumento '{ $name }' aparece dos veces. Quita uno.
