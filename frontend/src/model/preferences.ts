@@ -5,16 +5,14 @@ import { computed, effect, signal } from "@preact/signals";
 import type { View } from "../protocol/messages";
 import { media } from "../ui/media";
 import { inBrowser } from "../ui/storage";
+import { STAGES, type Stage } from "./stages";
 
 export type ThemeName = "light" | "dark" | "contrast";
 
 /** The themes to choose from. */
 export const THEMES: readonly (ThemeName | "system")[] = ["system", "light", "dark", "contrast"];
 
-/** How much of the page is shown at first; everything stays reachable. */
-export type Stage = "starter" | "explorer" | "coder";
-
-export const STAGES: readonly Stage[] = ["starter", "explorer", "coder"];
+export { STAGES, type Stage };
 
 /** Which regions of the page are shown, and their sizes. */
 export interface Layout {

@@ -91,7 +91,7 @@ GROUPS = (
     ),
     Group(
         "control",
-        ("lb_control", "Control"),
+        ("lb_control", "Control", "lb_python"),
         (
             _section("function.sleep controls_repeat_ext lb_forever controls_if controls_if:else"),
             _section("lb_wait_until controls_whileUntil"),

@@ -5,6 +5,7 @@ from typing import Any
 
 from learnblock.blocks.definitions import definitions, skill_definition
 from learnblock.blocks.labels import translated
+from learnblock.blocks.python_sentences import python_forms
 from learnblock.blocks.schema.configuration import BlockConfiguration
 from learnblock.blocks.styles import CALLS
 from learnblock.blocks.toolbox import category_word, skill_block, toolbox
@@ -27,6 +28,7 @@ def palette(configurations: Mapping[str, BlockConfiguration], language: str) -> 
         "toolbox": toolbox(configurations, {**_titles(configurations, language), **words}),
         "messages": dict(words),
         "calls": dict(CALLS),
+        "forms": python_forms(),
         "units": dict(units()),
         "language": language,
     }

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 from learnblock.blocks.groups import GROUPS, Group, group_of
 from learnblock.blocks.pairs import Pair, pairs
+from learnblock.blocks.python_palette import PYTHON_BLOCKS, STAGE
 from learnblock.blocks.schema.configuration import BlockConfiguration, Parameter
 
 #: The prefix of the type of a skill's block; the skill's name follows.
@@ -265,7 +266,10 @@ _TABS: tuple[tuple[str, tuple[tuple[str, dict[str, Any]], ...]], ...] = (
             ("lb_dictionary_items", {}),
         ),
     ),
+    ("LB_CATEGORY_PYTHON", PYTHON_BLOCKS),
 )
+#: The stage of the page from which the palette shows a category; the search finds all of them.
+_STAGES = MappingProxyType({"LB_CATEGORY_PYTHON": STAGE})
 # Categories that Blockly or the page fills.
 _CUSTOM = (
     ("LB_CATEGORY_WHENS", "WHEN"),
@@ -284,7 +288,11 @@ def toolbox(
         words: the names of the groups and categories.
     """
     tabs = [
-        {**_category(name, words), "contents": list(map(_item, blocks))} for name, blocks in _TABS
+        {
+            **_category(name, words),
+            "contents": [{**_item(block), **_stage(name)} for block in blocks],
+        }
+        for name, blocks in _TABS
     ]
     custom = [{**_category(name, words), "custom": kind} for name, kind in _CUSTOM]
     events, *others = tabs
@@ -324,6 +332,11 @@ def _category(name: str, words: Mapping[str, str]) -> dict[str, Any]:
         "category": category,
         "group": group_of(category),
     }
+
+
+def _stage(category: str) -> dict[str, str]:
+    """The stage from which the palette shows a block of a category."""
+    return {"stage": _STAGES[category]} if category in _STAGES else {}
 
 
 def _item(entry: tuple[str, dict[str, Any]]) -> dict[str, Any]:

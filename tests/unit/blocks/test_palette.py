@@ -247,6 +247,7 @@ def alone(state):
     inputs = {
         name: Input(shadow=Block(**plug["shadow"], id=name))
         for name, plug in state.get("inputs", {}).items()
+        if "shadow" in plug
     }
     fields.setdefault("MODULE", "dance")
     if state["type"] in {"lb_change", "lb_change_index"}:

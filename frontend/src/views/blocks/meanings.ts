@@ -2,7 +2,7 @@
 
 const skills = (...names: string[]) => names.map((name) => `lb_skill_${name}`);
 
-/** The blocks of each meaning; its words are messages. */
+/** The blocks of each meaning, by their names in block sets; its words are messages. */
 export const MEANINGS: Readonly<Record<string, readonly string[]>> = {
   loop: [
     "controls_repeat_ext",
@@ -53,11 +53,19 @@ export const MEANINGS: Readonly<Record<string, readonly string[]>> = {
   photo: skills("get_image"),
   random: ["math_random_int", "math_random_float"],
   show: ["text_print", ...skills("show_text", "show_number")],
+  module: ["lb_python_line:import", "lb_python_line:from"],
+  exception: ["lb_python_block:try", "lb_python_line:raise", "lb_python_line:assert"],
+  object: ["lb_python_block:class", "lb_python_form:attribute", "lb_python_form:method"],
+  comprehension: ["lb_python_form:list"],
+  anonymous: ["lb_python_form:lambda"],
+  file: ["lb_python_block:with"],
+  slice: ["lb_python_form:slice"],
+  tuple: ["lb_python_form:tuple", "lb_python_line:set"],
 };
 
 /** The words that find a block although it does not show them. */
-export function wordsFor(type: string, words: (code: string) => string): string[] {
+export function wordsFor(block: string, words: (code: string) => string): string[] {
   return Object.entries(MEANINGS)
-    .filter(([, types]) => types.includes(type))
+    .filter(([, blocks]) => blocks.includes(block))
     .flatMap(([name]) => words(`page-blocks-meaning-${name}`).split(", "));
 }

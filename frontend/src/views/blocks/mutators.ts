@@ -2,6 +2,7 @@
 
 import * as Blockly from "blockly/core";
 
+import { registerPython } from "./python-mutator";
 import { stepButton } from "./step-button";
 import { styleCall } from "./styles";
 
@@ -137,46 +138,6 @@ function addVariableButtons(block: Unpacking): void {
     .appendField(stepButton("−", Blockly.Msg.LB_UNPACKING_REMOVE_LAST ?? "", step(-1)), "REMOVE");
 }
 
-interface PythonState {
-  words?: string[];
-  parts?: string[][];
-}
-type Python = Blockly.Block & { python_: PythonState };
-
-/** Python that stays Python: its words, and the inputs `A0`... between them; `DO0`... are its bodies. */
-const PYTHON = {
-  saveExtraState(this: Python): PythonState {
-    return this.python_;
-  },
-  loadExtraState(this: Python, state: PythonState): void {
-    this.python_ = state;
-    this.removeInput("PLACE", true);
-    const lines = state.parts ?? [state.words ?? []];
-    let values = 0;
-    lines.forEach((words, place) => {
-      values = addWords(this, words, values, state.parts ? place : null);
-      if (state.parts) this.appendStatementInput(`DO${place}`);
-    });
-  },
-};
-
-/** Add words and the inputs between them; words alone can be edited. Return the number of the next input. */
-function addWords(block: Blockly.Block, words: string[], first: number, part: number | null): number {
-  const place = part ?? "";
-  const last = words.length - 1;
-  if (last < 1) {
-    block.appendDummyInput(`WORDS${place}`).appendField(new Blockly.FieldTextInput(words[0] ?? ""), `CODE${place}`);
-    return first;
-  }
-  words.slice(0, last).forEach((text, index) => {
-    const input = block.appendValueInput(`A${first + index}`);
-    if (text.trim()) input.appendField(text.trim());
-  });
-  const ending = words[last]?.trim();
-  if (ending || part !== null) block.appendDummyInput(`WORDS${place}`).appendField(ending ?? "");
-  return first + last;
-}
-
 function sign(operator: string): string {
   return { "==": "=", "!=": "≠", "<=": "≤", ">=": "≥" }[operator] ?? operator;
 }
@@ -208,9 +169,7 @@ export function registerMutators(): void {
   Blockly.Extensions.registerMutator("lb_arguments_mutator", ARGUMENTS, function (this: WithArguments) {
     this.arguments_ = {};
   });
-  Blockly.Extensions.registerMutator("lb_python_mutator", PYTHON, function (this: Python) {
-    this.python_ = {};
-  });
+  registerPython();
   Blockly.Extensions.registerMutator("lb_compare_mutator", CHAIN, function (this: Chain) {
     CHAIN.loadExtraState.call(this, { operators: ["<", "<"] });
   });

@@ -1,10 +1,13 @@
 /** The blocks that a group of the palette offers: first the few that matter, then all others. */
 
 import { type Entry, nameOf } from "../../model/shown-blocks";
+import { STAGES, type Stage } from "../../model/stages";
 
 export type Item = Entry & { readonly needs?: readonly string[]; readonly lacking?: boolean } & {
   /** The name of a block that also does what this one does. */
   readonly like?: string;
+  /** The stage from which the palette shows it; the search finds it at every stage. */
+  readonly stage?: Stage;
 };
 
 /** Blocks under one heading, by their names in sets or that of a whole tab. */
@@ -28,6 +31,7 @@ export interface Offer {
   readonly open: boolean;
   /** What the robot lacks of the needs of blocks. */
   readonly lacks: ReadonlySet<string>;
+  readonly stage: Stage;
 }
 
 /** The words of the palette. */
@@ -36,13 +40,15 @@ export interface Words {
   fewer(): string;
   /** Why the robot can't do blocks with this need. */
   missing(need: string): string;
+  /** From which stage the palette shows blocks. */
+  from(stage: Stage): string;
 }
 
 export const MORE = "LB_MORE";
 
 /** The entries of a group's flyout. */
 export function offered(whole: Offer, words: Words): Item[] {
-  const offer = { ...whole, tabs: whole.tabs.map(withoutAlike) };
+  const offer = { ...whole, tabs: whole.tabs.map((tab) => upTo(whole.stage, withoutAlike(tab))) };
   const tabs = offer.tabs.map((tab) => ({ ...tab, items: tab.items.filter((item) => !missing(item, offer.lacks)) }));
   const first = offer.first ? offer.first.map((section) => filled(section, tabs)) : [];
   const begun = first.flatMap(({ items }) => items);
@@ -60,18 +66,23 @@ export function offered(whole: Offer, words: Words): Item[] {
   return [...headed(first, true), ...others, button(words.fewer())];
 }
 
-/** Found blocks: those that the palette shows first come first, and those that the robot can't do last. */
+/**
+ * Found blocks: those that the palette shows first come first, then those of later stages, and those that the robot
+ * can't do last.
+ */
 export function found(
-  items: readonly Item[],
+  all: readonly Item[],
   first: readonly Section[],
-  lacks: ReadonlySet<string>,
+  { lacks, stage }: Pick<Offer, "lacks" | "stage">,
   words: Words,
 ): Item[] {
+  const items = all.filter((item) => !isLater(item, stage));
   const order = first.flatMap(({ blocks }) => blocks);
   const rank = (item: Item) => (order.includes(nameOf(item)) ? order.indexOf(nameOf(item)) : order.length);
   const able = items.filter((item) => !missing(item, lacks));
   return [
     ...able.sort((one, other) => rank(one) - rank(other)),
+    ...laterItems(all, stage, words),
     ...lackingItems(
       items.filter((item) => missing(item, lacks)),
       lacks,
@@ -84,6 +95,24 @@ export function found(
 function withoutAlike(tab: FilledTab): FilledTab {
   const names = new Set(tab.items.map(nameOf));
   return { ...tab, items: tab.items.filter(({ like }) => like === undefined || !names.has(like)) };
+}
+
+/** A tab without the blocks of later stages. */
+function upTo(stage: Stage, tab: FilledTab): FilledTab {
+  return { ...tab, items: tab.items.filter((item) => !isLater(item, stage)) };
+}
+
+function isLater({ stage: from }: Item, stage: Stage): boolean {
+  return from !== undefined && STAGES.indexOf(from) > STAGES.indexOf(stage);
+}
+
+/** The blocks of later stages, with the stage above them. */
+function laterItems(items: readonly Item[], stage: Stage, words: Words): Item[] {
+  const later = items.filter((item) => isLater(item, stage));
+  return STAGES.flatMap((from) => {
+    const own = later.filter((item) => item.stage === from);
+    return own.length ? [label(words.from(from)), ...own] : [];
+  });
 }
 
 interface Headed {

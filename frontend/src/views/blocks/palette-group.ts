@@ -2,6 +2,7 @@
 
 import * as Blockly from "blockly/core";
 
+import { preferences } from "../../model/preferences";
 import { isExclusive, shownEntries } from "../../model/shown-blocks";
 import { icon } from "../../ui/icons";
 import { actionsOf } from "./actions";
@@ -64,7 +65,8 @@ export class GroupItem extends Blockly.ToolboxCategory {
     const set = own?.shownBlocks() ?? {};
     const tabs = this.info.tabs.map((tab) => this.filled(tab));
     const first = isExclusive(set) ? null : this.info.first;
-    const offer = { tabs, first, open: this.open, lacks: own?.robot().lacks ?? new Set<string>() };
+    const { stage } = preferences.peek();
+    const offer = { tabs, first, open: this.open, lacks: own?.robot().lacks ?? new Set<string>(), stage };
     return offered(offer, paletteWords(own?.robot().title ?? "")) as unknown as Items;
   }
 

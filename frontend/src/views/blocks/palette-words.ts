@@ -9,6 +9,7 @@ export function paletteWords(robot: string): Words {
   return {
     more: (count) => `+ ${t("page-blocks-more", { count })}`,
     fewer: () => `− ${t("page-blocks-fewer")}`,
+    from: (stage) => t("page-blocks-from-stage", { stage: t(`page-bar-stage-${stage}`) }),
     missing: (need) => t("page-blocks-missing", { robot, device: deviceWord(need) }),
   };
 }

@@ -20,6 +20,7 @@ import { registerOptional } from "./optional";
 import { drawOwnBlocks } from "./own-blocks";
 import { registerGroups } from "./palette-group";
 import { keepFocus, preferIcons } from "./patches";
+import { learnPythonForms, type PythonForm } from "./python-sentences";
 import { labelPlaces } from "./renderer";
 import { tuneRendering } from "./rendering";
 import { registerRest } from "./rest-block";
@@ -55,6 +56,8 @@ export interface Palette {
   readonly messages: Messages;
   /** The styles of calls of the language's functions, by name. */
   readonly calls: Readonly<Record<string, string>>;
+  /** The forms of Python that have a sentence. */
+  readonly forms: readonly PythonForm[];
   /** The singulars of units, by their plurals. */
   readonly units: Readonly<Record<string, string>>;
 }
@@ -88,6 +91,7 @@ export function installPalette(palette: Palette): void {
   Blockly.setLocale(palette.messages);
   defineBlocks(palette.definitions);
   learnCalls(palette.calls);
+  learnPythonForms(palette.forms, palette.messages);
   learnUnits(palette.units);
 }
 

@@ -3,6 +3,7 @@
 import * as Blockly from "blockly/core";
 
 import { t } from "../../i18n";
+import { nameOf } from "../../model/shown-blocks";
 import { plain } from "../../ui/plain";
 import { wordsFor } from "./meanings";
 import { FOREIGN, foreignNames, nearestWords } from "./near";
@@ -92,8 +93,16 @@ function entryOf(block: Item, undrawn: Blockly.Workspace): Entry {
   // With the values that it comes with, which are blocks inside it.
   const fields = made.getDescendants(true).flatMap(({ inputList }) => inputList.flatMap(({ fieldRow }) => fieldRow));
   const sentence = fields.map((field) => field.getText()).join(" ");
-  const said = [sentence, ...fields.flatMap(choicesOf), type.replaceAll("_", " "), ...wordsFor(type, t)];
+  const typed = pythonOf(made) ?? type.replaceAll("_", " ");
+  const said = [sentence, ...fields.flatMap(choicesOf), typed, ...wordsFor(nameOf(block), t)];
   return { block, text: ` ${plain(said.join(" "))}` };
+}
+
+/** The Python of a block that stands for a line of it, so that Python's own words find it; null for any other. */
+function pythonOf(block: Blockly.Block): string | null {
+  const { words, parts } = (block.saveExtraState?.() ?? {}) as { words?: string[]; parts?: string[][] };
+  const python = words ?? parts?.flat();
+  return python ? `Python ${python.join(" ")}` : null;
 }
 
 function choicesOf(field: Blockly.Field): string[] {

@@ -5,6 +5,7 @@ import "@blockly/toolbox-search";
 import * as Blockly from "blockly/core";
 
 import { t } from "../../i18n";
+import { preferences } from "../../model/preferences";
 import type { Block } from "../../protocol/messages";
 import { icon } from "../../ui/icons";
 import { actionsOf } from "./actions";
@@ -147,7 +148,8 @@ function ableFirst(
   first: readonly Section[] = [],
 ): FlyoutItem[] {
   const { lacks, title } = actionsOf(workspace)?.robot() ?? { lacks: new Set<string>(), title: "" };
-  return found(blocks, first, lacks, paletteWords(title)) as FlyoutItem[];
+  const { stage } = preferences.peek();
+  return found(blocks, first, { lacks, stage }, paletteWords(title)) as FlyoutItem[];
 }
 
 /** Blocks under a sentence, which is as wide as the palette. */

@@ -8,7 +8,8 @@ const PACKAGE = resolve(import.meta.dirname, "../../../../src/learnblock");
 const configurations = `${PACKAGE}/blocks/configurations`;
 const files = readdirSync(configurations).filter((file) => file.endsWith(".json"));
 const defined = files.map((file) => readFileSync(`${configurations}/${file}`, "utf8"));
-const palette = [readFileSync(`${PACKAGE}/blocks/toolbox.py`, "utf8"), ...defined].join("\n");
+const toolbox = ["toolbox", "python_palette"].map((name) => readFileSync(`${PACKAGE}/blocks/${name}.py`, "utf8"));
+const palette = [...toolbox, ...defined].join("\n");
 
 function inLanguage(language: string): (code: string) => string {
   const words = readFileSync(`${PACKAGE}/i18n/${language}/page/blocks.ftl`, "utf8");
@@ -23,7 +24,7 @@ const found = (language: string, searched: string) =>
 test("each block of a meaning is in the palette", () => {
   const missing = Object.values(MEANINGS)
     .flat()
-    .filter((type) => !palette.includes(`"${type.replace("lb_skill_", "")}"`));
+    .filter((type) => !palette.includes(`"${type.replace(/^lb_skill_|^.*:/, "")}"`));
   expect(missing).toEqual([]);
 });
 
@@ -37,6 +38,8 @@ test.each([
   ["es", "bucle", "controls_repeat_ext", "lb_forever", "controls_whileUntil", "controls_for"],
   ["en", "speed", "lb_skill_move_straight", "lb_skill_drive_distance"],
   ["es", "velocidad", "lb_skill_move_straight", "lb_skill_drive_distance"],
+  ["en", "list comprehension", "lb_python_form:list"],
+  ["es", "excepción", "lb_python_block:try"],
   ["en", "lamp", "lb_skill_led", "lb_skill_RGBled"],
   ["es", "lampara", "lb_skill_led", "lb_skill_RGBled"],
 ])("in %s the search for %s finds its blocks", (language, searched, ...types) => {

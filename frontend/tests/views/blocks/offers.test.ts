@@ -6,6 +6,7 @@ const WORDS = {
   more: (count: number) => `+ ${count}`,
   fewer: () => "fewer",
   missing: (need: string) => `no ${need}`,
+  from: (stage: string) => `from ${stage}`,
 };
 
 function block(name: string, ...needs: string[]): Item {
@@ -22,7 +23,7 @@ const FIRST = [
 ];
 
 function shown(change: Partial<Offer>): string[] {
-  const offer = { tabs: TABS, first: FIRST, open: false, lacks: new Set<string>(), ...change };
+  const offer = { tabs: TABS, first: FIRST, open: false, lacks: new Set<string>(), stage: "coder" as const, ...change };
   return offered(offer, WORDS).map(wordOf);
 }
 
@@ -60,7 +61,11 @@ test("a whole tab can be among the first", () => {
 
 test("found blocks that the robot can't do come last", () => {
   const items = [block("look", "Motor"), block("drive")];
-  expect(found(items, [], new Set(["Motor"]), WORDS).map(wordOf)).toEqual(["drive", "no Motor", "pale look"]);
+  expect(found(items, [], { lacks: new Set(["Motor"]), stage: "coder" }, WORDS).map(wordOf)).toEqual([
+    "drive",
+    "no Motor",
+    "pale look",
+  ]);
 });
 
 test("found blocks that the palette shows first come first, in its order", () => {
@@ -69,7 +74,12 @@ test("found blocks that the palette shows first come first, in its order", () =>
     { heading: "", blocks: ["wait"] },
     { heading: "", blocks: ["until"] },
   ];
-  expect(found(items, first, new Set(), WORDS).map(wordOf)).toEqual(["wait", "until", "rare", "other"]);
+  expect(found(items, first, { lacks: new Set(), stage: "coder" }, WORDS).map(wordOf)).toEqual([
+    "wait",
+    "until",
+    "rare",
+    "other",
+  ]);
 });
 
 test("a block that another block of the palette can become is left out", () => {
@@ -77,4 +87,14 @@ test("a block that another block of the palette can become is left out", () => {
   const tab = (items: readonly Item[]) => [{ name: "Driving", category: "Base", items }];
   expect(shown({ tabs: tab([left, right]), first: null })).toEqual(["left"]);
   expect(shown({ tabs: tab([right]), first: null })).toEqual(["right"]);
+});
+
+test("blocks of a later stage are not offered, and found under the name of their stage", () => {
+  const items = [{ ...block("try"), stage: "coder" as const }, block("drive")];
+  const tabs = [{ name: "Driving", category: "Base", items }];
+  expect(shown({ tabs, first: null, stage: "explorer" })).toEqual(["drive"]);
+  expect(shown({ tabs, first: null, stage: "coder" })).toEqual(["try", "drive"]);
+  const lacks = new Set<string>();
+  expect(found(items, [], { lacks, stage: "starter" }, WORDS).map(wordOf)).toEqual(["drive", "from coder", "try"]);
+  expect(found(items, [], { lacks, stage: "coder" }, WORDS).map(wordOf)).toEqual(["try", "drive"]);
 });

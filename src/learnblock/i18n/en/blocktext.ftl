@@ -58,8 +58,8 @@ blocktext-declaration = Block-Text has no '{ $word }'. Write only the name, '=' 
 blocktext-loop = Block-Text has no 'loop'. Write 'repeat 10:' or 'forever:'.
 blocktext-foreach = Block-Text has no 'foreach'. Write 'for x in values:'.
 blocktext-from = Block-Text has no 'from'. Write 'import "name"' to import a library.
-blocktext-python-statement = Block-Text has no '{ $word }'. Write 'python:' above this line and 'end' below it.
-blocktext-python-block = Block-Text has no '{ $word }'. Write 'python:' above it and keep the 'end' below; in between write Python, with 'robot.' instead of 'function.'.
+blocktext-python-statement = Block-Text has no '{ $word }', but Python has. Write a backtick before and after this line.
+blocktext-python-block = Block-Text has no '{ $word }', but Python has. Write a backtick before this line and another before its ':'; below the last part write 'end'.
 # $word: a word of Python, such as class
 blocktext-global = Remove 'global': all variables are global.
 blocktext-is = Write '==' to compare. Block-Text has no 'is'.
@@ -113,7 +113,7 @@ blocktext-name-alone = '{ $name }' does nothing by itself. Write '{ $name }()' t
 blocktext-call-or-assignment = Write '(' after '{ $name }' to call it, or '=' to set it.
 blocktext-skill-of-robot = Write 'function.{ $skill }(...)' to use this skill.
 # $name: with a dot, such as values.append
-blocktext-dot = Block-Text has no '{ $name }': call functions without a dot, as in 'append(values, 1)' or 'sqrt(9)'. Write other Python between backticks or in a 'python:' block.
+blocktext-dot = Block-Text has no '{ $name }': call functions without a dot, as in 'append(values, 1)' or 'sqrt(9)'. Write a backtick before and after other Python.
 blocktext-call-needs-brackets = Write 'function.{ $skill }()'. A call needs its brackets.
 blocktext-missing-brackets = Write the arguments of '{ $name }' in brackets: '{ $name }(...)'.
 blocktext-duplicate-argument = The argument '{ $name }' is given twice. Remove one.

@@ -58,8 +58,8 @@ blocktext-declaration = En Block-Text no hay '{ $word }'. Escribe solo el nombre
 blocktext-loop = En Block-Text no hay 'loop'. Escribe 'repeat 10:' o 'forever:'.
 blocktext-foreach = En Block-Text no hay 'foreach'. Escribe 'for x in values:'.
 blocktext-from = En Block-Text no hay 'from'. Escribe 'import "name"' para importar una biblioteca.
-blocktext-python-statement = En Block-Text no hay '{ $word }'. Escribe 'python:' encima de esta línea y 'end' debajo.
-blocktext-python-block = En Block-Text no hay '{ $word }'. Escribe 'python:' encima y deja el 'end' de abajo; entre los dos, escribe Python, con 'robot.' en lugar de 'function.'.
+blocktext-python-statement = En Block-Text no hay '{ $word }', pero en Python sí. Escribe un acento grave antes y otro después de esta línea.
+blocktext-python-block = En Block-Text no hay '{ $word }', pero en Python sí. Escribe un acento grave antes de esta línea y otro antes de sus ':'; debajo de la última parte, escribe 'end'.
 # $word: a word of Python, such as class
 blocktext-global = Quita 'global': todas las variables son globales.
 blocktext-is = Escribe '==' para comparar. En Block-Text no hay 'is'.
@@ -113,7 +113,7 @@ blocktext-name-alone = '{ $name }' no hace nada por sí solo. Escribe '{ $name }
 blocktext-call-or-assignment = Escribe '(' después de '{ $name }' para llamarlo, o '=' para darle un valor.
 blocktext-skill-of-robot = Escribe 'function.{ $skill }(...)' para usar esta habilidad.
 # $name: with a dot, such as values.append
-blocktext-dot = En Block-Text no hay '{ $name }': las funciones se llaman sin punto, como en 'append(values, 1)' o 'sqrt(9)'. Escribe otro código de Python entre acentos graves o en un bloque 'python:'.
+blocktext-dot = En Block-Text no hay '{ $name }': las funciones se llaman sin punto, como en 'append(values, 1)' o 'sqrt(9)'. Escribe un acento grave antes y otro después de otro código de Python.
 blocktext-call-needs-brackets = Escribe 'function.{ $skill }()'. Una llamada lleva paréntesis.
 blocktext-missing-brackets = Escribe los argumentos de '{ $name }' entre paréntesis: '{ $name }(...)'.
 blocktext-duplicate-argument = El argumento '{ $name }' aparece dos veces. Quita uno.

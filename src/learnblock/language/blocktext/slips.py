@@ -35,7 +35,7 @@ _CHARACTERS: Mapping[str, Phrase] = MappingProxyType(
         "}": _BRACES,
     }
 )
-_PYTHON_STATEMENTS = ("del", "raise", "assert")
+_PYTHON_STATEMENTS = ("del", "raise", "assert", "yield", "await", "nonlocal")
 _PYTHON_BLOCKS = ("class", "try", "except", "finally", "with", "async")
 #: They continue a ``try``.
 HANDLERS = frozenset(("except", "finally"))
