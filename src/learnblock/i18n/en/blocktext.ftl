@@ -61,7 +61,7 @@ blocktext-from = Block-Text has no 'from'. Write 'import "name"' to import a lib
 blocktext-python-statement = Block-Text has no '{ $word }'. Write 'python:' above this line and 'end' below it.
 blocktext-python-block = Block-Text has no '{ $word }'. Write 'python:' above it and keep the 'end' below; in between write Python, with 'robot.' instead of 'function.'.
 # $word: a word of Python, such as class
-blocktext-global = Remove 'global': all variables are global.
+blocktext-global = Remove 'global': every variable is shared, except for those that are 'local'.
 blocktext-is = Write '==' to compare. Block-Text has no 'is'.
 
 ## Values

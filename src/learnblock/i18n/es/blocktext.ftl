@@ -61,7 +61,7 @@ blocktext-from = En Block-Text no hay 'from'. Escribe 'import "name"' para impor
 blocktext-python-statement = En Block-Text no hay '{ $word }'. Escribe 'python:' encima de esta línea y 'end' debajo.
 blocktext-python-block = En Block-Text no hay '{ $word }'. Escribe 'python:' encima y deja el 'end' de abajo; entre los dos, escribe Python, con 'robot.' en lugar de 'function.'.
 # $word: a word of Python, such as class
-blocktext-global = Quita 'global': todas las variables son globales.
+blocktext-global = Quita 'global': todas las variables son compartidas, salvo las que son 'local'.
 blocktext-is = Escribe '==' para comparar. En Block-Text no hay 'is'.
 
 ## Values
