@@ -60,6 +60,7 @@ NAMES = ["append", "class", "class_", "elapsedTime", "from", "len", "math", "pri
 NAMES += ["forever", "random", "range", "repeat", "robot", "seen", "seen_when", "sqrt"]
 NAMES += ["seen_when_when", "start", "state_seen", "step", "time_seen", "to", "until", "values"]
 NAMES += ["wait", "x", "y", "ñ", "_"]
+LOCALS = ("local", "mine", "list")
 SKILLS = ("is_tag", "turn", "class", "end")
 KEYWORDS = ("a", "end", "import", "advSpeed", "class", "x")
 LIBRARY = (
@@ -133,6 +134,7 @@ class Trees:
         self.random = random.Random(seed)  # noqa: S311 - no secret
         self.choice = self.random.choice
         self.whens = set()
+        self.unset_locals = None
 
     def some(self, most, make, *arguments):
         return tuple(make(*arguments) for _ in range(self.random.randrange(most)))
@@ -221,14 +223,30 @@ class Trees:
             target = Index(target, self.expression(1))
         return target
 
+    def assignment(self):
+        if self.unset_locals is None or self.random.random() < 0.5:
+            return Assign(
+                self.target(), self.choice(ASSIGNMENTS), self.expression(), self.comment()
+            )
+        # The first to set a local variable says so.
+        name = self.choice(LOCALS)
+        is_local = name in self.unset_locals
+        self.unset_locals.discard(name)
+        operator = "=" if is_local else self.choice(ASSIGNMENTS)
+        return Assign(Name(name), operator, self.expression(), self.comment(), is_local=is_local)
+
+    def function_body(self):
+        self.unset_locals = set(LOCALS)
+        body = self.body(2)
+        self.unset_locals = None
+        return body
+
     def statement(self, depth):
         simple = (
             lambda _: Perform(
                 self.choice((self.call, self.skill_call, self.short_call))(), self.comment()
             ),
-            lambda _: Assign(
-                self.target(), self.choice(ASSIGNMENTS), self.expression(), self.comment()
-            ),
+            lambda _: self.assignment(),
             lambda _: self.choice((Break, Continue, Pass))(self.comment()),
             lambda _: Return(self.perhaps(self.expression(2)), self.comment()),
             lambda _: WaitUntil(self.expression(2), self.comment()),
@@ -274,20 +292,22 @@ class Trees:
 
     def python_block(self, depth):
         headers = self.choice(HEADERS)
-        parts = (PythonPart(header, self.body(depth), self.comment()) for header in headers)
-        return PythonBlock(tuple(parts))
+        outer, self.unset_locals = self.unset_locals, None
+        parts = tuple(PythonPart(header, self.body(depth), self.comment()) for header in headers)
+        self.unset_locals = outer
+        return PythonBlock(parts)
 
     def item(self):
         kind = self.random.randrange(8)
         if kind == 0:
             parameters = tuple(self.random.sample(NAMES, self.random.randrange(3)))
-            return Def(self.choice(NAMES), parameters, self.body(2), self.comment())
+            return Def(self.choice(NAMES), parameters, self.function_body(), self.comment())
         if kind == 1:
             condition = self.perhaps(self.expression(2))
             # In Block-Text, two of one name are a mistake.
             name = self.random.choice([name for name in NAMES if name not in self.whens])
             self.whens.add(name)
-            return When(name, condition, self.body(2), self.comment())
+            return When(name, condition, self.function_body(), self.comment())
         return self.statement(2)
 
     def program(self):

@@ -15,6 +15,7 @@ export const CHANGING: Readonly<Record<string, readonly string[]>> = {
     "procedures_callnoreturn",
     "procedures_callreturn",
     "lb_return",
+    "lb_set_local",
   ],
 };
 

@@ -118,6 +118,7 @@ def _statements() -> list[Definition]:
         _choice("OP", CHANGES),
         _value("VALUE"),
     ]
+    set_local = [change[0], _value("VALUE")]
     change_index = [
         _value("LIST"),
         _value("INDEX"),
@@ -136,6 +137,7 @@ def _statements() -> list[Definition]:
         _block("lb_wait_until", "loop_blocks", [_value("CONDITION", "Boolean")], inputsInline=True),
         _block("lb_import", "lb_control", [_text("MODULE", "dance")]),
         _block("lb_setup", "lb_control", [_PLACE], mutator=arguments, inputsInline=True),
+        _block("lb_set_local", "variable_blocks", set_local, inputsInline=True),
         _block("lb_change", "variable_blocks", change, inputsInline=True),
         _block("lb_change_index", "list_blocks", change_index, inputsInline=True),
         _block("lb_dictionary_set", "list_blocks", set_entry, inputsInline=True),

@@ -72,6 +72,7 @@ SHADOWS: Mapping[str, Mapping[str, Shadow]] = MappingProxyType(
         "lb_elapsed_time": {"SECONDS": _ONE},
         "lb_floor_divide": {"A": _number(64), "B": _number(10)},
         "lb_positive": {"NUM": _ONE},
+        "lb_set_local": {"VALUE": _ZERO},
         "lb_change": {"VALUE": _ONE},
         "lb_change_index": {"INDEX": _ZERO, "VALUE": _ONE},
         "lb_dictionary_get": {"KEY": _text("abc")},

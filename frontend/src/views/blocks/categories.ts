@@ -98,7 +98,12 @@ function procedureItems(workspace: Blockly.WorkspaceSvg): Items {
   const definitions = definitionsIn(workspace);
   if (!definitions.length) return [make, label(t("page-make-none"), "lbAdvice")];
   const calls = definitions.flatMap(callsOf);
-  return [make, label(t("page-make-here"), "lbHeading"), ...calls, block("lb_return", {})];
+  return [make, label(t("page-make-here"), "lbHeading"), ...calls, block("lb_return", {}), ...localItems()];
+}
+
+/** Variables that a function has for itself, from Explorer on. */
+function localItems(): Items {
+  return preferences.peek().stage === "starter" ? [] : [block("lb_set_local", { inputs: { VALUE: ZERO } })];
 }
 
 // For Blockly a function with a return inside its body has no result; its calls may still be values.

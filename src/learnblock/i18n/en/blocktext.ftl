@@ -61,7 +61,7 @@ blocktext-from = Block-Text has no 'from'. Write 'import "name"' to import a lib
 blocktext-python-statement = Block-Text has no '{ $word }', but Python has. Write a backtick before and after this line.
 blocktext-python-block = Block-Text has no '{ $word }', but Python has. Write a backtick before this line and another before its ':'; below the last part write 'end'.
 # $word: a word of Python, such as class
-blocktext-global = Remove 'global': all variables are global.
+blocktext-global = Remove 'global': every variable is shared, except for those that are 'local'.
 blocktext-is = Write '==' to compare. Block-Text has no 'is'.
 
 ## Values

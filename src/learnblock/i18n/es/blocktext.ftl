@@ -61,7 +61,7 @@ blocktext-from = En Block-Text no hay 'from'. Escribe 'import "name"' para impor
 blocktext-python-statement = En Block-Text no hay '{ $word }', pero en Python sí. Escribe un acento grave antes y otro después de esta línea.
 blocktext-python-block = En Block-Text no hay '{ $word }', pero en Python sí. Escribe un acento grave antes de esta línea y otro antes de sus ':'; debajo de la última parte, escribe 'end'.
 # $word: a word of Python, such as class
-blocktext-global = Quita 'global': todas las variables son globales.
+blocktext-global = Quita 'global': todas las variables son compartidas, salvo las que son 'local'.
 blocktext-is = Escribe '==' para comparar. En Block-Text no hay 'is'.
 
 ## Values

@@ -6,6 +6,7 @@ from learnblock.language.tree import raw
 from learnblock.language.tree.extents import Extent
 from learnblock.language.tree.nodes import (
     Activate,
+    Assign,
     Blank,
     Call,
     Deactivate,
@@ -57,6 +58,11 @@ class _Writer(ProgramWriter):
 
     def close(self) -> None:
         self.line("end")
+
+    def assign(self, node: Assign) -> None:
+        word = "local " if node.is_local else ""
+        target, value = self.expression(node.target), self.expression(node.value)
+        self.line(f"{word}{target} {node.operator} {value}", node, node.comment)
 
     def while_loop(self, node: While) -> None:
         if node.is_endless:

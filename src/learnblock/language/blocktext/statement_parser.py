@@ -141,6 +141,10 @@ class StatementParser(BlockParser):
                 return StatementParser.forever_loop
             case "wait" if self.tokens[self.index + 1].text == "until":
                 return StatementParser.wait_until
+            case "local" if following == "name" and self.kinds[self.index + 2] == "=":
+                # Elsewhere, the word of another language is left out.
+                in_function = any(opener.kind in _FUNCTIONS for opener in self.openers)
+                return StatementParser.local_variable if in_function else None
         return None
 
     def assignment(self, start: Token, target: Name | Index) -> Assign:
@@ -150,6 +154,11 @@ class StatementParser(BlockParser):
         if self.kinds[self.index] == "=":
             raise self.slip("second-assignment", Phrase("blocktext-second-assignment"))
         return Assign(target, operator.text, value, *self.line_end(start))
+
+    def local_variable(self, start: Token) -> Assign:
+        self.index += 2
+        target = name_of(self.tokens[self.index - 1])
+        return replace(self.assignment(start, target), is_local=True)
 
     def perform(self, token: Token) -> Perform | Assign:
         call = self.postfix(token)
@@ -313,7 +322,8 @@ class StatementParser(BlockParser):
 
 _Reader = Callable[[StatementParser, Token], Statement | None]
 #: Names that begin a statement of their own, if their line has its form.
-_SOFT = frozenset(("repeat", "forever", "wait"))
+_SOFT = frozenset(("repeat", "forever", "wait", "local"))
+_FUNCTIONS = frozenset(("def", "when"))
 # One method for each of `STATEMENT_STARTS`.
 _READERS: dict[str, _Reader] = {
     "name": StatementParser.name_statement,

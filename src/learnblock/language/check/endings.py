@@ -43,6 +43,7 @@ from learnblock.language.tree.nodes import (
 from learnblock.language.tree.traversal import (
     all_expressions,
     bodies,
+    locals_in,
     set_by,
     statements,
     within,
@@ -262,7 +263,7 @@ class Endings:
             inner = Effects()
             for item in statements(function.body):
                 self._add(item, inner)
-            local = set(function.parameters) | _counted(function.body)
+            local = {*function.parameters, *locals_in(function.body)}
             found.names |= inner.names - local
             found.items |= inner.items
             found.started |= inner.started
@@ -408,11 +409,3 @@ def _root(node: Expression) -> str:
     while isinstance(node, Index):
         node = node.value
     return node.name if isinstance(node, Name) else ""
-
-
-def _counted(body: Body) -> set[str]:
-    """The variables of loops, which each function has for itself."""
-    loops = (
-        statement for statement in statements(body) if isinstance(statement, ForEach | ForRange)
-    )
-    return {name for loop in loops for name in set_by(loop)}

@@ -21,8 +21,6 @@ from learnblock.language.tree.nodes import (
     Conditional,
     Def,
     Expression,
-    ForEach,
-    ForRange,
     If,
     Item,
     Name,
@@ -34,6 +32,7 @@ from learnblock.language.tree.traversal import (
     all_expressions,
     bodies,
     expressions,
+    locals_in,
     set_by,
     statements,
     targets,
@@ -104,7 +103,7 @@ class _Scope:
 
     Args:
         known: the shared variables that may be set.
-        own: the parameters and loop variables of the function.
+        own: the parameters, loop variables and local variables of the function.
         bound: those of them that may be set.
         in_loop: what the loops around set, each as often as statements set it.
         maybe: what other branches may have set in an earlier round of these loops.
@@ -163,7 +162,12 @@ class _Order:
             self.event(when, known.union(*others), self.sets(when.body))
 
     def event(self, when: When, known: set[str], again: Counter[str]) -> None:
-        self.block(when.body, _Scope(known, _counted(when.body), in_loop=again))
+        own = frozenset(locals_in(when.body))
+        self.block(when.body, _Scope(known, own, self.bound_in_raw(own), in_loop=again))
+
+    def bound_in_raw(self, own: frozenset[str]) -> set[str]:
+        """The local variables that a line of Python may set."""
+        return set(own & self.findings.raw_names)
 
     def called_in_raw(self) -> set[str]:
         """The functions that parts in raw Python may call at any time."""
@@ -230,8 +234,8 @@ class _Order:
         if key in self.followed:
             return
         self.followed.add(key)
-        own = _counted(function.body) | frozenset(function.parameters)
-        bound = set(function.parameters)
+        own = frozenset((*locals_in(function.body), *function.parameters))
+        bound = {*function.parameters, *self.bound_in_raw(own)}
         self.block(function.body, _Scope(scope.known, own, bound, maybe=scope.maybe))
 
     def read(self, node: Name, scope: _Scope) -> None:
@@ -244,14 +248,6 @@ class _Order:
         self.findings.report(
             "unset-variable", Phrase("check-read-before-set", name=name), node.span
         )
-
-
-def _counted(body: Body) -> frozenset[str]:
-    """The variables of loops, which each function has for itself."""
-    loops = (
-        statement for statement in statements(body) if isinstance(statement, ForEach | ForRange)
-    )
-    return frozenset(chain.from_iterable(map(set_by, loops)))
 
 
 def _evaluated(item: Item) -> Iterator[Expression]:

@@ -9,8 +9,6 @@ from learnblock.language.tree.markers import raw_names
 from learnblock.language.tree.nodes import (
     AnyPython,
     Def,
-    ForEach,
-    ForRange,
     Item,
     Main,
     Name,
@@ -18,15 +16,15 @@ from learnblock.language.tree.nodes import (
     Span,
     When,
 )
-from learnblock.language.tree.traversal import all_expressions, statements, targets
+from learnblock.language.tree.traversal import all_expressions, locals_in, statements, targets
 
 
 @dataclass(frozen=True)
 class Symbols:
     """The names of a program.
 
-    Variables belong to the whole program, except for the parameters of a function and the loop
-    variables of ``for`` in a function or a ``when``.
+    Variables belong to the whole program, except for the parameters of a function, and the loop
+    variables of ``for`` and what is ``local`` in a function or a ``when``.
 
     Args:
         program: the tree.
@@ -75,11 +73,8 @@ class Symbols:
         if not isinstance(item, Def | When):
             return {}
         found = dict.fromkeys(item.parameters, item.span) if isinstance(item, Def) else {}
-        for node in statements(item.body):
-            if isinstance(node, ForEach | ForRange):
-                for target in targets(node):
-                    found.setdefault(target.name, target.span)
-        return found
+        own = {name: target.span for name, target in locals_in(item.body).items()}
+        return own | found
 
     def owner(self, line: int) -> Def | When | None:
         """The function or ``when`` at a line of the source."""

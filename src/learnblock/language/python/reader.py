@@ -28,7 +28,7 @@ from learnblock.language.python.expression_reader import (
 from learnblock.language.python.foreign_lines import RULES
 from learnblock.language.python.generation import DEFAULT_ROBOT, ROBOT_IMPORT, canonical
 from learnblock.language.python.python_reader import PythonReader
-from learnblock.language.python.scopes import Scopes, stored_names
+from learnblock.language.python.scopes import first_of_locals, stored_names
 from learnblock.language.python.skeleton import (
     Skeleton,
     is_when,
@@ -220,7 +220,6 @@ class _Reader(PythonReader):
             }
         self.raw_lines = self.found_raw_lines()
         self.modules: set[str] = set()
-        self.scopes = Scopes(tree)
 
     def program(self) -> Program:
         head = self.head()
@@ -447,14 +446,16 @@ class _Reader(PythonReader):
         return When(name, condition, body, comment, span_of(node))
 
     def function_body(self, node: ast.FunctionDef, parameters: tuple[str, ...]) -> Body:
+        self.first_of_locals = first_of_locals(node)
         body = self.body(node.lineno, node.body, end_of(node) + 1)
         body = self.trailing(body, node)
+        self.first_of_locals = frozenset()
         if not self.shares_enough(node, body, parameters):
             raise Unlike
         return body if any(map(acts, body)) else (*body, Pass())
 
     def shares_enough(self, node: ast.FunctionDef, body: Body, parameters: tuple[str, ...]) -> bool:
-        """Whether a function keeps its meaning if it shares all variables that it sets."""
+        """Whether a function has for itself what it had, and shares the rest."""
         statements_of_globals = leading_globals(node.body)
         written = [name for found in statements_of_globals for name in found.names]
         declared = set(written)
@@ -466,9 +467,7 @@ class _Reader(PythonReader):
         needless = declared - shared
         if needless and any(isinstance(found, AnyPython) for found in statements(body)):
             return False
-        return not needless & stored_names(node) and self.scopes.may_be_shared(
-            shared - declared, node
-        )
+        return shared <= declared and not needless & stored_names(node)
 
 
 def _declared_whens(whens: frozenset[str], clashes: dict[str, int]) -> dict[str, str]:

@@ -2,6 +2,7 @@
 
 import ast
 import re
+from collections.abc import Set as AbstractSet
 
 from learnblock.language.python.comment_reader import CommentReader
 from learnblock.language.python.expression_reader import (
@@ -64,6 +65,8 @@ class StatementReader(CommentReader):
 
     keeps_globals = False
     is_own_style = False
+    #: The statements that are the first to set a local variable.
+    first_of_locals: AbstractSet[ast.stmt] = frozenset()
 
     def trailing(self, body: Body, node: ast.stmt) -> Body:
         """A body with the comments below its last statement that are indented like it."""
@@ -190,7 +193,8 @@ class StatementReader(CommentReader):
             case ast.Expr(value=value):
                 return self.perform(value, comment, span)
             case ast.Assign(targets=[target], value=value):
-                return Assign(self.target(target), "=", self.expression(value), comment, span)
+                read = self.target(target), "=", self.expression(value)
+                return Assign(*read, comment, span, is_local=node in self.first_of_locals)
             case ast.AugAssign(target=target, op=operator, value=value):
                 return self.augmented(target, operator, value, comment, span)
             case ast.Delete(targets=[ast.Subscript(value=values, slice=key)]) if (

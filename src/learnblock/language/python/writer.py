@@ -25,7 +25,6 @@ from learnblock.language.tree.nodes import (
     Deactivate,
     Def,
     Expression,
-    ForEach,
     ForRange,
     Import,
     Item,
@@ -46,7 +45,7 @@ from learnblock.language.tree.nodes import (
     When,
     WithoutRobot,
 )
-from learnblock.language.tree.traversal import own_statements, set_by
+from learnblock.language.tree.traversal import locals_in, own_statements
 from learnblock.language.tree.writer import ProgramWriter, comment_text
 
 #: Text as a statement, and what else must be above every other statement.
@@ -58,13 +57,10 @@ _RAW_ATOM = re.compile(rf"{IDENTIFIER}(?:\.{IDENTIFIER})*")
 def global_names(body: Body, parameters: tuple[str, ...], whens: AbstractSet[str]) -> list[str]:
     """The variables that a function must declare ``global`` in Python, by their Python names."""
     assigned: set[str] = set()
-    counted: set[str] = set()
     for statement in own_statements(body):
         if isinstance(statement, Assign) and isinstance(statement.target, Name):
             assigned.add(statement.target.name)
-        elif isinstance(statement, ForEach | ForRange):
-            counted.update(set_by(statement))
-    shared = assigned - counted - set(parameters)
+    shared = assigned - locals_in(body).keys() - set(parameters)
     return sorted(names.to_python(name) for name in shared if state_of(name, whens) is None)
 
 

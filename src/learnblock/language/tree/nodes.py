@@ -215,13 +215,14 @@ class Perform:
 
 @dataclass(frozen=True, slots=True)
 class Assign:
-    """``x = 1``, ``x += 1``, ``values[0] = 1``."""
+    """``x = 1``, ``x += 1``, ``values[0] = 1``; ``local x = 1`` makes `x` the function's own."""
 
     target: Name | Index
     operator: str
     value: Expression
     comment: str | None = None
     span: Span = field(default=NOWHERE, compare=False)
+    is_local: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -54,6 +54,20 @@ def set_by(node: Item | Main) -> tuple[str, ...]:
     return tuple(target.name for target in targets(node))
 
 
+def locals_in(body: Body) -> dict[str, Name]:
+    """The variables that a function has for itself, each where it is first set."""
+    own = (
+        item
+        for item in own_statements(body)
+        if isinstance(item, ForEach | ForRange) or (isinstance(item, Assign) and item.is_local)
+    )
+    found: dict[str, Name] = {}
+    for item in own:
+        for target in targets(item):
+            found.setdefault(target.name, target)
+    return found
+
+
 def _if_bodies(node: If) -> tuple[Body, ...]:
     found = tuple(branch.body for branch in node.branches)
     return found if node.otherwise is None else (*found, node.otherwise.body)

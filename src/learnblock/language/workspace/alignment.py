@@ -147,8 +147,8 @@ def _kind(group: Group) -> Hashable:
     """The kind of a statement: those of the same kind may be the same block with new content."""
     statement = group.statement
     match statement:
-        case Assign(target=target, operator=operator):
-            return Assign, operator in {"=", "+="} and operator, type(target) is Index
+        case Assign(target=target, operator=operator, is_local=is_local):
+            return Assign, operator in {"=", "+="} and operator, type(target) is Index, is_local
         case Perform(call=call):
             return Perform, type(call)
     return (type(statement),)

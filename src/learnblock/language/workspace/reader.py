@@ -133,9 +133,13 @@ class WorkspaceReader(StatementReader):
     def hat(self, block: Block, notes: Notes, ends: Ends) -> Def | When | Main:
         if block.type == MAIN:
             return Main(self.body(block, "DO"))
-        if block.type in WHENS:
-            return self.when(block, ends)
-        return self.function(block, notes, ends)
+        self.in_function = True
+        try:
+            if block.type in WHENS:
+                return self.when(block, ends)
+            return self.function(block, notes, ends)
+        finally:
+            self.in_function = False
 
     def when(self, block: Block, ends: Ends) -> When:
         condition = self.condition(block)

@@ -96,13 +96,15 @@ class StatementReader(ValueReader):
     """Reads statements.
 
     `groups` maps each block to its content; `silent` are the blocks without content; `alone` is
-    whether the program is a single statement; `depth` is the number of open blocks.
+    whether the program is a single statement; `depth` is the number of open blocks; `in_function`
+    is whether variables can be local there.
     """
 
     groups: dict[str, Group]
     silent: set[str]
     alone: bool
     depth = 0
+    in_function = False
 
     def chain(self, blocks: Iterable[Block]) -> list[Group]:
         """Read the blocks of a stack, except those without content."""
@@ -412,6 +414,13 @@ STATEMENTS: dict[str, Handler] = {
     ),
     "variables_set": lambda reader, block, _, ends: Assign(
         reader.variable(block), "=", reader.value(block, "VALUE"), ends[0]
+    ),
+    "lb_set_local": lambda reader, block, _, ends: Assign(
+        reader.variable(block),
+        "=",
+        reader.value(block, "VALUE"),
+        ends[0],
+        is_local=reader.in_function,
     ),
     "math_change": lambda reader, block, _, ends: Assign(
         reader.variable(block), "+=", reader.number(block, "DELTA"), ends[0]

@@ -155,7 +155,8 @@ def _assign(shaper: StatementShaper, node: Assign) -> Shape:
 def _set(node: Assign, target: Name) -> Shape:
     match node.operator:
         case "=":
-            return Shape("variables_set", {"VAR": target}, {"VALUE": node.value})
+            kind = "lb_set_local" if node.is_local else "variables_set"
+            return Shape(kind, {"VAR": target}, {"VALUE": node.value})
         case "+=":
             return Shape("math_change", {"VAR": target}, {"DELTA": node.value})
     return Shape("lb_change", {"VAR": target, "OP": node.operator}, {"VALUE": node.value})

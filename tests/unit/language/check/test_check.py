@@ -391,3 +391,16 @@ def test_a_change_of_an_event_with_a_condition_has_no_lasting_effect(word, found
 
 def test_an_event_with_a_condition_may_start_its_time_again(found):
     assert [] == found("when go = True:\n    print(1)\n    deactivate go\n    activate go\nend\n")
+
+
+@pytest.mark.parametrize(
+    ("body", "codes"),
+    [
+        ("    print(x)\n    local x = 2\n", ["unset-variable"]),
+        ("    local x = 2\n    print(x)\n", []),
+        ("    `x, y = 1, 2`\n    print(x)\n    local x = 2\n", []),
+    ],
+)
+def test_a_local_variable_is_unset_until_its_function_sets_it(body, codes):
+    program = parse(f"x = 1\n\ndef f():\n{body}end\n\nmain:\n    f()\n    print(x)\nend\n")
+    assert codes == [found.code for found in check(program, {}) if found.code == "unset-variable"]

@@ -45,6 +45,12 @@ def test_a_loop_variable_is_renamed():
     assert expected == renamed(PROGRAM, "variable", "i", "round")
 
 
+def test_a_local_variable_is_renamed_in_its_function_alone():
+    text = "x = 1\n\ndef f():\n    local x = 2\n    return x\nend\n"
+    expected = text.replace("local x", "local y").replace("return x", "return y")
+    assert expected == renamed(text, "variable", "f.x", "y")
+
+
 def test_a_variable_of_a_loop_that_takes_values_apart_is_renamed():
     text = "for name, age in items(ages):\n    print(name, age)\nend\n"
     assert renamed(text, "variable", "age", "years") == text.replace("age ", "years ").replace(

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from gate import examples
 from learnblock.errors import ProgramError
 from learnblock.language import format as format_program
-from learnblock.language import from_python, parse, to_python
+from learnblock.language import from_python, from_workspace, parse, to_python, to_workspace
 from learnblock.language.tree.nodes import Import, Raw
 from python_scores import meaning
 
@@ -118,7 +118,7 @@ def test_python_with_an_equivalent_is_converted_and_the_rest_is_raw(python, expe
         ),
         (
             "def f():\n    a = 1\n    print(a)\n",
-            "def f():\n    a = 1\n    print(a)\nend\n",
+            "def f():\n    local a = 1\n    print(a)\nend\n",
         ),
         (
             "def f():\n    global a\n    global b\n    print(a)\n    b = 1\n",
@@ -140,16 +140,46 @@ def test_the_variants_of_pupils_need_no_raw_python(python, expected):
 @pytest.mark.parametrize(
     "function",
     [
+        "def f():\n    x, y = 1, 2\n    x += 1\n",
+        "def f():\n    global i\n    for i in xs:\n        pass\n",
+    ],
+)
+def test_a_function_with_variables_that_only_python_has_stays_python(function):
+    assert block_text(function).startswith("`def f()`:\n")
+
+
+@pytest.mark.parametrize(
+    "function",
+    [
         "def f():\n    x = 1\n\nprint(x)\n",
         "def f():\n    x = 1\n    f()\n    print(x)\n",
         "def f():\n    x = 1\n    return lambda: x\n",
         "def f():\n    x = 1\n\ndef g():\n    x = 2\n",
         "def f():\n    x = 1\n    g()\n    print(x)\n\ndef g():\n    f()\n",
-        "def f():\n    global i\n    for i in xs:\n        pass\n",
     ],
 )
-def test_a_function_that_needs_local_variables_keeps_them(function):
-    assert block_text(function).startswith("`def f()`:\n")
+def test_the_variables_of_a_function_stay_its_own(function):
+    text = block_text(function)
+    assert text.startswith("def f():\n    local x = 1\n")
+    assert "global" not in to_python(parse(text)).text
+
+
+FACTORIAL = SKELETON + (
+    "def factorial(n):\n    if n == 0:\n        return 1\n    own = n\n"
+    "    rest = factorial(n - 1)\n    return own * rest\n\n\nanswer = factorial(5)\n"
+)
+
+
+def test_a_recursion_keeps_its_helper_variables_in_all_three_notations():
+    program = from_python(FACTORIAL)
+    text = format_program(program)
+    assert "    local own = n\n    local rest = factorial(n - 1)\n" in text
+    workspace = to_workspace(program, {}).workspace
+    for read in (program, parse(text), from_workspace(workspace, {}).program):
+        written = to_python(read, None).text
+        namespace = {}
+        exec(written.partition("robot = Robot()\n")[2], namespace)  # noqa: S102 - the test's own program
+        assert 120 == namespace["answer"]
 
 
 def test_a_brace_in_a_string_is_not_a_bracket():
