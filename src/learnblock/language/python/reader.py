@@ -447,7 +447,11 @@ class _Reader(PythonReader):
         return When(name, condition, body, comment, span_of(node))
 
     def function_body(self, node: ast.FunctionDef, parameters: tuple[str, ...]) -> Body:
-        body = self.body(node.lineno, node.body, end_of(node) + 1)
+        self.keeps_globals = False
+        try:
+            body = self.body(node.lineno, node.body, end_of(node) + 1)
+        finally:
+            self.keeps_globals = True
         body = self.trailing(body, node)
         if not self.shares_enough(node, body, parameters):
             raise Unlike
