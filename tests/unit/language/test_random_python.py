@@ -38,6 +38,7 @@ def assert_comes_back(text):
     assert_same(read.program, text)
 
 
+@pytest.mark.timeout(1800)  # 2,000 modules with `--all`
 @many
 @given(modules())
 def test_a_random_module_comes_back(text):
@@ -46,6 +47,7 @@ def test_a_random_module_comes_back(text):
 
 FOUND = {
     "global outside a function": "for a in b:\n    if a:\n        global c\n        c = 1\n",
+    "global deep in a function": "def f():\n    while a:\n        global b\n",
     "yield as a decorator": "def f():\n\n    @(yield 1)\n    class C:\n        pass\n",
 }
 

@@ -464,8 +464,10 @@ class _Reader(PythonReader):
         declared = set(written)
         names_of_globals = global_names(body, parameters, self.when_names)
         if self.is_own_style:
-            # What a person wrote keeps its words: a local variable stays local.
-            return written == names_of_globals and len(statements_of_globals) <= 1
+            # What a person wrote keeps its words, and a local variable stays local.
+            every = [inner for inner in ast.walk(node) if isinstance(inner, ast.Global)]
+            in_place = every == statements_of_globals and len(every) <= 1
+            return in_place and written == names_of_globals
         shared = set(names_of_globals)
         needless = declared - shared
         if needless and any(isinstance(found, AnyPython) for found in statements(body)):
