@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from learnblock.language.blocktext.names import state_of
-from learnblock.language.tree.markers import raw_names
+from learnblock.language.tree.markers import defined_names, raw_names, set_names
 from learnblock.language.tree.nodes import (
     AnyPython,
     Def,
@@ -62,6 +62,12 @@ class Symbols:
         """The names that raw Python uses."""
         raw = (node.text for node in statements(self.items) if isinstance(node, AnyPython))
         return {name for text in raw for name in raw_names(text)}
+
+    @cached_property
+    def set_in_python(self) -> set[str]:
+        """The names that lines of Python set, import and define, as spelled there."""
+        raw = (node.text for node in statements(self.items) if isinstance(node, AnyPython))
+        return {name for text in raw for name in defined_names(text) | set_names(text)}
 
     @cached_property
     def items(self) -> tuple[Item, ...]:

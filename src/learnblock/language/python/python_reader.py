@@ -54,8 +54,10 @@ class PythonReader(StatementReader):
             last = decorator.end_lineno or decorator.lineno
             found += self.comments_in(line, last)
             comment = self.comments.get(last)
-            text = "@" + self.one_line(decorator)
-            found.append(PythonLine(text, comment and comment.text, span_of(decorator)))
+            text = self.one_line(decorator)
+            if isinstance(decorator, ast.Yield | ast.YieldFrom):
+                text = f"({text})"  # its brackets are no part of it
+            found.append(PythonLine("@" + text, comment and comment.text, span_of(decorator)))
             line = last + 1
         return [*found, *self.comments_in(line, self.header_end(node.lineno, _body(node)))]
 

@@ -446,10 +446,14 @@ class _Reader(PythonReader):
         return When(name, condition, body, comment, span_of(node))
 
     def function_body(self, node: ast.FunctionDef, parameters: tuple[str, ...]) -> Body:
+        self.keeps_globals = False
         self.first_of_locals = first_of_locals(node)
-        body = self.body(node.lineno, node.body, end_of(node) + 1)
+        try:
+            body = self.body(node.lineno, node.body, end_of(node) + 1)
+        finally:
+            self.keeps_globals = True
+            self.first_of_locals = frozenset()
         body = self.trailing(body, node)
-        self.first_of_locals = frozenset()
         if not self.shares_enough(node, body, parameters):
             raise Unlike
         return body if any(map(acts, body)) else (*body, Pass())
@@ -461,8 +465,10 @@ class _Reader(PythonReader):
         declared = set(written)
         names_of_globals = global_names(body, parameters, self.when_names)
         if self.is_own_style:
-            # What a person wrote keeps its words: a local variable stays local.
-            return written == names_of_globals and len(statements_of_globals) <= 1
+            # What a person wrote keeps its words, and a local variable stays local.
+            every = [inner for inner in ast.walk(node) if isinstance(inner, ast.Global)]
+            in_place = every == statements_of_globals and len(every) <= 1
+            return in_place and written == names_of_globals
         shared = set(names_of_globals)
         needless = declared - shared
         if needless and any(isinstance(found, AnyPython) for found in statements(body)):

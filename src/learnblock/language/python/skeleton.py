@@ -33,7 +33,7 @@ class Skeleton:
 
 def skeleton_of(tree: ast.Module) -> Skeleton | None:
     """The parts of a file, or None if it does not create a robot in this way."""
-    if tree.body and not _mentions_robot(tree):
+    if tree.body and not _has_robot(tree):
         return Skeleton(rest=list(tree.body))
     importing: ast.ImportFrom | None = None
     head: list[ast.stmt] = []
@@ -58,10 +58,16 @@ def skeleton_of(tree: ast.Module) -> Skeleton | None:
     return None
 
 
-def _mentions_robot(tree: ast.Module) -> bool:
-    """Whether a file may create or use a robot."""
+def _has_robot(tree: ast.Module) -> bool:
+    """Whether a file may create a robot, or have a name of one for something else.
+
+    One that only calls skills lacks its robot, which the check says.
+    """
+    called = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
     for node in ast.walk(tree):
         match node:
+            case ast.Name(id="robot", ctx=ast.Load()) if id(node) in called:
+                continue
             case ast.Name(id="robot" | "Robot") | ast.arg(arg="robot" | "Robot"):
                 return True
             case ast.alias(name=name, asname=other):

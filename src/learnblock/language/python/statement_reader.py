@@ -59,11 +59,12 @@ _ELSE = re.compile(r"\s*else\s*[:\\]")
 class StatementReader(CommentReader):
     """Reads statements and bodies.
 
-    `keeps_globals` is whether ``global`` is a statement of its own here, and not implied;
+    `keeps_globals` is whether ``global`` is a statement of its own here, and not implied as at the
+    head of a function with shared variables;
     `is_own_style` whether the file's author did not write it for a robot, and wants it as it is.
     """
 
-    keeps_globals = False
+    keeps_globals = True
     is_own_style = False
     #: The statements that are the first to set a local variable.
     first_of_locals: AbstractSet[ast.stmt] = frozenset()

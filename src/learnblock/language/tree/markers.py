@@ -158,6 +158,17 @@ def variable_names(tree: ast.AST, whens: Container[str] | None = None) -> set[st
     return names
 
 
+def set_names(text: str) -> set[str]:
+    """The variables that Python source sets, and the parameters of its functions."""
+    nodes = ast.walk(parsed(text.removeprefix("@")))
+    return {
+        node.arg if isinstance(node, ast.arg) else node.id
+        for node in nodes
+        if isinstance(node, ast.arg)
+        or (isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store))
+    }
+
+
 def defined_names(text: str) -> set[str]:
     """The names that Python source imports and defines, and those of the errors that it catches."""
     found: set[str] = set()

@@ -193,7 +193,9 @@ class Completer:
         for name in vocabulary.own:
             owner = vocabulary.owner.name if vocabulary.owner else ""
             yield Completion(name, name, "variable", help=self.words.say("parameter", owner=owner))
-        for name in sorted(vocabulary.variables.keys() - vocabulary.own.keys() - {typed}):
+        shown = vocabulary.variables.keys() | vocabulary.symbols.set_in_python
+        others = shown - vocabulary.own.keys() - vocabulary.functions.keys() - {typed}
+        for name in sorted(others):
             yield Completion(name, name, "variable", help=self.words.say("variable"))
 
     def functions(self) -> Iterator[Completion]:

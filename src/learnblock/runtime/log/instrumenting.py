@@ -17,6 +17,7 @@ from learnblock.runtime.log.syntax import (
     changed_list,
     declarations,
     has_yield,
+    is_event,
     is_implicit,
     names_captured,
     names_read,
@@ -238,7 +239,7 @@ class _Instrumenting(ast.NodeTransformer):
             names = (handler.name,) if handler.name else ()
             # Python deletes the name at the end of the block.
             gone = self._deleted(handler.body[-1], names)
-            bound = self._bound(handler.body[0], names)
+            bound = self._bound(handler, names)
             handler.body = [*bound, *self.block(handler.body), *gone]
         node.orelse = self.block(node.orelse)
         node.finalbody = self.block(node.finalbody)
@@ -266,11 +267,13 @@ class _Instrumenting(ast.NodeTransformer):
         more = self._bound(node, tuple(name for name in changed if name not in gone))
         return [node, *self._deleted(node, gone), *more]
 
-    def _bound(self, at: ast.stmt, names: tuple[str, ...]) -> list[ast.stmt]:
-        """Note variables that a statement has written, at the place of another one."""
+    def _bound(self, at: ast.stmt | ast.ExceptHandler, names: tuple[str, ...]) -> list[ast.stmt]:
+        """Note variables that a statement or an ``except`` has written, at the place of another."""
         if not names:
             return []
         number = self.nodes.begin(at, Kind.ASSIGN, writes=names)
+        if isinstance(at, ast.ExceptHandler):
+            self.nodes.end(number, at.lineno)
         return [_statement(WRITE, number, values_of(names), at)]
 
     def _deleted(self, at: ast.stmt, names: tuple[str, ...]) -> list[ast.stmt]:
@@ -281,10 +284,10 @@ class _Instrumenting(ast.NodeTransformer):
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.AST:
         with self.nodes.definition():
-            is_when = bool(node.decorator_list)
+            is_when = any(map(is_event, node.decorator_list))
             condition = -1
             for decorator in node.decorator_list:
-                if isinstance(decorator, ast.Call) and decorator.args:
+                if is_when and isinstance(decorator, ast.Call) and decorator.args:
                     condition = self._instrument_condition(decorator.args[0], Kind.WHEN)
             if condition >= 0:
                 self.nodes.change(condition, name=node.name)
@@ -296,7 +299,7 @@ class _Instrumenting(ast.NodeTransformer):
                 name=node.name,
                 parameters=parameters,
                 is_when=is_when,
-                first=node.decorator_list[0].lineno if is_when else node.lineno,
+                first=min([node.lineno, *(found.lineno for found in node.decorator_list)]),
             )
             self.nodes.enter_function(number)
             if not has_yield(node):

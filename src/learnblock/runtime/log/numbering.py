@@ -10,7 +10,7 @@ from learnblock.runtime.log.nodes import Kind, Node
 from learnblock.runtime.log.snapshots import LONGEST
 
 #: What has a place in the text.
-Placed = ast.stmt | ast.expr
+Placed = ast.stmt | ast.expr | ast.ExceptHandler
 
 
 class Numbering:

@@ -1,6 +1,7 @@
 """What the statements of a program read, write and declare."""
 
 import ast
+from collections import deque
 from collections.abc import Iterable, Iterator, Sequence
 
 #: Methods of lists, dicts and sets that change them.
@@ -8,15 +9,37 @@ _CHANGING = frozenset(
     {"append", "extend", "insert", "remove", "pop", "clear", "sort", "reverse", "update", "add"}
 )
 
+#: Decorators of the robot that make a function an event.
+_EVENTS = frozenset({"when", "when_start"})
+
 
 def names_read(node: ast.AST) -> tuple[str, ...]:
-    """The variables that an expression or statement reads, in the order of its tree."""
-    names = (
-        inner.id
-        for inner in ast.walk(node)
-        if isinstance(inner, ast.Name) and isinstance(inner.ctx, ast.Load)
-    )
-    return tuple(dict.fromkeys(names))
+    """The variables that an expression or statement reads, in the order of its tree.
+
+    The variables of a comprehension or a lambda are its own.
+    """
+    return tuple(dict.fromkeys(_names_read(node)))
+
+
+def _names_read(node: ast.AST) -> Iterator[str]:
+    ahead: deque[tuple[ast.AST, frozenset[str]]] = deque([(node, frozenset())])
+    while ahead:
+        inner, own = ahead.popleft()
+        if isinstance(inner, ast.Name) and isinstance(inner.ctx, ast.Load) and inner.id not in own:
+            yield inner.id
+        own |= _own_names(inner)
+        ahead.extend((part, own) for part in ast.iter_child_nodes(inner))
+
+
+def _own_names(node: ast.AST) -> frozenset[str]:
+    """The variables that an expression has for itself."""
+    match node:
+        case ast.ListComp() | ast.SetComp() | ast.DictComp() | ast.GeneratorExp():
+            targets = (part for loop in node.generators for part in ast.walk(loop.target))
+            return frozenset(part.id for part in targets if isinstance(part, ast.Name))
+        case ast.Lambda():
+            return frozenset(part.arg for part in ast.walk(node.args) if isinstance(part, ast.arg))
+    return frozenset()
 
 
 def names_written(target: ast.expr) -> tuple[str, ...]:
@@ -68,6 +91,12 @@ def declarations(body: Sequence[ast.stmt]) -> Iterable[ast.stmt]:
         if not (is_text or isinstance(statement, ast.Global | ast.Nonlocal)):
             return
         yield statement
+
+
+def is_event(decorator: ast.expr) -> bool:
+    """Whether a decorator makes a function an event of the robot."""
+    function = decorator.func if isinstance(decorator, ast.Call) else decorator
+    return isinstance(function, ast.Attribute) and function.attr in _EVENTS
 
 
 def is_implicit(method: ast.FunctionDef) -> bool:

@@ -6,8 +6,10 @@ The floors may only rise; `scripts/bench foreign_python` prints the scores.
 import pytest
 
 from learnblock.blocks.schema.loading import builtin
-from learnblock.language import check, from_python, parse
+from learnblock.language import check, from_python, parse, to_python
 from learnblock.language import format as format_program
+from learnblock.language.tree.nodes import Raw
+from learnblock.language.tree.traversal import statements
 from python_scores import TURTLEDEMO, scores_of
 
 STATEMENTS_IN_BLOCKS = 99.9
@@ -64,3 +66,32 @@ def test_names_and_calls_of_plain_python_are_left_to_python():
 def test_lines_that_are_no_python_are_reported_without_a_robot_too():
     program = parse("without robot\n`x = = 1`\n")
     assert [found.code for found in check(program, builtin())] == ["invalid-python"]
+
+
+WITHOUT_ITS_ROBOT = """\
+import time
+
+
+def drive():
+    robot.move_straight()
+    time.sleep(1)
+
+
+drive()
+robot.stop_bot()
+"""
+
+
+def test_a_program_that_lacks_only_its_robot_is_blocks_and_the_check_says_how_to_add_it():
+    program = from_python(WITHOUT_ITS_ROBOT)
+    assert not any(isinstance(item, Raw) for item in statements(program.items))
+    assert to_python(program, None).text == WITHOUT_ITS_ROBOT
+    (found,) = check(program, builtin(), python=WITHOUT_ITS_ROBOT)
+    assert found.message.code == "python-no-robot"
+    (found,) = check(parse(format_program(program)), builtin())
+    assert found.message.code == "check-without-robot"
+
+
+def test_adding_the_two_lines_of_the_robot_is_enough():
+    blocktext = format_program(from_python(WITHOUT_ITS_ROBOT)).removeprefix("without robot\n\n")
+    assert check(parse(blocktext), builtin()) == []

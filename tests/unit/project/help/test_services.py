@@ -366,3 +366,32 @@ def test_every_word_and_function_is_explained_in_every_language():
         for key, words in english.items():
             if isinstance(words, dict):
                 assert words.keys() == other[key].keys()
+
+
+PASTED = """\
+import math as m
+
+
+class Dog:
+    def bark(self, times=2):
+        return times
+
+
+try:
+    first, second = 1, 2
+except ValueError as error:
+    print(error)
+with open("x") as file:
+    pass
+"""
+
+
+@pytest.mark.parametrize("notation", ["blocktext", "python"])
+def test_names_that_lines_of_python_set_are_suggested(notation):
+    whole = Document.from_text("", EBO, builtin()).with_text("python", PASTED)
+    text = whole.blocktext if notation == "blocktext" else whole.python
+    found = complete(whole, notation, len(text.split("\n")), 1).options
+    labels = [option.label for option in found if option.sort == "variable"]
+    expected = {"m", "Dog", "bark", "times", "first", "second", "error", "file"}
+    assert expected <= set(labels)
+    assert len(labels) == len(set(labels))
