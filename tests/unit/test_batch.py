@@ -11,7 +11,7 @@ import pytest
 from learnblock import robots, running
 from learnblock.i18n import Phrase, translate
 from learnblock.running import Options, ProgramRun, Report
-from learnblock.running.batch import Batch, WarmProcess, _result
+from learnblock.running.batch import Batch, WarmProcess, checked_result
 from learnblock.running.job import Job
 from learnblock.running.result import RunResult, packed
 from learnblock.running.warm import Prints
@@ -175,6 +175,6 @@ def test_a_program_that_prints_too_much_ends_alike_in_every_process_and_at_its_l
 def test_a_shared_process_is_believed_neither_a_lost_run_nor_an_error_without_words(
     sent, ended, isolated
 ):
-    result = _result(packed(sent), isolated=False)
+    result = checked_result(packed(sent), isolated=False)
     assert (result.report.ended, result.lost, result.isolated) == (ended, "", isolated)
     translate(result.report.message or Phrase(""), "en")

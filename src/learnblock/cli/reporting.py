@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from time import monotonic
-from typing import Any, BinaryIO
+from typing import Any, BinaryIO, Protocol, TypeVar
 
 import click
 
@@ -27,12 +27,16 @@ from learnblock.i18n import Phrase
 from learnblock.project.files.programs import ProgramFile, opened
 from learnblock.robots import RobotEntry
 from learnblock.running import Job, Options, ProgramRun, Report, Source
+from learnblock.running.program_run import Standing
 from learnblock.running.recorded_keys import read_keys
+from learnblock.running.shared_run import SharedRun, can_share
 from learnblock.runtime.ending import How
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.program import Program
 from learnblock.runtime.standby import Standby
 from learnblock.runtime.watcher import Watcher
+
+Result_co = TypeVar("Result_co", covariant=True)
 
 #: The limit of an endless program at full speed, in seconds of the robot's time.
 DEFAULT_SECONDS = 300.0
@@ -47,6 +51,14 @@ EXIT_CODES = {
     # Here, only a signal such as Ctrl-C stops a run.
     How.STOPPED: ExitCode.INTERRUPTED,
 }
+
+
+class _Session(Protocol[Result_co]):
+    """A run that can be made and stopped."""
+
+    def run(self) -> Result_co: ...
+
+    def stop(self) -> None: ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -164,6 +176,17 @@ def _run_found(
 ) -> int:
     with opened_trace(trace) as trace_file, _keyboard(found, as_json=as_json) as keyboard:
         watcher = Collector(keyboard) if as_json else _Terminal(keyboard)
+        shown = 0
+        if not (picture or log) and (job := _shared(found, keyboard, trace_file)):
+            if standby:
+                standby.end()
+            shared = watcher.session = SharedRun(job, watcher)
+            if result := _watched(shared, watcher):
+                if trace_file:
+                    trace_file.write(result.trace)
+                return _reported(result.report, found.job, watcher, as_json=as_json)
+            # It is made again, and prints the same again.
+            standby, shown = None, shared.shown
         session = ProgramRun(
             found.job,
             trace=trace_file,
@@ -173,16 +196,38 @@ def _run_found(
             standby=standby,
         )
         watcher.session = session
-        with stopped_by_signals(session.stop):
-            report = session.run()
-        watcher.clear()
-    _print(replace(report, output=watcher.output), session, as_json=as_json)
+        watcher.skip(shown)
+        code = _reported(_watched(session, watcher), found.job, watcher, as_json=as_json)
     if picture:
         _draw(session, picture)
         print_row("report-label-picture", str(picture))
     if log:
         say_if_not_whole(log)
+    return code
+
+
+def _watched(session: "_Session[Result_co]", watcher: "Collector") -> Result_co:
+    """Make a run, which signals stop."""
+    with stopped_by_signals(session.stop):
+        result = session.run()
+    watcher.clear()
+    return result
+
+
+def _reported(report: Report, job: Job, watcher: "Collector", *, as_json: bool) -> int:
+    """Print the report of a run, and return the exit code."""
+    _print(replace(report, output=watcher.output), job, as_json=as_json)
     return EXIT_CODES.get(How(report.ended), ExitCode.WELL)
+
+
+def _shared(found: Prepared, keyboard: Keyboard, trace: BinaryIO | None) -> Job | None:
+    """The run in one process for host and program; None if that isn't possible."""
+    if not isinstance(keyboard, NoKeys):
+        # A person presses keys meanwhile.
+        return None
+    keys = found.keys.keys if found.keys else None
+    job = replace(found.job, keys=keys, with_trace=trace is not None)
+    return job if can_share(job) else None
 
 
 def _keyboard(found: Prepared, *, as_json: bool) -> AbstractContextManager[Keyboard]:
@@ -229,10 +274,11 @@ class Collector(Watcher):
     """
 
     #: The run whose prints are kept.
-    session: ProgramRun | None = None
+    session: ProgramRun | SharedRun | None = None
 
     def __init__(self, keyboard: Keyboard | None = None) -> None:
         self._parts: list[str] = []
+        self._skipped = 0
         self.keyboard = keyboard or NoKeys()
 
     @property
@@ -243,8 +289,17 @@ class Collector(Watcher):
     def held_keys(self, time: float) -> Collection[str]:
         return self.keyboard.held(time)
 
+    def skip(self, characters: int) -> None:
+        """Leave out the next characters that are printed: they are here already."""
+        self._skipped = characters
+
     def printed(self, text: str) -> None:
-        self._parts.append(text)
+        self._parts.append(self._new(text))
+
+    def _new(self, text: str) -> str:
+        new = text[self._skipped :]
+        self._skipped -= len(text) - len(new)
+        return new
 
     def clear(self) -> None:
         """Leave the terminal as it is."""
@@ -261,7 +316,7 @@ class _Terminal(Collector):
 
     def printed(self, text: str) -> None:
         self.clear()
-        click.echo(visible(text), nl=False)
+        click.echo(visible(self._new(text)), nl=False)
 
     def input(self, prompt: str) -> str | None:
         self.clear()
@@ -272,22 +327,21 @@ class _Terminal(Collector):
         now = monotonic()
         if self._live and self.session and now - self._drawn > STATUS_PERIOD:
             self._drawn = now
-            click.echo(f"\r\x1b[K{self._status(self.session, now)}", nl=False, err=True)
+            click.echo(f"\r\x1b[K{self._status(self.session.standing, now)}", nl=False, err=True)
 
     def clear(self) -> None:
         if self._live:
             click.echo("\r\x1b[K", nl=False, err=True)
 
-    def _status(self, session: ProgramRun, now: float) -> str:
-        recorder, client = session.recorder, session.client
-        if recorder is None or client is None:
+    def _status(self, standing: Standing | None, now: float) -> str:
+        if standing is None:
             return text(Phrase("report-connecting"))
-        parts = [f"{recorder.time():7.1f} s"]
-        if pose := client.where():
+        parts = [f"{standing.time:7.1f} s"]
+        if pose := standing.pose:
             parts.append("({:.0f}, {:.0f}) mm  {:.0f}°".format(*pose))
-        if recorder.emotions:
-            parts.append(recorder.emotions[-1])
-        speed = recorder.time() / max(now - self._started, 0.001)
+        if standing.emotion:
+            parts.append(standing.emotion)
+        speed = standing.time / max(now - self._started, 0.001)
         parts.append(text(Phrase("report-speed", factor=decimal(speed))))
         return visible("  ".join(parts))
 
@@ -363,19 +417,19 @@ def _draw(session: ProgramRun, path: Path) -> None:
     draw({"robot": (session.client, session.recorder)}, path, title)
 
 
-def _print(report: Report, session: ProgramRun, *, as_json: bool) -> None:
+def _print(report: Report, job: Job, *, as_json: bool) -> None:
     if as_json:
         print_json(report)
         return
-    for label, value in _rows(report, session):
+    for label, value in _rows(report, job):
         print_row(label, value)
 
 
-def _rows(report: Report, session: ProgramRun) -> Iterator[tuple[str, str]]:
+def _rows(report: Report, job: Job) -> Iterator[tuple[str, str]]:
     """The rows of the report: the code of the label, and the value."""
-    yield from ending_rows(report, session.job.options.seconds)
+    yield from ending_rows(report, job.options.seconds)
     for goal in report.goals:
         yield "report-label-goal", goal_row(goal)
-    yield from effect_rows(report, session.job.robot.name)
+    yield from effect_rows(report, job.robot.name)
     if report.trace_sha256:
         yield "report-label-trace", short(report.trace_sha256)

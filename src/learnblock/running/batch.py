@@ -129,7 +129,7 @@ class Batch:
             process.send(packed(jobs, self._at_once))
             for index, isolated, data in self._received(process, len(numbers)):
                 received += 1
-                yield numbers[index], _result(data, isolated=isolated)
+                yield numbers[index], checked_result(data, isolated=isolated)
         finally:
             # One that was left in the middle of a batch can't be given another.
             if kept is None or self._is_stopped or received < len(numbers):
@@ -196,6 +196,21 @@ def processors() -> int:
     return os.cpu_count() or 1
 
 
+def checked_result(data: bytes, *, isolated: bool) -> RunResult:
+    """The result that a child has sent; a program that was not isolated may have had a part."""
+    try:
+        sent = unpacked(data)
+        How(sent.report.ended)
+    except (msgspec.MsgspecError, ValueError):
+        return RunResult(_failed(How.KILLED, Phrase("run-link-closed")))
+    message = sent.report.message
+    if message is not None and not is_sayable(message):
+        reason = refused("an error that is not known").phrase
+        return RunResult(_failed(How.ERROR, reason), isolated=isolated)
+    # Only a host that no program shares can say that a run is lost.
+    return RunResult(sent.report, sent.trace, isolated, sent.lost if isolated else "")
+
+
 def _start(handle: int) -> "subprocess.Popen[bytes]":
     # -P: as for programs, which may run in it.
     command = [sys.executable, "-P", "-m", warm.__name__, str(handle)]
@@ -218,21 +233,6 @@ def _start(handle: int) -> "subprocess.Popen[bytes]":
         # Ctrl-C is for us: we decide how the runs end.
         start_new_session=True,
     )
-
-
-def _result(data: bytes, *, isolated: bool) -> RunResult:
-    """The result that a child has sent; a program that was not isolated may have had a part."""
-    try:
-        sent = unpacked(data)
-        How(sent.report.ended)
-    except (msgspec.MsgspecError, ValueError):
-        return RunResult(_failed(How.KILLED, Phrase("run-link-closed")))
-    message = sent.report.message
-    if message is not None and not is_sayable(message):
-        reason = refused("an error that is not known").phrase
-        return RunResult(_failed(How.ERROR, reason), isolated=isolated)
-    # Only a host that no program shares can say that a run is lost.
-    return RunResult(sent.report, sent.trace, isolated, sent.lost if isolated else "")
 
 
 def _failed(how: How, message: Phrase) -> Report:

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Collection
 from contextlib import nullcontext
+from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -9,6 +10,7 @@ import msgspec
 
 from learnblock import robots
 from learnblock.client import Client
+from learnblock.devices import Pose
 from learnblock.errors import LearnBlockError, MissingDeviceError
 from learnblock.i18n import Phrase
 from learnblock.running.job import Job
@@ -34,6 +36,21 @@ if TYPE_CHECKING:
 
 #: What a robot with this equipment lacks that the program needs; None if it lacks nothing.
 Lacking = Callable[[frozenset[str]], Phrase | None]
+
+
+@dataclass(frozen=True, slots=True)
+class Standing:
+    """The state of a run that goes on, for people.
+
+    Args:
+        time: seconds of the robot's time.
+        pose: where the robot thinks it is, or None.
+        emotion: the emotion that it shows; "" for none.
+    """
+
+    time: float
+    pose: Pose | None
+    emotion: str
 
 
 class ProgramRun:
@@ -103,6 +120,15 @@ class ProgramRun:
     def client(self) -> Client | None:
         """The robot in the host, once the program has created it."""
         return self._run.client
+
+    @property
+    def standing(self) -> Standing | None:
+        """The state of the run; None before there is a robot."""
+        recorder, client = self.recorder, self.client
+        if recorder is None or client is None:
+            return None
+        emotions = recorder.emotions
+        return Standing(recorder.time(), client.where(), emotions[-1] if emotions else "")
 
     @property
     def is_deterministic(self) -> bool:

@@ -167,7 +167,7 @@ def _skill_modules() -> Iterator[str]:
     return (module.name for module in iter_modules(skills.__path__, f"{skills.__name__}."))
 
 
-def _is_shared(job: Job) -> bool:
+def is_shared(job: Job) -> bool:
     """Whether the program shares a process with its robot."""
     # The network is for programs that import something, which have a process of their own.
     return is_plain(job.program) and not job.options.network and not job.isolated
@@ -196,7 +196,7 @@ class _Warm:
         self._jobs = jobs
         self._at_once = at_once
         #: The runs to be made: the index of each job, and whether its program is isolated.
-        self._waiting = deque((number, not _is_shared(job)) for number, job in enumerate(jobs))
+        self._waiting = deque((number, not is_shared(job)) for number, job in enumerate(jobs))
         #: The runs that are being made, by the end of the pipe at which their results arrive.
         self._children: dict[int, _Child] = {}
         #: The runs whose child died once: the index of each job, and whether it was isolated.
@@ -311,7 +311,7 @@ def _be_child(job: Job, handle: int, programs: ForkServer | None) -> NoReturn:
     try:
         kernel.die_with_parent(signal.SIGKILL)
         signal.signal(signal.SIGTERM, signal.SIG_DFL)
-        _write(handle, packed(_isolated(job, programs) if programs else _together(job)))
+        _write(handle, packed(_isolated(job, programs) if programs else made_together(job)))
         status = 0
     except Exception as error:  # noqa: BLE001 - our mistake, or the system's: see `_Warm._finish`
         _write(handle, f"{type(error).__name__}: {error}".encode()[:_LONGEST_CAUSE])
@@ -351,8 +351,18 @@ def _is_not_contained(report: Report) -> bool:
     return report.message is not None and report.message.code == NOT_CONTAINED
 
 
-def _together(job: Job) -> RunResult:
-    """The run of a plain program in this process."""
+def made_together(
+    job: Job,
+    prints: Prints | None = None,
+    prepare: Callable[[ProgramRun], object] = lambda _: None,
+) -> RunResult:
+    """The run of a plain program in this process, which is contained from now on.
+
+    Args:
+        job: the run.
+        prints: takes what the program prints, instead of the result.
+        prepare: is called before the run.
+    """
     contain_host(job.limits, job.options.world)
     workers: list[InlineWorker] = []
 
@@ -360,7 +370,11 @@ def _together(job: Job) -> RunResult:
         workers.append(InlineWorker())
         return workers[0]
 
-    return _made(job, lambda _: _end_if_silent(job.limits, workers), worker)
+    def begin(run: ProgramRun) -> None:
+        _end_if_silent(job.limits, workers)
+        prepare(run)
+
+    return _made(job, begin, worker, prints=prints)
 
 
 def _end_if_silent(limits: Limits, workers: list[InlineWorker]) -> None:
@@ -385,9 +399,10 @@ def _made(
     prepare: Callable[[ProgramRun], object],
     worker: Callable[[], Worker] = ProcessWorker,
     standby: Standby | None = None,
+    prints: Prints | None = None,
 ) -> RunResult:
     """Make a run."""
-    prints, trace = Prints(job.keys), trace_of(job)
+    prints, trace = prints or Prints(job.keys), trace_of(job)
     run = ProgramRun(job, trace=trace, watcher=prints, worker=worker, standby=standby)
     prepare(run)
     report = replace(run.run(), output=prints.text)

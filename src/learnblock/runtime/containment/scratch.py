@@ -6,7 +6,7 @@ import stat
 import subprocess
 import tempfile
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, wait
 from contextlib import suppress
 from typing import NamedTuple
 
@@ -50,10 +50,10 @@ class Scratch:
         if not self._is_removed:
             self._is_removed = True
             removing = self._keeper.submit(_remove, self.path)
-            self._keeper.shutdown(wait=False)
             # Slower work, such as on a network drive, continues without its run.
-            with suppress(TimeoutError):
-                removing.result(_REMOVING)
+            _, slower = wait([removing], _REMOVING)
+            # Its thread ends, too, so that a process which has no other one may fork.
+            self._keeper.shutdown(wait=not slower)
 
 
 def _make() -> str:

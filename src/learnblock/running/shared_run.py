@@ -1,0 +1,216 @@
+"""One's own run of a plain program: host and program share a contained process.
+
+It is forked from this process, and tells what the program prints as soon as it prints it.
+"""
+
+import os
+import re
+import select
+import signal
+import socket
+import threading
+from collections.abc import Iterator
+from contextlib import suppress
+from time import monotonic
+from typing import NoReturn
+
+import msgspec
+
+from learnblock.running import warm
+from learnblock.running.batch import CAN_FORK, checked_result
+from learnblock.running.job import Job
+from learnblock.running.program_run import ProgramRun, Standing
+from learnblock.running.report import Report
+from learnblock.running.result import RunResult, packed
+from learnblock.runtime.ending import How
+from learnblock.runtime.escalation import PATIENCE
+from learnblock.runtime.watcher import Watcher
+
+#: Seconds between two messages on where the robot is, and between two turns of the watcher.
+PERIOD = 0.1
+#: The bytes before a message that say how long it is.
+_LENGTH = 8
+_CHUNK = 1 << 16
+#: A call of Python's `input`, or what looks like one: it needs an answer in the middle of a run.
+_ASKS = re.compile(r"\binput\s*\(")
+
+
+class ShownText(msgspec.Struct, tag=True, frozen=True):
+    """The program has printed something."""
+
+    text: str
+
+
+class MadeRun(msgspec.Struct, tag=True, frozen=True):
+    """The run has ended; `result` is packed."""
+
+    result: bytes
+
+
+class WhereNow(msgspec.Struct, tag=True, frozen=True):
+    """The robot's state by now."""
+
+    standing: Standing
+
+
+_Message = ShownText | MadeRun | WhereNow
+_decode = msgspec.msgpack.Decoder(_Message).decode
+
+
+def can_share(job: Job) -> bool:
+    """Whether host and program of a run may share a process, and nothing has to be answered."""
+    is_simulated = job.robot.load().lockstep
+    asks = _ASKS.search(job.program.python) is not None
+    return CAN_FORK and is_simulated and not asks and warm.is_shared(job)
+
+
+# Why: docs/decisions.md, "learnblock run needs one process for a plain program"
+class SharedRun:
+    """A run in a contained child of this process.
+
+    Args:
+        job: the run, which `can_share`.
+        watcher: gets what the program prints, and a turn every now and then.
+    """
+
+    def __init__(self, job: Job, watcher: Watcher) -> None:
+        self.job = job
+        #: Where the robot is by now; None before that is known.
+        self.standing: Standing | None = None
+        #: How much of what the program prints the watcher has got.
+        self.shown = 0
+        self._watcher = watcher
+        self._child = 0
+        self._deadline: float | None = None
+
+    def run(self) -> RunResult | None:
+        """Make the run; None if that isn't possible, and the program needs its own process."""
+        if threading.active_count() > 1:
+            # Another thread may hold a lock, which would stay locked in the child.
+            return None
+        ours, theirs = socket.socketpair()
+        child = os.fork()
+        if child == 0:
+            self._be_child(theirs)
+        self._child = child
+        if self._deadline:
+            os.kill(child, signal.SIGTERM)
+        theirs.close()
+        with ours:
+            result = self._received(ours)
+        # Its end of the connection is closed, or what it sends can't be true.
+        os.kill(child, signal.SIGKILL)
+        os.waitpid(child, 0)
+        if result is None and self._deadline:
+            return RunResult(Report(ended=How.STOPPED))
+        return result
+
+    def stop(self) -> None:
+        """End the run within a second or two; a signal's handler may call it."""
+        self._deadline = monotonic() + PATIENCE.stopped + PATIENCE.killed
+        # In the child there is none: it looks at the deadline before it begins.
+        if self._child:
+            os.kill(self._child, signal.SIGTERM)
+
+    def _received(self, connection: socket.socket) -> RunResult | None:
+        """Pass on what the child says, and return its result."""
+        data = bytearray()
+        while self._deadline is None or monotonic() < self._deadline:
+            if select.select([connection], [], [], PERIOD)[0]:
+                received = connection.recv(_CHUNK)
+                data += received
+                if not received or len(data) > warm.LARGEST:
+                    return None
+                for message in _taken(data):
+                    if isinstance(message, MadeRun):
+                        return checked_result(message.result, isolated=False)
+                    self._accept(message)
+            self._watcher.tick()
+        return None
+
+    def _accept(self, message: ShownText | WhereNow | None) -> None:
+        if isinstance(message, ShownText):
+            self.shown += len(message.text)
+            self._watcher.printed(message.text)
+        elif message is not None:
+            self.standing = message.standing
+
+    def _be_child(self, connection: socket.socket) -> NoReturn:
+        """Make the run in this process, send its result, and end."""
+        status = 1
+        try:
+            _keep_only(connection.fileno())
+            told = _Told(connection)
+            watcher = _Prints(self.job, told)
+            made = warm.made_together(self.job, watcher, lambda run: self._prepare(run, told))
+            told.tell(MadeRun(packed(made)))
+            status = 0
+        finally:
+            # The child must not clean up for its parent, nor say why it failed: it is run again.
+            os._exit(status)
+
+    def _prepare(self, run: ProgramRun, told: "_Told") -> None:
+        # Ctrl-C in a terminal reaches this process, too: our parent decides how the run ends.
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+        signal.signal(signal.SIGTERM, lambda *_: run.stop())
+        if self._deadline:
+            run.stop()
+        threading.Thread(target=told.tell_where, args=(run,), daemon=True).start()
+
+
+class _Told:
+    """What the child tells its parent.
+
+    Args:
+        connection: to the parent.
+    """
+
+    def __init__(self, connection: socket.socket) -> None:
+        self._connection = connection
+        self._lock = threading.Lock()
+
+    def tell(self, message: ShownText | MadeRun | WhereNow) -> None:
+        """Send a message."""
+        data = msgspec.msgpack.encode(message)
+        with self._lock:
+            self._connection.sendall(len(data).to_bytes(_LENGTH) + data)
+
+    def tell_where(self, run: ProgramRun) -> None:
+        """Tell again and again where the robot is."""
+        ended = threading.Event()
+        while not ended.wait(PERIOD):
+            if standing := run.standing:
+                self.tell(WhereNow(standing))
+
+
+class _Prints(warm.Prints):
+    """Tells the parent what the program prints."""
+
+    def __init__(self, job: Job, told: _Told) -> None:
+        super().__init__(job.keys)
+        self._told = told
+
+    def printed(self, text: str) -> None:
+        self._told.tell(ShownText(text))
+
+
+def _taken(data: bytearray) -> Iterator[_Message | None]:
+    """The messages that have arrived as a whole; None for what is none."""
+    while len(data) >= _LENGTH:
+        end = _LENGTH + int.from_bytes(data[:_LENGTH])
+        if len(data) < end:
+            return
+        message = None
+        with suppress(msgspec.MsgspecError):
+            message = _decode(data[_LENGTH:end])
+        del data[:end]
+        yield message
+
+
+def _keep_only(handle: int) -> None:
+    """Close all files but one: a program that got out could use them."""
+    nowhere = os.open(os.devnull, os.O_RDWR)
+    for standard in (0, 1, 2):
+        os.dup2(nowhere, standard)
+    os.closerange(3, handle)
+    os.closerange(handle + 1, os.sysconf("SC_OPEN_MAX"))
