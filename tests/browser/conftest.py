@@ -13,7 +13,7 @@ from urllib.parse import urlencode, urlsplit
 import pytest
 from playwright.sync_api import Browser, Error, expect, sync_playwright
 
-from browser.pupil import TIMEOUT, Pupil
+from browser.pupil import FLAT, TIMEOUT, Pupil
 from gate import in_gate
 from learnblock.project.files.folder import ProjectFolder
 from learnblock.server.messages import New
@@ -179,6 +179,33 @@ def sit_down(browser: Browser, request):
     errors = [error for pupil in pupils for error in pupil.errors]
     for pupil in pupils:
         _leave(pupil)
+    assert errors == []
+
+
+@pytest.fixture
+def desk(browser):
+    """A function that opens a page in a browser of its own; an uncaught error fails the test."""
+    contexts, errors = [], []
+
+    def sit_down(address, width=1366, height=768, **options):
+        viewport = {"width": width, "height": height}
+        context = browser.new_context(viewport=viewport, locale="en", **options)
+        context.set_default_timeout(20_000)
+        # Nobody looks at the world here, which takes half of the time in which a page opens.
+        context.add_init_script(FLAT)
+        context.add_init_script(
+            "localStorage['learnblock.preferences'] ??= JSON.stringify("
+            "{tourDone: true, sound: false, theme: 'light'})"
+        )
+        contexts.append(context)
+        page = context.new_page()
+        page.on("pageerror", lambda error: errors.append(error.stack or str(error)))
+        page.goto(address)
+        return page
+
+    yield sit_down
+    for context in contexts:
+        context.close()
     assert errors == []
 
 

@@ -12,7 +12,7 @@ import pytest
 from playwright.sync_api import expect
 
 from browser.conftest import ARTEFACTS
-from browser.pupil import FLAT, LONGEST_RUN
+from browser.pupil import LONGEST_RUN
 from browser.test_accessibility import faults
 from classes import opened
 
@@ -25,33 +25,6 @@ PREDICTION = "On the blue line"
 def room(tmp_path):
     with opened(tmp_path / "teacher") as one:
         yield one
-
-
-@pytest.fixture
-def desk(browser):
-    """A function that opens a page in a browser of its own; an uncaught error fails the test."""
-    contexts, errors = [], []
-
-    def sit_down(address, width=1366, height=768, **options):
-        viewport = {"width": width, "height": height}
-        context = browser.new_context(viewport=viewport, locale="en", **options)
-        context.set_default_timeout(20_000)
-        # Nobody looks at the world here, which takes half of the time in which a page opens.
-        context.add_init_script(FLAT)
-        context.add_init_script(
-            "localStorage['learnblock.preferences'] ??= JSON.stringify("
-            "{tourDone: true, sound: false, theme: 'light'})"
-        )
-        contexts.append(context)
-        page = context.new_page()
-        page.on("pageerror", lambda error: errors.append(error.stack or str(error)))
-        page.goto(address)
-        return page
-
-    yield sit_down
-    for context in contexts:
-        context.close()
-    assert errors == []
 
 
 def picture(page, name):

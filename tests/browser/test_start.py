@@ -274,18 +274,6 @@ def _file(server, name):
     return (server.home / "projects" / f"{name}.learnblock").read_text("utf-8")
 
 
-def test_teachers_are_told_what_learnblock_grade_does(own_server, sit_down):
-    teacher = sit_down(own_server, start=True, flat=True)
-    teacher.page.get_by_role("button", name="For teachers").click()
-    expect(teacher.dialog()).to_contain_text("Grade a whole class")
-    teacher.picture("teachers")
-    teacher.dialog().get_by_role("button", name="What learnblock grade does").click()
-    expect(teacher.dialog()).to_contain_text("No mark is final")
-    expect(teacher.dialog()).to_contain_text("learnblock grade class-7b --lesson 1-03-square")
-    teacher.dialog().get_by_role("button", name="Back").click()
-    expect(teacher.dialog()).to_contain_text("Choose the blocks")
-
-
 def test_undo_has_no_effect_on_the_start_page(sit_down, server):
     pupil = sit_down(server, empty=True, flat=True)
     name = pupil.name_of_project()

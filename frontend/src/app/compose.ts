@@ -13,6 +13,7 @@ import { RobotMaker } from "../features/new-robot/robot-maker";
 import { RobotSettings } from "../features/robot-settings/robot-settings";
 import { Share } from "../features/share/share";
 import { TagDictionary } from "../features/tags/tag-dictionary";
+import { Classes } from "../features/teachers/classes";
 import { Worlds } from "../features/worlds/worlds";
 import { t } from "../i18n";
 import { Announcer } from "../model/announcer";
@@ -81,6 +82,7 @@ function makeStores(connection: Connection, toasts: Toasts, dialogs: Dialogs) {
   return {
     blockSets: new BlockSets(connection),
     classNews: new ClassNews(connection),
+    classes: new Classes(connection),
     connect: new Connect(connection),
     containment: new Containment(connection, toasts, () => dialogs.show("containment")),
     customBlocks: new CustomBlocks(connection),

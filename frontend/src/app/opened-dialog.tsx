@@ -25,8 +25,8 @@ import { RobotCountDialog } from "../features/robot-tabs/count";
 import { RenameRobotDialog } from "../features/robot-tabs/rename";
 import { RunDialog } from "../features/runs/dialogs";
 import { SettingsDialog, ShortcutsDialog } from "../features/settings/dialogs";
-import { GradingDialog, TeachersDialog } from "../features/start/teachers";
 import { TagsDialog } from "../features/tags/dialog";
+import { GradingDialog } from "../features/teachers/topics";
 import { RenameWorldDialog } from "../features/worlds/rename";
 import { WorldVariantDialog } from "../features/worlds/variant";
 import { t } from "../i18n";
@@ -60,7 +60,6 @@ const DIALOGS = {
   libraries: LibrariesDialog,
   containment: ContainmentDialog,
   otherDevice: OtherDeviceDialog,
-  teachers: TeachersDialog,
   grading: GradingDialog,
   lessonEditor: LessonEditorDialog,
   callsBeside: CallsBesideDialog,

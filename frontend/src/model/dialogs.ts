@@ -29,7 +29,6 @@ export type DialogName =
   | "containment"
   | "otherDevice"
   | "callsBeside"
-  | "teachers"
   | "grading"
   | "lessonEditor"
   | ProjectDialogName

@@ -12,13 +12,14 @@ A block set is a TOML file; the user's are in the folder ``sets`` of `home`:
 A set may name blocks that do not exist here, such as another user's custom blocks.
 """
 
+import os
 import re
 import unicodedata
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 from types import MappingProxyType
-from typing import Annotated, NoReturn
+from typing import Annotated, Literal, NoReturn, get_args
 
 import msgspec
 from msgspec import Meta, Struct
@@ -29,9 +30,12 @@ from learnblock.storage import toml_source
 from learnblock.storage.files import is_device_name, save
 from learnblock.storage.home import home
 
+BuiltIn = Literal["first-steps", "loops-and-functions", "senses", "events", "everything"]
 #: The built-in sets, in the order of the lessons.
-BUILT_IN = ("first-steps", "loops-and-functions", "senses", "events", "everything")
-EVERYTHING = "everything"
+BUILT_IN: tuple[BuiltIn, ...] = get_args(BuiltIn)
+EVERYTHING: BuiltIn = "everything"
+#: Names the built-in set with which projects begin, as the teacher of a class has chosen.
+VARIABLE = "LEARNBLOCK_BLOCKS"
 MOST_NAMES = 1000
 MOST_OWN = 200
 
@@ -79,6 +83,12 @@ class BlockSet(Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=Tr
     description: Annotated[dict[Language, Description], Meta(max_length=50)] = {}
     show: BlockNames = BlockNames()
     hide: BlockNames = BlockNames()
+
+
+def of_new_projects() -> str:
+    """The name of the built-in set with which a project begins."""
+    chosen = os.environ.get(VARIABLE, EVERYTHING)
+    return chosen if chosen in BUILT_IN else EVERYTHING
 
 
 @cache

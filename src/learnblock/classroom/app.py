@@ -43,6 +43,10 @@ _FORBIDDEN, _TOO_MANY, _TRY_LATER = 4403, 4429, 1013
 _LONGEST_JOIN = 2000
 #: Seconds for which a browser keeps a badge: a school year.
 _YEAR = 365 * 24 * 3600
+#: Goes to the wall without the key in its address.
+_TO_WALL = (
+    '<!doctype html><title>LearnBlock</title><meta http-equiv="refresh" content="0;url=teacher">'
+)
 _GZIP = Middleware(GZipMiddleware, minimum_size=1000, compresslevel=5)
 _join = msgspec.json.Decoder(ours.Join)
 
@@ -157,7 +161,8 @@ class _Door:
                 return await page(request) if self._visitors.is_teacher(request) else _forbidden()
             if not self._badges.is_key(key):
                 return _forbidden()
-            response = RedirectResponse(request.url.replace(query=""))
+            # Browsers keep a strict cookie back from where a link on another page redirects to.
+            response = HTMLResponse(_TO_WALL, headers={"cache-control": "no-store"})
             self._give(response, self._visitors.teachers_cookie, self._badges.of_teacher())
             return response
 
@@ -239,7 +244,8 @@ class _Door:
         try:
             with nullcontext() if is_teacher else desk.opening():
                 place = await self._room.place(pupil)
-                await Relay(socket, desk, is_teacher=is_teacher).serve(place)
+                first = None if is_teacher else await self._room.first_lesson(pupil)
+                await Relay(socket, desk, is_teacher=is_teacher).serve(place, first)
         except TooManyPagesError as error:
             await _close(socket, _TOO_MANY, error.phrase)
         except (LearnBlockError, OSError, InvalidHandshake, InvalidMessage):

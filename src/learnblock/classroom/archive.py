@@ -23,12 +23,13 @@ def export(roster: Roster, pupils: Iterable[Pupil]) -> bytes:
             # The PIN is left out: it gives access, and an export doesn't need it.
             about = {"name": pupil.name, "id": pupil.id, "joined": pupil.joined}
             archive.writestr(f"{top}/pupil.json", msgspec.json.encode(about))
-            for path, name in _files(roster.folder_of(pupil)):
+            for path, name in files_in(roster.folder_of(pupil)):
                 archive.write(path, f"{top}/{name}")
     return packed.getvalue()
 
 
-def _files(folder: Path) -> Iterator[tuple[Path, str]]:
+def files_in(folder: Path) -> Iterator[tuple[Path, str]]:
+    """The files in a folder, with their paths inside; links are left out."""
     for path in sorted(folder.rglob("*")):
         # A link could lead out of the folder.
         if path.is_file() and not path.is_symlink():

@@ -12,6 +12,8 @@ from urllib.parse import urlsplit
 
 import msgspec
 
+from learnblock.blocks import block_sets
+from learnblock.blocks.block_sets import EVERYTHING, BuiltIn
 from learnblock.classroom import limits
 from learnblock.classroom.memory import watch_programs
 from learnblock.classroom.pupil_folder import HOME, PROJECTS, TEMPORARY
@@ -39,12 +41,14 @@ class Order(msgspec.Struct, frozen=True):
         folder: the pupil's folder.
         base_url: the path of the pupil's page.
         token: with which the classroom comes in.
+        blocks: the block set with which the pupil's own projects begin.
     """
 
     pupil: str
     folder: str
     base_url: str
     token: str
+    blocks: BuiltIn = EVERYTHING
 
 
 # Why: docs/decisions.md, "Each pupil has a process"
@@ -62,6 +66,7 @@ def run(order: Order, started: Callable[[int], object]) -> None:
         "LEARNBLOCK_HOME": str(folder / HOME),
         "LEARNBLOCK_ROBOTS": "simulated",
         "TMPDIR": str(folder / TEMPORARY),
+        block_sets.VARIABLE: order.blocks,
         quota.VARIABLE: quota.setting(limits.DISK, folder),
         VARIABLE: order.token,
     }

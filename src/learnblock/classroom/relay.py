@@ -78,8 +78,13 @@ class Relay:
         with suppress(RuntimeError, WebSocketDisconnect):
             await self._page.close(_FORBIDDEN)
 
-    async def serve(self, place: "Place") -> None:
-        """Pass messages on until the page or the pupil's server is gone."""
+    async def serve(self, place: "Place", first: messages.Message | None = None) -> None:
+        """Pass messages on until the page or the pupil's server is gone.
+
+        Args:
+            place: the pupil's server.
+            first: a message that the server gets first on behalf of the page.
+        """
         async with connect(
             f"ws://{place.host}{place.base_url}ws?{SEAT}",
             subprotocols=[SUBPROTOCOL, place.token],  # type: ignore[list-item] # plain strings
@@ -92,6 +97,8 @@ class Relay:
         ) as server:
             self._server = server
             self._desk.joined(self)
+            if first:
+                await self.order(first)
             try:
                 await self._pass_on(server)
             finally:

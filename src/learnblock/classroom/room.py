@@ -6,10 +6,12 @@ from typing import Protocol
 
 from learnblock.classroom.desk import Desk
 from learnblock.classroom.pins import Picture
+from learnblock.classroom.pupil_folder import PROJECTS
 from learnblock.classroom.roster import Pupil, Roster
 from learnblock.classroom.servers import Place, Servers
 from learnblock.errors import LearnBlockError
 from learnblock.lessons.lesson import LessonText
+from learnblock.project.files.folder import ProjectFolder
 from learnblock.server import messages
 
 #: The most names of new pupils who have asked to be let in; there are not that many children.
@@ -47,7 +49,7 @@ class Room:
         #: The walls and projectors that are open.
         self.boards: set[RoomBoard] = set()
         self.desks: dict[str, Desk] = {}
-        self._servers = Servers(ended=lambda _: self.changed())
+        self._servers = Servers(lambda _: self.changed(), roster.blocks)
         self._ending: dict[str, asyncio.Task[None]] = {}
         for pupil in roster.pupils:
             self._seat(pupil)
@@ -99,6 +101,13 @@ class Room:
         if ending := self._ending.pop(pupil.id, None):
             ending.cancel()
         return await self._servers.place(pupil.id, self.roster.folder_of(pupil))
+
+    async def first_lesson(self, pupil: Pupil) -> messages.StartLesson | None:
+        """The lesson with which a pupil begins; None if there is none, or a project already."""
+        lesson, project = self.roster.lesson, self.roster.project
+        if lesson is None or await asyncio.to_thread(self._has_begun, pupil):
+            return None
+        return messages.StartLesson(lesson, project or lesson)
 
     def left(self, pupil: Pupil) -> None:
         """Record that a page has gone; after the last one, the server is stopped with a delay."""
@@ -152,6 +161,10 @@ class Room:
         self.desks.pop(pupil.id, None)
         if self.projected == pupil.id:
             self.projected = None
+
+    def _has_begun(self, pupil: Pupil) -> bool:
+        folder = ProjectFolder(self.roster.folder_of(pupil) / PROJECTS, read_only=True)
+        return any(folder.entries())
 
     def _seat(self, pupil: Pupil) -> Desk:
         desk = self.desks[pupil.id] = Desk(pupil, self.changed)

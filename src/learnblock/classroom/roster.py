@@ -12,9 +12,11 @@ from typing import Annotated
 import msgspec
 
 from learnblock import names
+from learnblock.blocks.block_sets import EVERYTHING, BuiltIn
 from learnblock.classroom.join_words import new_join_word
 from learnblock.classroom.pins import Picture, Pin, new_pictures
 from learnblock.errors import LearnBlockError
+from learnblock.project.files.lesson_folder import LessonName
 from learnblock.storage.files import save
 from learnblock.storage.home import home
 
@@ -67,6 +69,9 @@ class ClassFile(msgspec.Struct, frozen=True):
         secret: signs what browsers keep.
         open: whether new pupils can join.
         expected: how many pupils may join before the teacher is asked.
+        lesson: with which pupils begin who have no project yet; None for none.
+        project: the name of the projects that are made for it.
+        blocks: the block set of the projects that pupils begin themselves.
         pupils: in the order in which they joined.
     """
 
@@ -77,6 +82,9 @@ class ClassFile(msgspec.Struct, frozen=True):
     secret: str
     open: bool = True
     expected: int = EXPECTED
+    lesson: LessonName | None = None
+    project: str = ""
+    blocks: BuiltIn = EVERYTHING
     pupils: tuple[Pupil, ...] = ()
 
 
@@ -99,8 +107,11 @@ class Roster:
         self._lock = threading.Lock()
         #: Checked where there is no such pupil, so that a stranger can't tell by the time it takes.
         self._unused_pin = Pin.of(new_pictures())
-        self._file = _read(folder / FILE) or _new_class(title)
-        self._save(self._file)
+        file = read_class(folder)
+        self._file = file or _new_class(title)
+        # Another process may write to one that is there, as while an open class is graded.
+        if file is None:
+            self._save(self._file)
 
     @property
     def title(self) -> str:
@@ -128,9 +139,28 @@ class Roster:
         return self._file.open
 
     @property
+    def lesson(self) -> str | None:
+        """The lesson with which pupils begin who have no project yet."""
+        return self._file.lesson
+
+    @property
+    def project(self) -> str:
+        """The name of the projects that are made for that lesson."""
+        return self._file.project
+
+    @property
+    def blocks(self) -> BuiltIn:
+        """The block set of the projects that pupils begin themselves."""
+        return self._file.blocks
+
+    @property
     def pupils(self) -> tuple[Pupil, ...]:
         """The pupils, in the order in which they joined."""
         return self._file.pupils
+
+    def wall(self, address: str) -> str:
+        """The address of the teacher's wall, with the key, of the class at an address."""
+        return wall_address(address, self.key)
 
     def find(self, id: str) -> Pupil | None:  # noqa: A002 - as in `Pupil`
         """The pupil with this id, if there is one."""
@@ -212,6 +242,11 @@ class Roster:
                 shutil.rmtree(folder)
             self._change(pupils=tuple(other for other in self.pupils if other.id != pupil.id))
 
+    def prepare(self, lesson: str | None, project: str, blocks: BuiltIn) -> None:
+        """Set with which lesson pupils begin, and the block set of their own projects."""
+        with self._lock:
+            self._change(lesson=lesson, project=project, blocks=blocks)
+
     def let_join(self, *, open: bool) -> None:  # noqa: A002 - as in the file
         """Let new pupils join, or no more."""
         with self._lock:
@@ -243,8 +278,22 @@ class Roster:
         save(self.folder / FILE, msgspec.json.encode(file), private=True)
 
 
+def wall_address(address: str, key: str) -> str:
+    """The address of the teacher's wall of the class at an address, with the key."""
+    return f"{address}/teacher?key={key}"
+
+
 def known_class(title: str) -> Roster:
     """The class with this name in the user's folder.
+
+    Raises:
+        LearnBlockError: there is none.
+    """
+    return Roster(known_folder(title), title)
+
+
+def known_folder(title: str) -> Path:
+    """The folder of the class with this name.
 
     Raises:
         LearnBlockError: there is none.
@@ -252,7 +301,12 @@ def known_class(title: str) -> Roster:
     folder = class_folder(title)
     if not (folder / FILE).is_file():
         raise LearnBlockError("class-unknown", title=title, folder=str(folder))
-    return Roster(folder, title)
+    return folder
+
+
+def classes_folder() -> Path:
+    """The folder with the classes of this user."""
+    return home() / "classes"
 
 
 def class_folder(title: str) -> Path:
@@ -263,7 +317,7 @@ def class_folder(title: str) -> Path:
     """
     if not _TITLE.fullmatch(title):
         raise LearnBlockError("class-bad-title")
-    return home() / "classes" / title
+    return classes_folder() / title
 
 
 def checked_name(name: str) -> str:
@@ -287,7 +341,14 @@ def _new_class(title: str) -> ClassFile:
     )
 
 
-def _read(path: Path) -> ClassFile | None:
+def read_class(folder: Path) -> ClassFile | None:
+    """The file of a class; None if there is none in the folder.
+
+    Raises:
+        LearnBlockError: it is damaged, or belongs to a newer version.
+        OSError: it can't be read.
+    """
+    path = folder / FILE
     try:
         data = path.read_bytes()[: _LARGEST + 1]
     except FileNotFoundError:

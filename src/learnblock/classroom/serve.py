@@ -9,6 +9,8 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
+import uvicorn
+
 from learnblock.classroom.app import create_app
 from learnblock.classroom.badges import Badges, Visitors
 from learnblock.classroom.certificate import Certificate
@@ -16,6 +18,7 @@ from learnblock.classroom.room import Room
 from learnblock.classroom.roster import Roster
 from learnblock.i18n import Phrase
 from learnblock.lessons.lesson import LessonText
+from learnblock.project.files.writer import Writer
 from learnblock.server.http.address import own_address
 from learnblock.server.http.connections import Connections, Listening, most_connections
 from learnblock.server.http.faults import faults_said_once
@@ -34,6 +37,7 @@ class ClassService:
 
     Args:
         roster: the class.
+        writer: the right to write to its folder; another LearnBlock asks there for its end.
         lessons: those that can be handed out: name and title.
         host: the address to listen on.
         port: the port; None for the default, or a free one if that is taken.
@@ -44,6 +48,7 @@ class ClassService:
     """
 
     roster: Roster
+    writer: Writer
     announce: Callable[[Phrase], object]
     lessons: Iterable[tuple[str, LessonText]] = ()
     host: str = EVERYWHERE
@@ -86,9 +91,10 @@ def serve_class(service: ClassService, *, show: Callable[[str], object] | None =
             **_tls(service.certificate),
         )
         title = service.roster.title
-        server = EndingServer(
+        server = _ClassServer(
             config,
-            LastResort(partial(_hurry, room), service.announce, service.deadlines),
+            partial(_hurry, room),
+            service,
             _opened(service, address, show),
             partial(_begin_to_end, room, service),
         )
@@ -99,6 +105,30 @@ def serve_class(service: ClassService, *, show: Callable[[str], object] | None =
             server.run([listening])
         code = "class-ended" if room.is_saved else "class-ended-by-force"
         service.announce(Phrase(code, title=title))
+
+
+class _ClassServer(EndingServer):
+    """A server that ends when another LearnBlock closes the class."""
+
+    def __init__(
+        self,
+        config: uvicorn.Config,
+        hurry: Callable[[], Iterable[Phrase]],
+        service: ClassService,
+        opened: Callable[[], None],
+        ends: Callable[[], None],
+    ) -> None:
+        last_resort = LastResort(
+            hurry,
+            service.announce,
+            service.deadlines,
+            is_asked=lambda: service.writer.is_asked_to_end,
+            begin=self._close,
+        )
+        super().__init__(config, last_resort, opened, ends)
+
+    def _close(self) -> None:
+        self.should_exit = True
 
 
 def _begin_to_end(room: Room, service: ClassService) -> None:
@@ -117,9 +147,10 @@ def _opened(
     service: ClassService, address: str, show: Callable[[str], object] | None
 ) -> Callable[[], None]:
     roster = service.roster
-    wall = f"{address}/teacher?key={roster.key}"
+    wall = roster.wall(address)
 
     def opened() -> None:
+        service.writer.describe(address, roster.key)
         service.announce(
             Phrase(
                 "class-opened",

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import msgspec
 
+from learnblock.blocks.block_sets import EVERYTHING, BuiltIn
 from learnblock.classroom.nursery import Ask, News, Patience
 from learnblock.classroom.pupil_server import Order
 from learnblock.errors import LearnBlockError
@@ -50,10 +51,12 @@ class Servers:
 
     Args:
         ended: called with a pupil's id when the pupil's server has ended.
+        blocks: the block set with which pupils' own projects begin.
     """
 
-    def __init__(self, ended: Callable[[str], object]) -> None:
+    def __init__(self, ended: Callable[[str], object], blocks: BuiltIn = EVERYTHING) -> None:
         self._ended = ended
+        self._blocks = blocks
         #: Whether every server has saved everything and ended by itself, once all are closed.
         self.are_saved = False
         self._is_ending = False
@@ -136,7 +139,7 @@ class Servers:
             raise LearnBlockError("class-ends")
         token, base_url = secrets.token_urlsafe(24), f"/p/{pupil}/"
         news = self._starting[pupil] = asyncio.get_running_loop().create_future()
-        self._ask(Ask(Order(pupil, str(folder), base_url, token)))
+        self._ask(Ask(Order(pupil, str(folder), base_url, token, self._blocks)))
         try:
             async with asyncio.timeout(_STARTING):
                 started = await news

@@ -79,6 +79,7 @@ def _open(
             click.echo(text(problem), err=True)
         service = ClassService(
             roster,
+            writer,
             _announce,
             [(choice.name, choice.title) for choice in choices if not choice.own],
             host=host or EVERYWHERE,
@@ -89,12 +90,14 @@ def _open(
 
 
 def _delete(name: str, folder: Path) -> None:
+    from learnblock.classroom.own_classes import closed  # noqa: PLC0415 - see above
     from learnblock.classroom.roster import FILE  # noqa: PLC0415 - see above
 
     if not (folder / FILE).is_file():
         raise LearnBlockError("class-unknown", title=name, folder=str(folder))
     click.confirm(text(_question(name)), abort=True)
-    shutil.rmtree(folder)
+    with closed(folder, name):
+        shutil.rmtree(folder)
     say("class-deleted", title=name)
 
 

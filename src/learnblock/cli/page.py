@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from learnblock.cli.running_server import RunningServer
     from learnblock.i18n import Phrase
     from learnblock.project.files.folder import Project, ProjectFolder
+    from learnblock.server.catalog.classes import ClassShelf
 
 
 @click.command("open")
@@ -77,7 +78,12 @@ def open_page(
             return
         project = _project(folder, file, read_only=access.read_only is not None) if file else None
         service = serve.Service(
-            folder, project=project, announce=_announce, access=access, **chosen
+            folder,
+            project=project,
+            announce=_announce,
+            access=access,
+            classes=_own_classes,
+            **chosen,
         )
         if window:
             serve.serve_in_window(service)
@@ -97,6 +103,12 @@ def _join(
         serve.show_in_window(address)
     elif not no_browser:
         serve.show_in_browser(address)
+
+
+def _own_classes() -> "ClassShelf":
+    from learnblock.classroom.own_classes import OwnClasses  # noqa: PLC0415 - after the start
+
+    return OwnClasses()
 
 
 def _announce(phrase: "Phrase") -> None:

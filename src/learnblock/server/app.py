@@ -17,9 +17,11 @@ from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
 from starlette.websockets import WebSocket
 
 from learnblock.i18n import Phrase
+from learnblock.server.catalog.classes import ClassShelf
 from learnblock.server.http import static_files
 from learnblock.server.http.address import own_address
 from learnblock.server.http.block_help import block_help
+from learnblock.server.http.classes import ClassFiles
 from learnblock.server.http.palette import palette
 from learnblock.server.http.pictures import face, floor, lesson, project, tag
 from learnblock.server.http.protection import (
@@ -57,6 +59,7 @@ def create_app(
     read_only: Phrase | None = None,
     for_others: bool = False,
     for_one: bool = False,
+    classes: Callable[[], ClassShelf] | None = None,
 ) -> Starlette:
     """Create the server as an ASGI application.
 
@@ -73,9 +76,10 @@ def create_app(
         read_only: why nothing may be written; None if it may.
         for_others: whether other computers can connect.
         for_one: whether all pages belong to one person, on any device.
+        classes: gives the teacher's classes; None if there can't be any.
     """
     protection = Protection.of(token, hosts, origins, proxy_sends_token=proxy_sends_token)
-    lobby = _LateLobby(folder, periods, read_only, for_others=for_others, for_one=for_one)
+    lobby = _LateLobby(folder, periods, read_only, classes, for_others=for_others, for_one=for_one)
     routes = _routes(protection, static, folder, lobby, read_only=read_only is not None)
     base = "/" + base_url.strip("/")
     if base != "/":
@@ -96,6 +100,7 @@ def _routes(
 ) -> list[BaseRoute]:
     private = partial(_private, protection)
     runs = RunFiles(folder, read_only=read_only)
+    classes = ClassFiles(protection.is_local, lobby.classes)
     return [
         Route("/", private(partial(_index, static, protection))),
         Route("/palette/{language}.json", private(palette), middleware=[_GZIP]),
@@ -107,6 +112,8 @@ def _routes(
         Route("/projects/{name}/picture.jpg", private(partial(project, folder))),
         Route("/projects/{name}/runs/{run}.why", private(runs.download)),
         Route("/projects/{name}/runs", private(runs.upload), methods=["POST"]),
+        Route("/classes", private(classes.upload), methods=["POST"]),
+        Route("/classes/{title}.lbclass", private(classes.download)),
         WebSocketRoute("/ws", partial(_websocket, protection, lobby)),
         Mount("/", static_files.PageFiles(directory=static, check_dir=False), middleware=[_GZIP]),
     ]
@@ -160,10 +167,12 @@ class _LateLobby:
         folder: Path,
         periods: Periods,
         read_only: Phrase | None,
+        classes: Callable[[], ClassShelf] | None,
         *,
         for_others: bool,
         for_one: bool,
     ) -> None:
+        self._classes = classes
         self._for_others = for_others
         self._for_one = for_one
         self._folder = folder
@@ -185,6 +194,10 @@ class _LateLobby:
         assert self._making is not None  # noqa: S101 - the server starts up before it serves
         return await asyncio.shield(self._making)
 
+    async def classes(self) -> ClassShelf | None:
+        """The teacher's classes, if there can be any."""
+        return (await self.get()).classes
+
     def save(self, seconds: float) -> Iterable[Phrase]:
         """Save all projects from another thread: see `Sessions.save_from_outside`."""
         if self._loop is None or self._making is None or not self._making.done():
@@ -202,4 +215,5 @@ class _LateLobby:
             for_others=self._for_others,
             for_one=self._for_one,
             address=address,
+            classes=self._classes() if self._classes else None,
         )

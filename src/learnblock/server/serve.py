@@ -24,6 +24,7 @@ from learnblock.i18n import Phrase
 from learnblock.installation import add_on
 from learnblock.project.files.writer import Access
 from learnblock.server.app import create_app
+from learnblock.server.catalog.classes import ClassShelf
 from learnblock.server.http.address import token as the_token
 from learnblock.server.http.connections import Connections, Listening, most_connections
 from learnblock.server.http.faults import faults_said_once
@@ -66,6 +67,7 @@ class Service:
         for_one: whether all pages belong to one person, on any device.
         deadlines: how long its end may take.
         announce: shows the user the page's address.
+        classes: gives the teacher's classes; None if there can't be any.
     """
 
     folder: Path
@@ -81,6 +83,7 @@ class Service:
     for_one: bool = False
     deadlines: Deadlines = field(default_factory=Deadlines)
     announce: Callable[[Phrase], object] = click.echo
+    classes: Callable[[], ClassShelf] | None = None
 
     @property
     def hosts(self) -> tuple[str, ...]:
@@ -239,6 +242,7 @@ def _server(
         read_only=service.access.read_only,
         for_others=service.is_for_others,
         for_one=service.is_for_one,
+        classes=service.classes,
     )
     connections = Connections(min(most_connections(), _MOST_CONNECTIONS))
     with _listening(service) as plain, faults_said_once():

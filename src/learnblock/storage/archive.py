@@ -113,11 +113,13 @@ class ZipReader:
     Args:
         entries: the most files and folders.
         total: the most bytes of the files that are read.
+        ignored: what is left out as if it were not there.
     """
 
-    def __init__(self, entries: int, total: int) -> None:
+    def __init__(self, entries: int, total: int, ignored: re.Pattern[str] = IGNORED) -> None:
         self._entries = entries
         self._left = total
+        self._ignored = ignored
 
     def entries(self, opened: BinaryIO) -> Iterator[Entry]:
         """The files and folders in a zip that its author has put there.
@@ -132,11 +134,16 @@ class ZipReader:
             raise RefusedError(ZipRule.NO_ZIP) from error
         with archive:
             found = [Entry(archive, info, _name(info)) for info in archive.infolist()]
-            wanted = [entry for entry in found if not _is_ignored(entry.name)]
+            wanted = [entry for entry in found if not self._ignores(entry.name)]
             self._entries -= len(wanted)
             if self._entries < 0:
                 raise RefusedError(ZipRule.TOO_MANY_FILES)
             yield from wanted
+
+    def _ignores(self, name: str) -> bool:
+        """Whether its author has not put an entry there; one that leads out is for the rules."""
+        path = _with_slashes(name)
+        return ".." not in path.parts and self._ignored.search(path.as_posix()) is not None
 
     def inner(self, entry: Entry, most: int) -> Iterator[Entry]:
         """What is in a zip in the zip.
@@ -242,7 +249,7 @@ def _files(content: bytes, rules: Rules) -> dict[str, bytes]:
     for entry in reader.entries(io.BytesIO(content)):
         if entry.is_folder:
             continue
-        path = _path(entry.name)
+        path = inner_path(entry.name)
         if path in found:
             raise RefusedError(ZipRule.TWO_FILES, path)
         found[path] = reader.read(entry, rules.file + 1)
@@ -251,8 +258,8 @@ def _files(content: bytes, rules: Rules) -> dict[str, bytes]:
     return found
 
 
-def _path(name: str) -> str:
-    """The path of a file, on whatever system the zip was made.
+def inner_path(name: str) -> str:
+    """The path of a file in a zip, on whatever system the zip was made.
 
     Raises:
         RefusedError: it leads out of the folder, or too deep into it.
@@ -262,12 +269,6 @@ def _path(name: str) -> str:
     if leads_out or not path.parts or len(path.parts) > DEEPEST:
         raise RefusedError(ZipRule.UNKNOWN_FILE, name)
     return path.as_posix()
-
-
-def _is_ignored(name: str) -> bool:
-    """Whether its author has not put an entry there; one that leads out is for the rules."""
-    path = _with_slashes(name)
-    return ".." not in path.parts and IGNORED.search(path.as_posix()) is not None
 
 
 def _with_slashes(name: str) -> PurePosixPath:

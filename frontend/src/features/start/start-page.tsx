@@ -5,6 +5,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
 import { LessonCards } from "../lessons/cards";
+import { Teachers } from "../teachers/teachers";
 import { Examples } from "./examples";
 import { Hero } from "./hero";
 import { preload } from "./preload";
@@ -14,7 +15,7 @@ import { TopBar } from "./top-bar";
 import "./start.css";
 
 export function StartPage({ openFiles }: { openFiles: OpenFiles }) {
-  const { project } = usePage();
+  const { project, classes } = usePage();
   const main = useRef<HTMLElement>(null);
   useEffect(() => {
     project.list();
@@ -25,13 +26,17 @@ export function StartPage({ openFiles }: { openFiles: OpenFiles }) {
   return (
     <div class="start">
       <TopBar />
-      <main id="home" ref={main} tabIndex={-1} aria-label={t("page-start-home")}>
-        <Hero />
-        <Robots />
-        <LessonCards />
-        <Examples />
-        <Projects openFiles={openFiles} />
-      </main>
+      {classes.shown.value ? (
+        <Teachers />
+      ) : (
+        <main id="home" ref={main} tabIndex={-1} aria-label={t("page-start-home")}>
+          <Hero />
+          <Robots />
+          <LessonCards />
+          <Examples />
+          <Projects openFiles={openFiles} />
+        </main>
+      )}
     </div>
   );
 }

@@ -1,3 +1,6 @@
+import { useSignal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+
 import { language, languages, t } from "../../i18n";
 import { usePage } from "../../model/page";
 import { prefer } from "../../model/preferences";
@@ -16,8 +19,20 @@ const PLACES: readonly (readonly [string, IconName])[] = [
 ];
 
 export function TopBar() {
-  const { dialogs } = usePage();
-  const inClass = usePage().classNews.now.value !== null;
+  const { classes, classNews } = usePage();
+  const inClass = classNews.now.value !== null;
+  const atTeachers = classes.shown.value;
+  const wanted = useSignal("");
+  const show = (place: string) => {
+    classes.shown.value = false;
+    wanted.value = place;
+  };
+  useEffect(() => {
+    // The sections are there once what is for teachers has gone.
+    if (!wanted.value || atTeachers) return;
+    goTo(wanted.value);
+    wanted.value = "";
+  }, [wanted.value, atTeachers]);
   return (
     <header class="start-bar">
       <Logo />
@@ -27,8 +42,8 @@ export function TopBar() {
           <button
             key={name}
             type="button"
-            aria-current={name === "home" ? "page" : undefined}
-            onClick={() => goTo(name)}
+            aria-current={name === "home" && !atTeachers ? "page" : undefined}
+            onClick={() => show(name)}
           >
             <Icon name={icon} />
             <span>{t(`page-start-${name}`)}</span>
@@ -38,7 +53,12 @@ export function TopBar() {
       <PupilChip />
       <LanguageMenu />
       {!inClass && (
-        <button type="button" class="button" onClick={() => dialogs.show("teachers")}>
+        <button
+          type="button"
+          class="button"
+          aria-current={atTeachers ? "page" : undefined}
+          onClick={() => (classes.shown.value = true)}
+        >
           <Icon name="teachers" />
           <span>{t("page-start-teachers")}</span>
         </button>

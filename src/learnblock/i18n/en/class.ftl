@@ -19,6 +19,16 @@ class-ended = Everything is saved. Class { $title } is closed.
 class-ended-by-force = Class { $title } is closed. A pupil's LearnBlock did not answer and was ended; what it showed as saved is there.
 class-bad-title = The name of a class is 1 to 40 letters, digits, spaces, '.', '_' or '-', such as 7b.
 class-already-open = Class { $title } is open already, in another LearnBlock.
+# $seconds is a number.
+class-does-not-end = Class { $title } has not closed after { $seconds } seconds. Wait a moment and try again; nothing that was saved is lost.
+# $reason is what the class said last, in any language.
+class-not-started = Class { $title } could not be opened: { $reason }
+class-exists = There is already a class { $title }. Rename or delete it first; what this file contains is not taken in.
+class-file-damaged = This is not the file of a class, or it is damaged. Choose a file that ends with .lbclass.
+# $most is a number.
+class-file-too-many = It has more than { $most } files. Copy the folder of the class instead.
+# $most is a number of gigabytes.
+class-file-too-large = It has more than { $most } GB. Copy the folder of the class instead.
 class-unknown = There is no class { $title } in { $folder }.
 class-delete = Delete class { $title } with everything that its pupils have made? This can't be undone.
 class-deleted = Class { $title } is deleted.

@@ -78,6 +78,7 @@ server-world-exists = You already have a world '{ $name }'. Choose another name,
 
 ## Programs that may use the network
 
+server-classes-only-here = Classes are on the computer that runs LearnBlock: open the page there.
 server-network-only-here = Only a page on the computer that runs LearnBlock can change this. Behind a proxy, use settings.toml.
 # $folder is the path of a folder.
 server-network-by-folder = settings.toml allows the network to all programs in { $folder }.

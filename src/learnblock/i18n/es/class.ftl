@@ -17,6 +17,16 @@ class-ended = Todo está guardado. La clase { $title } está cerrada.
 class-ended-by-force = La clase { $title } está cerrada. El LearnBlock de algún alumno no respondía y se ha terminado a la fuerza; lo que mostraba como guardado está ahí.
 class-bad-title = El nombre de una clase tiene de 1 a 40 letras, cifras, espacios, '.', '_' o '-', por ejemplo 7b.
 class-already-open = La clase { $title } ya está abierta en otro LearnBlock.
+# $seconds es un número.
+class-does-not-end = La clase { $title } no se ha cerrado en { $seconds } segundos. Espera un momento y vuelve a intentarlo; no se pierde nada de lo guardado.
+# $reason es lo último que dijo la clase, en cualquier idioma.
+class-not-started = No se ha podido abrir la clase { $title }: { $reason }
+class-exists = Ya hay una clase { $title }. Cámbiale el nombre o bórrala primero; no se ha añadido nada de este archivo.
+class-file-damaged = Este archivo no es de una clase o está dañado. Elige uno que termine en .lbclass.
+# $most es un número.
+class-file-too-many = Tiene más de { $most } archivos. Copia la carpeta de la clase.
+# $most es un número de gigabytes.
+class-file-too-large = Tiene más de { $most } GB. Copia la carpeta de la clase.
 class-unknown = No hay ninguna clase { $title } en { $folder }.
 class-delete = ¿Eliminar la clase { $title } con todo lo que ha hecho su alumnado? No se puede deshacer.
 class-deleted = La clase { $title } se ha eliminado.

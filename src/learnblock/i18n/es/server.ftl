@@ -62,6 +62,7 @@ server-world-exists = Ya tienes un mundo '{ $name }'. Elige otro nombre, o guard
 
 ## Programs that may use the network
 
+server-classes-only-here = Las clases están en el ordenador que ejecuta LearnBlock: abre la página allí.
 server-network-only-here = Solo se puede cambiar desde una página abierta en el ordenador que ejecuta LearnBlock. Detrás de un proxy, usa settings.toml.
 server-network-by-folder = settings.toml permite usar la red a todos los programas de { $folder }.
 server-network-in-use = Está en marcha un programa que puede usar la red. Páralo primero.

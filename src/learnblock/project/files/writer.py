@@ -134,6 +134,19 @@ class Writer:
                 save(self._description, msgspec.json.encode(Owner.this_process(address, token)))
 
     @property
+    def is_claimed(self) -> bool:
+        """Whether a server has the right to write now; after a crash only its description is left.
+
+        Raises:
+            OSError: nothing can be locked in this folder.
+        """
+        try:
+            with self._lock.acquire(timeout=0):
+                return False
+        except Timeout:
+            return True
+
+    @property
     def owner(self) -> Owner | None:
         """The server that has the right to write; None if unknown."""
         try:

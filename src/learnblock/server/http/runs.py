@@ -2,7 +2,6 @@
 
 import asyncio
 from collections.abc import Callable
-from http import HTTPStatus
 from pathlib import Path
 from urllib.parse import quote
 
@@ -13,6 +12,7 @@ from starlette.responses import Response
 
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
+from learnblock.server.http.refusal import refusal
 
 #: The largest file in bytes, and the seconds within which it must arrive.
 LARGEST, PATIENCE = 40 * 1024 * 1024, 120.0
@@ -47,7 +47,7 @@ class RunFiles:
         The reply is the id of the run, or the phrase of what is wrong with the file.
         """
         if self._uploads >= MOST_UPLOADS:
-            return _refusal(Phrase("kept-upload-busy"))
+            return refusal(Phrase("kept-upload-busy"))
         self._uploads += 1
         try:
             return await self._upload(request)
@@ -60,18 +60,18 @@ class RunFiles:
             async with asyncio.timeout(PATIENCE):
                 data = await _body(request)
         except (TimeoutError, ClientDisconnect):
-            return _refusal(Phrase("kept-upload-slow"))
+            return refusal(Phrase("kept-upload-slow"))
         except LearnBlockError as error:
-            return _refusal(error.phrase)
+            return refusal(error.phrase)
         return await self._answer(lambda: self._take_in(name, filename, data))
 
     async def _answer(self, action: Callable[[], Response]) -> Response:
         try:
             return await to_thread.run_sync(action, limiter=self._limiter)
         except LearnBlockError as error:
-            return _refusal(error.phrase)
+            return refusal(error.phrase)
         except OSError as error:
-            return _refusal(Phrase(error.strerror or str(error)))
+            return refusal(Phrase(error.strerror or str(error)))
 
     # The server answers before these imports.
 
@@ -112,9 +112,3 @@ async def _body(request: Request) -> bytes:
         if len(data) > LARGEST:
             raise LearnBlockError("log-file-too-large", most=LARGEST // 2**20)
     return bytes(data)
-
-
-def _refusal(phrase: Phrase) -> Response:
-    return Response(
-        msgspec.json.encode(phrase), HTTPStatus.BAD_REQUEST, media_type="application/json"
-    )

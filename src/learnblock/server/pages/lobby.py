@@ -11,6 +11,7 @@ from starlette.websockets import WebSocket
 from learnblock.i18n import Phrase
 from learnblock.project.files.folder import ProjectFolder
 from learnblock.server import catalog
+from learnblock.server.catalog.classes import ClassShelf
 from learnblock.server.pages import (
     asking,
     block_sets,
@@ -31,6 +32,7 @@ from learnblock.server.pages import (
     tags,
     world_editing,
 )
+from learnblock.server.pages.classes import HANDLERS as CLASS_HANDLERS
 from learnblock.server.pages.page import Page
 from learnblock.server.sessions.periods import Periods
 from learnblock.server.sessions.sessions import Sessions
@@ -54,6 +56,7 @@ HANDLERS = {
     **custom_blocks.HANDLERS,
     **robot_making.HANDLERS,
     **connecting.HANDLERS,
+    **CLASS_HANDLERS,
 }
 
 
@@ -67,6 +70,7 @@ class Lobby:
         for_others: whether other computers can connect.
         for_one: whether all pages belong to one person, on any device.
         address: the address by which other devices reach this computer, if it is in a network.
+        classes: the teacher's classes; None if there can't be any.
     """
 
     def __init__(
@@ -78,12 +82,14 @@ class Lobby:
         for_others: bool = False,
         for_one: bool = False,
         address: str | None = None,
+        classes: ClassShelf | None = None,
     ) -> None:
         self._folder = folder
         self._read_only = read_only
         self._should_warn = for_others
         self._for_one = for_one
         self._address = address
+        self.classes = classes
         projects = ProjectFolder(folder, read_only=read_only is not None)
         self._sessions = Sessions(projects, periods, for_one=for_one)
 
@@ -104,6 +110,7 @@ class Lobby:
             is_local=is_local,
             is_alone=self._for_one,
             has_seat=has_seat,
+            classes=self.classes,
         )
         warns = self._should_warn and is_local
         self._should_warn = self._should_warn and not warns
@@ -121,6 +128,8 @@ class Lobby:
 
     async def close(self) -> None:
         """End all programs, and save all projects."""
+        if self.classes:
+            await to_thread.run_sync(self.classes.end)
         await self._sessions.close()
 
     def save_from_outside(

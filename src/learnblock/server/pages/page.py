@@ -15,6 +15,7 @@ from learnblock.errors import LearnBlockError, phrase_of, shortage
 from learnblock.i18n import Phrase
 from learnblock.project.document.views import LONGEST_TEXT
 from learnblock.server import messages
+from learnblock.server.catalog.classes import ClassShelf
 from learnblock.server.pages.boxes import Inbox, Outbox, OutboxFullError
 from learnblock.server.pages.seat import PageSeat, with_languages
 from learnblock.server.runs.player import Player
@@ -72,6 +73,7 @@ class Page:
         is_local: whether its user is at the server's computer.
         is_alone: whether all pages of the server belong to this user, on any device.
         has_seat: whether it is sent `AtSeat`, for the wall of a class.
+        classes: the teacher's classes; None if the server has none.
     """
 
     def __init__(
@@ -83,7 +85,9 @@ class Page:
         is_local: bool = False,
         is_alone: bool = False,
         has_seat: bool = False,
+        classes: ClassShelf | None = None,
     ) -> None:
+        self.classes = classes
         self.sessions = sessions
         self.is_local = is_local
         self.is_alone = is_alone

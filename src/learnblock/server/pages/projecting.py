@@ -6,6 +6,7 @@ from dataclasses import replace
 from anyio import to_thread
 
 from learnblock import robots, running
+from learnblock.blocks import block_sets
 from learnblock.i18n import Phrase
 from learnblock.project.files import unpacking
 from learnblock.project.files.exchange import export
@@ -178,7 +179,13 @@ def new_project(message: messages.New) -> Project:
     if message.example is None:
         robot = robots.find(message.robot or running.DEFAULT_ROBOT).name
         world = message.world or DEFAULT_WORLD
-        return Project(name=message.name, blocktext=EMPTY, robot=robot, world=world)
+        return Project(
+            name=message.name,
+            blocktext=EMPTY,
+            robot=robot,
+            world=world,
+            shown=block_sets.of_new_projects(),
+        )
     example = catalog.example(message.example)
     project = Project(name=message.name, world=example.world)
     project = project.with_parts(list(_parts(example.name, message.language)))

@@ -46,7 +46,6 @@ page-start-more = More for { $name }
 
 ## For teachers
 
-page-start-teachers-help = What LearnBlock has for a class today:
 page-start-teachers-blocks-title = Choose the blocks
 page-start-teachers-blocks = In the project's menu, Choose blocks limits the palette to what a lesson needs. The choice is saved in the project.
 page-start-teachers-notes-title = Notes and solutions of every lesson
@@ -55,8 +54,6 @@ page-start-teachers-lesson-title = Make your own lessons
 page-start-teachers-lesson = In the project's menu, Make a lesson of this project writes a lesson with steps and checks. It appears among the lessons, and you can download it for pupils, without the solutions.
 page-start-teachers-share-title = Share an exercise as a file
 page-start-teachers-share = Download a project and give the file to your class. Pupils drop it onto this page. It contains the program, its world, tag names and custom blocks.
-page-start-teachers-class-title = One computer for the class
-page-start-teachers-class = Start “learnblock class 7b”: pupils join by a word, from any device in the room, and you see all of them on a wall. docs/first-hour.md has a plan for the first lesson.
 page-start-teachers-robots-title = Several robots in one world
 page-start-teachers-robots = The + beside the robot's tab adds another robot with its own program, to play football or send messages.
 page-start-teachers-grade-title = Grade a whole class

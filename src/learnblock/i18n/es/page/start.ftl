@@ -46,7 +46,6 @@ page-start-more = Más sobre { $name }
 
 ## Para docentes
 
-page-start-teachers-help = Lo que LearnBlock ofrece hoy a una clase:
 page-start-teachers-blocks-title = Elige los bloques
 page-start-teachers-blocks = En el menú del proyecto, «Elegir bloques» limita la paleta a lo que necesita la lección. La elección se guarda en el proyecto.
 page-start-teachers-notes-title = Notas y soluciones de cada lección
@@ -55,8 +54,6 @@ page-start-teachers-lesson-title = Crea tus lecciones
 page-start-teachers-lesson = En el menú del proyecto, Crear una lección con este proyecto escribe una lección con pasos y comprobaciones. Aparece entre las lecciones y puedes descargarla para el alumnado, sin las soluciones.
 page-start-teachers-share-title = Comparte un ejercicio como archivo
 page-start-teachers-share = Descarga un proyecto y da el archivo a la clase. El alumnado lo suelta en esta página. Contiene el programa, su mundo, los nombres de etiquetas y los bloques propios.
-page-start-teachers-class-title = Un ordenador para toda la clase
-page-start-teachers-class = Inicia «learnblock class 7b»: se entra con una palabra, desde cualquier dispositivo del aula, y ves a todo el mundo en un panel. docs/first-hour.md (en inglés) propone un plan para la primera clase.
 page-start-teachers-robots-title = Varios robots en un mundo
 page-start-teachers-robots = El + junto a la pestaña del robot añade otro robot con su propio programa, para jugar al fútbol o enviar mensajes.
 page-start-teachers-grade-title = Evalúa a toda la clase

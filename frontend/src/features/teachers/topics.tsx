@@ -1,4 +1,4 @@
-/** What LearnBlock has for teachers. */
+/** What helps teachers before and after a lesson. */
 
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
@@ -10,20 +10,19 @@ const TOPICS: readonly (readonly [string, IconName])[] = [
   ["notes", "hint"],
   ["lesson", "lesson"],
   ["share", "share"],
-  ["class", "globe"],
   ["robots", "robot"],
   ["grade", "check"],
   ["batch", "console"],
 ];
 
-export function TeachersDialog() {
+export function Topics() {
   const { dialogs } = usePage();
   return (
-    <Dialog title={t("page-start-teachers")} close={() => dialogs.close()}>
-      <p class="dim">{t("page-start-teachers-help")}</p>
+    <section aria-labelledby="teachers-topics">
+      <h2 id="teachers-topics">{t("page-teachers-topics")}</h2>
       <ul class="topics">
         {TOPICS.map(([topic, icon]) => (
-          <li key={topic}>
+          <li key={topic} class="start-card">
             <Icon name={icon} />
             <div>
               <strong>{t(`page-start-teachers-${topic}-title`)}</strong>
@@ -37,7 +36,7 @@ export function TeachersDialog() {
           </li>
         ))}
       </ul>
-    </Dialog>
+    </section>
   );
 }
 
@@ -60,7 +59,7 @@ export function GradingDialog() {
         ))}
       </ul>
       <div class="actions">
-        <button type="button" class="button bordered" onClick={() => dialogs.show("teachers")}>
+        <button type="button" class="button bordered" onClick={() => dialogs.close()}>
           {t("page-start-grade-back")}
         </button>
       </div>
