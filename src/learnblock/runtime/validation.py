@@ -55,8 +55,8 @@ class Validator:
         self._is_contained = False
         #: When the last batch of the log ended, in ticks.
         self._ticks = 0
-        #: The lines that ran since the world's time last passed.
-        self._lines = 0
+        #: The lines that ran at this step of the world. Its time may pass without a message.
+        self._lines, self._step = 0, -1
         self._missed: set[tuple[str, str]] = set()
         self._checks: Mapping[type, Callable[[Any], None]] = {
             messages.Contained: self._check_contained,
@@ -64,7 +64,6 @@ class Validator:
             messages.Ask: self._check_call,
             messages.Command: self._check_call,
             messages.Sleep: self._check_sleep,
-            messages.Input: self._check_input,
             messages.Send: _check_send,
             messages.Called: _check_called,
             messages.Steps: self._check_steps,
@@ -95,7 +94,7 @@ class Validator:
         is_known = module in self._robots or _ROBOTS.fullmatch(module)
         _require(is_known, "a robot that is not known")
         # Each robot has a time of its own.
-        self._ticks = self._lines = 0
+        self._ticks, self._step = 0, -1
 
     def _check_call(self, message: messages.Ask | messages.Command) -> None:
         if not self._robot.offers(message.device, message.function):
@@ -105,11 +104,6 @@ class Validator:
         _require(self._robot.world.simulation is not None, "a wait for the world of a real robot")
         is_read = all(self._robot.offers(index, "read") for index in message.reads)
         _require(is_read, "a device that cannot be read")
-        self._lines = 0
-
-    def _check_input(self, _: messages.Input) -> None:
-        # A simulated world continues during it.
-        self._lines = 0
 
     def _check_steps(self, message: messages.Steps) -> None:
         last, lines = self._last_line, 0
@@ -125,7 +119,9 @@ class Validator:
                 _check_called(step)  # type: ignore[arg-type] # as above
             else:
                 self._check_call(step)  # type: ignore[arg-type] # as above
-        if self._robot.world.simulation is not None:
+        if (simulation := self._robot.world.simulation) is not None:
+            if simulation.steps != self._step:
+                self._step, self._lines = simulation.steps, 0
             self._lines += lines
             _require(self._lines <= MOST_LINES_AT_ONE_TIME, "more lines than are told at one time")
 

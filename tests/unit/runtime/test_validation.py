@@ -13,6 +13,7 @@ import msgspec
 import pytest
 
 from edges import altered, framed
+from learnblock.errors import RobotConnectionError
 from learnblock.i18n import Phrase, can_be_said, languages, translate
 from learnblock.running.report import report
 from learnblock.runtime import run as runs
@@ -21,12 +22,16 @@ from learnblock.runtime.containment.scratch import Usage
 from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.ending import How
 from learnblock.runtime.limits import Limits
+from learnblock.runtime.lines import MOST_LINES_AT_ONE_TIME
 from learnblock.runtime.link import SocketLink
 from learnblock.runtime.log.keeping import RunLog
-from learnblock.runtime.messages import FromChild
+from learnblock.runtime.messages import FromChild, Steps
 from learnblock.runtime.own_files import own_files, quoted
 from learnblock.runtime.program import Program
 from learnblock.runtime.supervision import MOST_CALLS_AT_ONE_TIME, Supervision
+from learnblock.runtime.validation import Validator
+from learnblock.runtime.variables import VariableReports
+from learnblock.runtime.watcher import Watcher
 from learnblock.storage.home import home
 
 KINDS = get_args(FromChild)
@@ -200,6 +205,19 @@ def test_calls_without_end_at_one_moment_are_no_calls():
     assert ending.how is How.NO_CALL
     supervision.note_time()
     assert supervision.check(lambda: Activity(next(busy), waits=False)) is None
+
+
+def test_lines_are_limited_at_one_step_of_the_world_however_its_time_passes():
+    world = SimpleNamespace(simulation=SimpleNamespace(steps=0))
+    robot = SimpleNamespace(world=world)
+    validator = Validator(PROGRAM, (), robot, VariableReports(Watcher()), pauses=False, log=False)
+    many = Steps((1,) * MOST_LINES_AT_ONE_TIME)
+    for step in range(3):
+        # No message tells that time passes for a program in its host's thread.
+        world.simulation.steps = step
+        validator.check(many)
+    with pytest.raises(RobotConnectionError):
+        validator.check(Steps((1,)))
 
 
 def test_only_files_of_skills_and_libraries_are_known_and_only_regular_ones_are_read(stage):

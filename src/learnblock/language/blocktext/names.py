@@ -116,7 +116,8 @@ def from_python(name: str) -> str | None:
 
 def keyword_from_python(name: str) -> str:
     """The name in Block-Text of a keyword argument of a user's function."""
-    return name[:-1] if name.endswith("_") and name.rstrip("_") in RESERVED else name
+    is_marked = len(name) > 1 and name.endswith("_") and name.rstrip("_") in RESERVED
+    return name[:-1] if is_marked else name
 
 
 def attribute_to_python(name: str) -> str:
