@@ -16,8 +16,8 @@ end
 
 def test_messages_have_blocks_with_a_name_and_an_optional_value(pupil):
     pupil.write("blocktext", PROGRAM)
-    for kind in ("received", "message_value", "send"):
-        expect(pupil.blocks(f"lb_skill_{kind}")).to_have_count(1)
+    for kind in ("lb_when_received", "lb_skill_message_value", "lb_skill_send"):
+        expect(pupil.blocks(kind)).to_have_count(1)
     sent = pupil.take("Events", "lb_skill_send")
     pupil.put_into(sent, pupil.blocks("lb_main").get_attribute("data-id"))
     pupil.sees("blocktext", 'function.send("go")')

@@ -73,7 +73,8 @@ function codes(code: string): string[] {
 
 test.each(["en", "es"])("no sentence about a block has a line in %s", async (code) => {
   preferred.value = code;
-  await expect.poll(() => language.value).toBe(code);
+  // The words are loaded, which takes a while on a busy machine.
+  await expect.poll(() => language.value, { timeout: 20_000 }).toBe(code);
   const block = { line: "block", code: "“go”", inner: "block", innerCode: "“loop”" };
   const names = ["time", "name", "value", "facts", "closest", "motion", "until", "since", "seconds", "other"];
   const more = ["function", "device", "message", "count", "angle", "answer", "needed", "state", "one"];

@@ -74,7 +74,13 @@ def test_a_message_of_which_nobody_said_who_may_send_it_is_no_message():
 
 def test_what_answers_a_request_repeats_its_number():
     answers = {kind.answer for kind in HANDLERS if kind.answer}
-    assert answers == {"Completions", "CustomBlockChecked", "Description", "WorldChecked"}
+    assert answers == {
+        "ClassOpened",
+        "Completions",
+        "CustomBlockChecked",
+        "Description",
+        "WorldChecked",
+    }
     for answer in answers:
         assert "request" in getattr(messages, answer).__struct_fields__
 
