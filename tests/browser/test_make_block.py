@@ -27,7 +27,9 @@ def open_dialog(pupil):
 
 
 def test_a_block_is_made_with_its_inputs_and_undone_in_one_step(sit_down, server):
-    pupil = sit_down(server, stage="starter", empty=True, flat=True)
+    # Wide enough for two views: blocks that are not shown follow when they are.
+    wide = {"width": 1800, "height": 900}
+    pupil = sit_down(server, stage="starter", empty=True, flat=True, viewport=wide)
     dialog = open_dialog(pupil)
     keys = pupil.page.keyboard
     keys.type("dance")

@@ -230,10 +230,21 @@ export class BlockEditor {
   /** Obey a key that was pressed outside; inside, Blockly has done so already. */
   press(event: KeyboardEvent): boolean {
     if (this.workspace.getInjectionDiv().contains(event.target as Node)) return false;
+    this.continueAtEnd();
     if (Blockly.ShortcutRegistry.registry.onKeyDown(this.workspace, event)) return true;
     const isSearch = event.ctrlKey || event.metaKey;
     if (isSearch) this.search.open();
     return isSearch;
+  }
+
+  /**
+   * Focus the end of the main program if no block of the program has had the focus.
+   * Blockly inserts at the block that had it last: without one, a block from the palette would stay loose.
+   */
+  private continueAtEnd(): void {
+    if (Blockly.FocusableTreeTraverser.findFocusedNode(this.workspace) instanceof Blockly.BlockSvg) return;
+    const [main] = this.workspace.getBlocksByType("lb_main");
+    if (main) Blockly.getFocusManager().focusNode(endOf(main as Blockly.BlockSvg));
   }
 
   /** Change the size around the middle of the view; the usual size shows the program's upper left corner. */
@@ -424,4 +435,11 @@ function compacted(usual: Blockly.BlocklyOptions): Blockly.BlocklyOptions {
     trashcan: false,
     plugins: { ...usual.plugins, toolbox: PaletteStrip, flyoutsHorizontalToolbox: PaletteSheet },
   };
+}
+
+/** The last statement in a hat; the hat if it is empty. */
+function endOf(hat: Blockly.BlockSvg): Blockly.BlockSvg {
+  let last = hat.getInputTargetBlock("DO") as Blockly.BlockSvg | null;
+  while (last?.getNextBlock()) last = last.getNextBlock();
+  return last ?? hat;
 }
