@@ -191,7 +191,7 @@ def desk(browser):
         viewport = {"width": width, "height": height}
         context = browser.new_context(viewport=viewport, locale="en", **options)
         context.set_default_timeout(20_000)
-        # Nobody looks at the world here, which takes half of the time in which a page opens.
+        # These tests don't look at the world, and drawing it takes half of the time to open a page.
         context.add_init_script(FLAT)
         context.add_init_script(
             "localStorage['learnblock.preferences'] ??= JSON.stringify("

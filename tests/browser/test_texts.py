@@ -122,7 +122,7 @@ def test_python_without_matching_blocks_is_kept_as_a_block_with_its_text(pupil):
     pupil.write("blocktext", "main:\n    function.move_straight()\nend\n")
     pupil.sees("python", "robot.move_straight()")
     pupil.put_cursor("python", "robot.move")
-    by_hand = "# forward, and not back\nspeeds = {s: s * 2 for s in (10, 20)}\n"
+    by_hand = '# forward, and not back\nspeeds = b"10 20"\n'
     pupil.page.keyboard.insert_text(by_hand)
     expect(pupil.blocks("lb_python_value")).to_have_count(1)
     pupil.picture("grey")

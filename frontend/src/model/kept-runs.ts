@@ -5,6 +5,7 @@ import { computed, effect, signal } from "@preact/signals";
 import { say, t } from "../i18n";
 import type { Connection } from "../protocol/connection";
 import type { CallsBeside, ComparedRun, KeptRun, RunShown, RunsCompared } from "../protocol/messages";
+import { sendFile } from "../protocol/send-file";
 import type { Toasts } from "../ui/toasts";
 import type { LookingBack } from "./looking-back";
 import type { Program } from "./program";
@@ -140,16 +141,12 @@ export class KeptRuns {
     }
     if (file.size > LARGEST) return toasts.error(t("page-runs-large-file", { name: file.name }));
     const query = new URLSearchParams({ filename: file.name.slice(-200) });
-    try {
-      const reply = await fetch(`${this.folder}?${query}`, { method: "POST", body: file });
-      const content = await reply.json();
-      if (!reply.ok) return toasts.error(say(content));
-      this.list();
-      this.open((content as KeptRun).id);
-    } catch {
-      // The connection is lost, which the page says anyway.
-      toasts.error(t("page-runs-not-sent", { name: file.name }));
-    }
+    const { answer, refusal } = await sendFile<KeptRun>(`${this.folder}?${query}`, file);
+    if (refusal) return toasts.error(say(refusal));
+    // The connection is lost, which the page says anyway.
+    if (!answer) return toasts.error(t("page-runs-not-sent", { name: file.name }));
+    this.list();
+    this.open(answer.id);
   }
 
   private get folder(): string {

@@ -8,7 +8,7 @@ function dialogue(): [Dialogue, FakeConnection] {
   return [new Dialogue(connection.real), connection];
 }
 
-test("what was printed last is told, without empty lines", () => {
+test("the last line that was printed is kept, and empty lines are left out", () => {
   const [told, connection] = dialogue();
   connection.tell({ kind: "Printed", text: "one\ntwo\n" });
   connection.tell({ kind: "Printed", text: "\n" });

@@ -20,8 +20,7 @@ from learnblock.classroom.roster import (
     read_class,
     wall_address,
 )
-from learnblock.errors import LearnBlockError
-from learnblock.i18n import Phrase
+from learnblock.errors import LearnBlockError, phrase_of
 from learnblock.project.files.writer import Writer
 from learnblock.server.messages import ClassEntry, StartClass
 
@@ -61,11 +60,13 @@ class OwnClasses:
         if sys.platform == "win32":
             raise LearnBlockError("class-not-on-windows")
         folder = class_folder(wanted.title)
-        if wall := _open_wall(folder):
+        file = read_class(folder)
+        if file and (wall := _open_wall(folder, file.key)):
             return wall
-        with closed(folder, wanted.title):
-            Roster(folder, wanted.title).prepare(wanted.lesson, wanted.project, wanted.blocks)
-        return self._opened(folder, wanted.title)
+        with claimed(folder, wanted.title):
+            roster = Roster(folder, wanted.title)
+            roster.prepare(wanted.lesson, wanted.project, wanted.blocks)
+        return self._opened(roster, wanted.title)
 
     def close(self, title: str) -> None:
         """Have a class save everything and end.
@@ -86,9 +87,7 @@ class OwnClasses:
             LearnBlockError: there is no such class, or it is open.
             OSError: some of it can't be deleted.
         """
-        folder = known_folder(title)
-        with closed(folder, title):
-            shutil.rmtree(folder)
+        remove(known_folder(title), title)
 
     def pack(self, title: str, target: Path) -> None:
         """Write a class into one file, with which another computer opens it.
@@ -107,7 +106,7 @@ class OwnClasses:
             LearnBlockError: there is a class of this name.
             OSError: it can't be read or written.
         """
-        return class_file.unpack(source, class_folder)
+        return class_file.unpack(source)
 
     def end(self) -> None:
         """Have the classes that were started from here save everything and end."""
@@ -120,7 +119,7 @@ class OwnClasses:
             with suppress(subprocess.TimeoutExpired):
                 process.wait(max(0.0, deadline - time.monotonic()))
 
-    def _opened(self, folder: Path, title: str) -> str:
+    def _opened(self, roster: Roster, title: str) -> str:
         """Open a class in a process of its own; return the wall's address once it answers."""
         command = [sys.executable, "-m", "learnblock", "class", title, "--no-browser"]
         with tempfile.TemporaryFile() as said:
@@ -130,7 +129,7 @@ class OwnClasses:
             self._started[title] = process
             deadline = time.monotonic() + _STARTING
             while time.monotonic() < deadline and process.poll() is None:
-                if wall := _described_wall(folder):
+                if wall := _described_wall(roster.folder, roster.key):
                     return wall
                 time.sleep(_LOOK_AGAIN)
             process.terminate()
@@ -144,10 +143,8 @@ def _entry(folder: Path) -> ClassEntry:
     try:
         used = path.stat().st_mtime
         file = read_class(folder)
-    except LearnBlockError as error:
-        return ClassEntry(title, problem=error.phrase)
-    except OSError as error:
-        return ClassEntry(title, problem=Phrase(error.strerror or str(error)))
+    except (LearnBlockError, OSError) as error:
+        return ClassEntry(title, problem=phrase_of(error))
     if file is None:
         return ClassEntry(title)
     return ClassEntry(
@@ -157,36 +154,47 @@ def _entry(folder: Path) -> ClassEntry:
         lesson=file.lesson,
         project=file.project,
         blocks=file.blocks,
-        wall=_open_wall(folder) or "",
+        wall=_open_wall(folder, file.key) or "",
     )
 
 
-def _open_wall(folder: Path) -> str | None:
+def _open_wall(folder: Path, key: str) -> str | None:
     """The address of the wall of a class if it is open; a class that crashed is not."""
-    wall = _described_wall(folder)
+    wall = _described_wall(folder, key)
     return wall if wall and Writer(folder).is_claimed else None
 
 
-def _described_wall(folder: Path) -> str | None:
+def _described_wall(folder: Path, key: str) -> str | None:
     """The address of a class's wall, as the server has described it that has the right to write."""
-    file, owner = read_class(folder), Writer(folder).owner
+    owner = Writer(folder).owner
     # Another user of the folder could write an address into it. The key is not sent there.
-    if file is None or owner is None or not owner.is_here or not owner.knows(file.key):
+    if owner is None or not owner.is_here or not owner.knows(key):
         return None
-    return wall_address(owner.address, file.key)
+    return wall_address(owner.address, key)
 
 
 @contextmanager
-def closed(folder: Path, title: str) -> Iterator[None]:
-    """Keep a class closed for a moment.
+def claimed(folder: Path, title: str) -> Iterator[Writer]:
+    """The right to write to the folder of a class, which is closed meanwhile elsewhere.
 
     Raises:
-        LearnBlockError: it is open.
+        LearnBlockError: the class is open.
     """
     with Writer(folder) as writer:
         if not writer.claim():
             raise LearnBlockError("class-already-open", title=title)
-        yield
+        yield writer
+
+
+def remove(folder: Path, title: str) -> None:
+    """Delete the folder of a class.
+
+    Raises:
+        LearnBlockError: the class is open.
+        OSError: some of it can't be deleted.
+    """
+    with claimed(folder, title):
+        shutil.rmtree(folder)
 
 
 def _last_words(said: IO[bytes]) -> str:

@@ -158,10 +158,6 @@ class Roster:
         """The pupils, in the order in which they joined."""
         return self._file.pupils
 
-    def wall(self, address: str) -> str:
-        """The address of the teacher's wall, with the key, of the class at an address."""
-        return wall_address(address, self.key)
-
     def find(self, id: str) -> Pupil | None:  # noqa: A002 - as in `Pupil`
         """The pupil with this id, if there is one."""
         return next((pupil for pupil in self.pupils if pupil.id == id), None)
@@ -299,9 +295,18 @@ def known_folder(title: str) -> Path:
         LearnBlockError: there is none.
     """
     folder = class_folder(title)
+    require_class(folder, title)
+    return folder
+
+
+def require_class(folder: Path, title: str) -> None:
+    """Check that a folder is that of a class.
+
+    Raises:
+        LearnBlockError: it is not.
+    """
     if not (folder / FILE).is_file():
         raise LearnBlockError("class-unknown", title=title, folder=str(folder))
-    return folder
 
 
 def classes_folder() -> Path:

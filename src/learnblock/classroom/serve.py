@@ -9,13 +9,11 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-import uvicorn
-
 from learnblock.classroom.app import create_app
 from learnblock.classroom.badges import Badges, Visitors
 from learnblock.classroom.certificate import Certificate
 from learnblock.classroom.room import Room
-from learnblock.classroom.roster import Roster
+from learnblock.classroom.roster import Roster, wall_address
 from learnblock.i18n import Phrase
 from learnblock.lessons.lesson import LessonText
 from learnblock.project.files.writer import Writer
@@ -91,10 +89,13 @@ def serve_class(service: ClassService, *, show: Callable[[str], object] | None =
             **_tls(service.certificate),
         )
         title = service.roster.title
-        server = _ClassServer(
+
+        def close() -> None:
+            server.should_exit = True
+
+        server = EndingServer(
             config,
-            partial(_hurry, room),
-            service,
+            _last_resort(room, service, close),
             _opened(service, address, show),
             partial(_begin_to_end, room, service),
         )
@@ -107,28 +108,15 @@ def serve_class(service: ClassService, *, show: Callable[[str], object] | None =
         service.announce(Phrase(code, title=title))
 
 
-class _ClassServer(EndingServer):
-    """A server that ends when another LearnBlock closes the class."""
-
-    def __init__(
-        self,
-        config: uvicorn.Config,
-        hurry: Callable[[], Iterable[Phrase]],
-        service: ClassService,
-        opened: Callable[[], None],
-        ends: Callable[[], None],
-    ) -> None:
-        last_resort = LastResort(
-            hurry,
-            service.announce,
-            service.deadlines,
-            is_asked=lambda: service.writer.is_asked_to_end,
-            begin=self._close,
-        )
-        super().__init__(config, last_resort, opened, ends)
-
-    def _close(self) -> None:
-        self.should_exit = True
+def _last_resort(room: Room, service: ClassService, close: Callable[[], None]) -> LastResort:
+    """What ends the class if it hangs, and closes it when another LearnBlock asks for that."""
+    return LastResort(
+        partial(_hurry, room),
+        service.announce,
+        service.deadlines,
+        is_asked=lambda: service.writer.is_asked_to_end,
+        begin=close,
+    )
 
 
 def _begin_to_end(room: Room, service: ClassService) -> None:
@@ -147,7 +135,7 @@ def _opened(
     service: ClassService, address: str, show: Callable[[str], object] | None
 ) -> Callable[[], None]:
     roster = service.roster
-    wall = roster.wall(address)
+    wall = wall_address(address, roster.key)
 
     def opened() -> None:
         service.writer.describe(address, roster.key)

@@ -1,6 +1,5 @@
 """`learnblock class`: a class in one room, whose pupils join by a word."""
 
-import shutil
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -64,15 +63,13 @@ def _open(
         raise LearnBlockError("class-not-on-windows")
     # `--help` needs none of these.
     from learnblock.classroom.certificate import own_certificate  # noqa: PLC0415
+    from learnblock.classroom.own_classes import claimed  # noqa: PLC0415
     from learnblock.classroom.roster import Roster  # noqa: PLC0415
     from learnblock.classroom.serve import EVERYWHERE, ClassService, serve_class  # noqa: PLC0415
-    from learnblock.project.files.writer import Writer  # noqa: PLC0415
     from learnblock.server.catalog.lessons import lesson_choices  # noqa: PLC0415
     from learnblock.server.serve import show_in_browser  # noqa: PLC0415
 
-    with Writer(folder) as writer:
-        if not writer.claim():
-            raise LearnBlockError("class-already-open", title=name)
+    with claimed(folder, name) as writer:
         roster = Roster(folder, name)
         choices, problems = lesson_choices()
         for problem in problems:
@@ -90,14 +87,12 @@ def _open(
 
 
 def _delete(name: str, folder: Path) -> None:
-    from learnblock.classroom.own_classes import closed  # noqa: PLC0415 - see above
-    from learnblock.classroom.roster import FILE  # noqa: PLC0415 - see above
+    from learnblock.classroom.own_classes import remove  # noqa: PLC0415 - see above
+    from learnblock.classroom.roster import require_class  # noqa: PLC0415 - see above
 
-    if not (folder / FILE).is_file():
-        raise LearnBlockError("class-unknown", title=name, folder=str(folder))
+    require_class(folder, name)
     click.confirm(text(_question(name)), abort=True)
-    with closed(folder, name):
-        shutil.rmtree(folder)
+    remove(folder, name)
     say("class-deleted", title=name)
 
 

@@ -1,13 +1,13 @@
 """A run on the command line: a live status line, and a report at the end."""
 
 import sys
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from time import monotonic
-from typing import Any, BinaryIO, Protocol, TypeVar
+from typing import Any, BinaryIO, TypeVar
 
 import click
 
@@ -36,7 +36,7 @@ from learnblock.runtime.program import Program
 from learnblock.runtime.standby import Standby
 from learnblock.runtime.watcher import Watcher
 
-Result_co = TypeVar("Result_co", covariant=True)
+Result = TypeVar("Result")
 
 #: The limit of an endless program at full speed, in seconds of the robot's time.
 DEFAULT_SECONDS = 300.0
@@ -51,14 +51,6 @@ EXIT_CODES = {
     # Here, only a signal such as Ctrl-C stops a run.
     How.STOPPED: ExitCode.INTERRUPTED,
 }
-
-
-class _Session(Protocol[Result_co]):
-    """A run that can be made and stopped."""
-
-    def run(self) -> Result_co: ...
-
-    def stop(self) -> None: ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -181,7 +173,7 @@ def _run_found(
             if standby:
                 standby.end()
             shared = watcher.session = SharedRun(job, watcher)
-            if result := _watched(shared, watcher):
+            if result := _watched(shared.run, shared.stop, watcher):
                 if trace_file:
                     trace_file.write(result.trace)
                 return _reported(result.report, found.job, watcher, as_json=as_json)
@@ -197,7 +189,8 @@ def _run_found(
         )
         watcher.session = session
         watcher.skip(shown)
-        code = _reported(_watched(session, watcher), found.job, watcher, as_json=as_json)
+        report = _watched(session.run, session.stop, watcher)
+        code = _reported(report, found.job, watcher, as_json=as_json)
     if picture:
         _draw(session, picture)
         print_row("report-label-picture", str(picture))
@@ -206,10 +199,10 @@ def _run_found(
     return code
 
 
-def _watched(session: "_Session[Result_co]", watcher: "Collector") -> Result_co:
+def _watched(run: Callable[[], Result], stop: Callable[[], object], watcher: "Collector") -> Result:
     """Make a run, which signals stop."""
-    with stopped_by_signals(session.stop):
-        result = session.run()
+    with stopped_by_signals(stop):
+        result = run()
     watcher.clear()
     return result
 

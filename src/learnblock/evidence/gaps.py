@@ -66,7 +66,7 @@ def turned_along(path: Sequence[Placed]) -> float:
 def longest_stand(
     path: Sequence[Placed], is_there: Callable[[XY], bool] = lambda _: True
 ) -> tuple[float, XY]:
-    """The longest time that the robot stood still, in seconds, and the place where it did."""
+    """How long the robot stood still at most, in seconds, and its place meanwhile."""
     longest, where, since = 0.0, xy(path[-1]), path[0]
     for placed in path:
         moved = math.dist(xy(since), xy(placed)) > STILL[0]

@@ -11,6 +11,7 @@ import stat
 import unicodedata
 import zipfile
 from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import PurePosixPath, PureWindowsPath
@@ -225,8 +226,19 @@ def unzipped(filename: str, content: bytes, rules: Rules) -> dict[str, bytes]:
     Raises:
         FileError: it breaks a rule; of the kind that the rules name.
     """
+    with refusing(filename, rules):
+        return dict(read_files(io.BytesIO(content), rules))
+
+
+@contextmanager
+def refusing(filename: str, rules: Rules) -> Iterator[None]:
+    """Raise the error of the rules where a zip breaks one.
+
+    Raises:
+        FileError: it does; of the kind that the rules name.
+    """
     try:
-        return _files(content, rules)
+        yield
     except RefusedError as refused:
         raise rules.error(filename, [Diagnostic(refused.rule, rules.phrase(refused))]) from refused
 
@@ -243,23 +255,31 @@ def zipped(files: Mapping[str, bytes]) -> bytes:
     return target.getvalue()
 
 
-def _files(content: bytes, rules: Rules) -> dict[str, bytes]:
-    reader = ZipReader(rules.entries, rules.total)
-    found: dict[str, bytes] = {}
-    for entry in reader.entries(io.BytesIO(content)):
+def read_files(
+    opened: BinaryIO, rules: Rules, ignored: re.Pattern[str] = IGNORED
+) -> Iterator[tuple[str, bytes]]:
+    """The files in an open zip, one after the other: their paths inside, and what they contain.
+
+    Raises:
+        RefusedError: the zip breaks a rule.
+    """
+    reader = ZipReader(rules.entries, rules.total, ignored)
+    known: set[str] = set()
+    for entry in reader.entries(opened):
         if entry.is_folder:
             continue
-        path = inner_path(entry.name)
-        if path in found:
+        path = _path(entry.name)
+        if path in known:
             raise RefusedError(ZipRule.TWO_FILES, path)
-        found[path] = reader.read(entry, rules.file + 1)
-        if len(found[path]) > rules.file:
+        known.add(path)
+        content = reader.read(entry, rules.file + 1)
+        if len(content) > rules.file:
             raise RefusedError(ZipRule.TOO_LARGE, path)
-    return found
+        yield path, content
 
 
-def inner_path(name: str) -> str:
-    """The path of a file in a zip, on whatever system the zip was made.
+def _path(name: str) -> str:
+    """The path of a file, on whatever system the zip was made.
 
     Raises:
         RefusedError: it leads out of the folder, or too deep into it.

@@ -19,9 +19,9 @@ def folder(tmp_path):
 
 
 @pytest.fixture
-def place(tmp_path):
-    (tmp_path / "school").mkdir()
-    return lambda title: tmp_path / "school" / title
+def school(own_home):
+    """The folder of classes at school."""
+    return own_home / "classes"
 
 
 def rewritten(folder, tmp_path, change):
@@ -61,25 +61,18 @@ CHANGES = {
 
 
 @pytest.mark.parametrize("change", CHANGES.values(), ids=CHANGES)
-def test_a_hostile_file_is_refused_and_leaves_nothing_behind(folder, place, tmp_path, change):
+def test_a_hostile_file_is_refused_and_leaves_nothing_behind(folder, school, tmp_path, change):
     file = rewritten(folder, tmp_path, change)
     with pytest.raises(LearnBlockError):
-        unpack(file, checked(place))
-    assert list(place("x").parent.iterdir()) == []
+        unpack(file)
+    assert list(school.iterdir()) == []
 
 
-def checked(place):
-    """As `class_folder`, in another folder."""
-    from learnblock.classroom.roster import class_folder
-
-    return lambda title: class_folder(title) and place(title)
-
-
-def test_what_is_no_zip_is_refused(place, tmp_path):
+def test_what_is_no_zip_is_refused(tmp_path):
     file = tmp_path / "class.lbclass"
     file.write_bytes(b"no zip")
     with pytest.raises(ClassFileError, match="not the file of a class"):
-        unpack(file, place)
+        unpack(file)
 
 
 def test_neither_a_key_of_tls_nor_temporary_files_go_into_the_file(folder, tmp_path):

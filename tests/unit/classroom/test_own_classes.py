@@ -16,12 +16,6 @@ pytestmark = [pytest.mark.realtime, pytest.mark.slow]
 AUTHORIZED = {"cookie": f"learnblock_token_page={TOKEN}"}
 
 
-@pytest.fixture(autouse=True)
-def own_home(tmp_path, monkeypatch):
-    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path / "home"))
-    return tmp_path / "home"
-
-
 @pytest.fixture
 def server(tmp_path):
     with serving(tmp_path / "projects", classes=OwnClasses) as server:

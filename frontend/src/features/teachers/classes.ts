@@ -5,9 +5,12 @@ import { signal } from "@preact/signals";
 import { type Phrase, t } from "../../i18n";
 import type { Connection } from "../../protocol/connection";
 import type { ClassEntry, StartClass } from "../../protocol/messages";
+import { sendFile } from "../../protocol/send-file";
 
 /** The ending of the file of a class. */
 export const CLASS_FILE = ".lbclass";
+
+const UNSENT: Phrase = { code: "page-shell-unsent" };
 
 type Wanted = Omit<StartClass, "kind" | "request">;
 
@@ -48,7 +51,10 @@ export class Classes {
 
   /** Take in a class from its file. */
   async takeIn(file: File): Promise<void> {
-    await this.during(file.name, () => this.upload(file));
+    await this.during(file.name, async () => {
+      const { answer, refusal } = await sendFile<string>("classes", file);
+      return answer ? { kind: "Done" } : { kind: "Failed", message: refusal ?? UNSENT };
+    });
     this.list();
   }
 
@@ -63,15 +69,6 @@ export class Classes {
     this.busy.value = "";
     if (answer.kind === "Failed") this.problem.value = answer.message ?? null;
     return answer;
-  }
-
-  private async upload(file: File): Promise<{ kind: string; message?: Phrase }> {
-    try {
-      const reply = await fetch("classes", { method: "POST", body: file });
-      return reply.ok ? { kind: "Done" } : { kind: "Failed", message: await reply.json() };
-    } catch {
-      return { kind: "Failed", message: { code: "page-shell-unsent" } };
-    }
   }
 }
 

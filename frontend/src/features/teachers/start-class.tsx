@@ -23,7 +23,7 @@ export function StartClass() {
   const blocks = useSignal<Blocks>(EVERYTHING);
   const name = useRef<HTMLInputElement>(null);
   useEffect(() => {
-    // A name that nobody has typed is replaced by the first letter.
+    // Typing replaces the suggested name.
     if (title.peek() === null) name.current?.select();
   }, [entries === null]);
   const choices = (lessons.choices.value ?? []).filter(({ own = false }) => !own);

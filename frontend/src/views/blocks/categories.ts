@@ -87,9 +87,16 @@ function button(callbackkey: string, text: string, look = ""): Item {
 
 /** Blockly's blocks; a variable begins with 0, not with nothing. */
 function variableItems(workspace: Blockly.WorkspaceSvg): Items {
-  return Blockly.Variables.flyoutCategory(workspace).map((item) =>
+  const items = Blockly.Variables.flyoutCategory(workspace).map((item) =>
     "type" in item && item.type === "variables_set" ? { ...item, inputs: { VALUE: ZERO } } : item,
   );
+  return [...items, ...localItems(workspace)];
+}
+
+/** Variables that a function has for itself: from Explorer on, in a program with blocks of its own. */
+function localItems(workspace: Blockly.WorkspaceSvg): Items {
+  const isOffered = preferences.peek().stage !== "starter" && definitionsIn(workspace).length > 0;
+  return isOffered ? [block("lb_set_local", { inputs: { VALUE: ZERO } })] : [];
 }
 
 /** The program's own blocks with the values that their inputs begin with; a new one is made in a dialog. */
@@ -98,12 +105,7 @@ function procedureItems(workspace: Blockly.WorkspaceSvg): Items {
   const definitions = definitionsIn(workspace);
   if (!definitions.length) return [make, label(t("page-make-none"), "lbAdvice")];
   const calls = definitions.flatMap(callsOf);
-  return [make, label(t("page-make-here"), "lbHeading"), ...calls, block("lb_return", {}), ...localItems()];
-}
-
-/** Variables that a function has for itself, from Explorer on. */
-function localItems(): Items {
-  return preferences.peek().stage === "starter" ? [] : [block("lb_set_local", { inputs: { VALUE: ZERO } })];
+  return [make, label(t("page-make-here"), "lbHeading"), ...calls, block("lb_return", {})];
 }
 
 // For Blockly a function with a return inside its body has no result; its calls may still be values.

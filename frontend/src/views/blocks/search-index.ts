@@ -98,7 +98,7 @@ function entryOf(block: Item, undrawn: Blockly.Workspace): Entry {
   return { block, text: ` ${plain(said.join(" "))}` };
 }
 
-/** The Python of a block that stands for a line of it, so that Python's own words find it; null for any other. */
+/** The Python that a block stands for, so that Python's words find it; null for other blocks. */
 function pythonOf(block: Blockly.Block): string | null {
   const { words, parts } = (block.saveExtraState?.() ?? {}) as { words?: string[]; parts?: string[][] };
   const python = words ?? parts?.flat();

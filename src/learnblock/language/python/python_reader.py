@@ -5,6 +5,7 @@ import re
 from copy import copy
 
 from learnblock.language.python.expression_reader import Unlike, span_of, start_of
+from learnblock.language.python.scopes import SCOPES
 from learnblock.language.python.skeleton import is_text
 from learnblock.language.python.statement_reader import StatementReader
 from learnblock.language.tree.nodes import (
@@ -16,9 +17,8 @@ from learnblock.language.tree.nodes import (
     Span,
 )
 
-_SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 _BLOCKS = (
-    *_SCOPES,
+    *SCOPES,
     ast.For,
     ast.AsyncFor,
     ast.While,
@@ -63,7 +63,7 @@ class PythonReader(StatementReader):
 
     def python_block(self, node: ast.stmt) -> PythonBlock:
         outer = self.keeps_globals
-        self.keeps_globals = outer or isinstance(node, _SCOPES)
+        self.keeps_globals = outer or isinstance(node, SCOPES)
         try:
             parts = self.parts(node)
             read = [

@@ -3,7 +3,8 @@
 import ast
 from collections.abc import Iterator
 
-_SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Lambda)
+#: The statements that have variables of their own.
+SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 
 
 def first_of_locals(function: ast.FunctionDef) -> frozenset[ast.stmt]:
@@ -31,7 +32,7 @@ def _own_nodes(node: ast.AST) -> Iterator[ast.AST]:
     """The nodes inside a function from top to bottom, without those of inner functions."""
     for inner in ast.iter_child_nodes(node):
         yield inner
-        if not isinstance(inner, _SCOPES):
+        if not isinstance(inner, (*SCOPES, ast.Lambda)):
             yield from _own_nodes(inner)
 
 

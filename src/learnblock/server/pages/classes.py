@@ -1,7 +1,5 @@
 """Handlers of messages about the teacher's classes, which only a page on this computer sends."""
 
-from functools import partial
-
 from anyio import to_thread
 
 from learnblock.errors import LearnBlockError
@@ -26,13 +24,13 @@ async def _start(page: Page, message: messages.StartClass) -> None:
 
 @HANDLERS.add
 async def _close(page: Page, message: messages.CloseClass) -> None:
-    await to_thread.run_sync(partial(_shelf(page).close, message.title))
+    await to_thread.run_sync(_shelf(page).close, message.title)
     await _list(page, messages.ListClasses())
 
 
 @HANDLERS.add
 async def _delete(page: Page, message: messages.DeleteClass) -> None:
-    await to_thread.run_sync(partial(_shelf(page).delete, message.title))
+    await to_thread.run_sync(_shelf(page).delete, message.title)
     await _list(page, messages.ListClasses())
 
 

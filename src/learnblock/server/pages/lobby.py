@@ -128,9 +128,9 @@ class Lobby:
 
     async def close(self) -> None:
         """End all programs, and save all projects."""
+        await self._sessions.close()
         if self.classes:
             await to_thread.run_sync(self.classes.end)
-        await self._sessions.close()
 
     def save_from_outside(
         self, loop: asyncio.AbstractEventLoop, seconds: float
