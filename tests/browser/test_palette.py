@@ -223,7 +223,10 @@ def test_the_buttons_of_the_zoom_are_beside_the_program_and_not_over_it(
     )
     head = pupil.page.locator(".program-head").bounding_box()
     blocks = pupil.page.locator("[data-region=blocks]").bounding_box()
-    for button in pupil.page.locator(".zoom-buttons button").all():
+    # A narrow head leaves the third to the menu of the program.
+    buttons = pupil.page.locator(".zoom-buttons button:visible")
+    expect(buttons).to_have_count(2 if width == 820 else 3)
+    for button in buttons.all():
         box = button.bounding_box()
         assert box["x"] + box["width"] <= head["x"] + head["width"]
         assert box["y"] + box["height"] <= blocks["y"]

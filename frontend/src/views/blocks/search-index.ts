@@ -21,6 +21,9 @@ export interface Nearest {
 /** A block, and all that it says and can be found by. */
 interface Entry {
   readonly block: Item;
+  /** What it says as it stands in the palette, and what it is called. */
+  readonly shown: string;
+  /** That, and the other choices of its menus. */
   readonly text: string;
 }
 
@@ -40,11 +43,17 @@ export class SearchIndex {
   /** The blocks with all of the words; words that only end or contain them count if none begins with them. */
   matching(words: string): Item[] {
     const parts = plain(words).split(/\s+/);
-    const begins = this.entries.filter(({ text }) => parts.every((part) => text.includes(` ${part}`)));
-    const found = begins.length
-      ? begins
-      : this.entries.filter(({ text }) => parts.every((part) => text.includes(part)));
-    return found.map(({ block }) => block);
+    const beginning = parts.map((part) => ` ${part}`);
+    const begins = this.withAll(beginning);
+    return begins.length ? begins : this.withAll(parts);
+  }
+
+  /** Of two blocks that can become each other, the one that says it as it stands in the palette. */
+  private withAll(parts: readonly string[]): Item[] {
+    const found = this.entries.filter(({ text }) => parts.every((part) => text.includes(part)));
+    const isSaid = ({ shown }: Entry) => parts.every((part) => shown.includes(part));
+    const alike = new Set(found.filter(isSaid).map(({ block }) => block.like));
+    return found.filter((entry) => isSaid(entry) || !alike.has(nameOf(entry.block))).map(({ block }) => block);
   }
 
   /** What others call by these words. */
@@ -94,8 +103,13 @@ function entryOf(block: Item, undrawn: Blockly.Workspace): Entry {
   const fields = made.getDescendants(true).flatMap(({ inputList }) => inputList.flatMap(({ fieldRow }) => fieldRow));
   const sentence = fields.map((field) => field.getText()).join(" ");
   const typed = pythonOf(made) ?? type.replaceAll("_", " ");
-  const said = [sentence, ...fields.flatMap(choicesOf), typed, ...wordsFor(nameOf(block), t)];
-  return { block, text: ` ${plain(said.join(" "))}` };
+  const shown = spaced([sentence, typed, ...wordsFor(nameOf(block), t)]);
+  return { block, shown, text: shown + spaced(fields.flatMap(choicesOf)) };
+}
+
+/** Words to search in, each after a space. */
+function spaced(words: readonly string[]): string {
+  return ` ${plain(words.join(" "))}`;
 }
 
 /** The Python that a block stands for, so that Python's words find it; null for other blocks. */
