@@ -121,7 +121,8 @@ class OwnClasses:
 
     def _opened(self, roster: Roster, title: str) -> str:
         """Open a class in a process of its own; return the wall's address once it answers."""
-        command = [sys.executable, "-m", "learnblock", "class", title, "--no-browser"]
+        # -P: a file named learnblock.py in the folder that one works in is not ours.
+        command = [sys.executable, "-P", "-m", "learnblock", "class", title, "--no-browser"]
         with tempfile.TemporaryFile() as said:
             process = subprocess.Popen(  # noqa: S603 - our own command
                 command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=said

@@ -40,6 +40,13 @@ class Started(Class):
         self._devices = itertools.count(1)
 
 
+def test_a_class_starts_beside_a_file_that_is_named_as_learnblock_is(page, tmp_path, monkeypatch):
+    (tmp_path / "learnblock.py").write_text("raise SystemExit('not LearnBlock')\n")
+    monkeypatch.chdir(tmp_path)
+    page.say("StartClass", title="7b", request=1)
+    assert page.hear("ClassOpened")["wall"]
+
+
 def classes(page):
     page.say("ListClasses")
     return page.hear("Classes")["classes"]
