@@ -95,8 +95,9 @@ def test_a_class_closes_although_a_pupils_server_has_no_memory_left(room):
         for page in opened[1:]:
             page.say("Run")
         room.process.send_signal(signal.SIGINT)
-        _, seconds = say_nothing_more(room)
-    assert seconds < 10
+        said, seconds = say_nothing_more(room)
+    # By its own time limits, 8 s together: it was not killed, and had saved before.
+    assert ("Everything is saved" in said, seconds < Patience().asked) == (True, True)
     assert all("# edited" in saved(pupil, f"program {number}") for number in (1, 2, 3))
 
 
