@@ -38,6 +38,7 @@ class Installation:
         uses_uv: whether its environment is the one that uv keeps for that folder.
         is_pipx: whether pipx manages its environment.
         has_pip: whether its environment has pip.
+        is_shared: whether others use it too, so that the page must not change it.
     """
 
     python: str
@@ -45,6 +46,7 @@ class Installation:
     uses_uv: bool = False
     is_pipx: bool = False
     has_pip: bool = True
+    is_shared: bool = False
 
     @classmethod
     def current(cls) -> "Installation":
@@ -56,10 +58,16 @@ class Installation:
             uses_uv=checkout is not None and _is_of_uv(environment, checkout),
             is_pipx=(environment / "pipx_metadata.json").is_file(),
             has_pip=util.find_spec("pip") is not None,
+            # A hub's servers have one environment; one that the system keeps is for all its users.
+            is_shared="JUPYTERHUB_USER" in os.environ or not os.access(environment, os.W_OK),
         )
 
     def add_on(self, extra: str) -> str:
-        """The command that installs one of our extras, such as ``cozmo``."""
+        """The command that installs one of our extras, as one types it."""
+        return command_line(*self.adding(extra))
+
+    def adding(self, extra: str) -> tuple[str, ...]:
+        """The words of the command that installs one of our extras, such as ``cozmo``."""
         if self.checkout is None:
             # Its packages, because a wheel that came as a file is not found by its name.
             return self._install(*requirements(extra))
@@ -70,19 +78,19 @@ class Installation:
     def rebuilt(self) -> str:
         """The command that builds what a checkout needs, such as the weights of a detector."""
         if self.checkout and self.uses_uv:
-            return self._sync("--reinstall-package", DISTRIBUTION)
-        return self._install("-e", str(self.checkout or "."))
+            return command_line(*self._sync("--reinstall-package", DISTRIBUTION))
+        return command_line(*self._install("-e", str(self.checkout or ".")))
 
-    def _sync(self, *options: str) -> str:
-        place = () if self.checkout == Path.cwd() else ("--project", self.checkout)
-        return command_line("uv", "sync", *place, "--inexact", "--no-dev", *options)
+    def _sync(self, *options: str) -> tuple[str, ...]:
+        place = () if self.checkout == Path.cwd() else ("--project", str(self.checkout))
+        return ("uv", "sync", *place, "--inexact", "--no-dev", *options)
 
-    def _install(self, *packages: str) -> str:
+    def _install(self, *packages: str) -> tuple[str, ...]:
         if self.is_pipx:
-            return command_line("pipx", "inject", DISTRIBUTION, *packages)
+            return ("pipx", "inject", DISTRIBUTION, *packages)
         if self.has_pip:
-            return command_line(self.python, "-m", "pip", "install", *packages)
-        return command_line("uv", "pip", "install", "--python", self.python, *packages)
+            return (self.python, "-m", "pip", "install", *packages)
+        return ("uv", "pip", "install", "--python", self.python, *packages)
 
 
 def add_on(extra: str) -> str:

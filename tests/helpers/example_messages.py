@@ -64,6 +64,8 @@ _MESSAGES = {
     "ImportLessonFolder": {"files": {"lesson.toml": "bGVzc29uID0gMQ=="}},
     "ImportOriginal": {"filename": "a.blockProject", "content": "gAJOLg=="},
     "ImportWorld": {"filename": "mine.toml", "content": "W2Zsb29yXQ=="},
+    # One that needs nothing: a test must not change what is installed.
+    "InstallAddOn": {"robot": "sim-ebo"},
     "KeepPicture": {"content": "/9j/wAALCAAQABABAQEA"},
     "LookBack": {"time": 1.5, "event": 7, "step": -1, "to": "change", "subject": "x"},
     "MakeRobot": {"description": "[body]\nlength = -1"},

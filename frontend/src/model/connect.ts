@@ -3,6 +3,7 @@
 import { computed, signal } from "@preact/signals";
 import type { Connection } from "../protocol/connection";
 import type {
+  AddOn,
   KnownRobot,
   NearbyRobot,
   RobotConnected,
@@ -22,8 +23,8 @@ export interface Listed {
   readonly robot: string;
   readonly name: string;
   readonly isBusy: boolean;
-  /** The command that installs the packages that it needs; empty if it has them. */
-  readonly addOn: string;
+  /** The packages that it lacks; null if it has them. */
+  readonly addOn: AddOn | null;
   /** Whether the first look for it has not ended. */
   readonly isLooking: boolean;
   /** How it is reached; null if it does not answer. */
@@ -87,6 +88,11 @@ export class Connect {
     if (this.state.value.state === "lost" || this.state.value.state === "failed") this.state.value = NONE;
   }
 
+  /** Install what a robot needs, or stop installing it. */
+  install(robot: string, on = true): void {
+    void this.requests.ask({ kind: "InstallAddOn", robot, on });
+  }
+
   act(action: TryRobot["action"]): void {
     void this.requests.ask({ kind: "TryRobot", action });
   }
@@ -124,6 +130,6 @@ export function lists(nearby: RobotsNearby | null, state: RobotConnected) {
 }
 
 function listed(id: string, robot: string, known: KnownRobot | undefined, found: NearbyRobot | null): Listed {
-  const { name = "", is_busy: isBusy = false, add_on: addOn = "", looking: isLooking = false } = known ?? {};
+  const { name = "", is_busy: isBusy = false, add_on: addOn = null, looking: isLooking = false } = known ?? {};
   return { id, robot, name, isBusy, addOn, isLooking, found };
 }

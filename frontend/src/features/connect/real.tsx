@@ -7,6 +7,7 @@ import { say, t } from "../../i18n";
 import type { Listed } from "../../model/connect";
 import { usePage } from "../../model/page";
 import { OTHER_SIMULATORS } from "../../model/robots";
+import type { AddOn } from "../../protocol/messages";
 import { Icon, type IconName } from "../../ui/icons";
 import { RobotPicture } from "../../ui/robots/picture";
 import { SettingsForm } from "../robot-settings/dialogs";
@@ -189,7 +190,7 @@ function Away({ title, robots, show }: AwayProps) {
 
 /** The word for why a robot is not there: without its add-on, nothing can find it. */
 function state({ isBusy, addOn, isLooking }: Listed): string {
-  if (addOn) return "page-connect-needs-add-on";
+  if (addOn) return addOn.installing ? "page-connect-installing" : "page-connect-needs-add-on";
   if (isBusy) return "page-connect-busy";
   return isLooking ? "page-connect-looking" : "page-connect-away";
 }
@@ -202,7 +203,8 @@ function AwayRobot({ robot, show }: { robot: Listed; show: (next: Aside) => void
       <div class="connect-about">
         <strong>{title}</strong>
         <span class="dim">{t(state(robot))}</span>
-        {robot.addOn && <code class="connect-command">{robot.addOn}</code>}
+        {robot.addOn && <AddOnText addOn={robot.addOn} />}
+        {robot.addOn?.ours && <InstallButton robot={robot.robot} title={title} addOn={robot.addOn} />}
       </div>
       <button
         type="button"
@@ -213,6 +215,47 @@ function AwayRobot({ robot, show }: { robot: Listed; show: (next: Aside) => void
         {t("page-connect-help")}
       </button>
     </li>
+  );
+}
+
+/** What the installer says, or how to install it in a terminal. */
+function AddOnText({ addOn: { command, ours, installing, progress, problem } }: { addOn: AddOn }) {
+  if (installing)
+    return (
+      <span role="status" class="connect-progress">
+        {progress}
+      </span>
+    );
+  return (
+    <>
+      {problem && (
+        <span role="alert" class="connect-problem">
+          {say(problem)}
+        </span>
+      )}
+      {(problem || !ours) && (
+        <>
+          <span class="dim">{t("page-connect-install-terminal")}</span>
+          <code class="connect-command">{command}</code>
+        </>
+      )}
+    </>
+  );
+}
+
+/** One button for both, so that the focus stays on it. */
+function InstallButton({ robot, title, addOn }: { robot: string; title: string; addOn: AddOn }) {
+  const { connect } = usePage();
+  const isInstalling = addOn.installing ?? false;
+  return (
+    <button
+      type="button"
+      class={isInstalling ? "button halt" : "button filled"}
+      aria-label={isInstalling ? undefined : t("page-connect-install-named", { robot: title })}
+      onClick={() => connect.install(robot, !isInstalling)}
+    >
+      {t(isInstalling ? "page-connect-install-stop" : "page-connect-install")}
+    </button>
   );
 }
 

@@ -68,6 +68,13 @@ class UseRobot(Computer, frozen=True):
     """Disconnect, save what connects it, and choose the connected robot for the project, if any."""
 
 
+class InstallAddOn(Computer, FromReader, frozen=True):
+    """Install what a kind of robot needs, which `AddOn` shows; or no longer, if it is under way."""
+
+    robot: Name
+    on: bool = True
+
+
 # To the page.
 
 
@@ -87,6 +94,24 @@ class NearbyRobot(Struct, frozen=True, omit_defaults=True):
     place: str = ""
 
 
+class AddOn(Struct, frozen=True, omit_defaults=True):
+    """The packages that a kind of robot needs, and that are not installed.
+
+    Args:
+        command: what installs them, to be typed into a terminal.
+        ours: whether `InstallAddOn` may install them: nobody else uses this environment.
+        installing: whether they are being installed.
+        progress: what the installer said last; empty before its first word.
+        problem: why the last attempt failed.
+    """
+
+    command: str
+    ours: bool = False
+    installing: bool = False
+    progress: str = ""
+    problem: Phrase | None = None
+
+
 class KnownRobot(Struct, frozen=True, omit_defaults=True):
     """A kind of real robot.
 
@@ -95,7 +120,7 @@ class KnownRobot(Struct, frozen=True, omit_defaults=True):
         name: the name given by the user; empty without one.
         used: whether it was connected on this computer before.
         is_busy: whether a program or another page uses it now.
-        add_on: the command that installs the packages that it needs; empty if it has them.
+        add_on: the packages that it lacks; None if it has them.
         looking: whether the first look for it has not ended.
     """
 
@@ -103,7 +128,7 @@ class KnownRobot(Struct, frozen=True, omit_defaults=True):
     name: str = ""
     used: bool = False
     is_busy: bool = False
-    add_on: str = ""
+    add_on: AddOn | None = None
     looking: bool = False
 
 

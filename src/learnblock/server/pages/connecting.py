@@ -7,6 +7,7 @@ from anyio import to_thread
 
 from learnblock.errors import LearnBlockError, SettingsError
 from learnblock.i18n import Phrase
+from learnblock.installation import Installation, requirements
 from learnblock.robots import RobotEntry, find
 from learnblock.server import catalog, messages
 from learnblock.server.pages.page import Handlers, Page
@@ -72,6 +73,19 @@ async def _use(page: Page, _: messages.UseRobot) -> None:
         await page.session.robots.choose(page.part, connected.robot.name)
 
 
+@HANDLERS.add
+async def _install(page: Page, message: messages.InstallAddOn) -> None:
+    installer = page.sessions.connections.nearby.installer
+    if not message.on:
+        await installer.stop()
+        return
+    entry = await to_thread.run_sync(_real, message.robot)
+    if not requirements(entry.name) or Installation.current().is_shared:
+        raise LearnBlockError("connect-not-ours-to-install", robot=entry.name)
+    if await to_thread.run_sync(_lacks_add_on, entry):
+        installer.begin(entry.name)
+
+
 async def _refresh(page: Page) -> None:
     await page.sessions.connections.nearby.refresh()
 
@@ -89,6 +103,12 @@ def _real(name: str) -> RobotEntry:
     if real_kind(entry) is None:
         raise LearnBlockError("settings-simulated", robot=name)
     return entry
+
+
+def _lacks_add_on(entry: RobotEntry) -> bool:
+    from learnblock.running.finding import missing_add_on  # noqa: PLC0415
+
+    return bool(missing_add_on(entry))
 
 
 def _table(entry: RobotEntry) -> Any:

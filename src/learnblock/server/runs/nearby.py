@@ -10,10 +10,12 @@ from anyio import CapacityLimiter, to_thread
 from msgspec import structs
 
 from learnblock.errors import LearnBlockError
+from learnblock.installation import Installation, requirements
 from learnblock.robots import RobotEntry
 from learnblock.robots.settings import given_names
 from learnblock.running import finding
 from learnblock.server import messages
+from learnblock.server.runs.installer import Installer
 from learnblock.server.runs.viewers import Viewer, Viewers
 
 #: Seconds until robots of a kind are looked for again: a robot that answers is not disturbed.
@@ -55,6 +57,8 @@ class Nearby:
 
     def __init__(self, is_busy: Callable[[str], bool]) -> None:
         self._is_busy = is_busy
+        #: Installs what robots need.
+        self.installer = Installer(self.show, self.refresh, _installing)
         self._pages = Viewers()
         self._searching: asyncio.Task[None] | None = None
         self._found: dict[str, tuple[Found, ...]] = {}
@@ -174,7 +178,10 @@ class Nearby:
         nearby = (robot.shown for same in self._found.values() for robot in same)
         known = (
             structs.replace(
-                robot, is_busy=self._is_used(robot.robot), looking=self._is_new(robot.robot)
+                robot,
+                is_busy=self._is_used(robot.robot),
+                looking=self._is_new(robot.robot),
+                add_on=robot.add_on and self.installer.shown(robot.robot, robot.add_on),
             )
             for robot in self._known.values()
         )
@@ -198,10 +205,24 @@ class Nearby:
         names = given_names()
         known = {}
         for name in order:
-            command = finding.missing_add_on(entries[name])
+            add_on = _missing_add_on(entries[name])
             given_name = names.get(name, "")
-            known[name] = messages.KnownRobot(name, given_name, name in used, add_on=command)
+            known[name] = messages.KnownRobot(name, given_name, name in used, add_on=add_on)
         return known
+
+
+def _installing(robot: str) -> tuple[str, ...]:
+    """The words of the command that installs what a robot needs."""
+    return Installation.current().adding(robot)
+
+
+def _missing_add_on(entry: RobotEntry) -> messages.AddOn | None:
+    command = finding.missing_add_on(entry)
+    if not command:
+        return None
+    # A robot of the user's own names modules, but not what installs them.
+    is_ours = bool(requirements(entry.name)) and not Installation.current().is_shared
+    return messages.AddOn(command, is_ours)
 
 
 def _look(

@@ -119,8 +119,9 @@ class Connections:
         self.begin_to_disconnect(page)
 
     async def close(self) -> None:
-        """Disconnect from every robot."""
+        """Disconnect from every robot, and stop installing what one needs."""
         self.nearby.close()
+        await self.nearby.installer.stop()
         held = tuple(self._held.values())
         await asyncio.gather(*(connected.close(self._last_patience) for connected in held))
 

@@ -1,10 +1,13 @@
 """Pages find real robots, connect to one of them, try it and measure it."""
 
+import sys
 import tomllib
 from contextlib import contextmanager
 
 import pytest
 
+from learnblock.installation import Installation
+from learnblock.robots import real
 from learnblock.server.runs import nearby
 from pages import serving
 from waiting import wait_for
@@ -170,6 +173,46 @@ def test_a_robot_is_shown_while_its_driver_still_looks_for_others(page, robot):
         pass
     assert found[0]["place"] == "10.0.0.8"
     assert known_of(nearby, "mine")["looking"] is True
+
+
+@pytest.fixture
+def lacking(monkeypatch):
+    """A computer without what a Cozmo needs, where the installer installs something else."""
+    monkeypatch.setattr(real, "find_spec", lambda module: None if module == "pycozmo" else module)
+    words = (sys.executable, "-c", "print('Collecting pycozmo')")
+    monkeypatch.setattr(Installation, "adding", lambda _, extra: (*words, extra))
+
+
+def add_on_of(page, **expected):
+    """The add-on that a Cozmo lacks, once the page shows it so."""
+    while True:
+        add_on = known_of(page.hear("RobotsNearby"), "cozmo")["add_on"]
+        if expected.items() <= add_on.items():
+            return add_on
+
+
+@pytest.mark.usefixtures("lacking")
+def test_an_add_on_is_installed_from_the_page(page):
+    page.say("FindRobots", on=True)
+    assert add_on_of(page)["ours"] is True
+    page.say("InstallAddOn", robot="cozmo")
+    assert add_on_of(page, installing=True)
+    problem = add_on_of(page, problem={"code": "connect-installed-restart", "values": {}})
+    assert "installing" not in problem
+
+
+@pytest.mark.usefixtures("lacking")
+def test_an_add_on_is_not_installed_where_others_use_the_same_packages(page, monkeypatch):
+    monkeypatch.setenv("JUPYTERHUB_USER", "ada")
+    page.say("FindRobots", on=True)
+    assert "ours" not in add_on_of(page)
+    page.say("InstallAddOn", robot="cozmo", request=1)
+    assert page.hear("Failed")["message"]["code"] == "connect-not-ours-to-install"
+
+
+def test_a_robot_of_the_users_own_names_no_packages_to_install(page):
+    page.say("InstallAddOn", robot="mine", request=1)
+    assert page.hear("Failed")["message"]["code"] == "connect-not-ours-to-install"
 
 
 @pytest.mark.parametrize(("asked", "given"), [("", "2"), ("4.5", "4.5"), ("60", "5")])
