@@ -14,6 +14,7 @@ from learnblock.language.check.endings import LOOPS
 from learnblock.language.check.findings import Findings, is_whole, python_error
 from learnblock.language.check.flow_checker import FlowChecker
 from learnblock.language.check.python_checker import check_python
+from learnblock.language.check.shared_variable_checker import check_shared_variables
 from learnblock.language.check.speed_checker import check_speeds
 from learnblock.language.check.type_checker import check_types
 from learnblock.language.check.variable_checker import check_variables
@@ -145,6 +146,7 @@ class _Checker:
         self.block(self.findings.top, 0, 0, within_def=False)
         self.block(self.findings.main, 0, 0, within_def=False)
         check_variables(self.findings)
+        check_shared_variables(self.findings)
         check_types(self.findings)
         self.flow.run()
         self.sensors_outside_loops()
@@ -157,6 +159,7 @@ class _Checker:
         for item in self.findings.everything:
             if isinstance(item, AnyPython):
                 self.python(item)
+        check_shared_variables(self.findings)
         found = next(filter(_uses_robot, self.findings.everything), None)
         # In Python, the check of names says where the robot's two lines belong.
         if found is not None and not self.findings.in_python:
