@@ -13,6 +13,7 @@ from learnblock.language.check.device_checker import check_devices
 from learnblock.language.check.endings import LOOPS
 from learnblock.language.check.findings import Findings, is_whole, python_error
 from learnblock.language.check.flow_checker import FlowChecker
+from learnblock.language.check.handled_errors import without_handled
 from learnblock.language.check.python_checker import check_python
 from learnblock.language.check.shared_variable_checker import check_shared_variables
 from learnblock.language.check.speed_checker import check_speeds
@@ -97,7 +98,8 @@ def check(
         check_speeds(findings, drivetrain)
     if python is not None:
         check_python(python, findings)
-    found = sorted(findings.diagnostics, key=attrgetter("line", "column"))
+    mistakes = without_handled(findings.diagnostics, findings.everything)
+    found = sorted(mistakes, key=attrgetter("line", "column"))
     return list(dict.fromkeys(found))
 
 
