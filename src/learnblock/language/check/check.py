@@ -14,6 +14,7 @@ from learnblock.language.check.endings import LOOPS
 from learnblock.language.check.findings import Findings, is_whole, python_error
 from learnblock.language.check.flow_checker import FlowChecker
 from learnblock.language.check.handled_errors import without_handled
+from learnblock.language.check.plain_name_checker import check_plain_names
 from learnblock.language.check.python_checker import check_python
 from learnblock.language.check.shared_variable_checker import check_shared_variables
 from learnblock.language.check.speed_checker import check_speeds
@@ -154,17 +155,17 @@ class _Checker:
         self.sensors_outside_loops()
 
     def run_without_robot(self) -> None:
-        """Check only what a run can't: the names and calls of plain Python are Python's to judge.
-
-        They may be a base class's, an imported module's, or set by something that we don't see.
-        """
+        """Check what plain Python makes certain: it may call anything of an imported module."""
         for item in self.findings.everything:
             if isinstance(item, AnyPython):
                 self.python(item)
         check_shared_variables(self.findings)
         found = next(filter(_uses_robot, self.findings.everything), None)
-        # In Python, the check of names says where the robot's two lines belong.
-        if found is not None and not self.findings.in_python:
+        if self.findings.in_python:
+            # The check of Python's names says where the robot's two lines belong, too.
+            return
+        check_plain_names(self.findings)
+        if found is not None:
             self.report("without-robot", Phrase("check-without-robot"), found.span)
 
     def duplicates(self) -> None:
