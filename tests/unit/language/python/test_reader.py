@@ -369,3 +369,8 @@ def test_any_import_is_restored_from_python(module):
 def test_a_call_of_a_function_that_stays_python_is_not_that_of_a_library():
     join = "def join(first, *rest):\n    return first\n\n\nx = join('a', 'b')\n"
     assert "x = join('a', 'b')\n" in exact(SKELETON + join)[1]
+
+
+@pytest.mark.parametrize("text", ["without robot\n", "without robot\n\n# Nothing yet.\n"])
+def test_a_program_without_a_robot_needs_no_statement(text):
+    assert text == format_program(from_python(to_python(parse(text)).text))
