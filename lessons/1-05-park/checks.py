@@ -20,15 +20,12 @@ def parks_100_mm_from_the_wall(run):
     if abs(away) <= OFF:
         return True
     if away < 0:
-        return {"en": "It stops too far from the wall.", "es": "Para demasiado lejos de la pared."}
-    return {"en": "It stops too close to the wall.", "es": "Para demasiado cerca de la pared."}
+        return "too_far"
+    return "too_close"
 
 
 def asks_a_distance_sensor(run):
     """Whether the program asks for obstacles ahead."""
     if any(skill in SENSORS for _, skill in run.calls):
         return True
-    return {
-        "en": "The program never asks the distance sensor.",
-        "es": "El programa no pregunta nunca al sensor de distancia.",
-    }
+    return "never_asks"

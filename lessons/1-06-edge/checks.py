@@ -19,16 +19,10 @@ NOTHING = 15
 def backs_off(run):
     ways = ways_back(run.path)
     if len(ways) < EDGES:
-        return {
-            "en": f"The robot backed off {len(ways)} times.",
-            "es": f"El robot ha ido hacia atrás {len(ways)} veces.",
-        }
+        return "number_of_times", {"count": len(ways)}
     for way in ways:
         if not SHORTEST <= way <= LONGEST:
-            return {
-                "en": f"The robot backed off by {way:.0f} mm.",
-                "es": f"El robot ha ido {way:.0f} mm hacia atrás.",
-            }
+            return "way_back", {"mm": way}
     return True
 
 
@@ -50,10 +44,7 @@ def stays_on_the_table(run):
     """Whether the middle of the robot stays above the table."""
     if all(abs(x) <= EAST and abs(y) <= NORTH for _, x, y, _ in run.path):
         return True
-    return {
-        "en": "The robot drives too far over the edge, and falls.",
-        "es": "El robot sale demasiado del borde y se cae.",
-    }
+    return "falls"
 
 
 def turns_around(run):
@@ -61,10 +52,7 @@ def turns_around(run):
     turned = sum(turn_between(before[3], after[3]) for before, after in pairwise(run.path))
     if abs(turned - 180 * EDGES) <= OFF:
         return True
-    return {
-        "en": f"The robot turned by {turned:.0f}° in all.",
-        "es": f"El robot ha girado {turned:.0f}° en total.",
-    }
+    return "turned", {"degrees": turned}
 
 
 def turn_between(before, after):

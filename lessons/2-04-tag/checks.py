@@ -9,17 +9,6 @@ UNSEEN = 26
 #: At most so many seconds later, with 0.3 more for the time that a camera needs.
 SOON = 2.3
 
-NEVER = {"en": "The robot never shows this face.", "es": "El robot no pone nunca esa cara."}
-UNSEEN_TAG = {
-    "en": "The robot never looks towards this tag.",
-    "es": "El robot no mira nunca hacia esa etiqueta.",
-}
-EARLY = {
-    "en": "The face comes before the robot can see the tag.",
-    "es": "La cara sale antes de que el robot pueda ver la etiqueta.",
-}
-LATE = {"en": "The face comes too late.", "es": "La cara sale demasiado tarde."}
-
 
 def joy_at_tag_3(run):
     return _soon(run, "joy", (0, -600))
@@ -32,16 +21,16 @@ def surprise_at_tag_5(run):
 def _soon(run, face, place):
     shown = [time for time, what in run.shows if what == face]
     if not shown:
-        return NEVER
+        return "never_shown"
     can_see = [one[0] for one in run.path if _off(one, place) <= UNSEEN]
     sees = [one[0] for one in run.path if _off(one, place) <= SEEN]
     if not can_see:
-        return UNSEEN_TAG
+        return "never_looks"
     if shown[0] < can_see[0]:
-        return EARLY
+        return "too_early"
     # A robot that stops as soon as it sees the tag never looks straight at it.
     seen = sorted([*sees[:1], *_stands(run, place)[:1]])
-    return LATE if seen and shown[0] > seen[0] + SOON else True
+    return "too_late" if seen and shown[0] > seen[0] + SOON else True
 
 
 def _stands(run, place):

@@ -7,12 +7,12 @@ ASKED = 120
 OFF = 15
 #: Slower than this it stands, speeds up or turns, mm/s.
 DRIVING = 40
-#: The places of the tour in their order: English and Spanish name, and where they are.
+#: The places of the tour in their order, and where they are.
 PLACES = (
-    ("bakery", "panadería", (0, -300)),
-    ("school", "escuela", (0, 100)),
-    ("park", "parque", (400, 100)),
-    ("home", "casa", (400, -300)),
+    ("bakery", (0, -300)),
+    ("school", (0, 100)),
+    ("park", (400, 100)),
+    ("home", (400, -300)),
 )
 #: So near, in mm, the robot is at a place.
 NEAR = 60
@@ -25,14 +25,11 @@ SHORTEST_NOTE = 0.25
 def at_120(run):
     speeds = sorted(speeds_of(run.path))
     if not speeds:
-        return {"en": "The robot never drives.", "es": "El robot no avanza nunca."}
+        return "never_drives"
     usual = speeds[len(speeds) // 2]
     if abs(usual - ASKED) <= OFF:
         return True
-    return {
-        "en": f"The robot drives at {usual:.0f} mm/s.",
-        "es": f"El robot avanza a {usual:.0f} mm/s.",
-    }
+    return "speed", {"speed": usual}
 
 
 def speeds_of(path):
@@ -52,19 +49,16 @@ def name_and_note_at_each_place(run):
     Name and note may come in any order.
     """
     after = 0.0
-    for english, spanish, place in PLACES:
+    for name, place in PLACES:
         stay = stay_at(run.path, place, after)
         if stay is None:
-            return missing(english, spanish, "The robot never comes to", "El robot no llega a")
+            return "never_comes", {"place": (name, {})}
         names = [text.strip().lower() for time, text in run.prints if is_in(time, stay)]
-        if english not in names and spanish not in names:
-            return missing(english, spanish, "No name is printed at", "No se escribe el nombre en")
-        notes = [time for time, name in run.calls if name == "play_note" and is_in(time, stay)]
+        if not set(names) & set(run.texts[name]):
+            return "no_name", {"place": (name, {})}
+        notes = [time for time, skill in run.calls if skill == "play_note" and is_in(time, stay)]
         if len(notes) != 1:
-            return {
-                "en": f"{len(notes)} notes are played at this place: {english}.",
-                "es": f"En este sitio se tocan {len(notes)} notas: {spanish}.",
-            }
+            return "other_notes", {"count": len(notes), "place": (name, {})}
         after = stay[1]
     return notes_last(run)
 
@@ -74,15 +68,8 @@ def notes_last(run):
     calls = [*run.calls, (run.time, "")]
     for (start, skill), (end, _) in pairwise(calls):
         if skill == "play_note" and end - start < SHORTEST_NOTE:
-            return {
-                "en": "A note is too short: how many beats does it have?",
-                "es": "Una nota es demasiado corta: ¿cuántos tiempos dura?",
-            }
+            return "note_too_short"
     return True
-
-
-def missing(english, spanish, message, mensaje):
-    return {"en": f"{message} this place: {english}.", "es": f"{mensaje} este sitio: {spanish}."}
 
 
 def stay_at(path, place, after):

@@ -18,23 +18,14 @@ APART = 2
 def backs_away(run):
     times = [time for time, text in run.prints if text.strip().lower() == "bench"]
     if any(after - before < APART for before, after in pairwise(times)):
-        return {
-            "en": "It prints bench twice for one meeting with the bench.",
-            "es": "Escribe bench dos veces en un mismo encuentro con el banco.",
-        }
+        return "printed_twice"
     # The last one may be cut off by the end of the time.
     for time in times[:1]:
         back, turned = detour_after(run.path, time)
         if back < LEAST_BACK:
-            return {
-                "en": f"At the bench it drives back by {back:.0f} mm.",
-                "es": f"En el banco va {back:.0f} mm hacia atrás.",
-            }
+            return "way_back", {"mm": back}
         if not TURN[0] <= turned <= TURN[1]:
-            return {
-                "en": f"At the bench it turns by {turned:.0f}°.",
-                "es": f"En el banco gira {turned:.0f}°.",
-            }
+            return "turned", {"degrees": turned}
     return True
 
 
@@ -63,10 +54,7 @@ def bench_at_the_bench(run):
     """Whether it prints bench only where the bench is ahead."""
     for time, text in run.prints:
         if text.strip().lower() == "bench" and not is_bench_ahead(place_at(run.path, time)):
-            return {
-                "en": f"After {time:.1f} s it prints bench, and the bench is not ahead.",
-                "es": f"A los {time:.1f} s escribe bench y no tiene el banco delante.",
-            }
+            return "bench_not_ahead", {"seconds": time}
     return True
 
 

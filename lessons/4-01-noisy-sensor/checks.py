@@ -19,20 +19,11 @@ def five_and_average(run):
     values = [float(text) for text in texts if re.fullmatch(NUMBER, text)]
     averages = [found for text in texts if (found := re.fullmatch(rf"average ({NUMBER})", text))]
     if len(values) != 5 or len(averages) != 1 or len(texts) != 6:
-        return {
-            "en": "It has to print five numbers, and then one average.",
-            "es": "Tiene que escribir cinco números y después una media.",
-        }
+        return "other_numbers"
     if sum(skill == "get_min_distance" for _, skill in run.calls) < 5:
-        return {
-            "en": "It has to measure five times, too.",
-            "es": "También tiene que medir cinco veces.",
-        }
+        return "too_few_measurements"
     if abs(float(averages[0][1]) - sum(values) / 5) > 1:
-        return {
-            "en": "This is not the average of the five numbers.",
-            "es": "Esa no es la media de los cinco números.",
-        }
+        return "other_average"
     return True
 
 
@@ -41,10 +32,7 @@ def ten_each_time(run):
     asked = sum(skill == "get_min_distance" for _, skill in run.calls)
     if asked and asked % 10 == 0:
         return True
-    return {
-        "en": f"The robot measured {asked} times: that is not ten each time.",
-        "es": f"El robot ha medido {asked} veces: no son diez cada vez.",
-    }
+    return "not_ten", {"count": asked}
 
 
 def short_drives(run):
@@ -52,10 +40,7 @@ def short_drives(run):
     longest = max(drives_in(run.path), default=0)
     if longest <= LONGEST_DRIVE:
         return True
-    return {
-        "en": f"Between two measurements the robot drives {longest:.0f} mm.",
-        "es": f"Entre dos medidas el robot avanza {longest:.0f} mm.",
-    }
+    return "long_drive", {"mm": longest}
 
 
 def reports_at_the_end(run):
@@ -66,18 +51,12 @@ def reports_at_the_end(run):
         if (found := re.fullmatch(rf"parked at ({NUMBER}) mm", text.strip(), re.IGNORECASE))
     ]
     if not reports:
-        return {
-            "en": "It has to print: parked at, the distance, mm.",
-            "es": "Tiene que escribir: parked at, la distancia, mm.",
-        }
+        return "no_report"
     time, distance = reports[-1]
     if time < last_drive(run.path):
-        return {"en": "It prints before it has parked.", "es": "Escribe antes de aparcar."}
+        return "printed_too_early"
     if abs(distance - PARKED) > OFF:
-        return {
-            "en": f"{distance:.0f} mm is not the distance at which it parks.",
-            "es": f"{distance:.0f} mm no es la distancia a la que aparca.",
-        }
+        return "other_distance", {"mm": distance}
     return True
 
 
@@ -85,9 +64,9 @@ def shows_it_at_the_end(run):
     """Whether it shows one text, when it has parked."""
     texts = [(time, text.strip().lower()) for time, text in run.shows]
     if [text for _, text in texts] != ["parked"]:
-        return {"en": "It has to show parked, once.", "es": "Tiene que mostrar parked una vez."}
+        return "not_shown_once"
     if texts[0][0] < last_drive(run.path):
-        return {"en": "It shows it before it has parked.", "es": "Lo muestra antes de aparcar."}
+        return "shown_too_early"
     return True
 
 

@@ -12,13 +12,11 @@ QUESTIONS = {
 TURNING = 2
 STAYS = 1.7
 
-NEVER = {"en": "The robot never shows a face.", "es": "El robot no pone nunca una cara."}
-
 
 def asks_before_each_face(run):
     """Whether the fitting question was asked since the face before, for each face shown."""
     if not run.shows:
-        return NEVER
+        return "never_shown"
     asked, number = set(), 0
     for _, skill in run.calls:
         asked.add(skill)
@@ -28,10 +26,7 @@ def asks_before_each_face(run):
         # A neutral face is for when nobody is there: then all questions were in vain.
         wanted = {QUESTIONS[skill]} if skill in QUESTIONS else set(QUESTIONS.values())
         if not asked & wanted:
-            return {
-                "en": f"The robot shows face number {number} without asking what it sees.",
-                "es": f"El robot pone la cara número {number} sin preguntar qué ve.",
-            }
+            return "without_asking", {"number": number}
         asked.clear()
     return True
 
@@ -42,10 +37,7 @@ def stays_with_each_friend(run):
     for number, (shown, _) in enumerate(run.shows, 1):
         next_turn = min((time for time in turns if time >= shown), default=run.time)
         if next_turn - shown < STAYS:
-            return {
-                "en": f"After face number {number} the robot does not wait 2 seconds.",
-                "es": f"Después de la cara número {number} el robot no espera 2 segundos.",
-            }
+            return "no_wait", {"number": number}
     return True
 
 

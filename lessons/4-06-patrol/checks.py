@@ -22,23 +22,14 @@ def walks_as_written(run):
     """Whether the robot backs away and turns at each obstacle as in the program of the step."""
     detours = split_detours(run.path)
     if len(detours) < 2:
-        return {
-            "en": f"The robot got out of the way {len(detours)} times.",
-            "es": f"El robot se ha apartado {len(detours)} veces.",
-        }
+        return "number_of_times", {"count": len(detours)}
     for detour in detours[:2]:
         back = -sum(min(0.0, forward(*pair)) for pair in detour)
         turned = sum(turn_between(*pair) for pair in detour)
         if not FIRST_BACK[0] <= back <= FIRST_BACK[1]:
-            return {
-                "en": f"At an obstacle the robot drives back by {back:.0f} mm.",
-                "es": f"En un obstáculo el robot va {back:.0f} mm hacia atrás.",
-            }
+            return "way_back", {"mm": back}
         if not FIRST_TURN[0] <= turned <= FIRST_TURN[1]:
-            return {
-                "en": f"At an obstacle the robot turns by {turned:.0f}°.",
-                "es": f"En un obstáculo el robot gira {turned:.0f}°.",
-            }
+            return "turned", {"degrees": turned}
     return True
 
 
@@ -55,10 +46,7 @@ def diary_is_right(run):
     if not set(numbers) & right_numbers(run):
         return wrong_number(numbers, run)
     if len(seconds) != numbers[0]:
-        return {
-            "en": f"The report says {numbers[0]:g}, and then has {len(seconds)} times.",
-            "es": f"El informe dice {numbers[0]:g} y después hay {len(seconds)} tiempos.",
-        }
+        return "other_number_of_times", {"reported": numbers[0], "count": len(seconds)}
     found = split_detours(run.path)
     starts = [start for detour in found for start in beginnings(detour, run)]
     for second in seconds:
@@ -70,14 +58,8 @@ def diary_is_right(run):
 def wrong_second(second, detours):
     for detour in detours:
         if detour[0][0][0] < second <= detour[-1][1][0] + EARLY:
-            return {
-                "en": f"{second:g} s is too late: the robot was already backing away or turning.",
-                "es": f"{second:g} s es demasiado tarde: el robot ya retrocedía o giraba.",
-            }
-    return {
-        "en": f"Nothing was in the way after {second:g} s.",
-        "es": f"A los {second:g} s no había nada en medio.",
-    }
+            return "too_late", {"seconds": second}
+    return "nothing_there", {"seconds": second}
 
 
 def beginnings(detour, run):
@@ -107,10 +89,7 @@ def right_numbers(run):
 def wrong_number(numbers, run):
     count = len(detours_in(run.path))
     said = f"{numbers[0]:g}" if numbers else "-"
-    return {
-        "en": f"The robot got out of the way {count} times; the report says {said}.",
-        "es": f"El robot se ha apartado {count} veces; el informe dice {said}.",
-    }
+    return "other_number", {"count": count, "reported": said}
 
 
 def numbers_in(run, pattern):

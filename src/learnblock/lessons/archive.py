@@ -21,7 +21,7 @@ MOST_FILES = 300
 _PROGRAM, _PICTURE = r"[\w-]{1,60}\.(?:bt|py)", r"[\w-]{1,60}\.(?:png|jpg|jpeg|svg)"
 #: The files that a lesson can have.
 _KNOWN = re.compile(
-    rf"lesson\.toml|checks\.py|programs/{_PROGRAM}|pictures/{_PICTURE}"
+    rf"lesson\.toml|checks\.(?:py|[a-z]{{2,3}}\.toml)|programs/{_PROGRAM}|pictures/{_PICTURE}"
     rf"|worlds/[\w -]{{1,60}}\.(?:toml|png)"
     rf"|teacher/(?:teacher\.toml|notes(?:\.[a-z]{{2,3}})?\.md|(?:solutions|wrong)/{_PROGRAM})"
 )

@@ -21,7 +21,7 @@ from learnblock.extensions.worlds import picture_name
 from learnblock.i18n import ENGLISH, Phrase, languages, translate
 from learnblock.lessons.examining import lesson_findings
 from learnblock.lessons.lesson import VERSION, Lesson
-from learnblock.lessons.opened import EXPERTS, MAIN, TEACHER, OpenLesson
+from learnblock.lessons.opened import MAIN, TEACHER, OpenLesson, is_of_checks
 from learnblock.lessons.reading import read_files
 from learnblock.lessons.texts import Title, in_language
 from learnblock.storage import toml_source
@@ -294,7 +294,7 @@ def _kept(saved: OpenLesson) -> dict[str, bytes]:
     return {
         path: data
         for path, data in saved.files.items()
-        if path.startswith(folders) or path == EXPERTS
+        if path.startswith(folders) or is_of_checks(path)
     }
 
 
@@ -389,7 +389,7 @@ def _place(filename: str, content: Mapping[str, Any]) -> KeyPath:
     for index, step in enumerate(_tables(content.get("step"))):
         if filename.endswith(f"/worlds/{step.get('world')}.toml"):
             return ("step", index, "world")
-    return ("checks", file.name) if file.name == EXPERTS else ()
+    return ("checks", file.name) if is_of_checks(file.name) else ()
 
 
 def _located(error: FileError) -> Phrase:

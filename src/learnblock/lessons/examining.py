@@ -10,6 +10,7 @@ from learnblock.blocks import block_sets
 from learnblock.blocks.known import all_configurations
 from learnblock.errors import Diagnostic, FileError, LessonError, UnknownNameError
 from learnblock.i18n import Phrase
+from learnblock.lessons.check_texts import check_texts
 from learnblock.lessons.checks import (
     Called,
     Check,
@@ -275,11 +276,12 @@ def _check_programs(opened: OpenLesson, folder: str) -> None:
 
 
 def _check_experts(opened: OpenLesson) -> None:
-    """Check that the lesson's Python is Python.
+    """Check that the lesson's Python is Python, and read its texts.
 
     Raises:
-        LessonError: it is not.
+        LessonError: it is not, or the texts have mistakes.
     """
+    check_texts(opened)
     if EXPERTS not in opened.files:
         return
     text = opened.text(EXPERTS)

@@ -15,6 +15,7 @@ import msgspec
 from learnblock.evidence.evidence import Evidence, Noted
 from learnblock.i18n import ENGLISH, Multilingual, Phrase
 from learnblock.lessons import expert_child
+from learnblock.lessons.check_texts import check_texts
 from learnblock.lessons.checks import Expert
 from learnblock.lessons.finding import Finding
 from learnblock.lessons.opened import EXPERTS, OpenLesson
@@ -59,6 +60,7 @@ class Experts:
         self, opened: OpenLesson, seconds: float = SECONDS, limits: Limits = LIMITS
     ) -> None:
         self._source = opened.text(EXPERTS) if EXPERTS in opened.files else ""
+        self._texts = check_texts(opened)
         self._seconds = seconds
         self._limits = limits
 
@@ -67,6 +69,7 @@ class Experts:
         task = {
             "source": self._source,
             "function": check.function,
+            "texts": self._texts,
             "run": _plain(evidence),
             "limits": self._limits,
         }

@@ -3,6 +3,7 @@
 import json
 import os
 import sys
+from collections.abc import Mapping
 from types import SimpleNamespace
 from typing import Any
 
@@ -15,27 +16,66 @@ def main() -> None:
     """Read the task from the standard input, and write the answer to the standard output."""
     task = json.load(sys.stdin.buffer)
     contain(Setup("", "checks.py", "", (), (), None, Limits(*task["limits"])))
-    answer = json.dumps(_answer(task["source"], task["function"], SimpleNamespace(**task["run"])))
-    os.write(1, answer.encode())
+    run = seen_run(task["run"], task["texts"])
+    answer = _answer(task["source"], task["function"], run, task["texts"])
+    os.write(1, json.dumps(answer).encode())
     # Nothing of the check's is to run any more, such as its threads.
     os._exit(0)
 
 
-def _answer(source: str, function: str, run: SimpleNamespace) -> dict[str, Any]:
+def seen_run(run: Mapping[str, Any], texts: Mapping[str, Mapping[str, str]]) -> SimpleNamespace:
+    """What a check gets to see: a run, and each of the lesson's texts in all its languages."""
+    names = dict.fromkeys(name for named in texts.values() for name in named)
+    every = {name: [named[name] for named in texts.values()] for name in names}
+    return SimpleNamespace(**run, texts=every)
+
+
+def reason(verdict: object, texts: Mapping[str, Mapping[str, str]]) -> str | dict[str, str]:
+    """Why a check is not met, as text or as texts by language; "" if it does not say.
+
+    Args:
+        verdict: what its function returned: the name of one of the lesson's texts, alone or in
+            front of the text's values by name; a text; or texts by language.
+        texts: those of the lesson by language, each by its name.
+
+    Raises:
+        LookupError: the lesson has no such text, or a text needs another value.
+        ValueError: a value cannot be formatted as its text wants.
+    """
+    if isinstance(verdict, dict):
+        return {str(language): str(text) for language, text in verdict.items()}
+    if isinstance(verdict, str):
+        if not any(verdict in named for named in texts.values()):
+            return verdict
+        verdict = (verdict, {})
+    if not isinstance(verdict, tuple):
+        return ""
+    if not texts:
+        raise LookupError("there is no checks.en.toml")
+    return {language: str(_in_language(verdict, named)) for language, named in texts.items()}
+
+
+def _in_language(value: object, texts: Mapping[str, str]) -> object:
+    """A value of a text; a named text, with values of its own, is that text."""
+    if not isinstance(value, tuple):
+        return value
+    name, values = value
+    parts = {key: _in_language(part, texts) for key, part in values.items()}
+    return texts[name].format(**parts)
+
+
+def _answer(
+    source: str, function: str, run: SimpleNamespace, texts: Mapping[str, Mapping[str, str]]
+) -> dict[str, Any]:
     # What a check prints is ignored.
     sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115, PTH123 - until the end
     try:
         names: dict[str, Any] = {"__name__": "checks"}
         exec(compile(source, "checks.py", "exec", dont_inherit=True), names)  # noqa: S102 - contained
         verdict = names[function](run)
+        return {"met": verdict is True, "reason": reason(verdict, texts)}
     except BaseException as error:  # noqa: BLE001 - with any error, the check is not met
         return {"met": False, "error": f"{type(error).__name__}: {error}"[:300]}
-    if isinstance(verdict, str):
-        return {"met": False, "reason": verdict}
-    if isinstance(verdict, dict):
-        texts = {str(key): str(value) for key, value in verdict.items()}
-        return {"met": False, "reason": texts}
-    return {"met": verdict is True}
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ A lesson is a folder, or the same files zipped as ``NAME.lblesson``:
     programs/*.bt       the programs that steps start with, and the blocks in their texts
     worlds/*.toml       its own worlds, with their floor pictures
     pictures/*          PNG, JPEG or SVG
-    checks.py           Python predicates, for experts
+    checks.py           Python predicates, for experts; their texts are in checks.LANGUAGE.toml
     teacher/            what pupils never get: teacher.toml, notes.md, notes.es.md,
                         solutions/*.bt, wrong/*.bt
 """

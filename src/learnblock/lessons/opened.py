@@ -1,5 +1,6 @@
 """A lesson that has been read."""
 
+import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
@@ -21,6 +22,8 @@ MAIN, TEACHER = "lesson.toml", "teacher/teacher.toml"
 #: What pupils never get begins with it.
 TEACHERS_FOLDER = "teacher/"
 EXPERTS = "checks.py"
+#: The files with the texts of its checks in Python, by language.
+TEXTS_OF_CHECKS = re.compile(r"checks\.([a-z]{2,3})\.toml")
 #: The name of the pupil's robot among several.
 OWN_ROBOT = "robot"
 
@@ -135,6 +138,11 @@ class OpenLesson:
         assert name is not None  # noqa: S101 - it is among the names
         with staged(_packed_world(self, name)) as file:
             yield str(file)
+
+
+def is_of_checks(path: str) -> bool:
+    """Whether one of a lesson's files belongs to its checks in Python."""
+    return path == EXPERTS or TEXTS_OF_CHECKS.fullmatch(path) is not None
 
 
 def program_tree(opened: OpenLesson, path: str) -> Program:

@@ -21,8 +21,15 @@ contained = pytest.mark.skipif(sys.platform != "linux", reason="only Linux's ker
 LITTLE = Limits(memory=256 * MEGABYTE, cpu=1, file_size=MEGABYTE)
 
 
-def judge(source: str, run: Evidence | None = None, seconds: float = 10.0, limits: Limits = LIMITS):
-    files = MappingProxyType({"checks.py": source.encode()})
+def judge(
+    source: str,
+    run: Evidence | None = None,
+    seconds: float = 10.0,
+    limits: Limits = LIMITS,
+    **texts: str,
+):
+    texts_files = {f"checks.{language}.toml": text.encode() for language, text in texts.items()}
+    files = MappingProxyType({"checks.py": source.encode(), **texts_files})
     experts = Experts(OpenLesson("it", LESSON, None, files), seconds, limits)
     return experts(Expert(function="holds"), run or evidence())
 
@@ -44,6 +51,66 @@ def test_a_check_says_why_it_is_not_met_in_each_language():
         "Muy lento.",
         "Too slow.",
     ]
+
+
+ENGLISH = """[texts]
+slow = "It took {seconds:.1f} s to {place}."
+park = "the park"
+late = "Late."
+"""
+SPANISH = """[texts]
+slow = "Tardó {seconds:.1f} s hasta {place}."
+park = "el parque"
+"""
+
+
+@pytest.mark.parametrize(
+    ("answer", "english", "spanish"),
+    [
+        ('"slow", {"seconds": 2.25, "place": 3}', "It took 2.2 s to 3.", "Tardó 2.2 s hasta 3."),
+        (
+            '"slow", {"seconds": 2, "place": ("park", {})}',
+            "It took 2.0 s to the park.",
+            "Tardó 2.0 s hasta el parque.",
+        ),
+        ('"park"', "the park", "el parque"),
+        # What a language lacks is said in English.
+        ('"late"', "Late.", "Late."),
+        ('"Another text."', "Another text.", "Another text."),
+        ("{'en': 'Too slow.', 'es': 'Lento.'}", "Too slow.", "Lento."),
+    ],
+)
+def test_a_check_names_a_text_of_the_lesson(answer, english, spanish):
+    found = judge(f"def holds(run): return {answer}", en=ENGLISH, es=SPANISH)
+    assert found.state == "failed"
+    assert found.reason is not None
+    words = [translate(found.reason, language) for language in ("en", "es", "fr")]
+    assert words == [english, spanish, english]
+
+
+@pytest.mark.parametrize(
+    ("answer", "words"),
+    [
+        ('"fast", {}', "KeyError"),
+        ('"slow", {"seconds": 2}', "KeyError"),
+        ('"slow", {"seconds": "a", "place": 1}', "ValueError"),
+        ('"slow", 3, 4', "ValueError"),
+        ('"slow", {"seconds": 2, "place": open("/etc/passwd")}', ""),
+    ],
+)
+def test_a_check_that_gives_a_text_what_it_does_not_take_has_a_mistake(answer, words):
+    found = judge(f"def holds(run): return {answer}", en=ENGLISH, es=SPANISH)
+    assert found.reason is not None
+    assert (found.reason.code, words in str(found.reason)) == ("lesson-expert-error", True)
+
+
+def test_a_check_without_texts_that_names_one_has_a_mistake():
+    assert "checks.en.toml" in str(judge('def holds(run): return "slow", {}').reason)
+
+
+def test_a_check_knows_each_text_in_every_language():
+    source = 'def holds(run): return run.texts["park"] == ["the park", "el parque"]'
+    assert judge(source, en=ENGLISH, es=SPANISH).state == "met"
 
 
 def test_a_check_sees_what_happened():

@@ -1,13 +1,17 @@
 """docs/lessons.md says what the code does."""
 
 import re
+from types import MappingProxyType
 
 import msgspec
 import pytest
 
 from learnblock.lessons import checks
+from learnblock.lessons.expert import Experts
 from learnblock.lessons.lesson import Lesson, Step
+from learnblock.lessons.opened import OpenLesson
 from learnblock.lessons.reading import read_files
+from lesson_files import LESSON, evidence
 from places import ROOT
 
 PAGE = (ROOT / "docs" / "lessons.md").read_text("utf-8")
@@ -53,3 +57,16 @@ def test_the_example_is_a_lesson():
     opened = read_files("example", {path: text.encode() for path, text in blocks.items()})
     assert opened.teacher is not None
     assert opened.solution(1)
+
+
+@pytest.mark.parametrize(
+    ("east", "reason"), [(1100, None), (1300, "You drove 1300 mm.")], ids=["short", "long"]
+)
+def test_the_check_in_python_says_its_text(east, reason):
+    section = PAGE.partition("### Checks in Python")[2]
+    source, texts = re.findall(r"```(?:python|toml)\n(.*?)```", section, re.DOTALL)[:2]
+    files = {"checks.py": source.encode(), "checks.en.toml": texts.encode()}
+    experts = Experts(OpenLesson("example", LESSON, None, MappingProxyType(files)))
+    run = evidence({"t": 0.0, "pose": [0, 0, 0]}, {"t": 1.0, "pose": [east, 0, 0]})
+    found = experts(checks.Expert(function="no_detour"), run)
+    assert (found.reason and str(found.reason)) == reason

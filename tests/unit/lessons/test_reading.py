@@ -199,6 +199,25 @@ class TestMistakes:
     def test_python_with_a_mistake_is_named(self):
         assert mistake(checks_py="def f(:\n").startswith("it/checks.py:1:")
 
+    @pytest.mark.parametrize(
+        ("texts", "words"),
+        [
+            ("late = 1", "Each value of 'texts' must be text of 1 to 200 characters."),
+            ('late = ""', "checks.es.toml:1:2: wrong-value"),
+            ('"too late" = "a"', "a name, such as late"),
+            ('late = "Tarde: {seconds"', "checks.es.toml:2:1: wrong-text The braces"),
+            ('late = "Tarde: {time} s"', "other values in 'en'"),
+            ("late = ", "checks.es.toml:2:8: invalid-toml"),
+        ],
+    )
+    def test_a_mistake_in_the_texts_of_checks_is_named(self, texts, words):
+        english = '[texts]\nlate = "Late: {seconds:.1f} s"\n'
+        more = {"checks_py": "", "checks.en_toml": english, "checks.es_toml": f"[texts]\n{texts}\n"}
+        assert words in mistake(**more)
+
+    def test_texts_of_checks_are_for_languages_only(self):
+        assert refused(*files(**{"checks.spanish_toml": ""}).items()) == "unknown-file"
+
     def test_a_lesson_needs_its_main_file(self):
         with pytest.raises(LessonError, match=r"it has no lesson\.toml"):
             read_files("it", {"programs/start.bt": b""})

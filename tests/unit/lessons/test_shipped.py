@@ -1,16 +1,19 @@
 """The lessons that come with LearnBlock; `learnblock lesson check` tries them on more robots."""
 
+import ast
 from collections.abc import Iterator, Mapping
 
 import pytest
 
 from learnblock.i18n import Phrase, translate
 from learnblock.i18n.names import goal_phrase
+from learnblock.lessons.check_texts import check_texts, own_texts
 from learnblock.lessons.checking import hints_for
 from learnblock.lessons.checks import Size, Uses
 from learnblock.lessons.hints import gives_away
 from learnblock.lessons.hints.guess import Hint
 from learnblock.lessons.lesson import HintRule
+from learnblock.lessons.opened import EXPERTS
 from learnblock.lessons.reading import OpenLesson, shipped
 from learnblock.lessons.texts import in_language
 from learnblock.lessons.trying import Attempt, JudgedRun, attempts, read_program
@@ -18,9 +21,11 @@ from learnblock.running.batch import WarmProcess
 from lesson_tries import read_once as opened
 from lesson_tries import tried
 from right_programs import known
+from translated import complete_languages
 
 LESSONS = shipped()
-LANGUAGES = {"en", "es"}
+#: Those that are translated; one that was only begun shows English.
+LANGUAGES = complete_languages()
 #: Mutants and swaps that solve a task all the same: see `benchmarks/lessons.py`.
 KNOWN = [*known("mutants"), *known("swaps")]
 PHASES = ["predict", "run", "investigate", "modify", "make"]
@@ -114,8 +119,32 @@ def test_a_lesson_is_named_by_its_level_and_goes_through_all_phases_in_order(nam
 
 
 @every_lesson
-def test_a_lesson_has_every_text_in_english_and_spanish(name):
+def test_a_lesson_has_every_text_in_each_language(name):
     assert [text for text in texts(opened(name).lesson) if not is_complete(text)] == []
+
+
+@every_lesson
+def test_the_checks_of_a_lesson_have_every_text_in_each_language(name):
+    lesson = opened(name)
+    own = own_texts(lesson)
+    assert set(own) == (LANGUAGES if EXPERTS in lesson.files else set())
+    every = check_texts(lesson)
+    assert [
+        (language, name)
+        for language, texts in own.items()
+        for name in every[language]
+        if name not in texts
+    ] == []
+
+
+@every_lesson
+def test_the_checks_of_a_lesson_say_no_text_in_a_language_themselves(name):
+    lesson = opened(name)
+    source = lesson.text(EXPERTS) if EXPERTS in lesson.files else ""
+    own = LANGUAGES & {
+        node.value for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Constant)
+    }
+    assert own == set()
 
 
 @every_lesson

@@ -1,26 +1,32 @@
 """The checks in Python of the lessons that come with LearnBlock."""
 
 import runpy
-from types import SimpleNamespace
 
 import pytest
 
+from learnblock.lessons.check_texts import check_texts
+from learnblock.lessons.expert_child import reason, seen_run
 from learnblock.lessons.reading import find_lesson
 from learnblock.lessons.trying import attempts
-from lesson_tries import tried
+from lesson_tries import read_once, tried
 from places import ROOT
 
 
 def check(lesson, name):
-    """A function of a lesson's Python."""
-    return runpy.run_path(str(ROOT / "lessons" / lesson / "checks.py"))[name]
+    """A function of a lesson's Python, which says of a run True, or why not by language."""
+    texts = check_texts(read_once(lesson))
+    function = runpy.run_path(str(ROOT / "lessons" / lesson / "checks.py"))[name]
+
+    def judged(seen):
+        verdict = function(seen_run(seen, texts))
+        return verdict if isinstance(verdict, bool) else reason(verdict, texts)
+
+    return judged
 
 
 def run(**seen):
     """What a check gets to see of a run."""
-    return SimpleNamespace(
-        **{"path": (), "prints": (), "calls": (), "shows": (), "time": 60, **seen}
-    )
+    return {"path": (), "prints": (), "calls": (), "shows": (), "time": 60, **seen}
 
 
 @pytest.mark.parametrize("y", [0, 250, -300])
@@ -62,6 +68,14 @@ def test_a_name_or_note_elsewhere_is_told_with_its_place():
     at_places = check("3-04-lists-tour", "name_and_note_at_each_place")
     assert at_places(tour(-2, 0))["en"] == "No name is printed at this place: bakery."
     assert at_places(tour(0, -2))["es"] == "En este sitio se tocan 0 notas: panadería."
+
+
+def test_words_of_any_language_are_right_in_a_report():
+    reports = check("2-03-wait-until", "reports")
+    for clear, wall in (("clear", "wall"), ("libre", "pared"), ("libre", "wall")):
+        prints = [(1, clear), (2, clear), (3, clear), (4, wall)]
+        assert reports(run(prints=prints)) is True
+        assert reports(run(prints=prints[:3] * 2)) is not True
 
 
 def test_a_face_counts_only_after_the_camera_was_asked():

@@ -53,6 +53,7 @@ const AT_START: Readonly<Record<string, RegExp>> = {
   forever: /^\s*forever\s*:/,
   wait: /^\s*wait\s+until\b/,
   until: /^\s*wait\s+until\b/,
+  local: /^\s*local\s+[^\s=(]+\s*=(?!=)/,
 };
 const AFTER_FOR = new Set(["from", "to", "step"]);
 

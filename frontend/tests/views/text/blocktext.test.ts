@@ -24,6 +24,11 @@ test("forever and wait until are keywords in their statements, and names elsewhe
   expect(coloured("forever = wait + until")).toEqual(["operator =", "operator +"]);
 });
 
+test("local is a keyword before a variable that is set, and a name elsewhere", () => {
+  expect(coloured("local x = 1")).toEqual(["keyword local", "operator =", "number 1"]);
+  expect(coloured("local = x")).toEqual(["operator ="]);
+});
+
 test("a value in a text is coloured as a value, and its braces apart", () => {
   expect(coloured('x = f"at {sqrt(2)} {{m}}" + "{y}"').slice(1)).toEqual([
     'string f"at ',

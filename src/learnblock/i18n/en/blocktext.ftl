@@ -157,6 +157,7 @@ blocktext-no-event = Block-Text has no event '{ $found }'. Write a condition of 
 blocktext-broadcast = Write '{ $instead }' instead of '{ $found }', and a 'when { $name }:' block. To run it only once, put 'deactivate { $name }' as its last line.
 blocktext-when-needs-name = A 'when' needs a name before its condition. Write '{ $instead }'.
 blocktext-declared = A variable needs no type and no 'var'. Write '{ $instead }' instead of '{ $found }'.
+blocktext-local-outside = Only a function or a 'when' has local variables. Write '{ $instead }' instead of '{ $found }'.
 blocktext-name-with-space = A name is one word. Write '{ $instead }' instead of '{ $found }'.
 blocktext-name-with-hyphen = A name has no '-', which subtracts. Write '{ $instead }' instead of '{ $found }'.
 blocktext-name-with-digit = A name can't begin with a digit. Write '{ $instead }' instead of '{ $found }'.

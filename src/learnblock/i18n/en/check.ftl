@@ -277,6 +277,13 @@ check-outside-loop = '{ $word }' only works inside a loop. Move it into one, or 
 check-outside-function = 'return' only works inside a 'def' or 'when'. Move it into one, or remove it.
 check-calls-itself = '{ $name }' calls itself here again and again, without end. Remove this line. Write 'forever:' above the other lines of '{ $name }' and 'end' below them.
 check-calls-itself-python = '{ $name }' calls itself here again and again, without end. Remove this line. Write 'while True:' above the other lines of '{ $name }', and indent them by 4 more spaces.
+# $owner: the function or event that sets the variable here
+check-shared-in-recursion = '{ $name }' is shared: the call on line { $line } runs '{ $owner }' again, which changes it, and it is used after that. To give each call its own, write 'local { $name } = ...' here.
+check-shared-in-recursion-python = '{ $name }' is global: the call on line { $line } runs '{ $owner }' again, which changes it, and it is used after that. To give each call its own, remove '{ $name }' from the line 'global'.
+check-shared-counter = '{ $name }' is shared: the loop that calls '{ $owner }' on line { $line } counts with it, too. To give '{ $owner }' its own, write 'local { $name } = ...' here.
+check-shared-counter-python = '{ $name }' is global: the loop that calls '{ $owner }' on line { $line } counts with it, too. To give '{ $owner }' its own, remove '{ $name }' from the line 'global'.
+check-shared-by-events = '{ $name }' is shared: 'when { $event }' counts with it, too. To give '{ $owner }' its own, write 'local { $name } = ...' here.
+check-shared-by-events-python = '{ $name }' is global: the event '{ $event }' counts with it, too. To give '{ $owner }' its own, remove '{ $name }' from the line 'global'.
 # $word: break, continue or return
 check-unreachable-after-jump = This is never reached because of '{ $word }' on line { $line }. Write it above that line, or remove it.
 check-unreachable-after-loop = This is never reached because the loop on line { $line } never ends. Write it in the loop or above, or leave the loop with 'break'.

@@ -11,6 +11,8 @@ lesson-too-many-files = A lesson can have at most { $most } files.
 lesson-uses-one = Give exactly one of 'construct', 'skill' and 'function'.
 lesson-quiz-without-answer = None of the answers is right. Write 'right = true' in at least one.
 lesson-text-blocks = The code block 'blocks' of this text is not Block-Text: { $problem }
+lesson-text-braces = The braces of this text don't match: { $reason }. Write '{ "{{" }' for a brace.
+lesson-text-values = The text '{ $name }' has other values in '{ $language }'.
 lesson-partner-name = Another robot is already called '{ $name }'. Choose another name.
 lesson-puzzle-program = This order is not a program in Block-Text: { $problem }
 lesson-puzzle-pieces = This order has other pieces than '{ $file }'. Use the same statements in both.

@@ -138,6 +138,10 @@ workspace-past-end = { $length ->
 workspace-loop-past-end = There is no item # { $index } in the last round: items are counted from 0. Count from 0 to 'length of { $values }' - 1.
 workspace-empty-list-item = '{ $values }' is empty, so it has no item # { $index }. Before this block, put items into it with 'in list ... insert at last' from 'Variables'.
 workspace-calls-itself = '{ $name }' calls itself here again and again, without end. Remove this block, and put 'repeat forever' around the other blocks of '{ $name }'.
+# $owner: the function or event of this block
+workspace-shared-in-recursion = '{ $name }' is shared: '{ $owner }' runs itself again, which changes it, and it is used after that. To give each call its own, use 'set local { $name }' in place of this block.
+workspace-shared-counter = '{ $name }' is shared: a loop that runs '{ $owner }' counts with it, too. To give '{ $owner }' its own, use 'set local { $name }' in place of this block.
+workspace-shared-by-events = '{ $name }' is shared: the event '{ $event }' counts with it, too. To give '{ $owner }' its own, use 'set local { $name }' in place of this block.
 # $devices: noun phrases from check-device
 workspace-skill-without-answer = This robot has no { $devices }, so it can't answer this question. Remove the block, or choose another robot.
 workspace-skill-impossible = This robot has no { $devices }, so it can't do this. Remove the block, or choose another robot.

@@ -157,6 +157,7 @@ blocktext-no-event = En Block-Text no hay el evento '{ $found }'. Escribe una co
 blocktext-broadcast = Escribe '{ $instead }' en lugar de '{ $found }', y un bloque 'when { $name }:'. Para que se ejecute una sola vez, pon 'deactivate { $name }' en su última línea.
 blocktext-when-needs-name = Un 'when' necesita un nombre antes de su condición. Escribe '{ $instead }'.
 blocktext-declared = Una variable no necesita tipo ni 'var'. Escribe '{ $instead }' en lugar de '{ $found }'.
+blocktext-local-outside = Solo una función o un 'when' tiene variables locales. Escribe '{ $instead }' en lugar de '{ $found }'.
 blocktext-name-with-space = Un nombre es una sola palabra. Escribe '{ $instead }' en lugar de '{ $found }'.
 blocktext-name-with-hyphen = Un nombre no lleva '-', que resta. Escribe '{ $instead }' en lugar de '{ $found }'.
 blocktext-name-with-digit = Un nombre no puede empezar por una cifra. Escribe '{ $instead }' en lugar de '{ $found }'.

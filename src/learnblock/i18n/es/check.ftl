@@ -275,6 +275,13 @@ check-outside-loop = '{ $word }' solo funciona dentro de un bucle. Ponlo dentro 
 check-outside-function = 'return' solo funciona dentro de un 'def' o un 'when'. Ponlo dentro de uno, o quítalo.
 check-calls-itself = '{ $name }' se llama aquí a sí misma una y otra vez, sin fin. Quita esta línea. Escribe 'forever:' encima de las demás líneas de '{ $name }' y 'end' debajo.
 check-calls-itself-python = '{ $name }' se llama aquí a sí misma una y otra vez, sin fin. Quita esta línea. Escribe 'while True:' encima de las demás líneas de '{ $name }' y ponles 4 espacios más delante.
+# $owner: the function or event that sets the variable here
+check-shared-in-recursion = '{ $name }' es compartida: la llamada de la línea { $line } ejecuta otra vez '{ $owner }', que la cambia, y después se usa. Para que cada llamada tenga la suya, escribe aquí 'local { $name } = ...'.
+check-shared-in-recursion-python = '{ $name }' es global: la llamada de la línea { $line } ejecuta otra vez '{ $owner }', que la cambia, y después se usa. Para que cada llamada tenga la suya, quita '{ $name }' de la línea 'global'.
+check-shared-counter = '{ $name }' es compartida: el bucle que llama a '{ $owner }' en la línea { $line } también cuenta con ella. Para que '{ $owner }' tenga la suya, escribe aquí 'local { $name } = ...'.
+check-shared-counter-python = '{ $name }' es global: el bucle que llama a '{ $owner }' en la línea { $line } también cuenta con ella. Para que '{ $owner }' tenga la suya, quita '{ $name }' de la línea 'global'.
+check-shared-by-events = '{ $name }' es compartida: 'when { $event }' también cuenta con ella. Para que '{ $owner }' tenga la suya, escribe aquí 'local { $name } = ...'.
+check-shared-by-events-python = '{ $name }' es global: el evento '{ $event }' también cuenta con ella. Para que '{ $owner }' tenga la suya, quita '{ $name }' de la línea 'global'.
 # $word: break, continue or return
 check-unreachable-after-jump = Aquí no se llega nunca, por el '{ $word }' de la línea { $line }. Escríbelo encima de esa línea, o quítalo.
 check-unreachable-after-loop = Aquí no se llega nunca, porque el bucle de la línea { $line } no termina. Escríbelo dentro del bucle o encima, o sal del bucle con 'break'.

@@ -11,6 +11,8 @@ lesson-too-many-files = Una lección puede tener { $most } archivos como máximo
 lesson-uses-one = Indica exactamente uno de 'construct', 'skill' y 'function'.
 lesson-quiz-without-answer = Ninguna respuesta es correcta. Escribe 'right = true' al menos en una.
 lesson-text-blocks = El bloque de código 'blocks' de este texto no es Block-Text: { $problem }
+lesson-text-braces = Las llaves de este texto no encajan: { $reason }. Para escribir una llave, usa '{ "{{" }'.
+lesson-text-values = El texto '{ $name }' tiene otros valores en '{ $language }'.
 lesson-partner-name = Otro robot ya se llama '{ $name }'. Elige otro nombre.
 lesson-puzzle-program = Este orden no es un programa en Block-Text: { $problem }
 lesson-puzzle-pieces = Este orden no tiene las mismas piezas que '{ $file }'. Usa las mismas instrucciones en los dos.

@@ -142,6 +142,10 @@ workspace-past-end = { $length ->
 workspace-loop-past-end = En la última vuelta no hay ningún elemento # { $index }: los elementos se cuentan desde 0. Cuenta desde 0 hasta 'longitud de { $values }' - 1.
 workspace-empty-list-item = '{ $values }' está vacía, así que no tiene ningún elemento # { $index }. Antes de este bloque, pon elementos en ella con 'en la lista ... insertar en último', de 'Variables'.
 workspace-calls-itself = '{ $name }' se llama aquí a sí misma una y otra vez, sin fin. Quita este bloque y pon 'repetir siempre' alrededor de los demás bloques de '{ $name }'.
+# $owner: the function or event of this block
+workspace-shared-in-recursion = '{ $name }' es compartida: '{ $owner }' se ejecuta otra vez a sí misma y la cambia, y después se usa. Para que cada llamada tenga la suya, usa 'establecer local { $name }' en lugar de este bloque.
+workspace-shared-counter = '{ $name }' es compartida: un bucle que ejecuta '{ $owner }' también cuenta con ella. Para que '{ $owner }' tenga la suya, usa 'establecer local { $name }' en lugar de este bloque.
+workspace-shared-by-events = '{ $name }' es compartida: el evento '{ $event }' también cuenta con ella. Para que '{ $owner }' tenga la suya, usa 'establecer local { $name }' en lugar de este bloque.
 # $devices: noun phrases from check-device
 workspace-skill-without-answer = Este robot no tiene { $devices }, así que no puede responder a esta pregunta. Quita el bloque o elige otro robot.
 workspace-skill-impossible = Este robot no tiene { $devices }, así que no puede hacer esto. Quita el bloque o elige otro robot.

@@ -227,16 +227,6 @@ _ASSIGNMENTS = (
         r"\2\3.\4",
         "blocktext-decimal-comma",
     ),
-    Rule(
-        r"\s*(?P<wrong>(?:(?:var|let|const|int|float|double|string|bool|boolean|char|local|dim)\s+)(\w+))\s*(?==[^=])",
-        r"\2",
-        "blocktext-declared",
-    ),
-    Rule(
-        r"\s*(?:var|let|const|int|float|double|string|bool|boolean|char|local)\s+(\w+)\s*$",
-        r"\1 = 0",
-        "blocktext-declared",
-    ),
     NAME_WITH_SPACE,
     Rule(rf"\s*(?P<wrong>{NAME}-{NAME})\s*(?==[^=])", r"\2_\3", "blocktext-name-with-hyphen"),
     Rule(rf"\s*(?P<wrong>(\d+){NAME})\s*(?==[^=])", r"\3\2", "blocktext-name-with-digit"),

@@ -1,9 +1,10 @@
 """The part of a parser that rewrites a line from another language in place, and reports it."""
 
-from collections.abc import Iterable
+from collections.abc import Collection
 from functools import cached_property
 
 from learnblock.errors import Diagnostic
+from learnblock.language.blocktext import declarations
 from learnblock.language.blocktext.expression_parser import ExpressionParser
 from learnblock.language.blocktext.foreign_lines import NAME_WITH_SPACE, RULES
 from learnblock.language.blocktext.lexer import LINE_ENDS, Token, Tokens, tokenize
@@ -11,6 +12,8 @@ from learnblock.language.blocktext.line_rules import Rewording, Rule, reworded
 
 #: At most this many lines are compared with known slips; a pupil reads only the first messages.
 MAX_COMPARED = 200
+#: The blocks that have local variables.
+FUNCTIONS = frozenset(("def", "when"))
 
 
 class LineRewriter(ExpressionParser):
@@ -28,7 +31,7 @@ class LineRewriter(ExpressionParser):
             index -= 1
         return index
 
-    def rewrite_line(self, openers: Iterable[Token]) -> bool:
+    def rewrite_line(self, openers: Collection[Token]) -> bool:
         """Rewrite this line, if it resembles a known slip and has no other statement.
 
         Args:
@@ -41,7 +44,10 @@ class LineRewriter(ExpressionParser):
         if any(token.line != number for token in self.tokens[start:end]):
             return False
         self.compared += 1
-        rewording = reworded(self.code_of(number, end), (*self.spaced_names, *RULES))
+        in_function = any(opener.kind in FUNCTIONS for opener in openers)
+        declared = declarations.IN_FUNCTIONS if in_function else declarations.OUTSIDE
+        rules = (*self.spaced_names, *declared, *RULES)
+        rewording = reworded(self.code_of(number, end), rules)
         if rewording is None:
             return False
         if number not in self.rewritten:
@@ -58,7 +64,7 @@ class LineRewriter(ExpressionParser):
         names: dict[tuple[str, str], None] = {}
         for line in self.lines:
             found = NAME_WITH_SPACE.match(line)
-            rewording = reworded(line, RULES) if found else None
+            rewording = reworded(line, (*declarations.OUTSIDE, *RULES)) if found else None
             if found and rewording and rewording.message.code == NAME_WITH_SPACE.code:
                 names[found[2], found[3]] = None
         return tuple(

@@ -12,6 +12,7 @@ from learnblock.language.blocktext import slips
 from learnblock.language.blocktext.block_parser import STATEMENT_ENDS, TOP_LEVEL, BlockParser
 from learnblock.language.blocktext.expression_parser import OPERATORS, name_of, python_of
 from learnblock.language.blocktext.lexer import LINE_ENDS, Token
+from learnblock.language.blocktext.line_rewriter import FUNCTIONS
 from learnblock.language.blocktext.token_reader import from_to
 from learnblock.language.tree import raw
 from learnblock.language.tree.characters import write_instead
@@ -143,7 +144,7 @@ class StatementParser(BlockParser):
                 return StatementParser.wait_until
             case "local" if following == "name" and self.kinds[self.index + 2] == "=":
                 # Elsewhere, the word of another language is left out.
-                in_function = any(opener.kind in _FUNCTIONS for opener in self.openers)
+                in_function = any(opener.kind in FUNCTIONS for opener in self.openers)
                 return StatementParser.local_variable if in_function else None
         return None
 
@@ -323,7 +324,6 @@ class StatementParser(BlockParser):
 _Reader = Callable[[StatementParser, Token], Statement | None]
 #: Names that begin a statement of their own, if their line has its form.
 _SOFT = frozenset(("repeat", "forever", "wait", "local"))
-_FUNCTIONS = frozenset(("def", "when"))
 # One method for each of `STATEMENT_STARTS`.
 _READERS: dict[str, _Reader] = {
     "name": StatementParser.name_statement,

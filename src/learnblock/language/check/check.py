@@ -13,7 +13,10 @@ from learnblock.language.check.device_checker import check_devices
 from learnblock.language.check.endings import LOOPS
 from learnblock.language.check.findings import Findings, is_whole, python_error
 from learnblock.language.check.flow_checker import FlowChecker
+from learnblock.language.check.handled_errors import without_handled
+from learnblock.language.check.plain_name_checker import check_plain_names
 from learnblock.language.check.python_checker import check_python
+from learnblock.language.check.shared_variable_checker import check_shared_variables
 from learnblock.language.check.speed_checker import check_speeds
 from learnblock.language.check.type_checker import check_types
 from learnblock.language.check.variable_checker import check_variables
@@ -96,7 +99,8 @@ def check(
         check_speeds(findings, drivetrain)
     if python is not None:
         check_python(python, findings)
-    found = sorted(findings.diagnostics, key=attrgetter("line", "column"))
+    mistakes = without_handled(findings.diagnostics, findings.everything)
+    found = sorted(mistakes, key=attrgetter("line", "column"))
     return list(dict.fromkeys(found))
 
 
@@ -145,21 +149,23 @@ class _Checker:
         self.block(self.findings.top, 0, 0, within_def=False)
         self.block(self.findings.main, 0, 0, within_def=False)
         check_variables(self.findings)
+        check_shared_variables(self.findings)
         check_types(self.findings)
         self.flow.run()
         self.sensors_outside_loops()
 
     def run_without_robot(self) -> None:
-        """Check only what a run can't: the names and calls of plain Python are Python's to judge.
-
-        They may be a base class's, an imported module's, or set by something that we don't see.
-        """
+        """Check what plain Python makes certain: it may call anything of an imported module."""
         for item in self.findings.everything:
             if isinstance(item, AnyPython):
                 self.python(item)
+        check_shared_variables(self.findings)
         found = next(filter(_uses_robot, self.findings.everything), None)
-        # In Python, the check of names says where the robot's two lines belong.
-        if found is not None and not self.findings.in_python:
+        if self.findings.in_python:
+            # The check of Python's names says where the robot's two lines belong, too.
+            return
+        check_plain_names(self.findings)
+        if found is not None:
             self.report("without-robot", Phrase("check-without-robot"), found.span)
 
     def duplicates(self) -> None:

@@ -18,9 +18,10 @@ from learnblock.language.python.skeleton import unusual
 from learnblock.language.tree.characters import write_instead
 from learnblock.language.tree.nodes import Span
 
-_BUILTINS = frozenset((*dir(builtins), "__file__", "__doc__", "__spec__", "__annotations__"))
+#: The names that every program in Python has.
+PYTHON_NAMES = frozenset((*dir(builtins), "__file__", "__doc__", "__spec__", "__annotations__"))
 #: With these, a program can define names that cannot be found by reading the program.
-_DYNAMIC = frozenset(("exec", "eval", "globals", "locals", "vars", "__import__", "setattr"))
+DYNAMIC = frozenset(("exec", "eval", "globals", "locals", "vars", "__import__", "setattr"))
 #: Attributes of a robot that have a name similar to that of a skill.
 _OF_CLIENT = frozenset(("has_extra_camera", "learn", "read", "stop", "time", "wait_until"))
 _DECIMAL = re.compile(r"(\d+),(\d+)")
@@ -39,7 +40,7 @@ class _PythonChecker:
     def __init__(self, text: str, tree: ast.Module, findings: Findings) -> None:
         self.text, self.tree, self.findings = text, tree, findings
         self.nodes = list(ast.walk(tree))
-        self.times_bound = Counter(_bound_names(self.nodes))
+        self.times_bound = Counter(bound_names(self.nodes))
         self.bound = set(self.times_bound)
         # A warning does not hide the error at its place.
         errors = [
@@ -74,7 +75,7 @@ class _PythonChecker:
     def makes_names(self) -> bool:
         """Whether the program may define names that cannot be found by reading it."""
         return "*" in self.bound or any(
-            isinstance(node, ast.Name) and node.id in _DYNAMIC for node in self.nodes
+            isinstance(node, ast.Name) and node.id in DYNAMIC for node in self.nodes
         )
 
     def assignment(self, node: ast.Assign) -> None:
@@ -163,7 +164,7 @@ class _PythonChecker:
         for node in self.nodes:
             if not isinstance(node, ast.Name) or not isinstance(node.ctx, ast.Load):
                 continue
-            if node.id in self.bound or node.id in _BUILTINS or node.id in self.seen:
+            if node.id in self.bound or node.id in PYTHON_NAMES or node.id in self.seen:
                 continue
             self.seen.add(node.id)
             self.report(self.unknown(node, owners.get(id(node))), node)
@@ -194,7 +195,7 @@ class _PythonChecker:
             return Phrase("check-unknown-function-meant", name=name, advice=advice)
         public = (
             name_of_builtin
-            for name_of_builtin in _BUILTINS
+            for name_of_builtin in PYTHON_NAMES
             if is_called and name_of_builtin.islower()
         )
         near = nearest(name, [*self.bound, *public])
@@ -223,7 +224,7 @@ def _unpacks(node: ast.Call) -> bool:
     )
 
 
-def _bound_names(nodes: list[ast.AST]) -> Iterator[str]:
+def bound_names(nodes: list[ast.AST]) -> Iterator[str]:
     """Every name that a program sets anywhere."""
     for node in nodes:
         match node:

@@ -1,8 +1,7 @@
 """Rename a variable, a function or a ``when`` everywhere in a program."""
 
-import ast
 import unicodedata
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import fields, replace
 from typing import Any, Literal
 
@@ -10,9 +9,9 @@ from learnblock.errors import LearnBlockError, UnknownNameError
 from learnblock.language.blocktext import names
 from learnblock.language.blocktext.lexer import KEYWORDS
 from learnblock.language.blocktext.names import state_of
+from learnblock.language.edit.python_names import UnsupportedNameError, functions_with, renamed_in
 from learnblock.language.edit.symbols import Symbols
 from learnblock.language.tree.builtins import FUNCTIONS
-from learnblock.language.tree.markers import raw_names
 from learnblock.language.tree.nodes import (
     Activate,
     AnyPython,
@@ -29,6 +28,7 @@ from learnblock.language.tree.nodes import (
     Span,
     When,
 )
+from learnblock.language.tree.traversal import statements
 
 Sort = Literal["variable", "function", "when"]
 LONGEST_NAME = 100
@@ -84,11 +84,21 @@ def _variable(symbols: Symbols, name: str, new: str) -> Program:
     scope, _, plain = name.rpartition(".")
     items = _scopes_of(symbols, scope, plain)
     _refuse_taken(symbols, new)
-    program = _mapped(symbols.program, items, _variable_change(plain, new))
-    for item in items:
-        if isinstance(item, Def) and plain in item.parameters:
-            program = _everywhere(program, _parameter_change(item.name, plain, new))
+    is_called = plain not in symbols.functions
+    change = _variable_change(plain, new, is_called=is_called)
+    program = _mapped(symbols.program, items, change)
+    for function in _functions_with(items, plain):
+        program = _everywhere(program, _parameter_change(function, plain, new))
     return program
+
+
+def _functions_with(items: tuple[Item, ...], parameter: str) -> Iterator[str]:
+    """The functions that have a parameter of this name, also in Python."""
+    for item in statements(items):
+        if isinstance(item, Def) and parameter in item.parameters:
+            yield item.name
+        elif isinstance(item, AnyPython):
+            yield from functions_with(item.text, names.to_python(parameter))
 
 
 def _scopes_of(symbols: Symbols, scope: str, name: str) -> tuple[Item, ...]:
@@ -96,11 +106,15 @@ def _scopes_of(symbols: Symbols, scope: str, name: str) -> tuple[Item, ...]:
     owners = tuple(item for item in symbols.items if name in symbols.own(item))
     if scope:
         owners = tuple(item for item in owners if getattr(item, "name", "") == scope)
-    elif name in symbols.variables:
+    elif name in symbols.variables or _is_set_in_python(symbols, name):
         return tuple(item for item in symbols.items if name not in symbols.own(item))
     if not owners:
         raise UnknownNameError("variable", name, symbols.variables)
     return owners
+
+
+def _is_set_in_python(symbols: Symbols, name: str) -> bool:
+    return names.to_python(name) in symbols.set_in_python
 
 
 def _refuse_taken(symbols: Symbols, new: str) -> None:
@@ -113,9 +127,11 @@ def _refuse_taken(symbols: Symbols, new: str) -> None:
         raise LearnBlockError("edit-name-of-state", name=new, when=state[0])
 
 
-def _variable_change(name: str, new: str) -> Change:
+def _variable_change(name: str, new: str, *, is_called: bool) -> Change:
+    named = Name | Call if is_called else Name
+
     def change(node: Any) -> Any:
-        if isinstance(node, Name) and node.name == name:
+        if isinstance(node, named) and node.name == name:
             return replace(node, name=new)
         if isinstance(node, Def) and name in node.parameters:
             parameters = tuple(
@@ -144,14 +160,14 @@ def _parameter_change(function: str, name: str, new: str) -> Change:
 
 
 def _function(symbols: Symbols, name: str, new: str) -> Program:
-    if name not in symbols.functions:
+    if name not in symbols.functions and not _is_set_in_python(symbols, name):
         raise UnknownNameError("function", name, symbols.functions)
     if new in FUNCTIONS:
         raise LearnBlockError("edit-language-function", name=new)
     _refuse_taken(symbols, new)
 
     def change(node: Any) -> Any:
-        if isinstance(node, Def | Call) and node.name == name:
+        if isinstance(node, Def | Call | Name) and node.name == name:
             return replace(node, name=new)
         return _in_python(node, name, new)
 
@@ -185,45 +201,21 @@ def _when(symbols: Symbols, name: str, new: str) -> Program:
 def _in_python(node: Any, name: str, new: str) -> Any:
     if not isinstance(node, AnyPython | RawExpression):
         return node
-    old = names.to_python(name)
-    if old not in raw_names(node.text if isinstance(node, AnyPython) else node.text.strip()):
-        return node
-    text = _renamed_in(node.text, old, names.to_python(new))
-    if text is None:
+    try:
+        text = renamed_in(node.text, names.to_python(name), names.to_python(new))
+    except UnsupportedNameError:
         if node.span.line:
-            raise LearnBlockError("edit-used-in-line", name=name, line=str(node.span.line))
-        raise LearnBlockError("edit-used-in-python", name=name)
+            raise LearnBlockError(
+                "edit-used-in-line", name=name, line=str(node.span.line)
+            ) from None
+        raise LearnBlockError("edit-used-in-python", name=name) from None
+    if text == node.text:
+        return node
     if isinstance(node, PythonBlock):
         headers = [line.removesuffix(": pass") for line in text.splitlines()]
         parts = zip(node.parts, headers, strict=True)
         return replace(node, parts=tuple(replace(part, header=header) for part, header in parts))
     return replace(node, text=text)
-
-
-def _renamed_in(text: str, old: str, new: str) -> str | None:
-    """Rename a variable in Python; None if it is used in a way that is not supported."""
-    if text.startswith("@"):
-        return None
-    places: list[tuple[int, int]] = []
-    indent = len(text) - len(text.lstrip()) if "\n" not in text else 0
-    for node in ast.walk(ast.parse(text.strip() if indent else text)):
-        match node:
-            case ast.Name(id=name) | ast.arg(arg=name) if name == old:
-                places.append((node.lineno, node.col_offset + indent))
-            case ast.Global(names=found) | ast.Nonlocal(names=found) if old in found:
-                return None
-            case ast.FunctionDef(name=name) | ast.ClassDef(name=name) if name == old:
-                return None
-            case ast.alias() if old in (node.asname, node.name):
-                return None
-    lines = [line.encode("utf-8", "surrogatepass") for line in text.split("\n")]
-    for line, column in sorted(places, reverse=True):
-        written = lines[line - 1]
-        end = column + len(old.encode())
-        if written[column:end] != old.encode():
-            return None
-        lines[line - 1] = written[:column] + new.encode() + written[end:]
-    return b"\n".join(lines).decode("utf-8", "surrogatepass")
 
 
 # Trees.

@@ -46,18 +46,23 @@ from learnblock.language.tree.nodes import (
     AnyPython,
     Blank,
     Body,
+    Branch,
     Comment,
+    Compare,
     Def,
     Expression,
+    If,
     Import,
     Item,
     Main,
+    Name,
     Pass,
     Program,
     PythonLine,
     Raw,
     Setup,
     Span,
+    String,
     When,
     WithoutRobot,
     is_only_raw,
@@ -232,6 +237,8 @@ class _Reader(PythonReader):
         top = [node for node in rest if not main_line or node.lineno < main_line]
         items = self.block(top, 0, main_line or len(self.lines) + 1, top_level=True)
         main, late = self.main(rest, main_line, end_line)
+        if not main_line and self.is_own_style:
+            items, main = _with_main(items)
         whole = self.with_imports((*head, *items, *late), main)
         arranged = normalized(definitions_first([*whole, *([main] if main else [])]))
         kept = tuple(item for item in arranged if not isinstance(item, Main))
@@ -480,6 +487,22 @@ def _declared_whens(whens: frozenset[str], clashes: dict[str, int]) -> dict[str,
     """The names in Block-Text of the ``when``s, by their names in Python."""
     found = {name: names.when_from_python(name, clashes) for name in sorted(whens)}
     return {name: plain for name, plain in found.items() if plain is not None}
+
+
+def _with_main(items: list[Item]) -> tuple[list[Item], Main | None]:
+    """The items, and the main program that the last ``if __name__ == "__main__":`` is."""
+    last = max((i for i, item in enumerate(items) if not isinstance(item, Blank)), default=0)
+    match items[last : last + 1]:
+        case [
+            If(
+                branches=(
+                    Branch(Compare(("==",), (Name("__name__"), String("__main__"))), body, None),
+                ),
+                otherwise=None,
+            ) as found
+        ]:
+            return items[:last], Main(body, found.span)
+    return items, None
 
 
 def _begins(tree: ast.Module, lines: list[int]) -> dict[int, int]:

@@ -33,7 +33,7 @@ class Skeleton:
 
 def skeleton_of(tree: ast.Module) -> Skeleton | None:
     """The parts of a file, or None if it does not create a robot in this way."""
-    if tree.body and not _has_robot(tree):
+    if not _has_robot(tree):
         return Skeleton(rest=list(tree.body))
     importing: ast.ImportFrom | None = None
     head: list[ast.stmt] = []

@@ -191,6 +191,9 @@ class PythonWriter(ProgramWriter):
         self.line(f"robot = Robot({arguments})", node, node.comment)
 
     def main(self, node: Main) -> None:
+        if self.tree.is_without_robot and not (self.whens or self.tree.ending):
+            self.block(markers.IF_MAIN, node.body, node, None)
+            return
         self.line("# main", node)
         for statement in node.body or (Pass(),):
             self.item(statement)

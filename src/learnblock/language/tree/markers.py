@@ -2,7 +2,7 @@
 
 ``# main`` is above the statements of `main`, ``# end`` above what follows them, and a block of raw
 Python is between ``# python`` and ``# end``. A user's comment that looks like a marker gets another
-``#``.
+``#``. A program without a robot has its main program below `IF_MAIN` instead, as in other Python.
 """
 
 import ast
@@ -16,6 +16,8 @@ from learnblock.language.tree.loads import parsed
 
 MAIN, END, PYTHON = "main", "end", "python"
 _MARKERS = frozenset((MAIN, END, PYTHON))
+#: The first line of the main program, without its colon, in a program without a robot.
+IF_MAIN = 'if __name__ == "__main__"'
 _PLAIN_END = re.compile(r"(\s*)(#[# ]*end\s*)")
 _ESCAPED_END = re.compile(r"(\s*)# (#[# ]*end\s*)")
 

@@ -208,3 +208,16 @@ def within(expression: Expression) -> list[Expression]:
         if get is not None:
             found.extend(get(node))
     return found
+
+
+def evaluated(expression: Expression) -> Iterator[Expression]:
+    """An expression and all expressions inside it, in the order in which their values are found."""
+    found: list[Expression] = []
+    ahead = [expression]
+    while ahead:
+        node = ahead.pop()
+        found.append(node)
+        get = _OPERANDS.get(type(node))
+        if get is not None:
+            ahead.extend(get(node))
+    return reversed(found)

@@ -107,6 +107,17 @@ _IN_BLOCKS: Mapping[str, str] = MappingProxyType(
         **dict.fromkeys(
             ("check-calls-itself", "check-calls-itself-python"), "workspace-calls-itself"
         ),
+        **dict.fromkeys(
+            ("check-shared-in-recursion", "check-shared-in-recursion-python"),
+            "workspace-shared-in-recursion",
+        ),
+        **dict.fromkeys(
+            ("check-shared-counter", "check-shared-counter-python"), "workspace-shared-counter"
+        ),
+        **dict.fromkeys(
+            ("check-shared-by-events", "check-shared-by-events-python"),
+            "workspace-shared-by-events",
+        ),
         "check-skill-without-answer": "workspace-skill-without-answer",
         "check-skill-impossible": "workspace-skill-impossible",
         "check-skill-without-effect": "workspace-skill-without-effect",

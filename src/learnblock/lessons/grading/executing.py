@@ -33,7 +33,7 @@ from learnblock.lessons.grading.values import (
 from learnblock.lessons.hints import Elsewhere, hints
 from learnblock.lessons.judging import Verdict, judge
 from learnblock.lessons.lesson import Lesson, Step
-from learnblock.lessons.opened import EXPERTS, OpenLesson
+from learnblock.lessons.opened import OpenLesson, is_of_checks
 from learnblock.lessons.reading import for_pupils
 from learnblock.lessons.texts import Title, in_language
 from learnblock.lessons.trying import Attempt, StepRuns
@@ -114,7 +114,7 @@ def packed_lesson(opened: OpenLesson, step: int) -> bytes:
     needed = {
         path: files[path]
         for path in sorted(files)
-        if path == EXPERTS or path.startswith(tuple(folders))
+        if is_of_checks(path) or path.startswith(tuple(folders))
     }
     return msgspec.msgpack.encode(Lean(opened.name, opened.lesson, needed), order="deterministic")
 

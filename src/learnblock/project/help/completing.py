@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from learnblock.blocks import BlockConfiguration, Parameter
 from learnblock.language.blocktext.names import attribute_to_python
 from learnblock.language.tree.builtins import BUILTINS, FUNCTIONS
+from learnblock.language.tree.nodes import Def
 from learnblock.project.help.arguments import value_options
 from learnblock.project.help.completion import Completion
 from learnblock.project.help.cursor import Cursor, OpenCall
@@ -37,6 +38,10 @@ _BLOCKTEXT_ITEMS: Mapping[str, tuple[str, str]] = {
     "when": ("when", "when ${name}:\n    ${pass}\nend"),
     "when =": ("when", "when ${name} = ${condition}:\n    ${pass}\nend"),
     "import": ("import", 'import "${name}"'),
+}
+#: What a function sets is its own in Python anyway.
+_BLOCKTEXT_IN_FUNCTIONS: Mapping[str, tuple[str, str]] = {
+    "local": ("local", "local ${1:name} = ${2:0}"),
 }
 _PYTHON_STATEMENTS: Mapping[str, tuple[str, str]] = {
     "if": ("if", "if ${condition}:\n    ${pass}"),
@@ -164,6 +169,8 @@ class Completer:
         keywords = dict(_PYTHON_STATEMENTS if self.is_python else _BLOCKTEXT_STATEMENTS)
         if not self.cursor.before[: self.cursor.start]:
             keywords |= _PYTHON_ITEMS if self.is_python else _BLOCKTEXT_ITEMS
+        elif not self.is_python and isinstance(self.vocabulary.owner, Def):
+            keywords |= _BLOCKTEXT_IN_FUNCTIONS
         for label, (word, insert) in keywords.items():
             help_ = self.words.about("keywords", word)
             yield Completion(label, insert, "keyword", help=help_)

@@ -16,7 +16,7 @@ from learnblock.project.help.vocabulary import Vocabulary
 from learnblock.project.help.words import Words, library_parameters, signature
 
 #: Words that are names, except at the beginning of a line.
-_AT_START = frozenset(("repeat", "forever", "wait", "python"))
+_AT_START = frozenset(("repeat", "forever", "wait", "local", "python"))
 _ONLY_BLOCKTEXT = frozenset(
     ("end", "main", "when", "activate", "deactivate", "function", "until", *_AT_START)
 )

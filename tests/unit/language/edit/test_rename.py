@@ -3,7 +3,7 @@ import pytest
 from learnblock.errors import LearnBlockError, UnknownNameError
 from learnblock.i18n import Phrase
 from learnblock.language import format as format_program
-from learnblock.language import parse, to_python
+from learnblock.language import from_python, parse, to_python
 from learnblock.language.edit.rename import rename
 
 PROGRAM = """\
@@ -104,7 +104,7 @@ def test_a_variable_in_raw_python_is_renamed_too():
 
 
 def test_raw_python_with_an_unsupported_use_of_the_name_is_refused():
-    text = "x = 1\npython:\n    def f():\n        global x\n        x = 2\nend\n"
+    text = "x = 1\npython:\n    match 3:\n        case x:\n            pass\nend\n"
     with pytest.raises(LearnBlockError) as error:
         renamed(text, "variable", "x", "n")
     assert error.value.phrase == Phrase("edit-used-in-line", name="x", line="2")
@@ -157,3 +157,60 @@ def test_renaming_back_restores_the_program():
     program = parse(PROGRAM)
     for sort, name in (("variable", "speed"), ("function", "turn_by"), ("when", "seen")):
         assert program == rename(rename(program, sort, name, "other"), sort, "other", name)
+
+
+PLAIN = """\
+import turtle
+import math as maths
+
+
+class Dog:
+    def bark(self, times=1):
+        print(times, count)
+
+
+def show(value, width=2):
+    global count
+    try:
+        count += maths.floor(value)
+    except ValueError as error:
+        print(error)
+
+
+count = 3
+with open("p.txt") as file:
+    show(count, width=len(file.read()))
+turtle.forward(count)
+dog = Dog()
+"""
+
+
+@pytest.mark.parametrize(
+    ("sort", "name", "changed"),
+    [
+        ("variable", "count", {7: 1, 11: 1, 13: 1, 18: 1, 20: 1, 21: 1}),
+        ("variable", "error", {14: 1, 15: 1}),
+        ("variable", "file", {19: 1, 20: 1}),
+        ("variable", "maths", {2: 1, 13: 1}),
+        ("variable", "width", {10: 1, 20: 1}),
+        ("variable", "value", {10: 1, 13: 1}),
+        ("function", "show", {10: 1, 20: 1}),
+        ("function", "Dog", {5: 1, 22: 1}),
+        ("variable", "dog", {22: 1}),
+    ],
+)
+def test_a_name_of_plain_python_is_renamed_wherever_it_is(sort, name, changed):
+    lines = to_python(rename(from_python(PLAIN), sort, name, "other")).text.splitlines()
+    before = PLAIN.splitlines()
+    different = {
+        number: line.count("other")
+        for number, (line, old) in enumerate(zip(lines, before, strict=True), 1)
+        if line != old
+    }
+    assert changed == different
+    assert PLAIN == "\n".join([*lines, ""]).replace("other", name)
+
+
+def test_a_renamed_module_is_imported_by_another_name():
+    lines = to_python(rename(from_python(PLAIN), "variable", "turtle", "pen")).text.splitlines()
+    assert ["import turtle as pen", "pen.forward(count)"] == [lines[0], lines[20]]

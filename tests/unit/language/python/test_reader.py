@@ -369,3 +369,48 @@ def test_any_import_is_restored_from_python(module):
 def test_a_call_of_a_function_that_stays_python_is_not_that_of_a_library():
     join = "def join(first, *rest):\n    return first\n\n\nx = join('a', 'b')\n"
     assert "x = join('a', 'b')\n" in exact(SKELETON + join)[1]
+
+
+@pytest.mark.parametrize("text", ["without robot\n", "without robot\n\n# Nothing yet.\n"])
+def test_a_program_without_a_robot_needs_no_statement(text):
+    assert text == format_program(from_python(to_python(parse(text)).text))
+
+
+IF_MAIN = 'def main():\n    print(1)\n\n\nif __name__ == "__main__":\n'
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        IF_MAIN + "    main()\n",
+        IF_MAIN + "    # It begins here.\n    main()\n    print(2)\n",
+        IF_MAIN.replace('"', "'") + "    main()\n\n\n",
+        IF_MAIN + "    # python\n    x = 1; y = 2\n    # end\n",
+        'if __name__ == "__main__": pass',
+    ],
+)
+def test_the_last_if_main_of_plain_python_is_the_main_program(text):
+    program = from_python(text)
+    assert program.main is not None
+    assert text == to_python(program).text
+    blocks = from_workspace(to_workspace(program, {}).workspace, {}).program
+    for again in (parse(format_program(program)), blocks):
+        assert program.main == again.main
+        assert meaning(ast.parse(text)) == meaning(ast.parse(to_python(again).text))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        IF_MAIN + "    main()\nprint(2)\n",
+        IF_MAIN + "    main()\n# The end.\n",
+        IF_MAIN + "    main()\nelse:\n    print(2)\n",
+        IF_MAIN.replace(":\n", ":  # Run it.\n") + "    main()\n",
+        IF_MAIN.replace("==", "!=") + "    main()\n",
+        SKELETON + IF_MAIN + "    main()\n",
+    ],
+)
+def test_another_if_main_is_an_if(text):
+    program = from_python(text)
+    assert program.main is None
+    assert text == to_python(program, None).text

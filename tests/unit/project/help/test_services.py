@@ -147,6 +147,15 @@ def test_waiting_and_repeating_forever_are_suggested():
     assert typed("robot.|", "python")["wait_until"].insert == "wait_until(lambda: ${condition})"
 
 
+def test_a_function_may_set_a_variable_of_its_own():
+    text = "def turn_by(angle):\n    lo|\nend\n"
+    number, column, text = place(text)
+    found = complete(document("x = 1\n").with_text("blocktext", text), "blocktext", number, column)
+    assert "local ${1:name} = ${2:0}" in {option.insert for option in found.options}
+    assert "local" not in typed("    |")
+    assert "local" not in typed("    |", "python")
+
+
 def test_in_python_a_when_has_its_attributes():
     found = typed("x = s|", "python")
     assert {"seen.active", "go.time", "class_", "speed", "len"} <= found.keys()
@@ -358,7 +367,8 @@ def test_any_position_in_any_text_has_an_answer(text, notation, line, column):
 def test_every_word_and_function_is_explained_in_every_language():
     english = json.loads((HELP / "en.json").read_text("utf-8"))
     assert english["functions"].keys() == FUNCTIONS
-    assert english["keywords"].keys() == KEYWORDS | {"python", "repeat", "forever", "wait", "until"}
+    soft = {"python", "repeat", "forever", "wait", "until", "local"}
+    assert english["keywords"].keys() == KEYWORDS | soft
     assert all(library_parameters(name) for name in FUNCTIONS)
     for path in HELP.glob("*.json"):
         other = json.loads(path.read_text("utf-8"))
