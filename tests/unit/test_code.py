@@ -15,7 +15,6 @@ DOUBLETS = TESTS / "cases" / "doublets.toml"
 LONGEST_MODULE, LONGEST_FUNCTION = 450, 50
 #: Longer modules, with the reason.
 LONG_MODULES = {
-    "learnblock.language.check.type_checker": "to be cut",
     "learnblock.language.python.reader": "to be cut",
     "learnblock.language.tree.nodes": "one list: the nodes of the tree",
     "learnblock.language.workspace.statement_reader": "to be cut",

@@ -22,6 +22,9 @@ from learnblock.language.tree.nodes import (
 )
 from learnblock.language.tree.traversal import all_expressions, set_by, targets
 
+#: What is right elsewhere: in a class, as the palette's blocks have it, and in other programs.
+_NO_SLIPS = frozenset(("self", "robot"))
+
 
 def check_plain_names(findings: Findings) -> None:
     """Report the names that a program without a robot uses and sets nowhere."""
@@ -41,7 +44,7 @@ class _Checker:
         self.bound.update([names.to_python(name) for name in self.bound])
         for tree in self.python:
             self.bound.update(bound_names(list(ast.walk(tree))))
-        self.known = self.bound | PYTHON_NAMES | FUNCTIONS | {"robot"}
+        self.known = self.bound | PYTHON_NAMES | FUNCTIONS | _NO_SLIPS
         self.seen: set[str] = set()
 
     def may_set_others(self) -> bool:

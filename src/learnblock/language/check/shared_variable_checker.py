@@ -107,9 +107,10 @@ class _Checker:
         self.reported: set[tuple[int, str]] = set()
 
     def run(self) -> None:
-        recursive = [part for name, part in self.functions.items() if name in self.reached[name]]
+        setting = [part for part in self.functions.values() if part.sets]
+        recursive = [part for part in setting if part.name in self.reached[part.name]]
         counting = [part for part in self.parts if part.name and part.counts]
-        if not counting and not any(part.sets for part in recursive):
+        if not (recursive or counting):
             return
         for part in self.parts:
             _Walk(self, part).run()
@@ -170,9 +171,15 @@ class _Checker:
         """The functions that run when one is called."""
         return {function, *self.reached[function]}
 
-    def changed_by(self, function: str) -> set[str]:
-        """The shared variables that a call of a function may set."""
-        return {name for inner in self.run_by(function) for name in self.functions[inner].sets}
+    @cached_property
+    def changed_by(self) -> Mapping[str, set[str]]:
+        """The shared variables that a call of each function may set."""
+        return {
+            function: {
+                name for inner in self.run_by(function) for name in self.functions[inner].sets
+            }
+            for function in self.functions
+        }
 
     # What is reported.
 
@@ -313,7 +320,7 @@ class _Walk:
                 self.part.changed.setdefault(name, source)
 
     def call(self, call: _Source, values: _Values) -> None:
-        for name in self.checker.changed_by(call.function):
+        for name in self.checker.changed_by[call.function]:
             sources = values.get(name, frozenset((_ELSEWHERE,)))
             if _OWN in sources:
                 values[name] = sources | {call}

@@ -1,11 +1,11 @@
 """Find what cannot work because of the types of values: ``"score: " + score``."""
 
-from collections.abc import Callable, Mapping
-from types import MappingProxyType
+from collections.abc import Callable
 from typing import Any
 
 from learnblock.errors import Severity
 from learnblock.i18n import Phrase
+from learnblock.language.check.argument_types import COLLECTIONS, OF_ITEM, OF_NUMBERS, TAKES
 from learnblock.language.check.findings import Findings, is_whole
 from learnblock.language.check.list_checker import check_lists
 from learnblock.language.check.number_checker import random_limits, rounded_side
@@ -41,43 +41,6 @@ from learnblock.language.tree.traversal import (
     statements,
 )
 
-_COLLECTIONS = frozenset((Type.LIST, Type.DICTIONARY))
-#: What each function takes, by argument.
-_TAKES: Mapping[str, tuple[frozenset[Type], ...]] = MappingProxyType(
-    {
-        **dict.fromkeys(
-            (
-                *("abs", "round", "sqrt", "exp", "log", "log10", "floor", "ceil", "sin", "cos"),
-                *("tan", "asin", "acos", "atan"),
-            ),
-            (NUMBERS,),
-        ),
-        **dict.fromkeys(("random", "atan2"), (NUMBERS, NUMBERS)),
-        "constrain": (NUMBERS, NUMBERS, NUMBERS),
-        "len": (TEXTS | _COLLECTIONS,),
-        "keys": (frozenset((Type.DICTIONARY,)),),
-        **dict.fromkeys(("pop", "clear", "copy"), (_COLLECTIONS,)),
-        **dict.fromkeys(
-            (
-                *(
-                    "append",
-                    "extend",
-                    "insert",
-                    "remove",
-                    "sort",
-                    "reverse",
-                ),
-                *("shuffle", "mean", "median", "stdev", "sum"),
-            ),
-            (frozenset((Type.LIST,)),),
-        ),
-        **dict.fromkeys(("upper", "lower", "title", "strip", "find", "replace", "split"), (TEXTS,)),
-    }
-)
-#: The functions that take a list and one item.
-_OF_ITEM = frozenset(("append", "remove"))
-#: The functions that calculate with the items of a list.
-_OF_NUMBERS = frozenset(("sum", "mean", "median", "stdev"))
 #: The operators that text does not have.
 _CALCULATING = frozenset(("+=", "-=", "/=", "//=", "**="))
 _EQUALITIES = frozenset(("==", "!="))
@@ -326,7 +289,7 @@ class _TypeChecker:
         elif node.name == "int" and len(node.arguments) == 1:
             self.words_as_number(node.arguments[0])
         elif self.findings.is_of_language(node.name):
-            self.arguments(node, _TAKES.get(node.name, ()))
+            self.arguments(node, TAKES.get(node.name, ()))
             if node.name == "random":
                 for message, bound in random_limits(self.types, node):
                     self.report(message, bound)
@@ -361,10 +324,10 @@ class _TypeChecker:
         if call == "len":
             code = "check-length-of-number" if kind is Type.NUMBER else "check-no-length"
             return Phrase(code, value=spelled)
-        if call in _OF_ITEM and self.types.of(node.arguments[-1]) is Type.LIST:
+        if call in OF_ITEM and self.types.of(node.arguments[-1]) is Type.LIST:
             values = self.spelled(node.arguments[-1])
             return Phrase("check-list-first", call=call, values=values, item=spelled)
-        if call in _OF_NUMBERS and kind in TEXTS:
+        if call in OF_NUMBERS and kind in TEXTS:
             return Phrase("check-numbers-of-list", call=call, value=spelled)
         return Phrase("check-argument-type", call=call, wanted="list", value=spelled)
 
@@ -385,7 +348,7 @@ class _TypeChecker:
     def number(self, node: Expression) -> None:
         """Report a value that should be a number and is text or a list."""
         kind = self.types.of(node)
-        if kind in TEXTS | _COLLECTIONS:
+        if kind in TEXTS | COLLECTIONS:
             self.report(self.advice(node), node)
 
     def advice(self, node: Expression) -> Phrase:
