@@ -4,7 +4,7 @@ import ast
 import turtledemo
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from pathlib import Path
 
 from learnblock.language import format as format_program
@@ -51,6 +51,11 @@ class Scores:
     sockets: int = 0
     grey_sockets: int = 0
     left: Counter[str] = field(default_factory=Counter)
+
+    def __add__(self, other: "Scores") -> "Scores":
+        """The counts of the files of both."""
+        counts = {each.name: getattr(self, each.name) for each in fields(self)}
+        return Scores(**{name: count + getattr(other, name) for name, count in counts.items()})
 
     @property
     def in_blocks(self) -> float:
@@ -170,4 +175,5 @@ def _names(raw: list[Raw | PythonLine], values: list[RawExpression]) -> Iterator
         except SyntaxError:
             yield "part of a statement"
     for value in values:
-        yield type(ast.parse(value.text.strip(), mode="eval").body).__name__ + " as a value"
+        node = ast.parse(f"({value.text.strip()})", mode="eval").body
+        yield type(node).__name__ + " as a value"

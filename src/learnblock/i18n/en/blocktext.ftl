@@ -177,4 +177,6 @@ blocktext-import-not-needed = Remove this line. Block-Text has functions such as
 blocktext-if-without-else = A value with 'if' needs 'else' and the other value, such as '"near" if x < 10 else "far"'.
 blocktext-lambda = Block-Text has no 'lambda'. Write '{ $header }', 'return { $value }', 'end', each on its own line.
 blocktext-comprehension = Block-Text has no 'for' inside brackets, but Python has. Write a backtick before and after it: { $line }
+blocktext-tuple = Write a list in square brackets, or Python's tuple between backticks: { $instead }
+blocktext-set = A dictionary has a value for each key, such as '{"{"}"Ana": 10{"}"}'. Write a list in square brackets, or Python's set between backticks: { $instead }
 blocktext-comma-in-list = Items of a list are separated by commas. Write '{ $instead }' instead of '{ $found }'.

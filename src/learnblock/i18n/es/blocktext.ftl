@@ -177,4 +177,6 @@ blocktext-import-not-needed = Quita esta línea. Block-Text tiene funciones como
 blocktext-if-without-else = Un valor con 'if' necesita 'else' y el otro valor, por ejemplo '"near" if x < 10 else "far"'.
 blocktext-lambda = En Block-Text no hay 'lambda'. Escribe '{ $header }', 'return { $value }', 'end', cada uno en su propia línea.
 blocktext-comprehension = En Block-Text no hay 'for' entre corchetes o llaves, pero en Python sí. Escribe un acento grave delante y otro detrás: { $line }
+blocktext-tuple = Escribe una lista entre corchetes, o la tupla de Python entre acentos graves: { $instead }
+blocktext-set = Un diccionario tiene un valor para cada clave, por ejemplo '{"{"}"Ana": 10{"}"}'. Escribe una lista entre corchetes, o el conjunto de Python entre acentos graves: { $instead }
 blocktext-comma-in-list = Los elementos de una lista se separan con comas. Escribe '{ $instead }' en lugar de '{ $found }'.

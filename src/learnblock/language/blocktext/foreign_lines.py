@@ -6,10 +6,9 @@ strings, and is tried only on a line that cannot be read.
 """
 
 import re
-import sys
 from collections.abc import Sequence
 
-from learnblock.language.blocktext import spoken_lines
+from learnblock.language.blocktext import python_lines, spoken_lines
 from learnblock.language.blocktext.line_rules import NAME, REST, Rule, at_start
 from learnblock.language.blocktext.several_targets import SEVERAL_TARGETS
 from learnblock.language.tree.builtins import TEMPLATES
@@ -335,14 +334,6 @@ _METHODS = "|".join(
 )
 _FUNCTIONS = "|".join(sorted({name for name, _ in TEMPLATES}))
 
-_MODULES = "|".join(sorted(name for name in sys.stdlib_module_names if name[0] != "_"))
-
-
-def _in_backticks(groups: Sequence[str]) -> str:
-    """A line of Python in Block-Text."""
-    return f"`{groups[0]}`"
-
-
 _PYTHON = (
     Rule(
         r"\s*(?P<wrong>from\s+learnblock\b.*|robot\s*=\s*\w+\(.*\)|import\s+learnblock.*)\s*$",
@@ -354,10 +345,10 @@ _PYTHON = (
         "pass",
         "blocktext-import-not-needed",
     ),
-    # What comes with Python is no library of LearnBlock.
-    Rule(rf"\s*(?P<wrong>(?:import|from)\s+(?:{_MODULES})\b(?!\s*\().*?)\s*$", _in_backticks),
+    *python_lines.IMPORTS,
     Rule(r"\s*(?P<wrong>import\s+([^\W\d]\w*))\s*$", r'import "\2"'),
     Rule(r"\s*(?P<wrong>from\s+([^\W\d]\w*)\s+import\b.*)$", r'import "\2"'),
+    *python_lines.OTHERS,
     Rule(rf"\s*del\s+{NAME}\[\s*(\S.*?)\s*\]\s*$", r"pop(\1, \2)"),
     Rule(r".*?\b(?P<wrong>math\.pi)\b(?!\s*\()", "pi()"),
     Rule(r".*?\b(?P<wrong>random\.random\s*\(\s*\))", "random_fraction()"),

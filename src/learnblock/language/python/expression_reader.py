@@ -65,12 +65,19 @@ class ExpressionReader:
         lines: the lines of the file.
         whens: the names in Block-Text of the ``when``s, by their names in Python.
         functions: the names in Block-Text of the user's functions.
+
+    `robot` is the robot's name in Python; None where no call is one of a skill.
     """
+
+    robot: str | None = "robot"
 
     def __init__(self, lines: list[str], whens: dict[str, str], functions: frozenset[str]) -> None:
         self.lines, self.whens, self.functions = lines, whens, functions
         self.when_names = frozenset(whens.values())
         self.height = 0  # the height, so far, of the expression being read
+
+    def is_robot(self, node: ast.expr) -> bool:
+        return isinstance(node, ast.Name) and node.id == self.robot
 
     def called(self, name: str) -> str:
         """The name in Block-Text of a function."""
@@ -134,7 +141,7 @@ class ExpressionReader:
             ):
                 prefix = "state_" if attribute == "active" else "time_"
                 return Name(prefix + self.whens[name], span)
-            case ast.Call(func=ast.Attribute(value=ast.Name(id="robot"), attr=name)):
+            case ast.Call(func=ast.Attribute(value=owner, attr=name)) if self.is_robot(owner):
                 return self.skill_call(node, name, span)
             case ast.Subscript(value=value, slice=index) if not isinstance(
                 index, ast.Slice | ast.Tuple

@@ -5,7 +5,7 @@ are set, and what is before a dot or a call if it is only a name, belong to the 
 """
 
 import ast
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import lru_cache
 from itertools import zip_longest
 from typing import NamedTuple
@@ -24,6 +24,7 @@ _VALUES = (
     ast.DictComp,
     ast.GeneratorExp,
     ast.IfExp,
+    ast.JoinedStr,
     ast.Lambda,
     ast.List,
     ast.ListComp,
@@ -69,6 +70,8 @@ def value_form(text: str) -> SplitLine | None:
     """The form of an expression; None if Python alone shows it."""
     node = _only_statement(text)
     match node:
+        case ast.Expr(value=ast.JoinedStr() as value):
+            return _f_string_form(text.strip(), value)
         case ast.Expr(value=value) if isinstance(value, _VALUES):
             return _split(text, value)
     return None
@@ -91,16 +94,34 @@ def header_form(header: str) -> SplitLine:
 
 
 def filled(words: Sequence[str], texts: Sequence[str], split: Split) -> str:
-    """The line with other values, in brackets where it would mean something else without them."""
-    plain = _joined(words, texts)
-    form = split(plain)
-    if form is not None and form.words == tuple(words):
-        meant = [_only_statement(text) for text in texts]
-        if [ast.dump(value) for value in form.values] == [
-            ast.dump(node.value) for node in meant if isinstance(node, ast.Expr)
-        ]:
+    """The line with other values, in brackets where it would mean something else without them.
+
+    In an f-string, texts get the other quotes where Python needs that.
+    """
+    values = [_value(text) for text in texts]
+    requoted = [
+        text if value is None else ast.unparse(value)
+        for text, value in zip(texts, values, strict=True)
+    ]
+    in_brackets, last = ([f"({text})" for text in found] for found in (texts, requoted))
+    for found in (texts, in_brackets, requoted, last):
+        plain = _joined(words, found)
+        form = split(plain)
+        if form is not None and form.words == tuple(words) and _same(form.values, values):
             return plain
-    return _joined(words, [f"({text})" for text in texts])
+    return _joined(words, in_brackets)
+
+
+def _value(text: str) -> ast.expr | None:
+    node = _only_statement(text)
+    return node.value if isinstance(node, ast.Expr) else None
+
+
+def _same(values: Sequence[ast.expr], others: Sequence[ast.expr | None]) -> bool:
+    return all(
+        other is not None and ast.dump(value) == ast.dump(other)
+        for value, other in zip(values, others, strict=True)
+    )
 
 
 def _joined(words: Sequence[str], texts: Sequence[str]) -> str:
@@ -125,33 +146,61 @@ def _split(text: str, node: ast.AST) -> SplitLine:
     return SplitLine(tuple(words), tuple(values))
 
 
+def _f_string_form(text: str, node: ast.JoinedStr) -> SplitLine | None:
+    """The form of an f-string; None where Python 3.11 does not know where its values are."""
+    form = _split(text, node)
+    written = text.encode()
+    segments = [
+        written[value.col_offset : value.end_col_offset].decode(errors="replace")
+        for value in form.values
+    ]
+    if _joined(form.words, segments) == text and _same(form.values, list(map(_value, segments))):
+        return form
+    return None
+
+
 def _sockets(node: ast.AST) -> Iterator[ast.expr]:
     """The values in a node that have sockets of their own."""
     match node:
         case ast.Expr(value=value):
             yield from _sockets(value)
-        case ast.Name() | ast.JoinedStr() | ast.Constant():
+        case ast.Name() | ast.Constant():
             return
+        case ast.FormattedValue(value=value, format_spec=format_spec):
+            yield value
+            if format_spec is not None:
+                yield from _sockets(format_spec)
         case ast.Attribute(value=value):
             yield from _owner(value)
-        case ast.Call(func=function, args=arguments, keywords=keywords):
-            yield from _owner(function)
-            for part in (*arguments, *keywords):
-                yield from _socket(part)
-        case ast.FunctionDef() | ast.AsyncFunctionDef():
-            yield from _socket(node.args)
         case ast.AnnAssign(value=value):
             if value is not None:
                 yield value
         case _:
-            for part in ast.iter_child_nodes(node):
+            for part in _parts(node):
                 yield from _socket(part)
+
+
+def _parts(node: ast.AST) -> Iterable[ast.AST]:
+    """The parts of a node in which there are values."""
+    match node:
+        case ast.Call(func=function, args=arguments, keywords=keywords):
+            return (*_owner(function), *arguments, *keywords)
+        case ast.Subscript(value=value, slice=ast.Tuple(elts=parts)) if any(
+            isinstance(part, ast.Slice | ast.Starred) for part in parts
+        ):
+            # `:, 0` in `table[:, 0]` is no value by itself.
+            return (value, *parts)
+        case ast.JoinedStr(values=parts):
+            return [part for part in parts if isinstance(part, ast.FormattedValue)]
+        case ast.FunctionDef() | ast.AsyncFunctionDef():
+            return (node.args,)
+    return ast.iter_child_nodes(node)
 
 
 def _socket(part: ast.AST) -> Iterator[ast.expr]:
     """A value itself; of what is no value, the values in it."""
     match part:
-        case ast.Starred() | ast.Slice():
+        case ast.Starred() | ast.Slice() | ast.FormattedValue():
             yield from _sockets(part)
         case ast.stmt():
             return

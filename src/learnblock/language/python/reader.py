@@ -187,7 +187,8 @@ class _Defined(NamedTuple):
         """All definitions; in Block-Text, two ``when``s of one name are none."""
         nodes = [node for node in skeleton.rest if isinstance(node, ast.FunctionDef)]
         times = Counter(node.name for node in nodes)
-        whens = (node.name for node in nodes if is_when(node) and times[node.name] == 1)
+        events = filter(is_when, nodes) if skeleton.robot else ()
+        whens = (node.name for node in events if times[node.name] == 1)
         functions = (names.from_python(node.name) for node in nodes if not node.decorator_list)
         return cls(frozenset(whens), frozenset(filter(None, functions)))
 
@@ -216,6 +217,7 @@ class _Reader(PythonReader):
             defined.functions,
         )
         self.skeleton = skeleton
+        self.robot = skeleton.robot
         self.is_own_style = skeleton.importing is None
         if self.raw_ends:
             begins = _begins(tree, sorted(self.raw_ends.values()))

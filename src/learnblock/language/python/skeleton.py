@@ -12,6 +12,8 @@ class Skeleton:
     """The statements of a file, split at the import and creation of the robot.
 
     Args:
+        robot: the name of the robot, also where its two lines are missing; None in a program in
+            which the name means something else.
         importing: the statement that imports ``Robot``; None in a program without a robot.
         creating: the statement ``robot = Robot(...)``.
         creation: its value.
@@ -19,6 +21,7 @@ class Skeleton:
         rest: the statements after it.
     """
 
+    robot: str | None = "robot"
     importing: ast.ImportFrom | None = None
     creating: ast.Assign | None = None
     creation: ast.Call | None = None
@@ -32,9 +35,14 @@ class Skeleton:
 
 
 def skeleton_of(tree: ast.Module) -> Skeleton | None:
-    """The parts of a file, or None if it does not create a robot in this way."""
-    if not _has_robot(tree):
-        return Skeleton(rest=list(tree.body))
+    """The parts of a file, or None if it creates a robot of LearnBlock's in another way."""
+    found = _with_robot(tree)
+    if found is None and not _uses_learnblock(tree):
+        return Skeleton(robot=None if _names_robot(tree) else "robot", rest=list(tree.body))
+    return found
+
+
+def _with_robot(tree: ast.Module) -> Skeleton | None:
     importing: ast.ImportFrom | None = None
     head: list[ast.stmt] = []
     for index, statement in enumerate(tree.body):
@@ -50,7 +58,7 @@ def skeleton_of(tree: ast.Module) -> Skeleton | None:
                 if importing is None:
                     return None
                 rest = tree.body[index + 1 :]
-                return Skeleton(importing, statement, creation, head, rest)
+                return Skeleton("robot", importing, statement, creation, head, rest)
             case ast.Import() | ast.ImportFrom() | ast.Expr(value=ast.Constant()):
                 head.append(statement)
             case _:
@@ -58,8 +66,20 @@ def skeleton_of(tree: ast.Module) -> Skeleton | None:
     return None
 
 
-def _has_robot(tree: ast.Module) -> bool:
-    """Whether a file may create a robot, or have a name of one for something else.
+def _uses_learnblock(tree: ast.Module) -> bool:
+    for node in ast.walk(tree):
+        match node:
+            case ast.ImportFrom(module=str(name), level=0) if name.startswith(_LEARNBLOCK):
+                return True
+            case ast.Import(names=names) if any(
+                alias.name.startswith(_LEARNBLOCK) for alias in names
+            ):
+                return True
+    return False
+
+
+def _names_robot(tree: ast.Module) -> bool:
+    """Whether a file has a robot's name for something of its own.
 
     One that only calls skills lacks its robot, which the check says.
     """
@@ -70,12 +90,13 @@ def _has_robot(tree: ast.Module) -> bool:
                 continue
             case ast.Name(id="robot" | "Robot") | ast.arg(arg="robot" | "Robot"):
                 return True
-            case ast.alias(name=name, asname=other):
-                if name == "Robot" or "robot" in (name, other) or name.startswith(_LEARNBLOCK):
-                    return True
-            case ast.ImportFrom(module=str(module)) if module.startswith(_LEARNBLOCK):
+            case ast.alias(name=name, asname=other) if name == "Robot" or "robot" in (name, other):
                 return True
             case ast.FunctionDef(name="robot") | ast.ClassDef(name="robot" | "Robot"):
+                return True
+            case ast.AsyncFunctionDef(name="robot") | ast.ExceptHandler(name="robot"):
+                return True
+            case ast.MatchAs(name="robot") | ast.MatchStar(name="robot"):
                 return True
     return False
 

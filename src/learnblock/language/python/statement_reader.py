@@ -347,10 +347,10 @@ class StatementReader(CommentReader):
     def perform(self, call: ast.expr, comment: str | None, span: Span) -> Statement:
         match call:
             case ast.Call(
-                func=ast.Attribute(value=ast.Name(id="robot"), attr="wait_until"),
+                func=ast.Attribute(value=owner, attr="wait_until"),
                 args=[ast.Lambda(args=arguments, body=condition)],
                 keywords=[],
-            ) if not any(ast.iter_child_nodes(arguments)):
+            ) if self.is_robot(owner) and not any(ast.iter_child_nodes(arguments)):
                 return WaitUntil(self.expression(condition), comment, span)
             case ast.Call(
                 func=ast.Attribute(
@@ -358,11 +358,13 @@ class StatementReader(CommentReader):
                 ),
                 args=[],
                 keywords=[],
-            ) if name != "robot":
+            ) if name in self.whens or not (self.is_own_style or name == self.robot):
                 plain = self.whens.get(name) or self.called(name)
                 node = Activate if method == "activate" else Deactivate
                 return node(plain, comment, span)
-            case ast.Call(func=ast.Attribute(value=ast.Name(id="robot"), attr="run"), args=[]):
+            case ast.Call(func=ast.Attribute(value=owner, attr="run"), args=[]) if self.is_robot(
+                owner
+            ):
                 # Block-Text implies it at the end; elsewhere, it stays Python.
                 raise Unlike
         value = self.exact(call)

@@ -40,11 +40,14 @@ class Sockets:
         whens = PythonWriter(program, frozenset()).whens
         self.whens = {python: plain for plain, python in whens.items()}
         self.functions = frozenset(program.functions)
+        # In a program without a robot, the name may be that of something else.
+        self.robot = None if program.is_without_robot else ExpressionReader.robot
         self.kept: list[Expression] = []
 
     def values(self, text: str, form: SplitLine) -> list[Expression]:
         """The values of a form of `text`."""
         reader = ExpressionReader([text.strip()], self.whens, self.functions)
+        reader.robot = self.robot
         found = [reader.expression(value) for value in form.values]
         self.kept += found
         return found

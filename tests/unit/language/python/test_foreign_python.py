@@ -6,10 +6,17 @@ The floors may only rise; `scripts/bench foreign_python` prints the scores.
 import pytest
 
 from learnblock.blocks.schema.loading import builtin
-from learnblock.language import check, from_python, parse, to_python
+from learnblock.language import (
+    check,
+    from_python,
+    from_workspace,
+    parse,
+    to_python,
+    to_workspace,
+)
 from learnblock.language import format as format_program
-from learnblock.language.tree.nodes import Raw
-from learnblock.language.tree.traversal import statements
+from learnblock.language.tree.nodes import PythonLine, Raw, SkillCall
+from learnblock.language.tree.traversal import all_expressions, statements, within
 from python_scores import TURTLEDEMO, scores_of
 
 STATEMENTS_IN_BLOCKS = 99.9
@@ -90,6 +97,43 @@ def test_a_program_that_lacks_only_its_robot_is_blocks_and_the_check_says_how_to
     assert found.message.code == "python-no-robot"
     (found,) = check(parse(format_program(program)), builtin())
     assert found.message.code == "check-without-robot"
+
+
+OWN_ROBOT = """\
+from toys import Car
+
+robot = Car(4, 14)
+
+
+def play(robot):
+    robot.forward(0.5)
+    robot.wait_until(lambda: robot.stopped)
+
+
+play(robot)
+print(f"{robot.distance():.1f} cm", robot.distance())
+robot.activate()
+robot.run()
+"""
+
+
+def test_a_robot_of_another_library_is_blocks_and_none_of_its_methods_a_skill():
+    program = from_python(OWN_ROBOT)
+    found = list(statements(program.items))
+    assert not any(isinstance(item, Raw) for item in found)
+    values = [part for item in found for value in all_expressions(item) for part in within(value)]
+    assert not any(isinstance(value, SkillCall) for value in values)
+    assert check(program, builtin(), python=OWN_ROBOT) == []
+    assert check(parse(format_program(program)), builtin()) == []
+    assert to_python(parse(format_program(program))).text == OWN_ROBOT
+    read = from_workspace(to_workspace(program, builtin()).workspace, builtin())
+    assert (read.program, read.problems) == (program, ())
+    assert to_python(read.program).text == OWN_ROBOT
+
+
+def test_activate_without_events_is_a_method_like_any_other():
+    program = from_python("window.activate()\n")
+    assert program.items[1:] == (PythonLine("window.activate()"),)
 
 
 def test_adding_the_two_lines_of_the_robot_is_enough():

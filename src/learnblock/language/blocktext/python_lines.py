@@ -1,0 +1,47 @@
+"""Python that Block-Text has only between backticks, and what to write instead."""
+
+import sys
+from collections.abc import Sequence
+
+from learnblock.language.blocktext.line_rules import Rule
+
+#: Packages that learners have heard of; no library of LearnBlock has such a name.
+_PACKAGES = (
+    "cv2|ev3dev2|gpiozero|guizero|irobot_edu_sdk|machine|matplotlib|microbit|numpy|pandas|PIL|pgzrun"
+    "|pybricks|pygame|requests|scipy|serial|sklearn|tensorflow|torch"
+)
+_MODULES = "|".join(sorted(name for name in sys.stdlib_module_names if name[0] != "_"))
+
+
+def _in_backticks(groups: Sequence[str]) -> str:
+    return f"`{groups[0]}`"
+
+
+IMPORTS = (
+    # What comes with Python is no library of LearnBlock.
+    Rule(
+        rf"\s*(?P<wrong>(?:import|from)\s+(?:{_MODULES}|{_PACKAGES})\b(?!\s*\().*?)\s*$",
+        _in_backticks,
+    ),
+    # Nor is what is imported under another name, or from inside a package.
+    Rule(
+        r"\s*(?P<wrong>(?:import|from)\s+[^\W\d]\w*(?:\.\w+|\s.*\bas\s+\w).*?)\s*$", _in_backticks
+    ),
+)
+OTHERS = (
+    # A decorator.
+    Rule(r"\s*(?P<wrong>@\s*[^\W\d][\w.]*(?:\(.*\))?)\s*$", _in_backticks),
+    # A list or a dictionary as the arguments of a call.
+    Rule(r"\s*(?P<wrong>[^\W\d]\w*\((?:.*,)?\s*\*\*?\s*[^\W\d\s].*\))\s*$", _in_backticks),
+    Rule(r".*?\bin\s+(?P<wrong>\(([^()`]*,[^()`]*?),?\s*\))", r"[\2]"),
+    Rule(
+        r"(?!.*\b(?:def|for)\b).*?(?:[=(,\[+*]|\breturn\b)\s*(?P<wrong>\([^()`]*,[^()`]*\))",
+        _in_backticks,
+        "blocktext-tuple",
+    ),
+    Rule(
+        r"(?!.*\sfor\s).*?(?:[=(,\[]|\breturn\b)\s*(?P<wrong>\{\s*[^\s{}:=`][^{}:=`]*\})",
+        _in_backticks,
+        "blocktext-set",
+    ),
+)
