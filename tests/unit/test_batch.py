@@ -14,7 +14,7 @@ from learnblock.running import Options, ProgramRun, Report
 from learnblock.running.batch import Batch, WarmProcess, checked_result
 from learnblock.running.job import Job
 from learnblock.running.result import RunResult, packed
-from learnblock.running.warm import Prints
+from learnblock.running.warm import Prints, is_shared
 from learnblock.runtime.ending import How
 from learnblock.runtime.limits import MEGABYTE, Limits
 from learnblock.runtime.program import Program
@@ -76,6 +76,13 @@ def test_a_plain_program_that_never_calls_its_robot_ends_as_alone():
 
     assert result.isolated
     assert result.report.ended == How.NO_CALL
+
+
+def test_a_plain_program_that_hangs_gets_a_process_of_its_own_at_once():
+    hanging = job(in_python("while True: pass"))
+
+    assert is_shared(job(in_python("while True: break")))
+    assert not is_shared(hanging)
 
 
 def test_a_plain_program_with_too_much_memory_ends_as_one_in_a_process():

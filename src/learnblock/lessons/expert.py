@@ -1,14 +1,14 @@
 """Checks in a lesson's own Python: they come from anyone, so they run contained, like programs.
 
-A process of its own gets the run as JSON, puts itself behind the fence of programs, and writes the
-answer as JSON. Anything but a clear yes counts as no.
+A process of its own gets the run as JSON, puts itself behind the fence of programs, and answers in
+JSON. Anything but a clear yes counts as no.
 """
 
-import subprocess
-import sys
-from collections.abc import Mapping, Sequence
-from tempfile import TemporaryFile
-from typing import Any, BinaryIO
+import socket
+from collections.abc import Sequence
+from contextlib import suppress
+from subprocess import TimeoutExpired
+from typing import Any
 
 import msgspec
 
@@ -19,10 +19,10 @@ from learnblock.lessons.check_texts import check_texts
 from learnblock.lessons.checks import Expert
 from learnblock.lessons.finding import Finding
 from learnblock.lessons.opened import EXPERTS, OpenLesson
-from learnblock.runtime import process_group
-from learnblock.runtime.containment.environment import environment
-from learnblock.runtime.containment.scratch import Scratch
+from learnblock.runtime.fork_server import ForkServer
 from learnblock.runtime.limits import MEGABYTE, Limits
+from learnblock.runtime.standby import Standby
+from learnblock.timing import Deadline, MonotonicClock
 
 #: The most seconds of a check.
 SECONDS = 10.0
@@ -31,6 +31,7 @@ LIMITS = Limits(memory=1024 * MEGABYTE, cpu=5, file_size=MEGABYTE, open_files=32
 #: The largest answer, in bytes; it may have a reason in several languages.
 _LARGEST_ANSWER = 64 * 1024
 _LONGEST_REASON = 300
+_CHILD = expert_child.__name__
 
 
 class Answer(msgspec.Struct, forbid_unknown_fields=True):
@@ -54,15 +55,22 @@ class Experts:
         opened: the lesson.
         seconds: the most seconds of a check.
         limits: the resources that a check may use.
+        processes: forks the process of each check, for those who judge many runs; without it, each
+            is started. See `expert_processes`.
     """
 
     def __init__(
-        self, opened: OpenLesson, seconds: float = SECONDS, limits: Limits = LIMITS
+        self,
+        opened: OpenLesson,
+        seconds: float = SECONDS,
+        limits: Limits = LIMITS,
+        processes: ForkServer | None = None,
     ) -> None:
         self._source = opened.text(EXPERTS) if EXPERTS in opened.files else ""
         self._texts = check_texts(opened)
         self._seconds = seconds
         self._limits = limits
+        self._processes = processes
 
     def __call__(self, check: Expert, evidence: Evidence) -> Finding:
         """Judge a run that is over."""
@@ -73,7 +81,8 @@ class Experts:
             "run": _plain(evidence),
             "limits": self._limits,
         }
-        answer = _answer(_run(msgspec.json.encode(task), self._seconds))
+        with self._process() as process:
+            answer = _answer(_said(process, msgspec.json.encode(task), self._seconds))
         if answer is None:
             return Finding("failed", evidence.now, Phrase("lesson-expert-silent"))
         if answer.error:
@@ -82,6 +91,19 @@ class Experts:
         if answer.met:
             return Finding("met", evidence.now)
         return Finding("failed", evidence.now, _reason(answer.reason))
+
+    def _process(self) -> Standby:
+        if self._processes:
+            self._processes.begin()
+            # It may have been killed meanwhile.
+            with suppress(OSError):
+                return self._processes.standby()
+        return Standby(_CHILD)
+
+
+def expert_processes() -> ForkServer:
+    """What forks the processes of checks; it starts with the first of them."""
+    return ForkServer(_CHILD)
 
 
 def _reason(reason: str | dict[str, str]) -> Phrase:
@@ -101,42 +123,23 @@ def _answer(data: bytes) -> Answer | None:
         return None
 
 
-def _run(task: bytes, seconds: float) -> bytes:
-    """What the contained process writes; "" if it had to be ended."""
-    scratch = Scratch()
+def _said(process: Standby, task: bytes, seconds: float) -> bytes:
+    """What the contained process says; "" if it says too much, takes too long or fails."""
+    deadline = Deadline.after(seconds, MonotonicClock())
+    said, connection = bytearray(), process.connection
+    connection.settimeout(seconds)
     try:
-        # In a file, whose size is limited: a pipe could be written to without end.
-        with TemporaryFile() as task_file, TemporaryFile() as written:
-            task_file.write(task)
-            task_file.seek(0)
-            status = _wait(_start(task_file, written, environment(scratch.path)), seconds)
-            written.seek(0)
-            return written.read(_LARGEST_ANSWER) if status == 0 else b""
-    finally:
-        scratch.remove()
-
-
-def _start(
-    task_file: BinaryIO, written: BinaryIO, variables: Mapping[str, str]
-) -> "subprocess.Popen[bytes]":
-    return subprocess.Popen(  # noqa: S603 - our own interpreter and module
-        # -P: as for programs.
-        [sys.executable, "-P", "-m", expert_child.__name__],
-        env=variables,
-        stdin=task_file,
-        stdout=written,
-        stderr=subprocess.DEVNULL,
-        start_new_session=True,
-    )
-
-
-def _wait(process: "subprocess.Popen[bytes]", seconds: float) -> int | None:
-    try:
-        return process.wait(seconds)
-    except subprocess.TimeoutExpired:
-        return None
-    finally:
-        process_group.kill(process)
+        connection.sendall(task)
+        connection.shutdown(socket.SHUT_WR)
+        while received := connection.recv(_LARGEST_ANSWER):
+            said += received
+            if len(said) > _LARGEST_ANSWER:
+                return b""
+            connection.settimeout(deadline.left)
+        status = process.process.wait(deadline.left)
+    except (OSError, TimeoutExpired):
+        return b""
+    return bytes(said) if status == 0 else b""
 
 
 def _plain(evidence: Evidence) -> dict[str, Any]:

@@ -2,23 +2,47 @@
 
 import json
 import os
+import signal
+import socket
 import sys
 from collections.abc import Mapping
 from types import SimpleNamespace
 from typing import Any
 
-from learnblock.runtime.containment.fence import contain
+from learnblock.runtime import forking
+from learnblock.runtime.containment import fence
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.messages import Setup
 
 
 def main() -> None:
-    """Read the task from the standard input, and write the answer to the standard output."""
-    task = json.load(sys.stdin.buffer)
-    contain(Setup("", "checks.py", "", (), (), None, Limits(*task["limits"])))
+    """Run as ``python -m learnblock.lessons.expert_child FD``: FD is our end of the connection.
+
+    The task arrives there, and the answer is sent there. If it is a fork server's end of its
+    orders, each order makes a process that does this.
+    """
+    given = socket.socket(fileno=int(sys.argv[1]))
+    connection = given if given.type is socket.SOCK_STREAM else _forked(given)
+    if connection is not None:
+        _judge(connection)
+
+
+def _forked(orders: socket.socket) -> socket.socket | None:
+    """Be a fork server; return the connection in the process of a check."""
+    from learnblock.runtime.containment import kernel  # noqa: PLC0415 - only Linux has it
+
+    kernel.die_with_parent(signal.SIGKILL)
+    fence.prepare()
+    return forking.next_program(orders)
+
+
+def _judge(connection: socket.socket) -> None:
+    with connection.makefile("rb") as stream:
+        task = json.load(stream)
+    fence.contain(Setup("", "checks.py", "", (), (), None, Limits(*task["limits"])))
     run = seen_run(task["run"], task["texts"])
     answer = _answer(task["source"], task["function"], run, task["texts"])
-    os.write(1, json.dumps(answer).encode())
+    connection.sendall(json.dumps(answer).encode())
     # Nothing of the check's is to run any more, such as its threads.
     os._exit(0)
 

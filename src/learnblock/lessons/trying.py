@@ -12,7 +12,7 @@ from learnblock import running
 from learnblock.errors import LearnBlockError
 from learnblock.evidence.evidence import Evidence, evidence_of
 from learnblock.evidence.trace_lines import TraceLines
-from learnblock.lessons.expert import Experts
+from learnblock.lessons.expert import Experts, expert_processes
 from learnblock.lessons.judging import Verdict, judge
 from learnblock.lessons.lesson import Partner
 from learnblock.lessons.opened import OWN_ROBOT, OpenLesson
@@ -145,8 +145,10 @@ def try_step(
         LearnBlockError: a run could not be made, which is not the program's fault.
     """
     written = read_program(source, filename)
-    with opened.world_file(step) as world:
-        runs = StepRuns(opened, step, written, world, limits or Limits(), switch or StopSwitch())
+    with opened.world_file(step) as world, expert_processes() as processes:
+        switch = switch or StopSwitch()
+        experts = Experts(opened, processes=processes)
+        runs = StepRuns(opened, step, written, world, limits or Limits(), switch, experts=experts)
         for attempt, result in runs.results(wanted, at_once):
             yield runs.judged(attempt, result)
 
@@ -163,6 +165,7 @@ class StepRuns:
         limits: the resources that each program may use.
         switch: ends the runs.
         worker: creates the worker of each program of a team; a process by default.
+        experts: judge by the lesson's Python; without them, each check starts a process.
     """
 
     opened: OpenLesson
@@ -172,6 +175,7 @@ class StepRuns:
     limits: Limits = Limits()  # noqa: RUF009 - it is frozen
     switch: StopSwitch = field(default_factory=StopSwitch)
     worker: Callable[[], Worker] = ProcessWorker
+    experts: Experts | None = None
 
     def results(
         self, wanted: Sequence[Attempt], at_once: int | None = None
@@ -191,7 +195,7 @@ class StepRuns:
     def judged(self, attempt: Attempt, result: RunResult) -> JudgedRun:
         """What the checks say of the run of an attempt."""
         step, evidence = self.opened.step(self.step), evidence_of(result)
-        experts = Experts(self.opened)
+        experts = self.experts or Experts(self.opened)
         verdicts = judge(step, self.source.tree, evidence, self._described_world, experts)
         return JudgedRun(attempt, result, evidence, verdicts)
 

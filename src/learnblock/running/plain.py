@@ -40,6 +40,18 @@ def is_plain(program: Program) -> bool:
     return _Inspection(tree).passes()
 
 
+def hangs(program: Program) -> bool:
+    """Whether a program has a loop that never ends and has nothing in it, such as an unfilled one.
+
+    Where it gets there, it computes until its host ends it.
+    """
+    try:
+        nodes = ast.walk(ast.parse(program.python))
+        return any(_is_empty_and_endless(node) for node in nodes)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return False
+
+
 class _Inspection:
     """The inspection of a program.
 
@@ -112,6 +124,13 @@ def _imports_robot(node: ast.ImportFrom) -> bool:
     [*names] = ((alias.name, alias.asname) for alias in node.names)
     is_robots = _ROBOT_MODULE.fullmatch(node.module or "") is not None
     return node.level == 0 and is_robots and names == [("Robot", None)]
+
+
+def _is_empty_and_endless(node: ast.AST) -> bool:
+    """Whether this is ``while True: pass``."""
+    if not isinstance(node, ast.While) or not isinstance(node.test, ast.Constant):
+        return False
+    return bool(node.test.value) and all(isinstance(part, ast.Pass) for part in node.body)
 
 
 def _is_visible(name: str) -> bool:

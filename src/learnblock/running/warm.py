@@ -28,7 +28,7 @@ from learnblock.i18n import Phrase
 from learnblock.installation import version
 from learnblock.robots import RobotEntry
 from learnblock.running.job import Job, Options, unpacked
-from learnblock.running.plain import is_plain
+from learnblock.running.plain import hangs, is_plain
 from learnblock.running.program_run import ProgramRun
 from learnblock.running.recorded_keys import RecordedKeys
 from learnblock.running.report import Report
@@ -170,7 +170,10 @@ def _skill_modules() -> Iterator[str]:
 def is_shared(job: Job) -> bool:
     """Whether the program shares a process with its robot."""
     # The network is for programs that import something, which have a process of their own.
-    return is_plain(job.program) and not job.options.network and not job.isolated
+    if job.options.network or job.isolated or not is_plain(job.program):
+        return False
+    # Only its host can end it, which must not be kept from that: see `_end_if_silent`.
+    return not hangs(job.program)
 
 
 def trace_of(job: Job) -> BytesIO | None:

@@ -10,20 +10,35 @@ import socket
 import subprocess
 import sys
 from subprocess import TimeoutExpired
+from types import TracebackType
+from typing import Self
 
 from learnblock.runtime.containment.environment import without_folders
 from learnblock.runtime.forking import NUMBER
 from learnblock.runtime.process_group import Process
-from learnblock.runtime.standby import Standby, program_command
+from learnblock.runtime.standby import PROGRAMS, Standby, child_command
 
 
 # Why: docs/decisions.md, "An isolated program of a batch is forked, not started"
 class ForkServer:
-    """A process that forks the processes of programs; it ends with the thread that started it."""
+    """A process that forks the processes of programs; it ends with the thread that started it.
 
-    def __init__(self) -> None:
+    Args:
+        module: the module that it runs, which is also that of a process without it.
+    """
+
+    def __init__(self, module: str = PROGRAMS) -> None:
+        self._module = module
         self._orders: socket.socket | None = None
         self._process: subprocess.Popen[bytes] | None = None
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: object, error: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        self.end()
 
     def begin(self) -> None:
         """Start it, if it isn't running and the system can do what it needs."""
@@ -33,7 +48,7 @@ class ForkServer:
             self._orders, theirs = socket.socketpair(type=socket.SOCK_SEQPACKET)
             with theirs:
                 self._process = subprocess.Popen(  # noqa: S603 - our own interpreter and module
-                    program_command(theirs.fileno()),
+                    child_command(self._module, theirs.fileno()),
                     env=without_folders(),
                     stdin=subprocess.DEVNULL,
                     stdout=subprocess.DEVNULL,
@@ -60,7 +75,7 @@ class ForkServer:
         Raises:
             OSError: the server has ended.
         """
-        return _ForkedStandby(self._orders) if self._orders else Standby()
+        return _ForkedStandby(self._orders) if self._orders else Standby(self._module)
 
 
 class _ForkedStandby(Standby):

@@ -17,17 +17,19 @@ from learnblock.runtime.containment.environment import environment
 from learnblock.runtime.containment.scratch import Scratch
 from learnblock.runtime.process_group import Process
 
-_CHILD = "learnblock.runtime.child"
+#: The module that runs programs.
+PROGRAMS = "learnblock.runtime.child"
 
 
-def program_command(handle: int) -> list[str]:
-    """The command of a process for programs.
+def child_command(module: str, handle: int) -> list[str]:
+    """The command of a process for what others have written.
 
     Args:
+        module: the module that runs it.
         handle: its end of a link, or of a fork server's orders.
     """
     # -P: a program's folder must not shadow our modules.
-    return [sys.executable, "-P", "-m", _CHILD, str(handle)]
+    return [sys.executable, "-P", "-m", module, str(handle)]
 
 
 # Why: docs/decisions.md, "learnblock run starts the child first"
@@ -35,9 +37,13 @@ class Standby:
     """A process in a separate session, so that its children can be ended with it.
 
     It ends with its context, and when the other end of its link is closed.
+
+    Args:
+        module: the module that it runs, with the number of its end of the link.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, module: str = PROGRAMS) -> None:
+        self._module = module
         #: Our end of the link.
         self.connection, theirs = socket.socketpair()
         theirs.set_inheritable(True)
@@ -78,9 +84,8 @@ class Standby:
         """Start the process, with its end of the link."""
         return self._start(theirs.fileno(), environment(self.scratch.path))
 
-    @staticmethod
-    def _start(handle: int, variables: Mapping[str, str]) -> "subprocess.Popen[bytes]":
-        command = program_command(handle)
+    def _start(self, handle: int, variables: Mapping[str, str]) -> "subprocess.Popen[bytes]":
+        command = child_command(self._module, handle)
         if sys.platform == "win32":
             return subprocess.Popen(  # noqa: S603 - our own interpreter and module
                 command,

@@ -1,6 +1,7 @@
 """Checks in a lesson's own Python."""
 
 import sys
+from functools import partial
 from types import MappingProxyType
 
 import pytest
@@ -8,9 +9,10 @@ import pytest
 from learnblock.evidence.evidence import Evidence
 from learnblock.i18n import translate
 from learnblock.lessons.checks import Expert
-from learnblock.lessons.expert import LIMITS, Experts
+from learnblock.lessons.expert import LIMITS, Experts, expert_processes
 from learnblock.lessons.opened import OpenLesson
 from learnblock.running import Report
+from learnblock.runtime.fork_server import ForkServer
 from learnblock.runtime.limits import MEGABYTE, Limits
 from lesson_files import LESSON, evidence
 
@@ -21,29 +23,60 @@ contained = pytest.mark.skipif(sys.platform != "linux", reason="only Linux's ker
 LITTLE = Limits(memory=256 * MEGABYTE, cpu=1, file_size=MEGABYTE)
 
 
-def judge(
+#: Says something in place of the answer, wherever that is sent.
+SAY = """
+import os
+def say(data):
+    for handle in range(1, 32):
+        try:
+            os.write(handle, data)
+        except OSError:
+            pass
+"""
+
+#: How a check's process comes to be: forked for those who judge many runs, or started.
+WAYS = ("forked", "started")
+
+
+@pytest.fixture(scope="module")
+def judges():
+    """Judges a run by the Python of a lesson, in either way."""
+    with expert_processes() as processes:
+        yield lambda *given, **more: judged(processes, *given, **more)
+
+
+@pytest.fixture
+def judge(judges):
+    return partial(judges, "forked")
+
+
+def judged(
+    processes: ForkServer,
+    way: str,
     source: str,
     run: Evidence | None = None,
+    *,
     seconds: float = 10.0,
     limits: Limits = LIMITS,
     **texts: str,
 ):
     texts_files = {f"checks.{language}.toml": text.encode() for language, text in texts.items()}
     files = MappingProxyType({"checks.py": source.encode(), **texts_files})
-    experts = Experts(OpenLesson("it", LESSON, None, files), seconds, limits)
+    opened = OpenLesson("it", LESSON, None, files)
+    experts = Experts(opened, seconds, limits, processes if way == "forked" else None)
     return experts(Expert(function="holds"), run or evidence())
 
 
-def test_a_check_that_answers_true_is_met():
+def test_a_check_that_answers_true_is_met(judge):
     assert judge("def holds(run): return True").state == "met"
 
 
 @pytest.mark.parametrize("answer", ["1", "None", "False", "'yes'", "[True]", "{}", "...", "b''"])
-def test_whatever_is_not_true_is_not_met(answer):
+def test_whatever_is_not_true_is_not_met(judge, answer):
     assert judge(f"def holds(run): return {answer}").state == "failed"
 
 
-def test_a_check_says_why_it_is_not_met_in_each_language():
+def test_a_check_says_why_it_is_not_met_in_each_language(judge):
     found = judge("def holds(run): return {'en': 'Too slow.', 'es': 'Muy lento.'}")
     assert found.reason is not None
     assert [translate(found.reason, one) for one in ("en", "es", "fr")] == [
@@ -80,7 +113,7 @@ park = "el parque"
         ("{'en': 'Too slow.', 'es': 'Lento.'}", "Too slow.", "Lento."),
     ],
 )
-def test_a_check_names_a_text_of_the_lesson(answer, english, spanish):
+def test_a_check_names_a_text_of_the_lesson(judge, answer, english, spanish):
     found = judge(f"def holds(run): return {answer}", en=ENGLISH, es=SPANISH)
     assert found.state == "failed"
     assert found.reason is not None
@@ -98,22 +131,22 @@ def test_a_check_names_a_text_of_the_lesson(answer, english, spanish):
         ('"slow", {"seconds": 2, "place": open("/etc/passwd")}', ""),
     ],
 )
-def test_a_check_that_gives_a_text_what_it_does_not_take_has_a_mistake(answer, words):
+def test_a_check_that_gives_a_text_what_it_does_not_take_has_a_mistake(judge, answer, words):
     found = judge(f"def holds(run): return {answer}", en=ENGLISH, es=SPANISH)
     assert found.reason is not None
     assert (found.reason.code, words in str(found.reason)) == ("lesson-expert-error", True)
 
 
-def test_a_check_without_texts_that_names_one_has_a_mistake():
+def test_a_check_without_texts_that_names_one_has_a_mistake(judge):
     assert "checks.en.toml" in str(judge('def holds(run): return "slow", {}').reason)
 
 
-def test_a_check_knows_each_text_in_every_language():
+def test_a_check_knows_each_text_in_every_language(judge):
     source = 'def holds(run): return run.texts["park"] == ["the park", "el parque"]'
     assert judge(source, en=ENGLISH, es=SPANISH).state == "met"
 
 
-def test_a_check_sees_what_happened():
+def test_a_check_sees_what_happened(judge):
     run = evidence(
         {"t": 0.0, "pose": [0, 0, 0]},
         {"t": 1.0, "pose": [300, 400, 90]},
@@ -140,33 +173,36 @@ def holds(run):
         ("def holds(): return True", "TypeError"),
     ],
 )
-def test_a_check_with_a_mistake_is_not_met(source, words):
+def test_a_check_with_a_mistake_is_not_met(judge, source, words):
     found = judge(source)
     assert (found.state, words in str(found.reason)) == ("failed", True)
 
 
+@pytest.mark.parametrize("way", WAYS)
 @pytest.mark.parametrize(
     "source",
     [
         pytest.param("import os\nos._exit(0)", id="ends"),
-        pytest.param("import os\nos.write(1, b'{}' * 1000)\nos._exit(0)", id="nonsense"),
-        pytest.param("import os\nos.write(1, b'[' * 60000)\nos._exit(0)", id="deep"),
-        pytest.param("import os\nwhile True: os.write(1, bytes(10 ** 6))", id="floods"),
-        pytest.param("import os, signal\nos.close(1)\ndef holds(run): return True", id="closes"),
+        pytest.param(f"{SAY}say(b'{{}}' * 1000)\nos._exit(0)", id="nonsense"),
+        pytest.param(f"{SAY}say(b'[' * 60000)\nos._exit(0)", id="deep"),
+        pytest.param(f"{SAY}while True: say(bytes(10 ** 6))", id="floods"),
+        pytest.param(f"{SAY}say(b'{{\"met\": true}}')\nwhile True: pass", id="says and stays"),
+        pytest.param("import os\nos.closerange(0, 32)\ndef holds(run): return True", id="closes"),
         pytest.param("list(range(10 ** 9))", id="memory"),
         pytest.param("import sys\nsys.setrecursionlimit(10 ** 9)\ndef f(): f()\nf()", id="stack"),
     ],
 )
-def test_a_hostile_check_is_not_met(source):
-    assert judge(source, limits=LITTLE).state == "failed"
+def test_a_hostile_check_is_not_met(judges, way, source):
+    assert judges(way, source, limits=LITTLE).state == "failed"
 
 
 @pytest.mark.parametrize("source", ["while True: pass", "import time\ntime.sleep(1000)"])
-def test_a_check_without_an_end_is_ended(source):
+def test_a_check_without_an_end_is_ended(judge, source):
     assert judge(source, seconds=1.0).state == "failed"
 
 
 @contained
+@pytest.mark.parametrize("way", WAYS)
 @pytest.mark.parametrize(
     "source",
     [
@@ -179,12 +215,33 @@ def test_a_check_without_an_end_is_ended(source):
         pytest.param("open('/tmp/learnblock-expert-was-here', 'w')", id="writes"),
     ],
 )
-def test_a_check_can_do_nothing_but_compute(source):
-    found = judge(f"{source}\ndef holds(run): return True")
+def test_a_check_can_do_nothing_but_compute(judges, way, source):
+    found = judges(way, f"{source}\ndef holds(run): return True")
     assert found.state == "failed"
 
 
-def test_a_check_gets_none_of_the_users_variables(monkeypatch):
+def test_a_check_gets_none_of_the_users_variables(judge, monkeypatch):
     monkeypatch.setenv("SECRET_TOKEN", "abc")
     source = "import os\ndef holds(run): return 'SECRET_TOKEN' not in os.environ"
     assert judge(source).state == "met"
+
+
+def test_a_check_leaves_nothing_to_the_next_one(judge):
+    judge("import builtins, os\nopen('left', 'w').close()\nbuiltins.left = os.environ['LEFT'] = ''")
+    source = """
+import builtins, os
+def holds(run):
+    return not (os.listdir() or hasattr(builtins, "left") or "LEFT" in os.environ)
+"""
+    assert judge(source).reason is None
+
+
+def test_a_check_is_judged_although_what_forks_its_process_has_been_killed():
+    class Killed(ForkServer):
+        def standby(self):
+            raise ConnectionResetError
+
+    files = MappingProxyType({"checks.py": b"def holds(run): return True"})
+    with Killed() as processes:
+        experts = Experts(OpenLesson("it", LESSON, None, files), processes=processes)
+        assert experts(Expert(function="holds"), evidence()).state == "met"

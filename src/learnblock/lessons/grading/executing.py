@@ -4,8 +4,8 @@ It runs wherever an executor puts it: in another process of this computer, or on
 """
 
 import atexit
-from collections.abc import Sequence
-from contextlib import suppress
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from pathlib import Path
@@ -18,7 +18,7 @@ from learnblock.errors import FileError, LearnBlockError
 from learnblock.evidence.evidence import Evidence, evidence_of
 from learnblock.i18n import Phrase, in_each_language, languages
 from learnblock.installation import version
-from learnblock.lessons.expert import Experts
+from learnblock.lessons.expert import Experts, expert_processes
 from learnblock.lessons.grading.thinning import thinned
 from learnblock.lessons.grading.values import (
     DIFFERS,
@@ -42,6 +42,7 @@ from learnblock.running.batch import CAN_FORK, Batch, WarmProcess
 from learnblock.running.job import Job
 from learnblock.running.result import RunResult
 from learnblock.runtime.ending import How
+from learnblock.runtime.fork_server import ForkServer
 from learnblock.runtime.limits import MEGABYTE, Limits
 from learnblock.simulator import WorldDescription
 
@@ -195,7 +196,9 @@ class _PieceRun:
     def _judged(self, run: RunResult, checked: Checked) -> Result:
         report, evidence = run.report, evidence_of(run)
         world = _world(self.piece.lesson, self.piece.step)
-        verdicts = judge(self._step, self.source.tree, evidence, world, Experts(self.opened))
+        with _expert_processes() as processes:
+            experts = Experts(self.opened, processes=processes)
+            verdicts = judge(self._step, self.source.tree, evidence, world, experts)
         return Result(
             checks=tuple(map(_check_result, verdicts)),
             ended=report.ended,
@@ -243,11 +246,32 @@ def _idle() -> "SimpleQueue[WarmProcess]":
     return SimpleQueue()
 
 
+@contextmanager
+def _expert_processes() -> Iterator[ForkServer]:
+    """What forks the processes of checks, kept for the next piece."""
+    try:
+        processes = _idle_experts().get_nowait()
+    except Empty:
+        processes = expert_processes()
+    try:
+        yield processes
+    finally:
+        _idle_experts().put(processes)
+
+
+@cache
+def _idle_experts() -> "SimpleQueue[ForkServer]":
+    """What forks the processes of checks, of which no piece uses any now."""
+    atexit.register(end_idle)
+    return SimpleQueue()
+
+
 def end_idle() -> None:
-    """End the processes that were kept for further runs."""
-    with suppress(Empty):
-        while True:
-            _idle().get_nowait().end()
+    """End the processes that were kept for further runs and checks."""
+    for idle in (_idle(), _idle_experts()):
+        with suppress(Empty):
+            while True:
+                idle.get_nowait().end()
 
 
 @lru_cache(maxsize=64)
