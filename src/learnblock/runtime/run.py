@@ -86,20 +86,12 @@ class Run:
         self.supervision = Supervision(limits, self.robot)
         self.variables = VariableReports(self.watcher)
         self._pauses = Pauses(self.watcher, debugger)
-        validator = Validator(
-            program,
-            robots,
-            self.robot,
-            self.variables,
-            pauses=debugger is not None,
-            log=log is not None,
-        )
         self._begin = partial(
             _begin,
             program,
             limits,
             robots,
-            lambda: Conversation(worker(), debugger, validator.check),
+            lambda: Conversation(worker(), debugger, self._validator(program, robots).check),
             network=network,
             anyway=anyway,
             log=log is not None,
@@ -260,6 +252,16 @@ class Run:
         self._conversation.send(message)
 
     # One method for each message of the child that concerns more than one part.
+
+    def _validator(self, program: Program, robots: tuple[str, ...]) -> Validator:
+        return Validator(
+            program,
+            robots,
+            self.robot,
+            self.variables,
+            pauses=self._pauses.at_lines,
+            log=self._log is not None,
+        )
 
     def _make_handlers(self, events: EventSender) -> Mapping[type, Callable[[Any], object]]:
         return {
