@@ -21,7 +21,7 @@ from learnblock import robots, running
 from learnblock.running import Job, Options, ProgramRun
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.program import Program
-from learnblock.why import History
+from learnblock.why import EventHistory
 from learnblock.why.moments import Moments
 from learnblock.why.recorded import Recorded
 from learnblock.why.world_again import WorldAgain
@@ -124,10 +124,10 @@ def measure(case: Case) -> None:
     whole = sum(len(block.data) for block in blocks)
     began = perf_counter()
     recorded = Recorded.of(blocks)
-    history = History(recorded)
+    history = EventHistory(recorded)
     Moments(history)
     reading = perf_counter() - began
-    memory = memory_of(lambda: Moments(History(Recorded.of(blocks))))
+    memory = memory_of(lambda: Moments(EventHistory(Recorded.of(blocks))))
     print(
         f"{case.name:12} {statistics.median(without):8.2f} s {statistics.median(logged):8.2f} s"
         f" {statistics.median(ratios):6.2f} {statistics.median(worked):6.2f}"

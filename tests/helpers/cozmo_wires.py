@@ -8,10 +8,10 @@ from pycozmo import protocol_encoder as packets
 from pycozmo.image_encoder import ImageEncoder
 
 from learnblock.emulators.cozmo import face, frames, picture
-from learnblock.emulators.cozmo.machine import Machine
+from learnblock.emulators.cozmo.machine import CozmoMachine
 from learnblock.emulators.twin import Twin
 from learnblock.robots.cozmo import link
-from learnblock.robots.cozmo.camera import Picture
+from learnblock.robots.cozmo.camera import ReceivedPicture
 
 
 def read_frame(text: str) -> None:
@@ -47,7 +47,7 @@ def read_picture(text: str) -> None:
     """Read a camera picture, of the usual size and of another."""
     encoding = packets.ImageEncoding.JPEGMinimizedGray
     for resolution in (packets.ImageResolution.QVGA, packets.ImageResolution.ImageResolutionCount):
-        Picture(_bytes(text) or b"\0", encoding, resolution).frame()
+        ReceivedPicture(_bytes(text) or b"\0", encoding, resolution).frame()
 
 
 def picture_texts() -> tuple[str, ...]:
@@ -76,5 +76,5 @@ def _bytes(text: str) -> bytes:
 
 
 @cache
-def _machine() -> Machine:
-    return Machine(Twin("sim-cozmo"))
+def _machine() -> CozmoMachine:
+    return CozmoMachine(Twin("sim-cozmo"))

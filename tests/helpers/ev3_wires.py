@@ -4,11 +4,11 @@ import json
 import struct
 from contextlib import closing, suppress
 
-from learnblock.emulators.ev3.bytecode import Machine
+from learnblock.emulators.ev3.bytecode import ByteCodeMachine
 from learnblock.errors import LearnBlockError
 from learnblock.robots.ev3 import agent, direct, lines, scan, wires
 from learnblock.robots.ev3.brick import Look, State
-from learnblock.robots.ev3.link import Link
+from learnblock.robots.ev3.link import BrickLink
 
 QUESTION = direct.Question([direct.kind_of(2), direct.turned(1), direct.reading(3, 0)])
 REPLY = struct.pack("<HBbb2xif", 7, 2, 30, 1, -720, 12.5)
@@ -50,7 +50,7 @@ def read_firmware(text):
     """Read bytes at both ends."""
     data = text.encode("latin-1", "ignore")
     scan.read_beacon(data)
-    Machine(Vehicle()).execute(data)
+    ByteCodeMachine(Vehicle()).execute(data)
     Hearer(lambda: read_reply(data)).say(Look())
 
 
@@ -75,7 +75,7 @@ class Bytes(wires.Stream):
         return piece
 
 
-class Hearer(Link):
+class Hearer(BrickLink):
     """Exchange messages, and read one reply."""
 
     def __init__(self, read):

@@ -4,7 +4,7 @@ from learnblock.ice.encoding import Writer
 from learnblock.ice.interface import write_all
 from learnblock.ice.messages import (
     HEADER,
-    Kind,
+    MessageKind,
     open_reply,
     read_header,
     read_reply,
@@ -85,7 +85,7 @@ def read_asked(text):
     """Read a message as a component does, and reply to it."""
     data = text.encode("latin-1", "ignore")
     kind, _ = read_header(data[: HEADER.size].ljust(HEADER.size))
-    if kind is Kind.REQUEST:
+    if kind is MessageKind.REQUEST:
         _answer(SERVANTS, read_request(data[HEADER.size :]))
 
 

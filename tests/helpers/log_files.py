@@ -1,6 +1,6 @@
 """Logs of runs as texts for the fuzzer, unpacked so that changes reach what reads them."""
 
-from learnblock.runtime.log.blocks import MAGIC, Block, Stream
+from learnblock.runtime.log.blocks import MAGIC, EventBlock, EventStream
 from learnblock.server import messages
 from learnblock.server.runs.looking import Looking
 from learnblock.why.verification import verified
@@ -26,11 +26,13 @@ def read_log(text: str) -> None:
     looking.calls(0.0, None)
 
 
-def _text(block: Block) -> str:
+def _text(block: EventBlock) -> str:
     return f"{int(block.stream)}{block.data.decode('latin-1')}"
 
 
-def _block(text: str) -> Block:
-    known = Stream.__members__.values()
-    stream = Stream(int(text[0])) if text[0] in map(str, map(int, known)) else Stream.WORLD
-    return Block.of(stream, 0, 0, text[1:].encode("latin-1", "replace"))
+def _block(text: str) -> EventBlock:
+    known = EventStream.__members__.values()
+    stream = (
+        EventStream(int(text[0])) if text[0] in map(str, map(int, known)) else EventStream.WORLD
+    )
+    return EventBlock.of(stream, 0, 0, text[1:].encode("latin-1", "replace"))

@@ -7,11 +7,11 @@ from typing import Any
 from learnblock import robots, running
 from learnblock.running import Job, Options, ProgramRun, Report
 from learnblock.runtime.inline import InlineWorker
-from learnblock.runtime.log.blocks import Block
+from learnblock.runtime.log.blocks import EventBlock
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.process import ThreadWorker
 from learnblock.runtime.watcher import Watcher
-from learnblock.why import History
+from learnblock.why import EventHistory
 from learnblock.why.recorded import Recorded
 from runs import EXAMPLES, Holder, person
 
@@ -22,12 +22,12 @@ class Logged:
 
     report: Report
     recorded: Recorded
-    blocks: tuple[Block, ...]
+    blocks: tuple[EventBlock, ...]
 
     @property
-    def history(self) -> History:
+    def history(self) -> EventHistory:
         """The log, read."""
-        return History(self.recorded)
+        return EventHistory(self.recorded)
 
 
 def logged_file(
@@ -52,7 +52,7 @@ def logged_example(name: str, robot: str, **options: Any) -> Logged:
     return logged_file(EXAMPLES / name, robot, watcher=person(name), **options)
 
 
-def logged_blocks(name: str, robot: str, **options: Any) -> tuple[Block, ...]:
+def logged_blocks(name: str, robot: str, **options: Any) -> tuple[EventBlock, ...]:
     """The log of a run of one of the examples, as it is stored."""
     return logged_example(name, robot, **options).blocks
 

@@ -16,7 +16,7 @@ from filelock import FileLock
 
 from learnblock.devices import Pose
 from learnblock.running import Report
-from learnblock.runtime.recorder import Mark
+from learnblock.runtime.recorder import PlacedEvent
 from runs import TASKS, run_example
 
 
@@ -34,7 +34,7 @@ class Made:
     report: Report
     trace: bytes
     path: tuple[tuple[float, Pose], ...]
-    marks: tuple[Mark, ...]
+    marks: tuple[PlacedEvent, ...]
 
     def entries(self, kind: str) -> list[dict[str, Any]]:
         """Return the lines of the trace of one kind."""

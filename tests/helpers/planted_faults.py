@@ -7,7 +7,7 @@ from pathlib import Path
 
 from learnblock.errors import LearnBlockError
 from learnblock.why.answers import answer
-from learnblock.why.history import History
+from learnblock.why.history import EventHistory
 from learnblock.why.parser import parse
 from learnblock.why.sentences import FIRST
 from logged_runs import logged_text
@@ -45,7 +45,7 @@ class Planted:
         assert self.old in text, f"{self.source} has changed: {self.name}"
         return text.replace(self.old, self.new, 1)
 
-    def history(self, folder: Path) -> History:
+    def history(self, folder: Path) -> EventHistory:
         """What the program did."""
         is_file = self.world.endswith(".toml")
         world = str(ROOT / self.world) if is_file else self.world

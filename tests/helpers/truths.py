@@ -24,7 +24,7 @@ from learnblock.runtime.log.snapshots import snapshot
 from learnblock.runtime.watcher import Watcher
 from learnblock.simulator import World
 from learnblock.simulator.hand import TILTS
-from learnblock.why import History, Recorded
+from learnblock.why import EventHistory, Recorded
 from learnblock.why.moments import Moments, shown
 from learnblock.why.world_again import WorldAgain
 from random_programs import random_program
@@ -105,7 +105,7 @@ def remembered(job: Job, moments: int, seed: int, watcher: Callable[[], Watcher]
 def differences(run: Remembered, seed: int = 0) -> list[str]:
     """Where the log of a run shows something else than was; an empty list if nowhere."""
     recorded = Recorded.of(run.log.blocks)
-    moments, world = Moments(History(recorded)), WorldAgain(recorded)
+    moments, world = Moments(EventHistory(recorded)), WorldAgain(recorded)
     while world.prepare():
         pass
     found = []

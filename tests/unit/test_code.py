@@ -21,7 +21,7 @@ LONG_MODULES = {
     "learnblock.robots.ev3.agent": "one file, since it is copied to the brick",
 }
 #: The same for functions.
-LONG_FUNCTIONS = {"learnblock.runtime.run": ["__init__"]}
+LONG_FUNCTIONS: dict[str, list[str]] = {}
 
 
 def loops_over(name, source):

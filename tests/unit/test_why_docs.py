@@ -7,9 +7,9 @@ from pathlib import Path
 from click.testing import CliRunner
 
 from learnblock.cli import main
-from learnblock.why import History, read
+from learnblock.why import EventHistory, read
 from learnblock.why.parser import parse
-from learnblock.why.questions import Ask
+from learnblock.why.questions import QuestionKind
 from places import ROOT
 
 PAGE = (ROOT / "docs" / "why.md").read_text(encoding="utf-8")
@@ -39,14 +39,14 @@ def test_each_question_of_the_page_is_understood(tmp_path, monkeypatch):
     write_program()
     run = ["run", "away.bt", "--world", "arena", "--for", "2", "--why", "away.why"]
     CliRunner().invoke(main, run)
-    history = History(read("away.why"))
+    history = EventHistory(read("away.why"))
     table = PAGE.partition("| you ask about |")[2].partition("\n\n")[0]
     asked = [one for one in re.findall(r"`([^`]+)`", table) if "near" not in one]
-    assert {parse(one, history).ask for one in asked} >= {*Ask} - {
-        Ask.WHEN,
-        Ask.NOT_WHEN,
-        Ask.NOT_LINE,
+    assert {parse(one, history).ask for one in asked} >= {*QuestionKind} - {
+        QuestionKind.WHEN,
+        QuestionKind.NOT_WHEN,
+        QuestionKind.NOT_LINE,
         # This run reached no goal and printed nothing.
-        Ask.REACHED,
-        Ask.PRINTED,
+        QuestionKind.REACHED,
+        QuestionKind.PRINTED,
     }

@@ -22,7 +22,7 @@ from learnblock.blocks.labels import (
     translated,
     units,
 )
-from learnblock.blocks.pairs import Pair, pairs
+from learnblock.blocks.pairs import BlockPair, pairs
 from learnblock.blocks.ready_hats import READY_HATS, ready_hat
 from learnblock.blocks.schema.configuration import NUMBERS, SIGNS, BlockConfiguration, Parameter
 from learnblock.blocks.toolbox import SKILL, is_skill_block, parameter_shadow
@@ -222,7 +222,7 @@ def _dictionaries() -> list[Definition]:
 
 
 def skill_definition(
-    configuration: BlockConfiguration, language: str, pair: Pair | None = None
+    configuration: BlockConfiguration, language: str, pair: BlockPair | None = None
 ) -> Definition:
     """The block of a skill, with its words in `language`, such as ``es``.
 
@@ -311,7 +311,7 @@ def _direction(parameter: Parameter, language: str) -> Definition:
     return {"type": "lb_direction", "name": parameter.name + _DIRECTION, "options": options}
 
 
-def _with_types(argument: Definition, pair: Pair) -> Definition:
+def _with_types(argument: Definition, pair: BlockPair) -> Definition:
     """A direction with the type of the block that each of its words belongs to."""
     if argument["name"] != pair.parameter + _DIRECTION:
         return argument

@@ -10,7 +10,7 @@ from learnblock.blocks.schema.configuration import BlockConfiguration
 from learnblock.blocks.schema.loading import builtin, load_configurations
 from learnblock.blocks.source.derivation import derived, fitted
 from learnblock.blocks.source.signature import Signature, signatures
-from learnblock.blocks.source.uses import Uses, imported_names, uses_of, with_needs
+from learnblock.blocks.source.uses import UsedNames, imported_names, uses_of, with_needs
 from learnblock.errors import LearnBlockError, LibraryError
 from learnblock.storage import skill_files, toml_source
 from learnblock.storage.home import home
@@ -85,9 +85,9 @@ def functions_beside(
         LearnBlockError: one of the files is invalid.
         OSError: one of them cannot be read.
     """
-    known: dict[str, dict[str, Uses]] = {}
+    known: dict[str, dict[str, UsedNames]] = {}
 
-    def defined(module: str) -> dict[str, Uses]:
+    def defined(module: str) -> dict[str, UsedNames]:
         file = None if module in known else _file(folder, module)
         if file is not None:
             # Files may import each other.

@@ -12,7 +12,7 @@ from learnblock.blocks.schema.configuration import NEGATIVE, POSITIVE, BlockConf
 
 
 @dataclass(frozen=True, slots=True)
-class Pair:
+class BlockPair:
     """Two blocks that are one in two directions.
 
     Args:
@@ -26,7 +26,7 @@ class Pair:
     names: Mapping[str, str]
 
 
-def pairs(configurations: Iterable[BlockConfiguration]) -> dict[str, Pair]:
+def pairs(configurations: Iterable[BlockConfiguration]) -> dict[str, BlockPair]:
     """The pairs in the configurations, by the name of each of their functions."""
     alike: dict[str, list[BlockConfiguration]] = {}
     for configuration in configurations:
@@ -36,12 +36,12 @@ def pairs(configurations: Iterable[BlockConfiguration]) -> dict[str, Pair]:
     return {name: pair for pair in found for name in pair.names.values()}
 
 
-def _pair(group: list[BlockConfiguration]) -> Pair | None:
+def _pair(group: list[BlockConfiguration]) -> BlockPair | None:
     names = {_direction(configuration): configuration.name for configuration in group}
     parameter = _turned(group[0])
     if len(group) != len(names) or len(names) == 1 or parameter is None:
         return None
-    return Pair(parameter.name, group[0].name, names)
+    return BlockPair(parameter.name, group[0].name, names)
 
 
 def _direction(block: BlockConfiguration) -> str:

@@ -7,7 +7,7 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from learnblock.blocks.groups import GROUPS, Group, group_of
-from learnblock.blocks.pairs import Pair, pairs
+from learnblock.blocks.pairs import BlockPair, pairs
 from learnblock.blocks.python_palette import PYTHON_BLOCKS, STAGE
 from learnblock.blocks.schema.configuration import BlockConfiguration, Parameter
 
@@ -391,7 +391,7 @@ def _skill_tabs(
 
 def skill_block(
     configuration: BlockConfiguration,
-    pair: Pair | None = None,
+    pair: BlockPair | None = None,
     words: Mapping[str, str] = MappingProxyType({}),
 ) -> dict[str, Any]:
     """A skill's block in the palette, with the shadows of its parameters.

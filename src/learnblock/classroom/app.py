@@ -27,7 +27,7 @@ from learnblock.classroom.forward import Forwarder
 from learnblock.classroom.relay import Relay
 from learnblock.classroom.room import Room
 from learnblock.classroom.roster import AsksTeacherError, Pupil, checked_name
-from learnblock.classroom.servers import Place
+from learnblock.classroom.servers import ServerAddress
 from learnblock.classroom.wall import Board, ProjectorView, View, WallView
 from learnblock.errors import LearnBlockError, phrase_of
 from learnblock.i18n import Phrase
@@ -224,7 +224,7 @@ class _Door:
         except (LearnBlockError, httpx.HTTPError) as error:
             return PlainTextResponse(f"{error}\n", HTTPStatus.SERVICE_UNAVAILABLE)
 
-    async def _upload(self, request: Request, desk: Desk, place: Place) -> Response:
+    async def _upload(self, request: Request, desk: Desk, place: ServerAddress) -> Response:
         try:
             with desk.uploading():
                 return await self._forwarder.upload(request, place)

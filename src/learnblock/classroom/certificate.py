@@ -20,7 +20,7 @@ _DAYS = 365
 
 
 @dataclass(frozen=True, slots=True)
-class Certificate:
+class CertificateFiles:
     """The files of a certificate.
 
     Args:
@@ -33,7 +33,7 @@ class Certificate:
 
 
 # Why: docs/decisions.md, "HTTPS is a choice"
-def own_certificate(folder: Path) -> Certificate:
+def own_certificate(folder: Path) -> CertificateFiles:
     """The class's own certificate, which is made for a year if there is none.
 
     Browsers warn of it once on each device, since no authority has signed it.
@@ -45,7 +45,7 @@ def own_certificate(folder: Path) -> Certificate:
         LearnBlockError: the library that makes it is not installed.
         OSError: it can't be saved.
     """
-    certificate = Certificate(folder / "certificate.pem", folder / "certificate-key.pem")
+    certificate = CertificateFiles(folder / "certificate.pem", folder / "certificate-key.pem")
     if not (certificate.file.is_file() and certificate.key.is_file()):
         if find_spec("cryptography") is None:
             raise LearnBlockError("class-no-cryptography", command=add_on("tls"))
@@ -53,7 +53,7 @@ def own_certificate(folder: Path) -> Certificate:
     return certificate
 
 
-def _make(certificate: Certificate) -> None:
+def _make(certificate: CertificateFiles) -> None:
     from cryptography import x509  # noqa: PLC0415 - an optional part of the install
     from cryptography.hazmat.primitives import hashes, serialization  # noqa: PLC0415
     from cryptography.hazmat.primitives.asymmetric import ec  # noqa: PLC0415

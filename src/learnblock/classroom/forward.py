@@ -9,7 +9,7 @@ from starlette.requests import Request
 from starlette.responses import Response, StreamingResponse
 
 from learnblock.classroom.limits import LARGEST_UPLOAD, UPLOAD_PATIENCE
-from learnblock.classroom.servers import Place
+from learnblock.classroom.servers import ServerAddress
 from learnblock.errors import LearnBlockError
 
 #: Seconds within which a pupil's server answers.
@@ -34,7 +34,7 @@ class Forwarder:
         """Close all connections."""
         await self._client.aclose()
 
-    async def ask(self, request: Request, place: Place) -> Response:
+    async def ask(self, request: Request, place: ServerAddress) -> Response:
         """Pass a request without a body on, and return the answer.
 
         Raises:
@@ -43,7 +43,7 @@ class Forwarder:
         """
         return await self._send(request, place, None)
 
-    async def upload(self, request: Request, place: Place) -> Response:
+    async def upload(self, request: Request, place: ServerAddress) -> Response:
         """Pass a request on while its body arrives, and return the answer.
 
         Raises:
@@ -59,7 +59,7 @@ class Forwarder:
             raise LearnBlockError("kept-upload-slow") from None
 
     async def _send(
-        self, request: Request, place: Place, body: AsyncIterator[bytes] | None
+        self, request: Request, place: ServerAddress, body: AsyncIterator[bytes] | None
     ) -> Response:
         forwarded = self._client.build_request(
             request.method,

@@ -58,7 +58,7 @@ class Patience:
     hurried: float = 3.0
 
 
-class Ask(msgspec.Struct, frozen=True):
+class NurseryRequest(msgspec.Struct, frozen=True):
     """From the classroom: a server to start, or the process of one to stop."""
 
     order: Order | None = None
@@ -124,9 +124,9 @@ class Nursery:
             self._end(self._patience.asked)
         *lines, self._received = (self._received + received).split(b"\n")
         for line in lines:
-            self._do(msgspec.json.decode(line, type=Ask))
+            self._do(msgspec.json.decode(line, type=NurseryRequest))
 
-    def _do(self, ask: Ask) -> None:
+    def _do(self, ask: NurseryRequest) -> None:
         if ask.order:
             self._start(ask.order)
         elif ask.stop in self.servers:

@@ -21,7 +21,7 @@ from learnblock.classroom.roster import (
     wall_address,
 )
 from learnblock.errors import LearnBlockError, phrase_of
-from learnblock.project.files.writer import Writer
+from learnblock.project.files.writer import FolderClaim
 from learnblock.server.messages import ClassEntry, StartClass
 
 #: Seconds for a class to answer, and to save everything and end.
@@ -74,7 +74,7 @@ class OwnClasses:
         Raises:
             LearnBlockError: there is no such class, or it has not ended in time.
         """
-        with Writer(known_folder(title)) as writer:
+        with FolderClaim(known_folder(title)) as writer:
             if not writer.take_over(_ENDING):
                 raise LearnBlockError("class-does-not-end", title=title, seconds=int(_ENDING))
         if process := self._started.pop(title, None):
@@ -162,12 +162,12 @@ def _entry(folder: Path) -> ClassEntry:
 def _open_wall(folder: Path, key: str) -> str | None:
     """The address of the wall of a class if it is open; a class that crashed is not."""
     wall = _described_wall(folder, key)
-    return wall if wall and Writer(folder).is_claimed else None
+    return wall if wall and FolderClaim(folder).is_claimed else None
 
 
 def _described_wall(folder: Path, key: str) -> str | None:
     """The address of a class's wall, as the server has described it that has the right to write."""
-    owner = Writer(folder).owner
+    owner = FolderClaim(folder).owner
     # Another user of the folder could write an address into it. The key is not sent there.
     if owner is None or not owner.is_here or not owner.knows(key):
         return None
@@ -175,13 +175,13 @@ def _described_wall(folder: Path, key: str) -> str | None:
 
 
 @contextmanager
-def claimed(folder: Path, title: str) -> Iterator[Writer]:
+def claimed(folder: Path, title: str) -> Iterator[FolderClaim]:
     """The right to write to the folder of a class, which is closed meanwhile elsewhere.
 
     Raises:
         LearnBlockError: the class is open.
     """
-    with Writer(folder) as writer:
+    with FolderClaim(folder) as writer:
         if not writer.claim():
             raise LearnBlockError("class-already-open", title=title)
         yield writer

@@ -18,7 +18,7 @@ from learnblock.classroom import limits
 from learnblock.classroom.memory import watch_programs
 from learnblock.classroom.pupil_folder import HOME, PROJECTS, TEMPORARY
 from learnblock.lessons.reading import shipped_folder
-from learnblock.project.files.writer import Access, Writer
+from learnblock.project.files.writer import Access, FolderClaim
 from learnblock.running.examples import examples_folder
 from learnblock.runtime.containment import kernel
 from learnblock.runtime.containment.fence import contain_server
@@ -75,7 +75,7 @@ def run(order: Order, started: Callable[[int], object]) -> None:
     _limit()
     contain_server(folder, examples_folder(), shipped_folder())
     watch_programs(limits.PROGRAMS_MEMORY)
-    with Writer(folder / PROJECTS) as writer:
+    with FolderClaim(folder / PROJECTS) as writer:
         # The classroom has waited for the last server of this folder.
         writer.claim(patience=10.0)
         service = serve.Service(

@@ -20,7 +20,7 @@ from learnblock.server.http.protection import SEAT, SUBPROTOCOL
 from learnblock.server.messages.base import Role
 
 if TYPE_CHECKING:
-    from learnblock.classroom.servers import Place
+    from learnblock.classroom.servers import ServerAddress
 
 #: Bytes; what a pupil's server accepts, and a little more, so that the page gets its answer.
 _LARGEST = 8 * 1024 * 1024
@@ -78,7 +78,7 @@ class Relay:
         with suppress(RuntimeError, WebSocketDisconnect):
             await self._page.close(_FORBIDDEN)
 
-    async def serve(self, place: "Place", first: messages.Message | None = None) -> None:
+    async def serve(self, place: "ServerAddress", first: messages.Message | None = None) -> None:
         """Pass messages on until the page or the pupil's server is gone.
 
         Args:

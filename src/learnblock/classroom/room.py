@@ -8,7 +8,7 @@ from learnblock.classroom.desk import Desk
 from learnblock.classroom.pins import Picture
 from learnblock.classroom.pupil_folder import PROJECTS
 from learnblock.classroom.roster import Pupil, Roster
-from learnblock.classroom.servers import Place, Servers
+from learnblock.classroom.servers import ServerAddress, Servers
 from learnblock.errors import LearnBlockError
 from learnblock.lessons.lesson import LessonText
 from learnblock.project.files.folder import ProjectFolder
@@ -92,7 +92,7 @@ class Room:
         """The desk of a pupil; a new pupil gets one."""
         return self.desks.get(pupil.id) or self._seat(pupil)
 
-    async def place(self, pupil: Pupil) -> Place:
+    async def place(self, pupil: Pupil) -> ServerAddress:
         """The place of a pupil's server, which is started if it is not running.
 
         Raises:

@@ -11,12 +11,12 @@ from typing import Any
 
 from learnblock.classroom.app import create_app
 from learnblock.classroom.badges import Badges, Visitors
-from learnblock.classroom.certificate import Certificate
+from learnblock.classroom.certificate import CertificateFiles
 from learnblock.classroom.room import Room
 from learnblock.classroom.roster import Roster, wall_address
 from learnblock.i18n import Phrase
 from learnblock.lessons.lesson import LessonText
-from learnblock.project.files.writer import Writer
+from learnblock.project.files.writer import FolderClaim
 from learnblock.server.http.address import own_address
 from learnblock.server.http.connections import Connections, Listening, most_connections
 from learnblock.server.http.faults import faults_said_once
@@ -46,12 +46,12 @@ class ClassService:
     """
 
     roster: Roster
-    writer: Writer
+    writer: FolderClaim
     announce: Callable[[Phrase], object]
     lessons: Iterable[tuple[str, LessonText]] = ()
     host: str = EVERYWHERE
     port: int | None = None
-    certificate: Certificate | None = None
+    certificate: CertificateFiles | None = None
     allowed_hosts: tuple[str, ...] = ()
     deadlines: Deadlines = _DEADLINES
 
@@ -155,7 +155,7 @@ def _opened(
     return opened
 
 
-def _tls(certificate: Certificate | None) -> dict[str, Any]:
+def _tls(certificate: CertificateFiles | None) -> dict[str, Any]:
     if certificate is None:
         return {}
     return {

@@ -13,7 +13,7 @@ from pathlib import Path
 import msgspec
 
 from learnblock.blocks.block_sets import EVERYTHING, BuiltIn
-from learnblock.classroom.nursery import Ask, News, Patience
+from learnblock.classroom.nursery import News, NurseryRequest, Patience
 from learnblock.classroom.pupil_server import Order
 from learnblock.errors import LearnBlockError
 from learnblock.runtime.escalation import Measure, escalate
@@ -25,7 +25,7 @@ _CLOSING, _HURRIED, _KILLED = _ENDING, Patience().hurried + 1.0, 1.0
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class ServerAddress:
     """Where a pupil's server answers.
 
     Args:
@@ -60,7 +60,7 @@ class Servers:
         #: Whether every server has saved everything and ended by itself, once all are closed.
         self.are_saved = False
         self._is_ending = False
-        self._places: dict[str, Place] = {}
+        self._places: dict[str, ServerAddress] = {}
         self._starting: dict[str, asyncio.Future[News]] = {}
         self._locks: dict[str, asyncio.Lock] = {}
         self._changed = asyncio.Condition()
@@ -109,7 +109,7 @@ class Servers:
             escalate([*measures, *harder], partial(_ends_within, process))
             self.are_saved = process.returncode == 0
 
-    async def place(self, pupil: str, folder: Path) -> Place:
+    async def place(self, pupil: str, folder: Path) -> ServerAddress:
         """The place of a pupil's server, which is started if it is not running.
 
         Raises:
@@ -130,16 +130,16 @@ class Servers:
             place = self._places.get(pupil)
             if place is None:
                 return
-            self._ask(Ask(stop=place.process))
+            self._ask(NurseryRequest(stop=place.process))
             async with asyncio.timeout(_ENDING), self._changed:
                 await self._changed.wait_for(lambda: self._places.get(pupil) is not place)
 
-    async def _start(self, pupil: str, folder: Path) -> Place:
+    async def _start(self, pupil: str, folder: Path) -> ServerAddress:
         if self._is_ending:
             raise LearnBlockError("class-ends")
         token, base_url = secrets.token_urlsafe(24), f"/p/{pupil}/"
         news = self._starting[pupil] = asyncio.get_running_loop().create_future()
-        self._ask(Ask(Order(pupil, str(folder), base_url, token, self._blocks)))
+        self._ask(NurseryRequest(Order(pupil, str(folder), base_url, token, self._blocks)))
         try:
             async with asyncio.timeout(_STARTING):
                 started = await news
@@ -149,9 +149,9 @@ class Servers:
             del self._starting[pupil]
         if not started.port:
             raise LearnBlockError("class-server-failed", reason=started.reason)
-        return Place(started.port, token, base_url, started.process)
+        return ServerAddress(started.port, token, base_url, started.process)
 
-    def _ask(self, ask: Ask) -> None:
+    def _ask(self, ask: NurseryRequest) -> None:
         assert self._writer is not None  # noqa: S101 - `open` comes first
         self._writer.write(msgspec.json.encode(ask) + b"\n")
 

@@ -8,7 +8,7 @@ import click
 from learnblock.cli.console import EXISTING_FILE, json_option, print_json, say, text, usage_error
 
 if TYPE_CHECKING:
-    from learnblock.why.calls import Called, CallNode, Calls, Edge, Layer
+    from learnblock.why.calls import Callee, CallNode, Calls, Edge, Layer
     from learnblock.why.calls_beside import CallsBeside
 
 #: The width of the names in the table.
@@ -61,7 +61,7 @@ def calls_command(
         raise usage_error("calls-span", first=first, last=last)
     if len(logs) > MOST_LOGS:
         raise usage_error("calls-too-many", most=MOST_LOGS)
-    graph, *others = (calls(why.History(why.read(log)), first, last) for log in logs)
+    graph, *others = (calls(why.EventHistory(why.read(log)), first, last) for log in logs)
     if others:
         _show_beside(graph, others[0], (logs[0].name, logs[1].name), svg, as_json=as_json)
         return
@@ -146,7 +146,7 @@ def _print(graph: "Calls") -> None:
     _print_callees(graph, whole.called, (whole.called,))
 
 
-def _print_callees(graph: "Calls", caller: "Called", above: tuple["Called", ...]) -> None:
+def _print_callees(graph: "Calls", caller: "Callee", above: tuple["Callee", ...]) -> None:
     edges: list[Edge] = [edge for edge in graph.edges if edge.caller == caller]
     # A run does not count by the whole way: below what several call are the calls of all of them.
     is_shared = any(_callers(graph, called) > 1 for called in above)
@@ -157,7 +157,7 @@ def _print_callees(graph: "Calls", caller: "Called", above: tuple["Called", ...]
             _print_callees(graph, edge.callee, (*above, edge.callee))
 
 
-def _callers(graph: "Calls", called: "Called") -> int:
+def _callers(graph: "Calls", called: "Callee") -> int:
     return len({edge.caller for edge in graph.edges if edge.callee == called} - {called})
 
 

@@ -11,7 +11,7 @@ import click
 from learnblock.cli.console import say, text, usage_error
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
-from learnblock.project.files.writer import Access, Writer
+from learnblock.project.files.writer import Access, FolderClaim
 
 if TYPE_CHECKING:
     from learnblock.cli.running_server import RunningServer
@@ -40,7 +40,7 @@ def claimed(
     """
     if take_over and read_only:
         raise usage_error("cli-take-over-or-read-only")
-    with Writer(folder) as writer:
+    with FolderClaim(folder) as writer:
         if read_only:
             yield Access.reading(writer)
         else:
@@ -48,7 +48,7 @@ def claimed(
 
 
 def _access(
-    writer: Writer, folder: Path, *, take_over: bool, joins: bool
+    writer: FolderClaim, folder: Path, *, take_over: bool, joins: bool
 ) -> "Access | RunningServer":
     try:
         if writer.claim():
@@ -65,13 +65,13 @@ def _access(
     return _taken_over(writer, folder)
 
 
-def _running(writer: Writer) -> "RunningServer | None":
+def _running(writer: FolderClaim) -> "RunningServer | None":
     from learnblock.cli.running_server import RunningServer  # noqa: PLC0415 - rarely needed
 
     return RunningServer.of(writer)
 
 
-def _answer(writer: Writer, folder: Path) -> int:
+def _answer(writer: FolderClaim, folder: Path) -> int:
     """Ask what to do about the other server.
 
     Raises:
@@ -88,7 +88,7 @@ def _answer(writer: Writer, folder: Path) -> int:
     return answer
 
 
-def _taken_over(writer: Writer, folder: Path) -> Access:
+def _taken_over(writer: FolderClaim, folder: Path) -> Access:
     owner = writer.owner_phrase
     say("server-folder-waiting", owner=owner, seconds=int(PATIENCE), err=True)
     if not writer.take_over(PATIENCE):

@@ -11,7 +11,7 @@ from learnblock.cli.language import is_english
 from learnblock.cli.usage_errors import reported_in_own_language
 
 
-class Place(NamedTuple):
+class CommandLocation(NamedTuple):
     """The location of a command.
 
     Args:
@@ -26,37 +26,65 @@ class Place(NamedTuple):
 
 
 COMMANDS = {
-    "blocks": Place("blocks", "blocks_group", "List, check, export or import custom blocks"),
-    "calls": Place("calls", "calls_command", "Show what called what in a run, and for how long"),
-    "class": Place(
+    "blocks": CommandLocation(
+        "blocks", "blocks_group", "List, check, export or import custom blocks"
+    ),
+    "calls": CommandLocation(
+        "calls", "calls_command", "Show what called what in a run, and for how long"
+    ),
+    "class": CommandLocation(
         "classroom",
         "class_command",
         "Open a class: pupils join it by a word, from any device in the room",
     ),
-    "check": Place("programs", "check", "Check programs for mistakes without running them"),
-    "compare": Place("compare", "compare_command", "Show where two runs parted, and why"),
-    "component": Place("perception", "component_command", "Serve a detector to RoboComp"),
-    "convert": Place("programs", "convert", "Convert a program between Block-Text and Python"),
-    "demo": Place("programs", "demo", "Run a demonstration in the simulator, and draw it"),
-    "dev": Place("page", "dev", "Serve the page with hot reload, for its developers"),
-    "doctor": Place("doctor", "doctor_command", "Show what contains programs on this computer"),
-    "emulate": Place("robots", "emulate_command", "Emulate a robot to try its driver"),
-    "format": Place("programs", "format_command", "Format Block-Text programs"),
-    "grade": Place("grade", "grade_command", "Grade a class's programs by a lesson's checks"),
-    "import": Place("importing", "import_command", "Import programs of the original LearnBlock"),
-    "lesson": Place("lessons", "lesson_group", "List, show, check, try or pack lessons"),
-    "library": Place("libraries", "library_group", "Make, install or remove libraries of skills"),
-    "new": Place("new", "new_group", "Create the files of a new robot, skill or world"),
-    "open": Place("page", "open_command", "Open a program (.learnblock, .bt or .py) in the page"),
-    "perception": Place("perception", "perception_group", "Show or change camera recognition"),
-    "replay": Place("replay", "replay_command", "Check a trace's poses and goals by repeating it"),
-    "robots": Place("robots", "robots_group", "List robots; configure, find or test real ones"),
-    "run": Place("programs", "run", "Run programs (.bt, .py or .learnblock) on robots"),
-    "sets": Place("sets", "sets_command", "List the block sets"),
-    "skills": Place("listing", "skills", "List the skills, or describe one"),
-    "tags": Place("tags", "tags_group", "List, change, import, export or print tag names"),
-    "why": Place("why", "why_command", "Answer a question about a run"),
-    "worlds": Place("listing", "worlds", "List the worlds of the simulator"),
+    "check": CommandLocation(
+        "programs", "check", "Check programs for mistakes without running them"
+    ),
+    "compare": CommandLocation("compare", "compare_command", "Show where two runs parted, and why"),
+    "component": CommandLocation("perception", "component_command", "Serve a detector to RoboComp"),
+    "convert": CommandLocation(
+        "programs", "convert", "Convert a program between Block-Text and Python"
+    ),
+    "demo": CommandLocation(
+        "programs", "demo", "Run a demonstration in the simulator, and draw it"
+    ),
+    "dev": CommandLocation("page", "dev", "Serve the page with hot reload, for its developers"),
+    "doctor": CommandLocation(
+        "doctor", "doctor_command", "Show what contains programs on this computer"
+    ),
+    "emulate": CommandLocation("robots", "emulate_command", "Emulate a robot to try its driver"),
+    "format": CommandLocation("programs", "format_command", "Format Block-Text programs"),
+    "grade": CommandLocation(
+        "grade", "grade_command", "Grade a class's programs by a lesson's checks"
+    ),
+    "import": CommandLocation(
+        "importing", "import_command", "Import programs of the original LearnBlock"
+    ),
+    "lesson": CommandLocation("lessons", "lesson_group", "List, show, check, try or pack lessons"),
+    "library": CommandLocation(
+        "libraries", "library_group", "Make, install or remove libraries of skills"
+    ),
+    "new": CommandLocation("new", "new_group", "Create the files of a new robot, skill or world"),
+    "open": CommandLocation(
+        "page", "open_command", "Open a program (.learnblock, .bt or .py) in the page"
+    ),
+    "perception": CommandLocation(
+        "perception", "perception_group", "Show or change camera recognition"
+    ),
+    "replay": CommandLocation(
+        "replay", "replay_command", "Check a trace's poses and goals by repeating it"
+    ),
+    "robots": CommandLocation(
+        "robots", "robots_group", "List robots; configure, find or test real ones"
+    ),
+    "run": CommandLocation("programs", "run", "Run programs (.bt, .py or .learnblock) on robots"),
+    "sets": CommandLocation("sets", "sets_command", "List the block sets"),
+    "skills": CommandLocation("listing", "skills", "List the skills, or describe one"),
+    "tags": CommandLocation(
+        "tags", "tags_group", "List, change, import, export or print tag names"
+    ),
+    "why": CommandLocation("why", "why_command", "Answer a question about a run"),
+    "worlds": CommandLocation("listing", "worlds", "List the worlds of the simulator"),
 }
 
 

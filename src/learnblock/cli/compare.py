@@ -8,7 +8,7 @@ import click
 from learnblock.cli.console import EXISTING_FILE, json_option, print_json, say, text, usage_error
 
 if TYPE_CHECKING:
-    from learnblock.why.ghost import Finding
+    from learnblock.why.ghost import TwinFact
 
 
 @click.command("compare")
@@ -57,7 +57,7 @@ def _compare(first: Path, second: Path, *, as_json: bool) -> None:
     from learnblock import why  # noqa: PLC0415 - `--help` needs none of it
     from learnblock.why.comparison import compared  # noqa: PLC0415
 
-    found = compared(why.History(why.read(first)), why.History(why.read(second)))
+    found = compared(why.EventHistory(why.read(first)), why.EventHistory(why.read(second)))
     if as_json:
         print_json(found)
         return
@@ -96,6 +96,6 @@ def _compare_with_twin(log: Path, world: str, *, as_json: bool) -> None:
         click.echo(text(phrase))
 
 
-def _plain(finding: "Finding") -> dict[str, object]:
+def _plain(finding: "TwinFact") -> dict[str, object]:
     """A fact for tools, its text in the reader's language."""
     return {"text": text(finding.phrase), "code": finding.phrase.code, "time": finding.time}

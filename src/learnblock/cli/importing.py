@@ -21,10 +21,10 @@ from learnblock.errors import Diagnostic, FileError, ProjectError
 from learnblock.i18n import Phrase
 
 if TYPE_CHECKING:
-    from learnblock.importing import Imported, Report
+    from learnblock.importing import Imported, ImportReport
 
 #: The ending of the new file, its content, and what changed.
-_Converted: TypeAlias = "tuple[str, bytes, Report]"
+_Converted: TypeAlias = "tuple[str, bytes, ImportReport]"
 _Converter = Callable[[Path], _Converted]
 
 
@@ -99,7 +99,7 @@ class _Done:
 
     source: Path
     target: Path | None = None
-    report: "Report | None" = None
+    report: "ImportReport | None" = None
     error: FileError | None = None
 
     def print(self) -> None:
@@ -120,7 +120,7 @@ class _Done:
         }
 
 
-def print_report(report: "Report") -> None:
+def print_report(report: "ImportReport") -> None:
     """List what an import changed, and what it could not carry over."""
     _print_list("import-changed", report.changed)
     _print_list("import-missing", report.missing)

@@ -23,7 +23,7 @@ HOLD = 0.6
 _ARROWS = {"up": "↑", "down": "↓", "left": "←", "right": "→"}
 
 
-class Keyboard(Protocol):
+class HeldKeys(Protocol):
     """The keys that a program finds held down."""
 
     def held(self, time: float) -> Collection[str]:
@@ -126,7 +126,7 @@ class TerminalKeyboard:
 
 
 @contextmanager
-def terminal_keyboard(program: Program) -> Iterator[Keyboard]:
+def terminal_keyboard(program: Program) -> Iterator[HeldKeys]:
     """The terminal's keys, if the program asks for keys; otherwise none is pressed."""
     if not listens_to_terminal(program):
         yield NoKeys()
@@ -136,7 +136,7 @@ def terminal_keyboard(program: Program) -> Iterator[Keyboard]:
 
 
 @contextmanager
-def shared_keyboard(programs: Mapping[str, Program]) -> Iterator[Mapping[str, Keyboard]]:
+def shared_keyboard(programs: Mapping[str, Program]) -> Iterator[Mapping[str, HeldKeys]]:
     """The terminal's keys for those of several programs that ask for keys, by their names."""
     listening = {
         name: program for name, program in programs.items() if listens_to_terminal(program)

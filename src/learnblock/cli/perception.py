@@ -120,9 +120,9 @@ def component_command(
     learnblock component emotionrecognition --only-drawn-faces
     """  # noqa: D301 - click wants the character itself
     from learnblock.cli.interrupts import served_until_ctrl_c  # noqa: PLC0415
-    from learnblock.perception.robocomp import Order, serve  # noqa: PLC0415
+    from learnblock.perception.robocomp import PixelOrder, serve  # noqa: PLC0415
 
-    order = None if layout == "auto" else Order(layout)
+    order = None if layout == "auto" else PixelOrder(layout)
     adapter, listening = serve(name, port=port, host=host, order=order, drawn=drawn)
     with adapter, served_until_ctrl_c():
         click.echo(f"{name}:tcp -h {host} -p {listening}")

@@ -15,7 +15,7 @@ from learnblock import running
 from learnblock.cli.console import ExitCode, located, print_json, say, text, visible, warn
 from learnblock.cli.interrupts import stopped_by_signals
 from learnblock.cli.keyboard import (
-    Keyboard,
+    HeldKeys,
     NoKeys,
     RecordedKeyboard,
     listens_to_terminal,
@@ -54,7 +54,7 @@ EXIT_CODES = {
 
 
 @dataclass(frozen=True, slots=True)
-class Prepared:
+class PreparedProgram:
     """A program that can be run.
 
     Args:
@@ -69,7 +69,7 @@ class Prepared:
 
 
 @contextmanager
-def prepared(file: Path, *, as_json: bool, **choices: Any) -> Iterator[Prepared | None]:
+def prepared(file: Path, *, as_json: bool, **choices: Any) -> Iterator[PreparedProgram | None]:
     """A program, read and checked; None, and a report, if it has mistakes."""
     with ExitStack() as stack:
         try:
@@ -95,7 +95,7 @@ def _prepare(
     anyway: bool,
     allow_network: bool,
     as_json: bool,
-) -> Prepared | None:
+) -> PreparedProgram | None:
     source = found.source
     entry = running.choose_robot(source, robot or found.robot)
     if world is None and entry.load().lockstep:
@@ -114,7 +114,7 @@ def _prepare(
     limit = time_limit(pace, seconds)
     options = Options(world, seed, pace, limit, variant, network=network, anyway=anyway)
     entry.load().check_wishes(options.wishes)
-    return Prepared(Job(program, entry, options), source, recorded)
+    return PreparedProgram(Job(program, entry, options), source, recorded)
 
 
 def run_and_report(
@@ -158,7 +158,7 @@ def say_if_not_whole(log: RunLog) -> None:
 
 
 def _run_found(
-    found: Prepared,
+    found: PreparedProgram,
     trace: Path | None,
     picture: Path | None,
     log: RunLog | None,
@@ -213,7 +213,7 @@ def _reported(report: Report, job: Job, watcher: "Collector", *, as_json: bool) 
     return EXIT_CODES.get(How(report.ended), ExitCode.WELL)
 
 
-def _shared(found: Prepared, keyboard: Keyboard, trace: BinaryIO | None) -> Job | None:
+def _shared(found: PreparedProgram, keyboard: HeldKeys, trace: BinaryIO | None) -> Job | None:
     """The run in one process for host and program; None if that isn't possible."""
     if not isinstance(keyboard, NoKeys):
         # A person presses keys meanwhile.
@@ -223,7 +223,7 @@ def _shared(found: Prepared, keyboard: Keyboard, trace: BinaryIO | None) -> Job 
     return job if can_share(job) else None
 
 
-def _keyboard(found: Prepared, *, as_json: bool) -> AbstractContextManager[Keyboard]:
+def _keyboard(found: PreparedProgram, *, as_json: bool) -> AbstractContextManager[HeldKeys]:
     """The keyboard of a run; one whose output is for a script does not listen to the terminal."""
     if found.keys or as_json:
         return nullcontext(found.keys or NoKeys())
@@ -269,7 +269,7 @@ class Collector(Watcher):
     #: The run whose prints are kept.
     session: ProgramRun | SharedRun | None = None
 
-    def __init__(self, keyboard: Keyboard | None = None) -> None:
+    def __init__(self, keyboard: HeldKeys | None = None) -> None:
         self._parts: list[str] = []
         self._skipped = 0
         self.keyboard = keyboard or NoKeys()
@@ -301,7 +301,7 @@ class Collector(Watcher):
 class _Terminal(Collector):
     """A listener that shows output at once and, on a terminal, a line with the state of the run."""
 
-    def __init__(self, keyboard: Keyboard) -> None:
+    def __init__(self, keyboard: HeldKeys) -> None:
         super().__init__(keyboard)
         self._drawn = monotonic()
         self._started = self._drawn

@@ -13,7 +13,7 @@ from learnblock.errors import LearnBlockError
 from learnblock.project.files import ENDING
 from learnblock.project.files.project import Project
 from learnblock.project.files.project_file import encode
-from learnblock.project.files.writer import Writer
+from learnblock.project.files.writer import FolderClaim
 from learnblock.server import messages
 from learnblock.server.http.address import token as the_token
 from learnblock.server.http.protection import SUBPROTOCOL
@@ -39,7 +39,7 @@ class RunningServer:
     token: str
 
     @classmethod
-    def of(cls, writer: Writer) -> "RunningServer | None":
+    def of(cls, writer: FolderClaim) -> "RunningServer | None":
         """The server that has the right to write; None if another user's, or it doesn't answer."""
         owner, token = writer.await_owner(PATIENCE), the_token()
         # Another user of the folder could write an address into it. The token is not sent there.

@@ -15,7 +15,7 @@ from learnblock.cli.assignment import Assignment
 from learnblock.cli.console import ExitCode, print_json, text, usage_error, warn
 from learnblock.cli.interrupts import stopped_by_signals
 from learnblock.cli.keyboard import (
-    Keyboard,
+    HeldKeys,
     NoKeys,
     RecordedKeyboard,
     listens_to_terminal,
@@ -129,7 +129,7 @@ def _exit_code(report: TeamReport) -> int:
 
 def _keyboards(
     jobs: Mapping[str, Job], keys: Path | None, *, quiet: bool
-) -> AbstractContextManager[Mapping[str, Keyboard]]:
+) -> AbstractContextManager[Mapping[str, HeldKeys]]:
     """The keyboard of each robot whose program may find keys pressed.
 
     Args:
@@ -167,7 +167,7 @@ class _Screen:
     #: The run that is shown.
     session: TeamRun | None = None
 
-    def __init__(self, keyboards: Mapping[str, Keyboard], *, quiet: bool) -> None:
+    def __init__(self, keyboards: Mapping[str, HeldKeys], *, quiet: bool) -> None:
         self.voices: dict[str, _Voice] = {}
         self._keyboards = keyboards
         self._quiet = quiet
@@ -227,7 +227,7 @@ class _Screen:
 class _Voice(Collector):
     """The output of one program, each line after the name of its robot."""
 
-    def __init__(self, name: str, screen: _Screen, keyboard: Keyboard | None) -> None:
+    def __init__(self, name: str, screen: _Screen, keyboard: HeldKeys | None) -> None:
         super().__init__(keyboard)
         self._name = name
         self._screen = screen

@@ -10,7 +10,7 @@ import click
 from learnblock.cli.console import ExitCode, print_json, text, usage_error
 from learnblock.cli.interrupts import stopped_by_signals
 from learnblock.cli.report import decimal, ending
-from learnblock.cli.reporting import EXIT_CODES, Prepared, prepared
+from learnblock.cli.reporting import EXIT_CODES, PreparedProgram, prepared
 from learnblock.i18n import Phrase
 from learnblock.running import Report
 from learnblock.running.batch import Batch
@@ -27,7 +27,7 @@ def run_variants(file: Path, *, variants: int, as_json: bool, **choices: Any) ->
         return _run_all(found, variants, as_json=as_json)
 
 
-def _run_all(found: Prepared, variants: int, *, as_json: bool) -> int:
+def _run_all(found: PreparedProgram, variants: int, *, as_json: bool) -> int:
     numbers = range(1, variants + 1)
     job = replace(found.job, keys=found.keys.keys if found.keys else None)
     jobs = [replace(job, options=replace(job.options, variant=number)) for number in numbers]

@@ -9,7 +9,7 @@ from learnblock.cli.console import EXISTING_FILE, json_option, print_json, say, 
 
 if TYPE_CHECKING:
     from learnblock.why.questions import Question
-    from learnblock.why.sentences import Answer, Sentence
+    from learnblock.why.sentences import Explanation, Sentence
 
 
 @click.command("why")
@@ -40,7 +40,7 @@ def why_command(
     from learnblock.why.questions import questions  # noqa: PLC0415
     from learnblock.why.things import seen_in_run  # noqa: PLC0415
 
-    history = why.History(why.read(log))
+    history = why.EventHistory(why.read(log))
     if question is None:
         _list(questions(history), as_json=as_json)
         return
@@ -60,14 +60,14 @@ def _list(questions: "tuple[Question, ...]", *, as_json: bool) -> None:
         click.echo(text(question.phrase))
 
 
-def _print(reply: "Answer", *, more: bool) -> None:
+def _print(reply: "Explanation", *, more: bool) -> None:
     for sentence in (*reply.sentences, *(reply.more if more else ())):
         click.echo(text(sentence.phrase))
     if reply.more and not more:
         say("why-there-is-more", count=len(reply.more), err=True)
 
 
-def _plain(question: "Question", reply: "Answer") -> dict[str, Any]:
+def _plain(question: "Question", reply: "Explanation") -> dict[str, Any]:
     """An answer for tools, its texts in the reader's language."""
     return {
         "question": _question(question),

@@ -1,8 +1,17 @@
 """The generic client, the base of every robot."""
 
-from learnblock.client.client import Client, State
+from learnblock.client.client import Client, ClientState
 from learnblock.client.observers import Goal, Observer, Outcome, Witness
 from learnblock.client.rights import Rights
 from learnblock.client.status import RobotStatus
 
-__all__ = ["Client", "Goal", "Observer", "Outcome", "Rights", "RobotStatus", "State", "Witness"]
+__all__ = [
+    "Client",
+    "ClientState",
+    "Goal",
+    "Observer",
+    "Outcome",
+    "Rights",
+    "RobotStatus",
+    "Witness",
+]

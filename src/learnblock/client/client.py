@@ -49,7 +49,7 @@ from learnblock.errors import (
 D = TypeVar("D", bound=Device)
 
 
-class State(Enum):
+class ClientState(Enum):
     """The state of a client."""
 
     CONNECTING = auto()
@@ -105,7 +105,7 @@ class Client(Announced, Driver, Events):
         #: The skill in use with its arguments.
         self._question: tuple[object, ...] | None = None
         self._noted: set[str] = set()
-        self._state = State.CONNECTING
+        self._state = ClientState.CONNECTING
         # Asked for at each use of a device, which comparing states would slow down.
         self._is_stopped = False
         self._stopping = threading.Lock()
@@ -281,15 +281,15 @@ class Client(Announced, Driver, Events):
         """Stop the motors and disconnect; calling it twice is harmless."""
         # Everything on the stack runs, the last entry first, even if one fails or is interrupted.
         with ExitStack() as ending, self._stopping:
-            if self._state is State.STOPPED:
+            if self._state is ClientState.STOPPED:
                 return
             ending.callback(self._close_cameras)
             ending.callback(self.disconnect)
             ending.callback(self._readings.close)
             ending.callback(endings.forget, self.stop)
-            if self._state is State.CONNECTED:
+            if self._state is ClientState.CONNECTED:
                 ending.callback(self._stop_motors)
-            self._state = State.STOPPED
+            self._state = ClientState.STOPPED
             self._is_stopped = True
 
     def __enter__(self) -> Self:
@@ -340,7 +340,7 @@ class Client(Announced, Driver, Events):
         except BaseException as error:
             self._give_up(error)
             raise
-        self._state = State.CONNECTED
+        self._state = ClientState.CONNECTED
 
     def _give_up(self, error: BaseException) -> None:
         """Disconnect a half-connected robot without hiding the error that interrupted `connect`."""

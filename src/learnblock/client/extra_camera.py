@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 WEBCAM = "webcam"
 
 
-class Source(Protocol):
+class PictureSource(Protocol):
     """A source of pictures."""
 
     def read(self) -> "Frame | None":
@@ -25,7 +25,7 @@ class Source(Protocol):
         """Close it; calling it twice is harmless."""
 
 
-def extra_source(time: Callable[[], float]) -> Source | None:
+def extra_source(time: Callable[[], float]) -> PictureSource | None:
     """The source that the settings add, not opened yet; None if they add none.
 
     Args:

@@ -5,7 +5,7 @@ from contextlib import ExitStack
 from types import MappingProxyType
 from typing import Any
 
-from learnblock.emulators.ebo_camera import Broker, Stream, find_broker
+from learnblock.emulators.ebo_camera import Broker, CameraStream, find_broker
 from learnblock.emulators.robocomp import Ranger, Servo, Wheels, row_of
 from learnblock.emulators.twin import Twin
 from learnblock.i18n import Phrase
@@ -55,7 +55,7 @@ class Emulator:
             self.note = Phrase("emulator-no-camera")
             return 0
         broker = ending.enter_context(Broker(program, host))
-        ending.callback(Stream(twin, host, broker.port).close)
+        ending.callback(CameraStream(twin, host, broker.port).close)
         return broker.port
 
     def _serve(self, identity: str, component: object) -> int:

@@ -86,7 +86,7 @@ class Broker:
         raise EmulatorError("emulator-broker-silent", place=f"{host}:{self.port}")
 
 
-class Stream:
+class CameraStream:
     """A thread that publishes the pictures of a twin's camera.
 
     Args:

@@ -22,7 +22,7 @@ class Moment(NamedTuple):
     order: float
 
 
-class Placed(NamedTuple):
+class TimedPose(NamedTuple):
     """Where a robot was, and when."""
 
     moment: Moment
@@ -31,7 +31,7 @@ class Placed(NamedTuple):
     heading: float
 
 
-def length_of(path: Sequence[Placed]) -> float:
+def length_of(path: Sequence[TimedPose]) -> float:
     """The length of a way in mm."""
     steps = pairwise(path)
     return sum(math.hypot(after.x - before.x, after.y - before.y) for before, after in steps)
@@ -72,12 +72,12 @@ class Evidence:
         return replace(self, robot=robot, report=self.team.get(robot, self.report))
 
     @cached_property
-    def path(self) -> Sequence[Placed]:
+    def path(self) -> Sequence[TimedPose]:
         """Where the robot was in its world, every 0.1 s, and at the end; none of a real robot."""
-        places = [Placed(moment, *line["pose"]) for moment, line in self._of("pose")]
+        places = [TimedPose(moment, *line["pose"]) for moment, line in self._of("pose")]
         # A real robot only knows where it is from its start.
         if places and self.report and self.report.pose:
-            places.append(Placed(Moment(self.report.time, len(self.lines)), *self.report.pose))
+            places.append(TimedPose(Moment(self.report.time, len(self.lines)), *self.report.pose))
         return places
 
     @cached_property

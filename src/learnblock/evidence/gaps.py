@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Sequence
 from itertools import pairwise
 
-from learnblock.evidence.evidence import Moment, Placed
+from learnblock.evidence.evidence import Moment, TimedPose
 from learnblock.i18n import Phrase
 from learnblock.simulator.polyline import Polyline
 
@@ -16,12 +16,12 @@ STILL = (2.0, 2.0)
 _NO_WAY = 20
 
 
-def xy(placed: Placed) -> XY:
+def xy(placed: TimedPose) -> XY:
     """Where a robot was."""
     return placed.x, placed.y
 
 
-def nearest_point(way: Sequence[Placed], place: XY) -> XY:
+def nearest_point(way: Sequence[TimedPose], place: XY) -> XY:
     """The point of a way that is nearest to a place."""
     points = [_on_piece(xy(before), xy(after), place) for before, after in pairwise(way)]
     return min(points or [xy(way[0])], key=lambda point: math.dist(point, place))
@@ -37,7 +37,7 @@ def _on_piece(begin: XY, end: XY, place: XY) -> XY:
     return x + share * dx, y + share * dy
 
 
-def place_at(path: Sequence[Placed], moment: Moment) -> XY:
+def place_at(path: Sequence[TimedPose], moment: Moment) -> XY:
     """Where the robot was at a moment."""
     before = [placed for placed in path if placed.moment.time <= moment.time]
     return xy(before[-1] if before else path[0])
@@ -53,18 +53,18 @@ def heading_between(before: float, after: float) -> float:
     return (after - before + 180) % 360 - 180
 
 
-def is_on_line(path: Sequence[Placed], middle: Polyline, distance: float) -> Sequence[bool]:
+def is_on_line(path: Sequence[TimedPose], middle: Polyline, distance: float) -> Sequence[bool]:
     """Whether the robot was at most so many mm from the middle of a line, at each place."""
     return [middle.distance(placed.x, placed.y) <= distance for placed in path]
 
 
-def turned_along(path: Sequence[Placed]) -> float:
+def turned_along(path: Sequence[TimedPose]) -> float:
     """The degrees that the robot turned along a way, negative to the left."""
     return sum(heading_between(before.heading, after.heading) for before, after in pairwise(path))
 
 
 def longest_stand(
-    path: Sequence[Placed], is_there: Callable[[XY], bool] = lambda _: True
+    path: Sequence[TimedPose], is_there: Callable[[XY], bool] = lambda _: True
 ) -> tuple[float, XY]:
     """How long the robot stood still at most, in seconds, and its place meanwhile."""
     longest, where, since = 0.0, xy(path[-1]), path[0]

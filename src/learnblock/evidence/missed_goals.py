@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from itertools import compress, pairwise
 from typing import Any
 
-from learnblock.evidence.evidence import Evidence, Moment, Placed, length_of
+from learnblock.evidence.evidence import Evidence, Moment, TimedPose, length_of
 from learnblock.evidence.gaps import (
     XY,
     direction,
@@ -77,7 +77,7 @@ class RunInWorld:
         return {goal.name: goal for _, _, goal in self.world.goal.all()} if self.world else {}
 
     @property
-    def path(self) -> Sequence[Placed]:
+    def path(self) -> Sequence[TimedPose]:
         """Where the robot was."""
         return self.evidence.path
 
@@ -160,7 +160,7 @@ def _tour(goal: Tour, run: RunInWorld) -> Miss | None:
     return Miss(Phrase(code, number=passed + 1, count=count, gap=gap), place, nearest)
 
 
-def _passed(goal: Tour, run: RunInWorld) -> tuple[int, Sequence[Placed]]:
+def _passed(goal: Tour, run: RunInWorld) -> tuple[int, Sequence[TimedPose]]:
     """How many places of a tour were passed, and the way from the last of them on."""
     passed, left = 0, run.path
     for index, piece in enumerate(pairwise(run.path), 1):
@@ -234,7 +234,7 @@ def _follow(goal: Follow, run: RunInWorld) -> Miss | None:
     return Miss(words, xy(on[-1]), xy(run.path[-1]))
 
 
-def _state(placed: Placed) -> RobotState:
+def _state(placed: TimedPose) -> RobotState:
     """A robot as the goals of the simulator see it."""
     return RobotState("", placed.moment.time, Pose(placed.x, placed.y, placed.heading))
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True, order=True)
-class Place:
+class NamePosition:
     """A position where a skill is defined or called.
 
     Args:
@@ -22,7 +22,7 @@ class Place:
     is_plain: bool
 
 
-def places(tree: ast.Module, source: str, names: Collection[str]) -> Iterator[Place]:
+def places(tree: ast.Module, source: str, names: Collection[str]) -> Iterator[NamePosition]:
     """The positions of skill names.
 
     Args:
@@ -33,10 +33,10 @@ def places(tree: ast.Module, source: str, names: Collection[str]) -> Iterator[Pl
     lines = _lines(source)
     for line, column, name in _named(tree, lines, names):
         text = name.encode()
-        yield Place(line, column, name, lines[line - 1][column : column + len(text)] == text)
+        yield NamePosition(line, column, name, lines[line - 1][column : column + len(text)] == text)
 
 
-def replaced(source: str, found: Iterable[Place], names: Mapping[str, str]) -> str:
+def replaced(source: str, found: Iterable[NamePosition], names: Mapping[str, str]) -> str:
     """The source with other names at these positions, which must be plain."""
     lines = _lines(source)
     # From the end, so that earlier positions stay valid.

@@ -6,7 +6,7 @@ from itertools import count
 
 from learnblock.errors import IceEncodingError, IceLinkError
 from learnblock.ice.encoding import Reader
-from learnblock.ice.messages import Kind, message, read_reply, request
+from learnblock.ice.messages import MessageKind, message, read_reply, request
 from learnblock.ice.stream import Stream
 from learnblock.timing import Deadline
 
@@ -106,7 +106,7 @@ class Connection:
             # Another thread is sending a message.
             return
         try:
-            self._stream.send(message(Kind.CLOSE), Deadline.after(0, self._clock))
+            self._stream.send(message(MessageKind.CLOSE), Deadline.after(0, self._clock))
         except IceLinkError:
             # The component notices the end of the connection.
             pass
@@ -116,7 +116,7 @@ class Connection:
     def _await_validation(self, deadline: Deadline) -> None:
         try:
             kind, _ = self._stream.receive(deadline)
-            if kind is not Kind.VALIDATE:
+            if kind is not MessageKind.VALIDATE:
                 raise IceLinkError("ice-unexpected-message", kind=kind.name)
         except IceLinkError:
             self._stream.close()
@@ -157,8 +157,8 @@ class Connection:
             self._receives = False
             self._turn.notify_all()
 
-    def _file(self, kind: Kind, body: bytes) -> None:
-        if kind is Kind.REPLY:
+    def _file(self, kind: MessageKind, body: bytes) -> None:
+        if kind is MessageKind.REPLY:
             try:
                 number, reply = read_reply(body)
             except IceEncodingError as error:
@@ -166,10 +166,10 @@ class Connection:
             # A reply to a call that has timed out is dropped.
             if call := self._calls.get(number):
                 call.reply = reply
-        elif kind is Kind.CLOSE:
+        elif kind is MessageKind.CLOSE:
             # Ice sends it only after answering everything that it has read.
             self._fail(NeverReadError("ice-hung-up"))
-        elif kind is not Kind.VALIDATE:
+        elif kind is not MessageKind.VALIDATE:
             raise IceLinkError("ice-unexpected-message", kind=kind.name)
 
     def _break(self, error: IceLinkError) -> None:

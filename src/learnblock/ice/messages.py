@@ -22,7 +22,7 @@ _COMPRESSED = 2
 _MEASURED, _LAST = 0x10, 0x20
 
 
-class Kind(IntEnum):
+class MessageKind(IntEnum):
     """The kinds of messages."""
 
     REQUEST = 0
@@ -56,25 +56,25 @@ _EXCEPTIONS = {
 }
 
 
-def message(kind: Kind, body: bytes = b"") -> bytes:
+def message(kind: MessageKind, body: bytes = b"") -> bytes:
     """A whole message."""
     return HEADER.pack(_MAGIC, 1, 0, 1, 0, kind, 0, HEADER.size + len(body)) + body
 
 
-def read_header(data: bytes | memoryview) -> tuple[Kind, int]:
+def read_header(data: bytes | memoryview) -> tuple[MessageKind, int]:
     """The kind of a message, and the length of what follows its header.
 
     Raises:
         IceEncodingError: the header is invalid or not supported.
     """
     magic, major, _, _, _, kind, compression, size = HEADER.unpack(data)
-    if magic != _MAGIC or major != 1 or kind > Kind.CLOSE:
+    if magic != _MAGIC or major != 1 or kind > MessageKind.CLOSE:
         raise IceEncodingError("ice-not-ice", start=repr(bytes(data)))
     if compression == _COMPRESSED:
         raise IceEncodingError("ice-compressed")
     if not HEADER.size <= size <= LARGEST:
         raise IceEncodingError("ice-message-size", size=size, limit=LARGEST)
-    return Kind(kind), size - HEADER.size
+    return MessageKind(kind), size - HEADER.size
 
 
 # Requests.
@@ -117,7 +117,7 @@ def request_opening(identity: str, operation: str, mode: Mode) -> bytes:
 
 def request(number: int, opening: bytes, parameters: bytes) -> bytes:
     """A request as a message."""
-    return message(Kind.REQUEST, _INT.pack(number) + opening + parameters)
+    return message(MessageKind.REQUEST, _INT.pack(number) + opening + parameters)
 
 
 def read_request(body: bytes | memoryview) -> Request:
@@ -211,7 +211,7 @@ def failure(asked: Request, status: Status, sentence: str) -> bytes:
 
 
 def _reply(asked: Request, status: Status, body: bytes) -> bytes:
-    return message(Kind.REPLY, _INT.pack(asked.number) + bytes((status,)) + body)
+    return message(MessageKind.REPLY, _INT.pack(asked.number) + bytes((status,)) + body)
 
 
 def _read_exception(status: Status, reader: Reader) -> IceRefusedError:

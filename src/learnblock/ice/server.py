@@ -12,7 +12,7 @@ from learnblock.ice.encoding import Writer
 from learnblock.ice.interface import OBJECT, Interface, Mode, Operation, read_all, write_all
 from learnblock.ice.messages import (
     HEADER,
-    Kind,
+    MessageKind,
     Request,
     Status,
     failure,
@@ -97,7 +97,7 @@ class Adapter(Closing):
         for server in self._servers:
             server.close()
         for writer in self._clients.values():
-            writer.write(message(Kind.CLOSE))
+            writer.write(message(MessageKind.CLOSE))
             # Not `close`, which would wait for a client that does not read.
             writer.transport.abort()
         await asyncio.gather(*self._clients)
@@ -112,7 +112,7 @@ class Adapter(Closing):
         assert task is not None  # noqa: S101 - a coroutine that runs has one
         self._clients[task] = writer
         try:
-            writer.write(message(Kind.VALIDATE))
+            writer.write(message(MessageKind.VALIDATE))
             await _answer_all(servants, reader, writer)
         except (OSError, asyncio.IncompleteReadError):
             # The client is gone or sent invalid data: there is nothing to answer.
@@ -128,9 +128,9 @@ async def _answer_all(
     while True:
         kind, size = read_header(await reader.readexactly(HEADER.size))
         body = await reader.readexactly(size)
-        if kind is Kind.CLOSE:
+        if kind is MessageKind.CLOSE:
             return
-        if kind is not Kind.REQUEST:
+        if kind is not MessageKind.REQUEST:
             continue
         request = read_request(body)
         answer = _answer(servants, request)

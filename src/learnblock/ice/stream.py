@@ -3,7 +3,7 @@
 import socket
 
 from learnblock.errors import IceEncodingError, IceLinkError
-from learnblock.ice.messages import HEADER, Kind, read_header
+from learnblock.ice.messages import HEADER, MessageKind, read_header
 from learnblock.timing import Deadline
 
 _CHUNK = 65536
@@ -47,7 +47,7 @@ class Stream:
         except OSError as error:
             raise _link_error(error) from error
 
-    def receive(self, deadline: Deadline) -> tuple[Kind, bytes]:
+    def receive(self, deadline: Deadline) -> tuple[MessageKind, bytes]:
         """Receive the next message: its kind, and the part after its header.
 
         Raises:

@@ -10,17 +10,17 @@ from learnblock.importing.library_folder import (
     import_text,
 )
 from learnblock.importing.pickle_reader import LARGEST
-from learnblock.importing.report import Report
+from learnblock.importing.report import ImportReport
 
 __all__ = [
     "ENDING",
     "LARGEST",
     "LIBRARY_ENDING",
     "FindLibrary",
+    "ImportReport",
     "Imported",
     "ImportedLibrary",
     "LibraryFiles",
-    "Report",
     "find_library",
     "import_library",
     "import_project",

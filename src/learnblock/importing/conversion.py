@@ -11,9 +11,9 @@ from learnblock.errors import Diagnostic, ProgramError, ProjectError
 from learnblock.i18n import Phrase
 from learnblock.importing.line_writer import is_statement, is_value, shown
 from learnblock.importing.old_text import parse_old
-from learnblock.importing.program_writer import Part, ProgramWriter, undefined
-from learnblock.importing.project import Block, Kind, read_project
-from learnblock.importing.report import Report, Reporting
+from learnblock.importing.program_writer import OldProgramWriter, ProgramPart, undefined
+from learnblock.importing.project import BlockKind, OldBlock, read_project
+from learnblock.importing.report import ImportReport, Reporting
 from learnblock.language.tree.nodes import Def, Main, Program, When
 from learnblock.language.workspace.blocks import Block as NewBlock
 from learnblock.language.workspace.blocks import Workspace
@@ -23,7 +23,7 @@ ENDING = ".blockProject"
 #: Of a function that holds loose blocks while they are converted.
 _LOOSE = "loose_blocks_"
 #: The block of a part that had none.
-_NOWHERE = Block("", "", Kind.CONTROL)
+_NOWHERE = OldBlock("", "", BlockKind.CONTROL)
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class Imported:
 
     blocktext: str
     workspace: Workspace | None
-    report: Report
+    report: ImportReport
 
 
 #: Finds the ``.lb`` file of a library by the library's name; None if there is none.
@@ -64,7 +64,7 @@ def import_project(
     """
     reporting = Reporting()
     project = read_project(data, filename)
-    writer = ProgramWriter(project, skills, reporting, filename)
+    writer = OldProgramWriter(project, skills, reporting, filename)
     parts = writer.parts()
     loose = [part for part in parts if not part.name]
     main = [part for part in parts if part.name]
@@ -95,30 +95,32 @@ def _found(
             yield parse_old(data, f"{shown(name)}.lb", skills, reporting)
 
 
-def _from_libraries(libraries: Iterable[Program], taken: set[str]) -> Iterator[Part]:
+def _from_libraries(libraries: Iterable[Program], taken: set[str]) -> Iterator[ProgramPart]:
     """The functions of libraries, which become part of the program."""
     for function in (function for library in libraries for function in library.functions.values()):
         name = f"def {function.name}"
         if name not in taken:
             taken.add(name)
-            yield Part(tuple(language.format(Program((function,))).splitlines()), _NOWHERE, name)
+            yield ProgramPart(
+                tuple(language.format(Program((function,))).splitlines()), _NOWHERE, name
+            )
 
 
-def _missing(writer: ProgramWriter, parts: Sequence[Part]) -> Iterator[Part]:
+def _missing(writer: OldProgramWriter, parts: Sequence[ProgramPart]) -> Iterator[ProgramPart]:
     """Functions and events that the project uses but does not define, without content."""
     lines, reporting = writer.lines, writer.reporting
     for name in undefined(parts, tuple(lines.called), "def"):
         reporting.miss(Phrase("import-no-function", name=name))
-        yield Part((f"def {name}():", "pass", "end"), _NOWHERE, f"def {name}")
+        yield ProgramPart((f"def {name}():", "pass", "end"), _NOWHERE, f"def {name}")
     for name, condition in lines.heard.items():
         event = f"{name}_received" if undefined(parts, [name], "when") == [] else name
         reporting.change(Phrase("import-heard", event=event, condition=condition))
         header = f"when {event} = {condition}:"
-        yield Part((header, "pass", "end"), _NOWHERE, f"when {event}")
+        yield ProgramPart((header, "pass", "end"), _NOWHERE, f"when {event}")
     heard = lines.heard.keys()
     for name in undefined(parts, [event for event in lines.events if event not in heard], "when"):
         reporting.miss(Phrase("import-no-event", name=name))
-        yield Part((f"when {name}:", "pass", "end"), _NOWHERE, f"when {name}")
+        yield ProgramPart((f"when {name}:", "pass", "end"), _NOWHERE, f"when {name}")
 
 
 @dataclass
@@ -126,8 +128,8 @@ class _Conversion:
     filename: str
     skills: Mapping[str, BlockConfiguration]
     reporting: Reporting
-    parts: tuple[Part, ...]
-    loose: tuple[Part, ...]
+    parts: tuple[ProgramPart, ...]
+    loose: tuple[ProgramPart, ...]
     start: list[str] = field(default_factory=list)
 
     def imported(self) -> Imported:
@@ -149,7 +151,7 @@ class _Conversion:
                 lines += [f"def {_LOOSE}{number}():", *_as_statements(part), "end"]
         return "\n".join(lines).lstrip("\n") + "\n"
 
-    def ordered(self) -> list[Part]:
+    def ordered(self) -> list[ProgramPart]:
         """The parts: definitions before what uses them."""
         order = ("def", "when", "main")
         return sorted(self.parts, key=lambda part: order.index(part.name.split()[0]))
@@ -180,7 +182,7 @@ class _Conversion:
     def workspace(self) -> Workspace:
         program = self.parsed(self.text(with_loose=True))
         found = language.to_workspace(program, self.skills)
-        places: dict[str, Part] = {}
+        places: dict[str, ProgramPart] = {}
         named = {part.name: part for part in self.parts}
         named |= {f"def {_LOOSE}{number}": part for number, part in enumerate(self.loose)}
         for node in (*program.items, *([program.main] if program.main else ())):
@@ -190,7 +192,7 @@ class _Conversion:
         return Workspace([stack for stack in stacks if stack], found.workspace.variables)
 
 
-def _as_statements(part: Part) -> Iterable[str]:
+def _as_statements(part: ProgramPart) -> Iterable[str]:
     text = part.lines[0]
     if not part.block.is_value:
         return part.lines
@@ -210,7 +212,7 @@ def _name(node: object) -> str:
     return ""
 
 
-def _placed(stack: list[NewBlock], part: Part | None) -> list[NewBlock]:
+def _placed(stack: list[NewBlock], part: ProgramPart | None) -> list[NewBlock]:
     """A stack where its blocks were; of loose blocks without the function that held them."""
     if part is None or not part.block.id:
         return stack

@@ -16,7 +16,7 @@ from learnblock.extensions.libraries import Library
 from learnblock.i18n import Phrase
 from learnblock.importing.conversion import Imported
 from learnblock.importing.old_text import LARGEST_LIBRARY, decoded, parse_old
-from learnblock.importing.report import Report, Reporting
+from learnblock.importing.report import ImportReport, Reporting
 from learnblock.language import format as format_program
 from learnblock.language.tree.nodes import Blank, Comment, Def, Item, Program
 from learnblock.storage import skill_files
@@ -69,7 +69,7 @@ class ImportedLibrary:
 
     blocktext: str
     library: Library | None
-    report: Report
+    report: ImportReport
 
 
 def import_library(

@@ -7,7 +7,7 @@ from learnblock.blocks import NUMBERS, BlockConfiguration, Parameter
 from learnblock.blocks.old_names import todays_name
 from learnblock.i18n import Phrase
 from learnblock.importing.names import Names, legal
-from learnblock.importing.project import Block, Kind, OriginalProject, Value
+from learnblock.importing.project import BlockKind, OldBlock, OriginalProject, Value
 from learnblock.importing.report import Reporting
 from learnblock.importing.values import argument
 from learnblock.language import recover
@@ -21,7 +21,7 @@ _EVENT_PREFIXES = ("state_", "time_")
 
 
 @dataclass(frozen=True)
-class Line:
+class WrittenLine:
     """The text of a line.
 
     Args:
@@ -50,9 +50,9 @@ class LineWriter:
         #: The conditions of the events that statements subscribed to, by the event's name.
         self.heard: dict[str, str] = {}
 
-    def condition(self, block: Block | None, owner: str) -> str:
+    def condition(self, block: OldBlock | None, owner: str) -> str:
         """The condition at the right of a block; `False` if there is none that can be read."""
-        line = Line("") if block is None else self.line(block)
+        line = WrittenLine("") if block is None else self.line(block)
         if line.unknown:
             self.report_unknown(line.unknown)
         elif not line.text:
@@ -63,11 +63,11 @@ class LineWriter:
             self.reporting.miss(Phrase("import-unread-line", text=shown(line.text)))
         return "False"
 
-    def statement(self, block: Block) -> str:
+    def statement(self, block: OldBlock) -> str:
         """A line as a statement, or as a comment if it can't be one."""
         line = self.line(block)
         text = self.mended(line.text)
-        if block.kind == Kind.SKILL and block.right is None and self.is_subscription(block):
+        if block.kind == BlockKind.SKILL and block.right is None and self.is_subscription(block):
             self.heard.setdefault(event_of(block), text)
         elif line.unknown:
             self.report_unknown(line.unknown)
@@ -77,7 +77,7 @@ class LineWriter:
             self.reporting.miss(Phrase("import-unread-line", text=shown(line.text)))
         return f"# {' '.join(text.split())}"
 
-    def is_subscription(self, block: Block) -> bool:
+    def is_subscription(self, block: OldBlock) -> bool:
         """Whether a block announces a message, which today's events ask for in their condition."""
         return block.name not in self.skills and self.skill_name(block.name) == "received"
 
@@ -89,36 +89,36 @@ class LineWriter:
         self.reporting.change(Phrase("import-print-brackets"))
         return f"print({rest})"
 
-    def line(self, first: Block) -> Line:
+    def line(self, first: OldBlock) -> WrittenLine:
         """A block and what is at its right."""
         words: list[str] = []
         unknown: list[str] = []
         for block in self.row(first):
-            if block.kind == Kind.SKILL and self.skill_name(block.name) is None:
+            if block.kind == BlockKind.SKILL and self.skill_name(block.name) is None:
                 unknown.append(block.name)
             words.append(self.word(block))
-        return Line(" ".join(words), tuple(unknown))
+        return WrittenLine(" ".join(words), tuple(unknown))
 
-    def row(self, first: Block) -> Iterator[Block]:
+    def row(self, first: OldBlock) -> Iterator[OldBlock]:
         """A block and those at its right; each block is in one line only."""
-        block: Block | None = first
+        block: OldBlock | None = first
         while block is not None and block.id not in self.used:
             self.used.add(block.id)
             yield block
             block = self.project.blocks.get(block.right or "")
 
-    def word(self, block: Block) -> str:
+    def word(self, block: OldBlock) -> str:
         """The text of one block."""
         match block.kind:
-            case Kind.SKILL:
+            case BlockKind.SKILL:
                 return self.skill(block)
-            case Kind.VARIABLE:
+            case BlockKind.VARIABLE:
                 return self.variable(block)
-            case Kind.FUNCTION | Kind.LIBRARY:
+            case BlockKind.FUNCTION | BlockKind.LIBRARY:
                 return self.call(block)
         return self.control(block)
 
-    def control(self, block: Block) -> str:
+    def control(self, block: OldBlock) -> str:
         """An operator, a word of the language, a number or a text."""
         name = block.name
         if name.split(" ")[0] in _EVENT_WORDS:
@@ -143,7 +143,7 @@ class LineWriter:
         self.events.setdefault(found)
         return found
 
-    def variable(self, block: Block) -> str:
+    def variable(self, block: OldBlock) -> str:
         if block.name.split(" ")[0] in _EVENT_WORDS and " " in block.name:
             return self.switch(block.name, block.event)
         for prefix in _EVENT_PREFIXES:
@@ -160,7 +160,7 @@ class LineWriter:
             )
         return f"{name} = {value}"
 
-    def call(self, block: Block) -> str:
+    def call(self, block: OldBlock) -> str:
         name = self.names.legal(block.name)
         self.called.setdefault(name)
         return f"{name}()"
@@ -171,7 +171,7 @@ class LineWriter:
         """Today's name of a skill, or None if there is no such skill."""
         return name if name in self.skills else todays_name(name, self.skills)
 
-    def skill(self, block: Block) -> str:
+    def skill(self, block: OldBlock) -> str:
         name = self.skill_name(block.name)
         if name is None:
             values = (argument(value, None, self.project.variables) for value in block.values)
@@ -180,7 +180,7 @@ class LineWriter:
             self.reporting.change(Phrase("import-old-name", name=block.name, today=name))
         return f"function.{name}({', '.join(self.arguments(block, self.skills[name].parameters))})"
 
-    def arguments(self, block: Block, parameters: tuple[Parameter, ...]) -> Iterator[str]:
+    def arguments(self, block: OldBlock, parameters: tuple[Parameter, ...]) -> Iterator[str]:
         for value in block.values[len(parameters) :]:
             self.reporting.miss(
                 Phrase("import-argument-dropped", skill=block.name, value=shown(value.text))
@@ -220,7 +220,7 @@ class LineWriter:
             self.reporting.miss(Phrase("import-unknown-skill", skill=shown(skill)))
 
 
-def event_of(block: Block) -> str:
+def event_of(block: OldBlock) -> str:
     """The name of the event for the message that a block announces."""
     given = block.values[0].text.strip("\"' ") if block.values else ""
     return legal(given) if given else "message"

@@ -50,7 +50,7 @@ _MARK = object()
 
 
 @dataclass(frozen=True)
-class Name:
+class PickledName:
     """A class or function that the pickle names; it is never called.
 
     Args:
@@ -268,12 +268,12 @@ class _Reader:
 
     # Objects.
 
-    def named(self) -> Name:
+    def named(self) -> PickledName:
         module, name = (_decoded(self.line()) for _ in range(2))
         kind = _NAMES.get((module, name))
         if kind is None:
             raise self.forbidden(f"{module}.{name}"[:100])
-        return Name(kind)
+        return PickledName(kind)
 
     def instance(self) -> None:
         found = self.named()
@@ -285,17 +285,19 @@ class _Reader:
 
     def call(self) -> None:
         called, arguments = self.last(2)
-        if isinstance(called, Name) and called.kind == "reconstructor":
+        if isinstance(called, PickledName) and called.kind == "reconstructor":
             called, arguments = self.reconstructed(arguments), ()
         self.push(self.made(called, arguments))
 
-    def reconstructed(self, arguments: object) -> Name:
-        if not (isinstance(arguments, tuple) and arguments and isinstance(arguments[0], Name)):
+    def reconstructed(self, arguments: object) -> PickledName:
+        if not (
+            isinstance(arguments, tuple) and arguments and isinstance(arguments[0], PickledName)
+        ):
             raise self.damaged()
         return arguments[0]
 
     def made(self, found: object, arguments: object) -> Object | Point:
-        if not isinstance(found, Name) or not isinstance(arguments, tuple):
+        if not isinstance(found, PickledName) or not isinstance(arguments, tuple):
             raise self.damaged()
         if found.kind == "point" and len(arguments) == 2:
             return self.point(*arguments)

@@ -7,7 +7,7 @@ from learnblock.blocks import BlockConfiguration
 from learnblock.errors import Diagnostic, ProjectError
 from learnblock.i18n import Phrase
 from learnblock.importing.line_writer import LineWriter, is_statement, shown
-from learnblock.importing.project import Block, Kind, OriginalProject
+from learnblock.importing.project import BlockKind, OldBlock, OriginalProject
 from learnblock.importing.report import Reporting
 
 #: Blocks inside each other; Python itself allows 99.
@@ -19,7 +19,7 @@ _BRANCHES = frozenset(("elif", "else"))
 
 
 @dataclass(frozen=True)
-class Part:
+class ProgramPart:
     """A part of a program: its lines, and where its blocks were.
 
     Args:
@@ -29,12 +29,12 @@ class Part:
     """
 
     lines: tuple[str, ...]
-    block: Block
+    block: OldBlock
     name: str = ""
 
 
 @dataclass
-class ProgramWriter:
+class OldProgramWriter:
     """Writes each block once.
 
     Args:
@@ -53,16 +53,16 @@ class ProgramWriter:
     def __post_init__(self) -> None:
         self.lines = LineWriter(self.project, self.skills, self.reporting)
 
-    def parts(self) -> list[Part]:
+    def parts(self) -> list[ProgramPart]:
         """The parts of the program, then the loose blocks."""
-        parts: dict[str, Part] = {}
-        loose: list[Block] = []
+        parts: dict[str, ProgramPart] = {}
+        loose: list[OldBlock] = []
         for root in self.roots():
             name = self.part_name(root)
             if not name or name in parts:
                 loose.append(root)
                 continue
-            parts[name] = Part(tuple(self.part(name, root)), root, name)
+            parts[name] = ProgramPart(tuple(self.part(name, root)), root, name)
             loose += self.chain(root.below)[:1]
         rest = [part for root in loose if (part := self.loose(root)).lines]
         self.report_left_out()
@@ -74,23 +74,23 @@ class ProgramWriter:
             if block.id not in self.written and block.id not in self.lines.used:
                 self.reporting.miss(Phrase("import-left-out", name=shown(block.name)))
 
-    def roots(self) -> Iterator[Block]:
+    def roots(self) -> Iterator[OldBlock]:
         """The blocks that hang on no other, from the top of the canvas."""
         blocks = self.project.blocks.values()
         hanging = {other for block in blocks for other in (block.right, block.inside, block.below)}
         roots = [block for block in blocks if block.id not in hanging]
         return iter(sorted(roots, key=lambda block: (block.y, block.x)))
 
-    def part_name(self, root: Block) -> str:
-        if root.name == "main" and root.kind == Kind.CONTROL:
+    def part_name(self, root: OldBlock) -> str:
+        if root.name == "main" and root.kind == BlockKind.CONTROL:
             return "main"
-        if root.name == "when" or root.kind == Kind.WHEN:
+        if root.name == "when" or root.kind == BlockKind.WHEN:
             return f"when {self.lines.names.legal(root.event or 'event')}"
-        if root.kind == Kind.FUNCTION and root.holds_blocks:
+        if root.kind == BlockKind.FUNCTION and root.holds_blocks:
             return f"def {self.lines.names.legal(root.name)}"
         return ""
 
-    def part(self, name: str, root: Block) -> Iterator[str]:
+    def part(self, name: str, root: OldBlock) -> Iterator[str]:
         self.written.add(root.id)
         header = f"{name}()" if name.startswith("def") else name
         if name.startswith("when") and root.right:
@@ -100,13 +100,13 @@ class ProgramWriter:
         yield from self.body(root.inside, 1)
         yield "end"
 
-    def loose(self, root: Block) -> Part:
+    def loose(self, root: OldBlock) -> ProgramPart:
         if root.is_value and not root.holds_blocks:
-            return Part((self.lines.line(root).text,), root)
+            return ProgramPart((self.lines.line(root).text,), root)
         if self.part_name(root):
             self.reporting.change(Phrase("import-twice", name=self.part_name(root)))
-            return Part(tuple(self.statements(root.inside, 1)), root)
-        return Part(tuple(self.statements(root.id, 1)), root)
+            return ProgramPart(tuple(self.statements(root.inside, 1)), root)
+        return ProgramPart(tuple(self.statements(root.id, 1)), root)
 
     # Statements.
 
@@ -130,14 +130,14 @@ class ProgramWriter:
             else:
                 yield self.lines.statement(block)
 
-    def compound(self, block: Block, above: str, below: str, depth: int) -> Iterator[str]:
+    def compound(self, block: OldBlock, above: str, below: str, depth: int) -> Iterator[str]:
         yield from self.header(block, above)
         yield from self.body(block.inside, depth + 1)
         goes_on = block.name in {"if", "elif"} and below in _BRANCHES
         if not goes_on:
             yield "end"
 
-    def header(self, block: Block, above: str) -> Iterator[str]:
+    def header(self, block: OldBlock, above: str) -> Iterator[str]:
         """The line that begins a block with others inside it."""
         name, right = block.name, self.block(block.right)
         if name in _BRANCHES and above not in {"if", "elif"}:
@@ -155,7 +155,7 @@ class ProgramWriter:
         else:
             yield from self.other_header(block)
 
-    def other_header(self, block: Block) -> Iterator[str]:
+    def other_header(self, block: OldBlock) -> Iterator[str]:
         """A loop that only later versions have, or an unknown block."""
         text = self.lines.line(block).text
         if is_statement(f"{text}: pass end"):
@@ -167,12 +167,12 @@ class ProgramWriter:
 
     # Blocks.
 
-    def block(self, key: str | None) -> Block | None:
+    def block(self, key: str | None) -> OldBlock | None:
         return None if key is None else self.project.blocks.get(key)
 
-    def chain(self, first: str | None) -> list[Block]:
+    def chain(self, first: str | None) -> list[OldBlock]:
         """A block and those below it, unless they are written already."""
-        found: list[Block] = []
+        found: list[OldBlock] = []
         block = self.block(first)
         while block is not None and block.id not in self.written:
             self.written.add(block.id)
@@ -181,7 +181,7 @@ class ProgramWriter:
         return found
 
 
-def undefined(parts: Collection[Part], names: Collection[str], word: str) -> list[str]:
+def undefined(parts: Collection[ProgramPart], names: Collection[str], word: str) -> list[str]:
     """The names of functions or events that parts use and none of them defines."""
     defined = {part.name for part in parts}
     return [name for name in names if f"{word} {name}" not in defined]

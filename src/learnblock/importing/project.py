@@ -22,7 +22,7 @@ LONGEST_TEXT = 10_000
 FARTHEST = 1_000_000.0
 
 
-class Kind(IntEnum):
+class BlockKind(IntEnum):
     """What a block is."""
 
     OPERATOR = 0
@@ -48,7 +48,7 @@ class Value:
 
 
 @dataclass(frozen=True)
-class Block:
+class OldBlock:
     """A block on the canvas.
 
     Args:
@@ -68,7 +68,7 @@ class Block:
 
     id: str
     name: str
-    kind: Kind
+    kind: BlockKind
     values: tuple[Value, ...] = ()
     event: str = ""
     right: str | None = None
@@ -92,7 +92,7 @@ class OriginalProject:
         in_radians: whether rotations are radians per second, as in version 1.
     """
 
-    blocks: Mapping[str, Block]
+    blocks: Mapping[str, OldBlock]
     variables: tuple[str, ...] = ()
     functions: tuple[str, ...] = ()
     libraries: tuple[str, ...] = ()
@@ -150,13 +150,13 @@ class _Reader:
             raise self.wrong(place)
         return value
 
-    def block(self, key: str, value: object) -> Block:
+    def block(self, key: str, value: object) -> OldBlock:
         if not isinstance(value, Object) or value.kind not in {"block", "first block"}:
             raise self.wrong(key[:LONGEST_TEXT])
         state = value.state
         name = self.text(state.get("name"), f"{key[:100]}.name")
         position = state.get("pos")
-        return Block(
+        return OldBlock(
             id=key,
             name=name.strip(),
             kind=self.kind(state.get("type"), name),
@@ -166,9 +166,9 @@ class _Reader:
             **_place(position) if isinstance(position, Point) else {},
         )
 
-    def kind(self, value: object, name: str) -> Kind:
-        if isinstance(value, int) and value in set(Kind):
-            return Kind(value)
+    def kind(self, value: object, name: str) -> BlockKind:
+        if isinstance(value, int) and value in set(BlockKind):
+            return BlockKind(value)
         raise self.wrong(f"{name[:100]}.type")
 
     def values(self, values: object, name: str) -> tuple[Value, ...]:

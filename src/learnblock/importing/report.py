@@ -6,7 +6,7 @@ from learnblock.i18n import Phrase
 
 
 @dataclass(frozen=True)
-class Report:
+class ImportReport:
     """What an import changed, and what it could not carry over.
 
     Args:
@@ -31,5 +31,5 @@ class Reporting:
     def miss(self, phrase: Phrase) -> None:
         self.missing.setdefault(phrase)
 
-    def report(self) -> Report:
-        return Report(tuple(self.changed), tuple(self.missing))
+    def report(self) -> ImportReport:
+        return ImportReport(tuple(self.changed), tuple(self.missing))

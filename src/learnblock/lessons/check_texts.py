@@ -62,7 +62,7 @@ def _read(opened: OpenLesson, path: str, others: Mapping[str, Texts]) -> Texts:
     filename, source = f"{opened.name}/{path}", opened.text(path)
     document = toml_source.parse(source, filename, LessonError)
 
-    def findings(file: TextsFile) -> Iterator[toml_source.Finding]:
+    def findings(file: TextsFile) -> Iterator[toml_source.FileMistake]:
         return _findings(file.texts, others)
 
     return toml_source.convert(
@@ -70,18 +70,18 @@ def _read(opened: OpenLesson, path: str, others: Mapping[str, Texts]) -> Texts:
     ).texts
 
 
-def _findings(texts: Texts, others: Mapping[str, Texts]) -> Iterator[toml_source.Finding]:
+def _findings(texts: Texts, others: Mapping[str, Texts]) -> Iterator[toml_source.FileMistake]:
     for name, text in texts.items():
         try:
             values = _values(text)
         except ValueError as error:
             message = Phrase("lesson-text-braces", reason=str(error))
-            yield toml_source.Finding(("texts", name), "wrong-text", message)
+            yield toml_source.FileMistake(("texts", name), "wrong-text", message)
             continue
         for language, translated in others.items():
             if name in translated and _values(translated[name]) != values:
                 message = Phrase("lesson-text-values", name=name, language=language)
-                yield toml_source.Finding(("texts", name), "other-values", message)
+                yield toml_source.FileMistake(("texts", name), "other-values", message)
                 break
 
 

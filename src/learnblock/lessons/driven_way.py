@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 
-from learnblock.evidence.evidence import Placed, length_of
+from learnblock.evidence.evidence import TimedPose, length_of
 from learnblock.evidence.gaps import heading_between, is_on_line, turned_along
 from learnblock.lessons.checks import Drives, EndsAt, StaysOnLine, Turns
 from learnblock.lessons.finding import OPEN, Finding, RunSoFar, failed_at, met_at
@@ -33,7 +33,7 @@ def on_line(check: StaysOnLine, run: RunSoFar) -> Finding:
     return _long_enough(check, run, path[first:])
 
 
-def _long_enough(check: StaysOnLine, run: RunSoFar, path: Sequence[Placed]) -> Finding:
+def _long_enough(check: StaysOnLine, run: RunSoFar, path: Sequence[TimedPose]) -> Finding:
     driven = length_of(path)
     if driven >= check.least:
         return met_at(run.now)

@@ -171,7 +171,7 @@ def examine(edited: EditedLesson, name: str, saved: OpenLesson | None = None) ->
     if blank:
         return Examined(files, content, blank)
 
-    def check(lesson: Lesson) -> Iterator[toml_source.Finding]:
+    def check(lesson: Lesson) -> Iterator[toml_source.FileMistake]:
         yield from lesson_findings(OpenLesson(name, lesson, None, MappingProxyType(files)))
 
     try:

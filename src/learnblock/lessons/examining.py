@@ -31,12 +31,12 @@ from learnblock.lessons.texts import MOST_DRAWINGS, drawn_blocks
 from learnblock.robots.simulated import known_worlds
 from learnblock.simulator import WorldDescription
 from learnblock.storage.struct_types import KeyPath
-from learnblock.storage.toml_source import Finding
+from learnblock.storage.toml_source import FileMistake
 
 _PICTURE = re.compile(r"!\[[^\[\]\n]{0,200}\]\(([^)\s]{1,200})\)")
 
 
-def lesson_findings(opened: OpenLesson) -> Iterator[Finding]:
+def lesson_findings(opened: OpenLesson) -> Iterator[FileMistake]:
     """The mistakes in a lesson's main file.
 
     Raises:
@@ -48,12 +48,12 @@ def lesson_findings(opened: OpenLesson) -> Iterator[Finding]:
         yield from _missing(opened, ("picture",), f"pictures/{lesson.picture}")
     for number, step in enumerate(lesson.step, start=1):
         for finding in _StepExamination(opened, number, step).findings():
-            yield Finding(("step", number - 1, *finding.path), finding.code, finding.message)
+            yield FileMistake(("step", number - 1, *finding.path), finding.code, finding.message)
     _check_programs(opened, "programs/")
     _check_experts(opened)
 
 
-def teacher_findings(opened: OpenLesson, teacher: Teacher) -> Iterator[Finding]:
+def teacher_findings(opened: OpenLesson, teacher: Teacher) -> Iterator[FileMistake]:
     """The mistakes in the teacher's file.
 
     Raises:
@@ -93,7 +93,7 @@ class _StepExamination:
     def __init__(self, opened: OpenLesson, number: int, step: Step) -> None:
         self._opened, self._number, self._step = opened, number, step
 
-    def findings(self) -> Iterator[Finding]:
+    def findings(self) -> Iterator[FileMistake]:
         step = self._step
         for path, file in self._files():
             yield from _missing(self._opened, path, file)
@@ -116,16 +116,16 @@ class _StepExamination:
         for index, partner in enumerate(self._step.partners):
             yield ("partners", index, "program"), f"programs/{partner.program}"
 
-    def _partners(self) -> Iterator[Finding]:
+    def _partners(self) -> Iterator[FileMistake]:
         names = [OWN_ROBOT]
         for index, partner in enumerate(self._step.partners):
             yield from _unknown_robots(("partners", index, "robot"), (partner.robot,))
             if partner.name in names:
                 message = Phrase("lesson-partner-name", name=partner.name)
-                yield Finding(("partners", index, "name"), "name-taken", message)
+                yield FileMistake(("partners", index, "name"), "name-taken", message)
             names.append(partner.name)
 
-    def _blocks(self) -> Iterator[Finding]:
+    def _blocks(self) -> Iterator[FileMistake]:
         blocks = self._step.blocks
         if isinstance(blocks, str):
             names = [*block_sets.BUILT_IN, *(block_set.name for block_set in block_sets.own()[0])]
@@ -139,7 +139,7 @@ class _StepExamination:
             if not prefix and block.startswith("function.") and skill not in skills:
                 yield _unknown(("blocks", index), "skill", skill, skills)
 
-    def _texts(self) -> Iterator[Finding]:
+    def _texts(self) -> Iterator[FileMistake]:
         text = self._step.text
         for translation in [text] if isinstance(text, str) else text.values():
             for picture in _PICTURE.findall(translation):
@@ -152,7 +152,7 @@ class _StepExamination:
         for blocks in islice(drawn, MOST_DRAWINGS):
             yield from _unreadable(blocks)
 
-    def _puzzle(self) -> Iterator[Finding]:
+    def _puzzle(self) -> Iterator[FileMistake]:
         puzzle = self._step.puzzle
         if puzzle is None or f"programs/{puzzle.program}" not in self._opened.files:
             return
@@ -163,13 +163,13 @@ class _StepExamination:
                 language.parse(source, "also")
             except FileError as error:
                 problem = Phrase("lesson-puzzle-program", problem=error.phrase)
-                yield Finding(path, "wrong-program", problem)
+                yield FileMistake(path, "wrong-program", problem)
                 continue
             if not has_same_pieces(pieces(source), right):
                 message = Phrase("lesson-puzzle-pieces", file=puzzle.program)
-                yield Finding(path, "other-pieces", message)
+                yield FileMistake(path, "other-pieces", message)
 
-    def _world_and_checks(self) -> Iterator[Finding]:
+    def _world_and_checks(self) -> Iterator[FileMistake]:
         name = self._opened.world(self._number)
         worlds = {*self._opened.own_worlds, *known_worlds()}
         if name is not None and name not in worlds:
@@ -182,7 +182,7 @@ class _StepExamination:
 
     def _check(
         self, path: KeyPath, check: Check, world: WorldDescription | None
-    ) -> Iterator[Finding]:
+    ) -> Iterator[FileMistake]:
         robots_here = [OWN_ROBOT, *(partner.name for partner in self._step.partners)]
         if check.robot is not None and check.robot not in robots_here:
             yield _unknown((*path, "robot"), "robot", check.robot, robots_here)
@@ -214,49 +214,49 @@ def _events(check: Check) -> Iterator[tuple[KeyPath, Event]]:
                 yield ("events", index), event
 
 
-def _goal(path: KeyPath, name: str, world: WorldDescription) -> Iterator[Finding]:
+def _goal(path: KeyPath, name: str, world: WorldDescription) -> Iterator[FileMistake]:
     goals = [goal.name for _, _, goal in world.goal.all()]
     if name not in goals:
         yield _unknown(path, "goal", name, goals)
 
 
-def _event(path: KeyPath, event: Event, world: WorldDescription | None) -> Iterator[Finding]:
+def _event(path: KeyPath, event: Event, world: WorldDescription | None) -> Iterator[FileMistake]:
     if isinstance(event, GoalReached) and world is not None:
         yield from _goal((*path, "name"), event.name, world)
     if isinstance(event, Called):
         yield from _skill((*path, "skill"), event.skill)
 
 
-def _skill(path: KeyPath, name: str) -> Iterator[Finding]:
+def _skill(path: KeyPath, name: str) -> Iterator[FileMistake]:
     skills = all_configurations()
     if name not in skills:
         yield _unknown(path, "skill", name, skills)
 
 
-def _unknown_robots(path: KeyPath, names: Iterable[str]) -> Iterator[Finding]:
+def _unknown_robots(path: KeyPath, names: Iterable[str]) -> Iterator[FileMistake]:
     for index, name in enumerate(names):
         try:
             robots.find(name)
         except UnknownNameError as error:
             at = (*path, index) if path[-1] == "robots" else path
-            yield Finding(at, "unknown-name", error.phrase)
+            yield FileMistake(at, "unknown-name", error.phrase)
 
 
-def _missing(opened: OpenLesson, path: KeyPath, file: str) -> Iterator[Finding]:
+def _missing(opened: OpenLesson, path: KeyPath, file: str) -> Iterator[FileMistake]:
     if file not in opened.files:
-        yield Finding(path, "missing-file", Phrase("lesson-missing-file", file=file))
+        yield FileMistake(path, "missing-file", Phrase("lesson-missing-file", file=file))
 
 
-def _unreadable(blocks: str) -> Iterator[Finding]:
+def _unreadable(blocks: str) -> Iterator[FileMistake]:
     try:
         language.parse(blocks, "blocks")
     except FileError as error:
         problem = Phrase("lesson-text-blocks", problem=error.phrase)
-        yield Finding(("text",), "wrong-blocks", problem)
+        yield FileMistake(("text",), "wrong-blocks", problem)
 
 
-def _unknown(path: KeyPath, kind: str, name: str, known: Iterable[str]) -> Finding:
-    return Finding(path, "unknown-name", UnknownNameError(kind, name, known).phrase)
+def _unknown(path: KeyPath, kind: str, name: str, known: Iterable[str]) -> FileMistake:
+    return FileMistake(path, "unknown-name", UnknownNameError(kind, name, known).phrase)
 
 
 def _check_programs(opened: OpenLesson, folder: str) -> None:

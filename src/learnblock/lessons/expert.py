@@ -34,7 +34,7 @@ _LONGEST_REASON = 300
 _CHILD = expert_child.__name__
 
 
-class Answer(msgspec.Struct, forbid_unknown_fields=True):
+class ExpertAnswer(msgspec.Struct, forbid_unknown_fields=True):
     """What a check answers.
 
     Args:
@@ -115,10 +115,10 @@ def _reason(reason: str | dict[str, str]) -> Phrase:
     return Phrase("lesson-expert-says", reason=Multilingual({**cut, ENGLISH: usual}))
 
 
-def _answer(data: bytes) -> Answer | None:
+def _answer(data: bytes) -> ExpertAnswer | None:
     """The answer; None if there is no clear one."""
     try:
-        return msgspec.json.decode(data, type=Answer)
+        return msgspec.json.decode(data, type=ExpertAnswer)
     except (msgspec.MsgspecError, ValueError):
         return None
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 
-from learnblock.evidence.evidence import Evidence, Moment, Noted, Placed
+from learnblock.evidence.evidence import Evidence, Moment, Noted, TimedPose
 from learnblock.evidence.gaps import STILL, heading_between
 from learnblock.lessons.checks import (
     At,
@@ -84,7 +84,7 @@ def _at(event: At, evidence: Evidence) -> Iterator[Moment]:
 
 
 def _stood(event: Stood, evidence: Evidence) -> Iterator[Moment]:
-    since: Placed | None = None
+    since: TimedPose | None = None
     is_told = False
     for placed in evidence.path:
         if since is None or _has_moved(since, placed):
@@ -94,7 +94,7 @@ def _stood(event: Stood, evidence: Evidence) -> Iterator[Moment]:
             yield placed.moment
 
 
-def _has_moved(before: Placed, now: Placed) -> bool:
+def _has_moved(before: TimedPose, now: TimedPose) -> bool:
     moved, turned = STILL
     is_near = math.hypot(now.x - before.x, now.y - before.y) <= moved
     return not is_near or abs(heading_between(before.heading, now.heading)) > turned

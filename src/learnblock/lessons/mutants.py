@@ -45,7 +45,7 @@ from learnblock.language.tree.nodes import (
     While,
     WithoutRobot,
 )
-from learnblock.lessons.rewriting import Place, Sequence, places, sequences
+from learnblock.lessons.rewriting import Slot, StatementSequence, places, sequences
 
 #: Mutants with two mistakes are added until there are at least this many.
 LEAST = 60
@@ -136,7 +136,7 @@ def _changes(program: Program) -> Iterator[_Change]:
             yield sequence.put(statements), f"line {line}: {what}"
 
 
-def _line(place: Place) -> int:
+def _line(place: Slot) -> int:
     line: int = place.node.span.line
     return line
 
@@ -340,7 +340,7 @@ _NODES[While] = _loop
 # Sequences of statements. Each change is the new sequence, where it was changed, and how.
 
 
-def _reordered(sequence: Sequence) -> Iterator[tuple[tuple[Any, ...], int, str]]:
+def _reordered(sequence: StatementSequence) -> Iterator[tuple[tuple[Any, ...], int, str]]:
     statements = sequence.statements
     for index, statement in enumerate(statements):
         before, after = statements[:index], statements[index + 1 :]
@@ -357,7 +357,7 @@ def _reordered(sequence: Sequence) -> Iterator[tuple[tuple[Any, ...], int, str]]
     yield from _wrapped(sequence)
 
 
-def _moved(sequence: Sequence, index: int) -> Iterator[tuple[tuple[Any, ...], int, str]]:
+def _moved(sequence: StatementSequence, index: int) -> Iterator[tuple[tuple[Any, ...], int, str]]:
     """A loop that has one statement more or less."""
     loop = sequence.statements[index]
     if not is_loop(loop):
@@ -375,7 +375,7 @@ def _moved(sequence: Sequence, index: int) -> Iterator[tuple[tuple[Any, ...], in
     yield (*inner_only, *after), index, "loop missing"
 
 
-def _wrapped(sequence: Sequence) -> Iterator[tuple[tuple[Any, ...], int, str]]:
+def _wrapped(sequence: StatementSequence) -> Iterator[tuple[tuple[Any, ...], int, str]]:
     statements: Any = sequence.statements
     if not statements or not isinstance(sequence.owner, Main | When):
         return

@@ -68,10 +68,10 @@ def read_files(name: str, files: Mapping[str, bytes]) -> OpenLesson:
         refuse(name, "no-lesson", Phrase("lesson-no-main-file", file=MAIN))
     contents = MappingProxyType(dict(files))
 
-    def examine_lesson(lesson: Lesson) -> Iterable[toml_source.Finding]:
+    def examine_lesson(lesson: Lesson) -> Iterable[toml_source.FileMistake]:
         return lesson_findings(OpenLesson(name, lesson, None, contents))
 
-    def examine_teacher(teacher: Teacher) -> Iterable[toml_source.Finding]:
+    def examine_teacher(teacher: Teacher) -> Iterable[toml_source.FileMistake]:
         return teacher_findings(opened, teacher)
 
     opened = OpenLesson(name, _parsed(name, contents, MAIN, Lesson, examine_lesson), None, contents)
@@ -141,7 +141,7 @@ def _parsed(
     files: Mapping[str, bytes],
     path: str,
     struct: type[toml_source.StructT],
-    check: Callable[[toml_source.StructT], Iterable[toml_source.Finding]],
+    check: Callable[[toml_source.StructT], Iterable[toml_source.FileMistake]],
 ) -> toml_source.StructT:
     filename, source = f"{name}/{path}", text_of(name, files, path)
     if len(source) > toml_source.MAXIMUM_FILE_SIZE:

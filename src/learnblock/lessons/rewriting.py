@@ -8,7 +8,7 @@ from learnblock.language.tree.nodes import Item, Program
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class Slot:
     """A node in a program, and how the program looks with another node there.
 
     Args:
@@ -21,7 +21,7 @@ class Place:
 
 
 @dataclass(frozen=True, slots=True)
-class Sequence:
+class StatementSequence:
     """Statements that run one after another: a body, or the top level.
 
     Args:
@@ -35,18 +35,18 @@ class Sequence:
     put: Callable[[tuple[Any, ...]], Program]
 
 
-def places(program: Program) -> Iterator[Place]:
+def places(program: Program) -> Iterator[Slot]:
     """Every node of a program, the outer ones first, in source order."""
     yield from _places(program, lambda changed: replace(changed, python=None))
 
 
-def sequences(program: Program) -> Iterator[Sequence]:
+def sequences(program: Program) -> Iterator[StatementSequence]:
     """Every sequence of statements, the outer ones first, in source order."""
     for place in places(program):
         for name in ("items", "body"):
             statements = getattr(place.node, name, None)
             if isinstance(statements, tuple) and not _is_list(place.node):
-                yield Sequence(statements, place.node, _putter(place, name))
+                yield StatementSequence(statements, place.node, _putter(place, name))
 
 
 def substitute(program: Program, changes: Mapping[int, Any]) -> Program:
@@ -76,12 +76,12 @@ def _is_list(node: Any) -> bool:
     return not isinstance(node, Program) and not hasattr(node, "body")
 
 
-def _putter(place: Place, name: str) -> Callable[[tuple[Any, ...]], Program]:
+def _putter(place: Slot, name: str) -> Callable[[tuple[Any, ...]], Program]:
     return lambda statements: place.put(replace(place.node, **{name: statements}))
 
 
-def _places(node: Any, put: Callable[[Any], Program]) -> Iterator[Place]:
-    yield Place(node, put)
+def _places(node: Any, put: Callable[[Any], Program]) -> Iterator[Slot]:
+    yield Slot(node, put)
     for field in fields(node):
         value = getattr(node, field.name)
         # The span of a node is a tuple of numbers.

@@ -47,7 +47,7 @@ from learnblock.language.tree.nodes import (
 )
 from learnblock.language.tree.nodes import Call as FunctionCall
 from learnblock.language.tree.traversal import statements
-from learnblock.lessons.rewriting import Sequence, places, sequences
+from learnblock.lessons.rewriting import StatementSequence, places, sequences
 
 #: Longer loops would not be written out by hand.
 _FEW = 4
@@ -297,7 +297,7 @@ _NODES: dict[type, Callable[[Any], Iterator[_Change]]] = {
 # Sequences of statements.
 
 
-def _in_sequence(program: Program, sequence: Sequence) -> Iterator[_Change]:
+def _in_sequence(program: Program, sequence: StatementSequence) -> Iterator[_Change]:
     for index, statement in enumerate(sequence.statements):
         before, after = sequence.statements[:index], sequence.statements[index + 1 :]
         line = f"line {statement.span.line}"
@@ -344,7 +344,7 @@ def _counting(node: Repeat) -> tuple[Any, ...]:
     return Assign(name, "=", Number("0")), loop
 
 
-def _extracted(program: Program, sequence: Sequence) -> Iterator[_Change]:
+def _extracted(program: Program, sequence: StatementSequence) -> Iterator[_Change]:
     """Two statements as a function of their own."""
     name = _new_name(program, "part_")
     body: Any = sequence.statements

@@ -18,7 +18,7 @@ from learnblock.robots.simulated import known_worlds
 from learnblock.simulator import robot_description
 from learnblock.simulator.robot_description import RobotFile
 from learnblock.storage import toml_source
-from learnblock.storage.toml_source import Finding
+from learnblock.storage.toml_source import FileMistake
 
 _WORDS = re.compile(r"\w[\w ]*")
 
@@ -124,21 +124,21 @@ def is_key(text: str) -> bool:
     return bool(_WORDS.fullmatch(text)) and len(text) <= 40
 
 
-def _check(plan: RobotPlan) -> Iterator[Finding]:
+def _check(plan: RobotPlan) -> Iterator[FileMistake]:
     yield from robot_description.check(plan)
     yield from _check_keys(plan)
     if round(plan.body.reach) > WIDEST:
         message = Phrase("new-too-wide", reach=round(plan.body.reach), most=int(WIDEST))
-        yield Finding(("body",), "too-wide", message)
+        yield FileMistake(("body",), "too-wide", message)
     if plan.gyroscope and plan.gyroscope.key != "Z_AXIS":
         message = Phrase("new-gyroscope-key", key=plan.gyroscope.key)
-        yield Finding(("gyroscope", "key"), "unusual-key", message)
+        yield FileMistake(("gyroscope", "key"), "unusual-key", message)
     if plan.world not in known_worlds():
         message = UnknownNameError("world", plan.world, known_worlds()).phrase
-        yield Finding(("world",), "unknown-world", message)
+        yield FileMistake(("world",), "unknown-world", message)
 
 
-def _check_keys(plan: RobotPlan) -> Iterator[Finding]:
+def _check_keys(plan: RobotPlan) -> Iterator[FileMistake]:
     """Refuse keys that are not identifiers, because they become part of a Python file."""
     keys = [(("camera", i, "key"), camera.key) for i, camera in enumerate(plan.camera)]
     keys += [(("joint", i, "key"), joint.key) for i, joint in enumerate(plan.joint)]
@@ -146,4 +146,4 @@ def _check_keys(plan: RobotPlan) -> Iterator[Finding]:
     for path, key in keys:
         if not is_key(key):
             message = Phrase("new-bad-key", field=str(path[2]), key=key)
-            yield Finding(path, "wrong-key", message)
+            yield FileMistake(path, "wrong-key", message)

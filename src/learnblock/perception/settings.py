@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 from msgspec import Meta
 
 from learnblock.i18n import Phrase
-from learnblock.storage.settings import Patience, Settings, Table
+from learnblock.storage.settings import Patience, Settings, SettingsSection
 
 #: Why emotions are not recognised on real cameras unless an adult turns that on.
 WHY_EMOTIONS_ARE_OFF = Phrase("perception-emotions-off")
@@ -59,4 +59,4 @@ class PerceptionSettings(Settings, frozen=True):
         return detector != "emotions" or drawn or self.emotions_on_cameras
 
 
-TABLE = Table(("perception",), "perception", PerceptionSettings)
+TABLE = SettingsSection(("perception",), "perception", PerceptionSettings)

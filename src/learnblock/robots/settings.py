@@ -11,7 +11,7 @@ from typing import Annotated, Any, TypeVar
 
 from msgspec import Meta
 
-from learnblock.storage.settings import Described, Patience, Settings, Table, file
+from learnblock.storage.settings import Described, Patience, Settings, SettingsSection, file
 
 __all__ = [
     "LONGEST_NAME",
@@ -104,6 +104,6 @@ def given_names() -> dict[str, str]:
     return {robot: name[:LONGEST_NAME] for robot, name in names.items() if isinstance(name, str)}
 
 
-def table(robot: str, kind: type[SettingsT]) -> Table[SettingsT]:
+def table(robot: str, kind: type[SettingsT]) -> SettingsSection[SettingsT]:
     """The table with a robot's settings."""
-    return Table(("robots", robot), f"the robot {robot}", kind)
+    return SettingsSection(("robots", robot), f"the robot {robot}", kind)

@@ -7,7 +7,7 @@ from typing import Any
 from learnblock.robots import RobotEntry, entries
 from learnblock.robots.real import RealRobot
 from learnblock.runtime.containment.driver import give_up, in_own_thread
-from learnblock.storage.settings import Settings, Table
+from learnblock.storage.settings import Settings, SettingsSection
 
 #: How many robots that were used before are remembered.
 _MOST_USED = 20
@@ -23,7 +23,9 @@ class UsedRobots(Settings, frozen=True):
     names: tuple[str, ...] = ()
 
 
-USED: Table[UsedRobots] = Table(("robots_used",), "the robots used before", UsedRobots)
+USED: SettingsSection[UsedRobots] = SettingsSection(
+    ("robots_used",), "the robots used before", UsedRobots
+)
 
 
 def real_robots() -> dict[str, RobotEntry]:

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from learnblock.storage.settings import Settings, Table
+from learnblock.storage.settings import Settings, SettingsSection
 
 
 class NetworkSettings(Settings, frozen=True):
@@ -16,7 +16,7 @@ class NetworkSettings(Settings, frozen=True):
     allowed: tuple[str, ...] = ()
 
 
-TABLE = Table(("network",), "the network", NetworkSettings)
+TABLE = SettingsSection(("network",), "the network", NetworkSettings)
 
 
 def may_use_network(program: Path) -> bool:

@@ -17,7 +17,7 @@ from learnblock.running.job import Job
 from learnblock.running.report import Report, report
 from learnblock.runtime.containment.driver import give_up, in_own_thread
 from learnblock.runtime.debugger import Debugger, HeldBy
-from learnblock.runtime.escalation import PATIENCE, Patience
+from learnblock.runtime.escalation import PATIENCE, EndTimeouts
 from learnblock.runtime.host import Host
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.process import ProcessWorker, Worker, one_processor
@@ -84,7 +84,7 @@ class ProgramRun:
         lacking: Lacking | None = None,
         standby: Standby | None = None,
         monitored: bool = False,
-        patience: Patience = PATIENCE,
+        patience: EndTimeouts = PATIENCE,
     ) -> None:
         self.job = job
         self.trace = Trace(trace, log, lines)

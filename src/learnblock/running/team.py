@@ -17,7 +17,7 @@ from learnblock.running.program_run import monitor_of
 from learnblock.running.report import Report, report
 from learnblock.runtime.containment.driver import OwnThread, end_threads, give_up
 from learnblock.runtime.debugger import Debugger
-from learnblock.runtime.escalation import PATIENCE, Patience
+from learnblock.runtime.escalation import PATIENCE, EndTimeouts
 from learnblock.runtime.host import Host
 from learnblock.runtime.log.keeping import RunLog, TeamLog
 from learnblock.runtime.post import Post
@@ -82,7 +82,7 @@ class TeamRun:
         debug: Callable[[str], Debugger | None] = lambda _: None,
         monitored: bool = False,
         worker: Callable[[], Worker] = ProcessWorker,
-        patience: Patience = PATIENCE,
+        patience: EndTimeouts = PATIENCE,
         logs: Mapping[str, RunLog] | None = None,
     ) -> None:
         self.jobs = dict(jobs)

@@ -45,7 +45,7 @@ from learnblock.runtime.messages import (
     Setup,
     Variables,
 )
-from learnblock.runtime.output import LineWriter
+from learnblock.runtime.output import LineStream
 from learnblock.runtime.own_files import own_frame, own_place
 from learnblock.runtime.userrandom import use_own_random
 from learnblock.runtime.usertime import use_robot_time
@@ -150,7 +150,7 @@ class _Program:
         self._end_lines: Callable[[], object] = bool
         self._gate: Gate | None = None
         self._noting: Noting | None = None
-        self._output = LineWriter(self._printed, self._wire.flush)
+        self._output = LineStream(self._printed, self._wire.flush)
         #: The characters that it may still print.
         self._unprinted = setup.limits.output
         #: Its variables once it has ended, if its host wants them.
@@ -375,7 +375,7 @@ def _stop_program(number: int, frame: FrameType | None) -> NoReturn:  # noqa: AR
     raise ProgramStopped("stopped")
 
 
-def _print_to(output: LineWriter, *values: object, **options: Any) -> None:
+def _print_to(output: LineStream, *values: object, **options: Any) -> None:
     print(*values, **{"file": output, **options})  # noqa: T201 - the program's own print
 
 

@@ -22,7 +22,7 @@ class Measure:
 
 
 @dataclass(frozen=True, slots=True)
-class Patience:
+class EndTimeouts:
     """How long the end of a run may take, in seconds.
 
     Args:
@@ -40,7 +40,7 @@ class Patience:
         return Measure(stop, self.stopped), Measure(kill, self.killed)
 
 
-PATIENCE = Patience()
+PATIENCE = EndTimeouts()
 
 
 def escalate(measures: Iterable[Measure], wait: Callable[[float], bool]) -> bool:

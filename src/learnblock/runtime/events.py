@@ -8,7 +8,7 @@ from learnblock.runtime.messages import Called, Command
 from learnblock.runtime.watcher import Watcher
 
 
-class Events:
+class EventSender:
     """Passes on a program's lines, calls and prints.
 
     Args:

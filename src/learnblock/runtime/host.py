@@ -12,7 +12,7 @@ from time import monotonic
 from learnblock.i18n import Phrase
 from learnblock.runtime.ending import Ending, How
 from learnblock.runtime.run import Run
-from learnblock.runtime.world import Simulation
+from learnblock.runtime.world import HostedSimulation
 
 #: Steps between turns of watchers: 25 per second in real time.
 STRIDE = 4
@@ -82,7 +82,7 @@ class Host:
             else:
                 run.serve()
 
-    def _advance(self, simulation: Simulation, step: float) -> None:
+    def _advance(self, simulation: HostedSimulation, step: float) -> None:
         """Advance in short strides, so that a watcher sees progress during a long wait."""
         while simulation.steps < step and not self._is_stopping:
             simulation.advance(min(int(step), simulation.steps + STRIDE))
@@ -108,7 +108,7 @@ class Host:
         """Whether a program that waits for the world has to be stopped."""
         return any(run.stopping and run.wake for run in self._runs)
 
-    def _last_step(self, simulation: Simulation) -> float:
+    def _last_step(self, simulation: HostedSimulation) -> float:
         return math.inf if self._seconds is None else round(self._seconds / simulation.dt)
 
     def _stop(self, ending: Ending) -> None:
@@ -116,6 +116,6 @@ class Host:
             run.stop(ending)
 
 
-def _is_due(run: Run, simulation: Simulation) -> bool:
+def _is_due(run: Run, simulation: HostedSimulation) -> bool:
     """Whether its step has come; a run that has to be stopped interrupts the wait of the others."""
     return run.wake is not None and run.wake <= simulation.steps

@@ -10,7 +10,7 @@ from learnblock.errors import LearnBlockError, RobotConnectionError, RobotStoppe
 from learnblock.i18n import Phrase
 from learnblock.runtime import messages
 from learnblock.runtime.recorder import Recorder
-from learnblock.runtime.world import World
+from learnblock.runtime.world import ProgramWorld
 
 MakeRobot = Callable[[str, dict[str, Any]], Client]
 MakeRecorder = Callable[[Client], Recorder]
@@ -25,7 +25,9 @@ class HostedRobot:
         world: the robot's world if it is simulated.
     """
 
-    def __init__(self, make_robot: MakeRobot, make_recorder: MakeRecorder, world: World) -> None:
+    def __init__(
+        self, make_robot: MakeRobot, make_recorder: MakeRecorder, world: ProgramWorld
+    ) -> None:
         #: None before the program has created its robot.
         self.client: Client | None = None
         self.recorder: Recorder | None = None

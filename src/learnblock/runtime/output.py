@@ -7,7 +7,7 @@ from collections.abc import Callable
 LONGEST_LINE = 8192
 
 
-class LineWriter(io.TextIOBase):
+class LineStream(io.TextIOBase):
     """A text stream that passes on whole lines, each with its line end.
 
     Args:

@@ -23,6 +23,11 @@ class Pauses:
         if debugger:
             debugger.report_to(self.status)
 
+    @property
+    def at_lines(self) -> bool:
+        """Whether the program may pause at lines."""
+        return self._debugger is not None
+
     def hold(self, message: messages.Line) -> None:
         """Return when a program that has reached a line may run it."""
         self.awaits_answer = True

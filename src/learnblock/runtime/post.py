@@ -35,9 +35,9 @@ class Post:
         self._waiting = [deque[Letter](maxlen=MOST_WAITING) for _ in range(robots)]
         self._lock = threading.Lock()
 
-    def box(self, robot: int) -> "Box":
+    def box(self, robot: int) -> "PostBox":
         """The box of a robot, by its number from 0."""
-        return Box(self, robot)
+        return PostBox(self, robot)
 
     def send(self, sender: int, letter: Letter) -> None:
         """Deliver a message to all other robots."""
@@ -58,7 +58,7 @@ class Post:
 
 
 @dataclass(frozen=True, slots=True)
-class Box:
+class PostBox:
     """The messages from and to one robot.
 
     Args:

@@ -24,7 +24,7 @@ MOST_COLLISIONS = 1000
 
 
 @dataclass(frozen=True, slots=True)
-class Mark:
+class PlacedEvent:
     """An event and its position, for the picture and the report."""
 
     time: float
@@ -89,7 +89,7 @@ class Recorder(Witness):
     label: Mapping[str, str] = field(default_factory=dict)
     counts_turns: bool = False
     path: list[tuple[float, Pose]] = field(default_factory=list)
-    marks: list[Mark] = field(default_factory=list)
+    marks: list[PlacedEvent] = field(default_factory=list)
     #: The first `MOST_COLLISIONS`.
     collisions: list[Collision] = field(default_factory=list)
     #: Skills without effect: (skill, device) -> number of calls.
@@ -273,7 +273,7 @@ class Recorder(Witness):
         told.args = args if told.lasts and all(map(is_small, args)) else None
 
     def _mark(self, time: float, kind: str, text: str) -> None:
-        self.marks.append(Mark(time, kind, text, self.where()))
+        self.marks.append(PlacedEvent(time, kind, text, self.where()))
 
     def _write(self, kind: str, what: object, **more: object) -> None:
         self._write_at(self.time(), kind, what, **more)

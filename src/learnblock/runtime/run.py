@@ -18,12 +18,12 @@ from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.direct_calls import DirectCalls
 from learnblock.runtime.dismissal import cause_of_death, dismiss
 from learnblock.runtime.ending import Ending, How
-from learnblock.runtime.events import Events
+from learnblock.runtime.events import EventSender
 from learnblock.runtime.hosted_robot import HostedRobot, MakeRecorder, MakeRobot, failure
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.pauses import Pauses
-from learnblock.runtime.post import Box, Post
+from learnblock.runtime.post import Post, PostBox
 from learnblock.runtime.process import ProcessWorker, Worker
 from learnblock.runtime.program import Program
 from learnblock.runtime.recorder import Recorder
@@ -33,7 +33,7 @@ from learnblock.runtime.validation import Validator, refused
 from learnblock.runtime.variables import VariableReports
 from learnblock.runtime.waiting import Waiting
 from learnblock.runtime.watcher import Watcher
-from learnblock.runtime.world import Simulation, World
+from learnblock.runtime.world import HostedSimulation, ProgramWorld
 
 #: Seconds of the wall clock that the host waits for a message before it does other work.
 TICK = 0.05
@@ -70,7 +70,7 @@ class Run:
         robots: tuple[str, ...] = (),
         network: bool = False,
         anyway: bool = False,
-        box: Box | None = None,
+        box: PostBox | None = None,
         log: RunLog | None = None,
     ) -> None:
         limits = limits or Limits()
@@ -81,25 +81,17 @@ class Run:
         #: The step of its world at which the program continues, while it waits for that step.
         self.wake: int | None = None
         self.watcher = watcher or Watcher()
-        self.world = World(debugger)
+        self.world = ProgramWorld(debugger)
         self.robot = HostedRobot(make_robot, recorder, self.world)
         self.supervision = Supervision(limits, self.robot)
         self.variables = VariableReports(self.watcher)
         self._pauses = Pauses(self.watcher, debugger)
-        validator = Validator(
-            program,
-            robots,
-            self.robot,
-            self.variables,
-            pauses=debugger is not None,
-            log=log is not None,
-        )
         self._begin = partial(
             _begin,
             program,
             limits,
             robots,
-            lambda: Conversation(worker(), debugger, validator.check),
+            lambda: Conversation(worker(), debugger, self._validator(program, robots).check),
             network=network,
             anyway=anyway,
             log=log is not None,
@@ -112,7 +104,7 @@ class Run:
         self._has_sent = False
         #: The devices whose readings the program wants when it wakes.
         self._reads: tuple[int, ...] = ()
-        events = Events(self.robot, self.watcher)
+        events = EventSender(self.robot, self.watcher)
         self._is_unwatched = not events.shows_lines
         self._handlers = self._make_handlers(events)
 
@@ -127,7 +119,7 @@ class Run:
         return self.robot.recorder
 
     @property
-    def simulation(self) -> Simulation | None:
+    def simulation(self) -> HostedSimulation | None:
         """The world of a simulated robot; None on a real one, and before there is a robot."""
         return self.world.simulation
 
@@ -261,7 +253,17 @@ class Run:
 
     # One method for each message of the child that concerns more than one part.
 
-    def _make_handlers(self, events: Events) -> Mapping[type, Callable[[Any], object]]:
+    def _validator(self, program: Program, robots: tuple[str, ...]) -> Validator:
+        return Validator(
+            program,
+            robots,
+            self.robot,
+            self.variables,
+            pauses=self._pauses.at_lines,
+            log=self._log is not None,
+        )
+
+    def _make_handlers(self, events: EventSender) -> Mapping[type, Callable[[Any], object]]:
         return {
             messages.Contained: lambda _: None,
             messages.Ask: self._on_ask,
@@ -326,7 +328,7 @@ class Run:
             self._send(messages.Answer(value))
         self.supervision.note_call()
 
-    def _on_steps(self, events: Events, message: messages.Steps) -> None:
+    def _on_steps(self, events: EventSender, message: messages.Steps) -> None:
         events.steps(message.steps, self._on_tell)
 
     def _on_tell(self, message: messages.Command) -> None:
@@ -379,7 +381,7 @@ class Run:
             self._pauses.awaits_answer = False
             self._send(message)
 
-    def _on_printed(self, events: Events, message: messages.Printed) -> None:
+    def _on_printed(self, events: EventSender, message: messages.Printed) -> None:
         excess = self.supervision.check_output(len(message.text))
         self._end_soon(excess)
         if excess is None:

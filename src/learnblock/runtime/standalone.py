@@ -12,7 +12,7 @@ from learnblock.i18n import Phrase, translate
 from learnblock.i18n.reader import system_language
 from learnblock.runtime.ending import How
 from learnblock.runtime.lines import LineBudget, start_line_events
-from learnblock.runtime.output import LineWriter
+from learnblock.runtime.output import LineStream
 from learnblock.runtime.program import Program
 from learnblock.runtime.recorder import Recorder, record
 from learnblock.runtime.trace import Trace
@@ -98,7 +98,7 @@ def _record_prints(recorder: Recorder) -> Callable[[], None]:
         recorder.printed(line)
         terminal.write(line)
 
-    lines = LineWriter(on_line)
+    lines = LineStream(on_line)
     redirection = redirect_stdout(lines)
     redirection.__enter__()
 

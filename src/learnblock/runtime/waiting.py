@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 
 from learnblock.runtime.supervision import Supervision
-from learnblock.runtime.world import Simulation
+from learnblock.runtime.world import HostedSimulation
 
 #: Steps between two looks at whether the run is ending.
 STRIDE = 10
@@ -20,7 +20,7 @@ class Waiting:
     """
 
     def __init__(
-        self, simulation: Simulation, supervision: Supervision, look: Callable[[], bool]
+        self, simulation: HostedSimulation, supervision: Supervision, look: Callable[[], bool]
     ) -> None:
         self._simulation = simulation
         self._supervision = supervision

@@ -16,7 +16,7 @@ from learnblock.runtime.pacing import Pacing
 _STEP = 5.0
 
 
-class Simulation(Protocol):
+class HostedSimulation(Protocol):
     """The interface of a simulated world for the host."""
 
     dt: float
@@ -33,7 +33,7 @@ class Simulation(Protocol):
         """Advance until `steps` is `step`, or until `given_up` is set and the pacing woken."""
 
 
-class World:
+class ProgramWorld:
     """The world of one program: none on a real robot, and none before the program has a robot.
 
     Args:
@@ -41,7 +41,7 @@ class World:
     """
 
     def __init__(self, debugger: Debugger | None) -> None:
-        self.simulation: Simulation | None = None
+        self.simulation: HostedSimulation | None = None
         #: Whether no other program is in it, which would have to be woken.
         self.is_private = True
         self._debugger = debugger
@@ -111,6 +111,6 @@ class World:
         return Brake([device for _, device in client.devices() if isinstance(device, Base)])
 
 
-def _advance(simulation: Simulation, last: float, ended: threading.Event) -> None:
+def _advance(simulation: HostedSimulation, last: float, ended: threading.Event) -> None:
     while not ended.is_set() and simulation.steps < last:
         simulation.advance(simulation.steps + 1, ended)

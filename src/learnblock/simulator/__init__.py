@@ -7,8 +7,8 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from learnblock.simulator.camera import CameraModel, CameraPose, Surface, View, render
-    from learnblock.simulator.drawing import Stroke
+    from learnblock.simulator.camera import CameraModel, CameraPose, CameraView, Surface, render
+    from learnblock.simulator.drawing import PenStroke
     from learnblock.simulator.goals import GoalState
     from learnblock.simulator.reachability import Unreachable, unreachable_goals
     from learnblock.simulator.robot_body import LogEntry, RobotBody
@@ -22,15 +22,15 @@ if TYPE_CHECKING:
 __all__ = [
     "CameraModel",
     "CameraPose",
+    "CameraView",
     "GoalState",
     "LogEntry",
+    "PenStroke",
     "RobotBody",
     "RobotDescription",
-    "Stroke",
     "Surface",
     "Template",
     "Unreachable",
-    "View",
     "World",
     "WorldDescription",
     "WorldEvent",
@@ -48,8 +48,8 @@ __all__ = [
 ]
 
 _MODULES = {
-    "camera": ("CameraModel", "CameraPose", "Surface", "View", "render"),
-    "drawing": ("Stroke",),
+    "camera": ("CameraModel", "CameraPose", "Surface", "CameraView", "render"),
+    "drawing": ("PenStroke",),
     "goals": ("GoalState",),
     "reachability": ("Unreachable", "unreachable_goals"),
     "robot_body": ("LogEntry", "RobotBody"),

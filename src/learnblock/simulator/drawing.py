@@ -25,7 +25,7 @@ WIDTHS = (1.0, 50.0)
 
 
 @dataclass(slots=True, eq=False)
-class Stroke:
+class PenStroke:
     """A line drawn without lifting the pen; it grows while the pen is down.
 
     Args:
@@ -46,11 +46,11 @@ class Drawing:
 
     def __init__(self) -> None:
         #: In the order in which they were begun.
-        self.strokes: list[Stroke] = []
+        self.strokes: list[PenStroke] = []
         #: The strokes that have ended, until they are taken.
-        self.ended: list[Stroke] = []
+        self.ended: list[PenStroke] = []
         #: The pens that are down, by the name of their robot.
-        self.pens: dict[str, Pen] = {}
+        self.pens: dict[str, DrawingPen] = {}
         #: The robots that could not draw any further, until they are taken.
         self.unable: list[str] = []
         self._points = 0
@@ -61,7 +61,7 @@ class Drawing:
         for pen in self.pens.values():
             pen.follow()
 
-    def add(self, stroke: Stroke, x: float, y: float) -> None:
+    def add(self, stroke: PenStroke, x: float, y: float) -> None:
         """Add a point to a stroke, which becomes part of the drawing, if there is room for it."""
         if self._points >= MOST_POINTS:
             if not self._is_full:
@@ -74,7 +74,7 @@ class Drawing:
         stroke.points.append((round(x, 1) + 0.0, round(y, 1) + 0.0))
         self._points += 1
 
-    def end(self, stroke: Stroke) -> None:
+    def end(self, stroke: PenStroke) -> None:
         """Note that a stroke has ended."""
         if stroke.points:
             self.ended.append(stroke)
@@ -86,7 +86,7 @@ class Drawing:
         self._is_full = False
 
 
-class Pen:
+class DrawingPen:
     """The pen of a robot, at the middle between its wheels.
 
     Args:
@@ -102,7 +102,7 @@ class Pen:
         self._colour = PEN_COLOUR
         self._width = PEN_WIDTH
         #: The stroke that it draws; None while it is up.
-        self._stroke: Stroke | None = None
+        self._stroke: PenStroke | None = None
 
     def set(self, down: bool) -> None:  # noqa: FBT001 - a pen is either down or up
         """Put the pen down, or lift it."""
@@ -150,12 +150,12 @@ class Pen:
         self.set(is_down)
 
     def _begin(self) -> None:
-        self._stroke = Stroke(self._robot, self._colour, self._width)
+        self._stroke = PenStroke(self._robot, self._colour, self._width)
         pose = self._pose()
         self._drawing.add(self._stroke, pose.x, pose.y)
         self._drawing.pens[self._robot] = self
 
-    def _end(self, stroke: Stroke) -> None:
+    def _end(self, stroke: PenStroke) -> None:
         pose = self._pose()
         at = (round(pose.x, 1) + 0.0, round(pose.y, 1) + 0.0)
         if stroke.points and stroke.points[-1] != at:

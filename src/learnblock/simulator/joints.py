@@ -7,7 +7,7 @@ from learnblock.simulator.physics import DT
 from learnblock.simulator.robot_description import Joint
 
 
-class Clock(Protocol):
+class JointWorld(Protocol):
     """The parts of the world that joints need."""
 
     steps: int
@@ -29,7 +29,7 @@ class Joints:
         clock: counts the world's steps.
     """
 
-    def __init__(self, joints: tuple[Joint, ...], clock: Clock) -> None:
+    def __init__(self, joints: tuple[Joint, ...], clock: JointWorld) -> None:
         self._joints = {joint.key: joint for joint in joints}
         self._clock = clock
         self._motions = {joint.key: self._at_rest(joint) for joint in joints}

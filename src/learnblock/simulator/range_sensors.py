@@ -19,7 +19,7 @@ BEAM_RAYS = 5
 """Rays into which a sensor's beam is divided."""
 
 
-class Surroundings(Protocol):
+class RangeSurroundings(Protocol):
     """The parts of the world that these sensors need."""
 
     physics: Physics
@@ -38,7 +38,11 @@ class RangeSensors:
     """
 
     def __init__(
-        self, description: RobotDescription, chassis: Chassis, world: Surroundings, noise: Noise
+        self,
+        description: RobotDescription,
+        chassis: Chassis,
+        world: RangeSurroundings,
+        noise: Noise,
     ) -> None:
         self._description = description
         self._chassis = chassis

@@ -9,21 +9,20 @@ from learnblock.errors import UnknownNameError
 from learnblock.simulator import robot_description
 from learnblock.simulator.chassis import Chassis
 from learnblock.simulator.colours import RGB
-from learnblock.simulator.drawing import Drawing, Pen
+from learnblock.simulator.drawing import Drawing, DrawingPen
 from learnblock.simulator.geometry import Pose
 from learnblock.simulator.hand import Hand
 from learnblock.simulator.joints import Joints
 from learnblock.simulator.noise import Noise
 from learnblock.simulator.physics import DT
-from learnblock.simulator.range_sensors import RangeSensors
-from learnblock.simulator.range_sensors import Surroundings as RangeSurroundings
+from learnblock.simulator.range_sensors import RangeSensors, RangeSurroundings
 from learnblock.simulator.robot_description import RobotDescription
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from learnblock.simulator.camera import Surface, View
+    from learnblock.simulator.camera import CameraView, Surface
 
 PartT = TypeVar("PartT")
 
@@ -93,7 +92,12 @@ class RobotBody:
     """
 
     def __init__(
-        self, description: RobotDescription, name: str, world: Surroundings, group: int, pose: Pose
+        self,
+        description: RobotDescription,
+        name: str,
+        world: Surroundings,
+        group: int,
+        pose: Pose,
     ) -> None:
         self.description = description
         self.name = name
@@ -113,14 +117,14 @@ class RobotBody:
         self.chassis = Chassis(world.physics, description, name, group, errors, slip=slip)
         self.chassis.place(pose)
         # A method, not a lambda: a copy of the world has to draw where its own robot is.
-        self.pen = Pen(world.drawing, name, self._where)
+        self.pen = DrawingPen(world.drawing, name, self._where)
         self._log: deque[LogEntry] = deque(maxlen=LOG_LENGTH)
         #: The number of all commands so far, including those no longer in the log.
         self.noted = 0
         self._gyroscope_zero = (self.chassis.turned, world.steps)
         self._range_sensors = RangeSensors(description, self.chassis, world, self._noise)
         self._joints = Joints(description.joint, world)
-        self._frames: dict[str, tuple[int, View, NDArray[np.uint8]]] = {}
+        self._frames: dict[str, tuple[int, CameraView, NDArray[np.uint8]]] = {}
 
     def __repr__(self) -> str:
         x, y, heading = self.pose
@@ -302,7 +306,7 @@ class RobotBody:
             self._frames[key] = (self._world.steps, view, picture)
         return picture
 
-    def view(self, key: str = "ROBOT") -> "View":
+    def view(self, key: str = "ROBOT") -> "CameraView":
         """The current view of a camera, to be drawn later, for observers of the robot.
 
         No frame is taken: the robot's newest frame stays the same.
@@ -314,7 +318,7 @@ class RobotBody:
         from learnblock.simulator.camera import (  # noqa: PLC0415 - see above
             CameraModel,
             CameraPose,
-            View,
+            CameraView,
         )
 
         camera = self._camera(key)
@@ -325,7 +329,7 @@ class RobotBody:
         )
         model = CameraModel(camera.width, camera.height, camera.focal)
         surfaces = tuple(self._world.surfaces(without=self.name))
-        return View(surfaces, model, pose, self._camera_noise(camera))
+        return CameraView(surfaces, model, pose, self._camera_noise(camera))
 
     def show_emotion(self, name: str) -> None:
         """Show an emotion on the screen, or as the colour of the LEDs.

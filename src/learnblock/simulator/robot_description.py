@@ -18,7 +18,7 @@ from learnblock.i18n import Phrase
 from learnblock.senses import ABILITIES
 from learnblock.simulator.colours import Colour
 from learnblock.storage import toml_source
-from learnblock.storage.toml_source import Finding
+from learnblock.storage.toml_source import FileMistake
 from learnblock.wheels import Drivetrain
 
 SHIPPED_ROBOTS = Path(__file__).parent / "robots"
@@ -321,7 +321,7 @@ def robot_names(folders: Sequence[Path] = ()) -> tuple[str, ...]:
     return tuple(toml_source.names([*folders, SHIPPED_ROBOTS]))
 
 
-def check(robot: RobotFile) -> Iterator[Finding]:
+def check(robot: RobotFile) -> Iterator[FileMistake]:
     """Find mistakes in a robot's file that its types accept."""
     yield from _check_keys(robot)
     yield from _check_ranges(robot)
@@ -329,10 +329,10 @@ def check(robot: RobotFile) -> Iterator[Finding]:
     for index, camera in enumerate(robot.camera):
         if camera.joint is not None and camera.joint not in joints:
             message = UnknownNameError("joint", camera.joint, joints).phrase
-            yield Finding(("camera", index, "joint"), "unknown-joint", message)
+            yield FileMistake(("camera", index, "joint"), "unknown-joint", message)
 
 
-def _check_ranges(robot: RobotFile) -> Iterator[Finding]:
+def _check_ranges(robot: RobotFile) -> Iterator[FileMistake]:
     """Check that a minimum is less than its maximum."""
     for group, code in (("distance", "wrong-range"), ("joint", "wrong-value")):
         for index, part in enumerate(getattr(robot, group)):
@@ -343,10 +343,10 @@ def _check_ranges(robot: RobotFile) -> Iterator[Finding]:
                     minimum=part.minimum,
                     maximum=part.maximum,
                 )
-                yield Finding((group, index), code, message)
+                yield FileMistake((group, index), code, message)
 
 
-def _check_keys(robot: RobotFile) -> Iterator[Finding]:
+def _check_keys(robot: RobotFile) -> Iterator[FileMistake]:
     """Check that devices of the same type have different keys."""
     groups = (
         ("camera", "key", [camera.key for camera in robot.camera]),
@@ -360,4 +360,4 @@ def _check_keys(robot: RobotFile) -> Iterator[Finding]:
             seen[key] += 1
             if seen[key] == 2:
                 message = Phrase("world-key-taken", group=group, key=key)
-                yield Finding((group, index, field), "key-taken", message)
+                yield FileMistake((group, index, field), "key-taken", message)

@@ -10,7 +10,7 @@ from learnblock.errors import UnknownNameError
 from learnblock.i18n import Phrase
 from learnblock.simulator.world_description import Box, Cylinder, Face, Tag, WorldFile, thing_name
 from learnblock.storage.struct_types import KeyPath
-from learnblock.storage.toml_source import Finding
+from learnblock.storage.toml_source import FileMistake
 
 if TYPE_CHECKING:
     from learnblock.simulator.polyline import Polyline
@@ -22,7 +22,7 @@ MAXIMUM_PICTURE_SIDE = 4096
 """The limit in pixels."""
 
 
-def check_world(world: WorldFile, folder: Path) -> Iterator[Finding]:
+def check_world(world: WorldFile, folder: Path) -> Iterator[FileMistake]:
     """Find the mistakes in a world whose floor picture is in `folder`."""
     yield from _check_lines(world)
     yield from _check_places(world)
@@ -33,7 +33,7 @@ def check_world(world: WorldFile, folder: Path) -> Iterator[Finding]:
         yield from _check_picture(folder, world.floor.picture)
 
 
-def _check_lines(world: WorldFile) -> Iterator[Finding]:
+def _check_lines(world: WorldFile) -> Iterator[FileMistake]:
     for index, line in enumerate(world.line):
         middle = line.polyline()
         if line.path and line.closed and not _is_closed(middle):
@@ -46,7 +46,7 @@ def _check_lines(world: WorldFile) -> Iterator[Finding]:
                 x=f"{x:.0f}",
                 y=f"{y:.0f}",
             )
-            yield Finding(("line", index), "wrong-value", message)
+            yield FileMistake(("line", index), "wrong-value", message)
 
 
 def _is_closed(line: "Polyline") -> bool:
@@ -54,7 +54,7 @@ def _is_closed(line: "Polyline") -> bool:
     return math.hypot(end_x - start_x, end_y - start_y) <= CLOSING_GAP
 
 
-def _check_places(world: WorldFile) -> Iterator[Finding]:
+def _check_places(world: WorldFile) -> Iterator[FileMistake]:
     """Report objects outside the floor."""
     east, north = world.floor.size[0] / 2, world.floor.size[1] / 2
     for key in ("box", "cylinder", "tag", "face", "light", "start"):
@@ -70,10 +70,10 @@ def _check_places(world: WorldFile) -> Iterator[Finding]:
                     south=f"{-north:g}",
                     north=f"{north:g}",
                 )
-                yield Finding((key, index), "off-the-floor", message)
+                yield FileMistake((key, index), "off-the-floor", message)
 
 
-def _check_names(world: WorldFile) -> Iterator[Finding]:
+def _check_names(world: WorldFile) -> Iterator[FileMistake]:
     """Report duplicate names: lines, starts and goals are identified by name."""
     groups: tuple[list[KeyPath], ...] = (
         [("line", i) for i in range(len(world.line))],
@@ -91,10 +91,10 @@ def _check_names(world: WorldFile) -> Iterator[Finding]:
             seen[name] += 1
             if seen[name] == 2:
                 message = Phrase("world-name-taken", group=str(path[0]), name=name)
-                yield Finding((*path, "name"), "name-taken", message)
+                yield FileMistake((*path, "name"), "name-taken", message)
 
 
-def _check_vary(world: WorldFile) -> Iterator[Finding]:
+def _check_vary(world: WorldFile) -> Iterator[FileMistake]:
     """Report names of objects that do not exist."""
     things: list[Box | Cylinder | Tag | Face] = [
         *world.box,
@@ -106,30 +106,30 @@ def _check_vary(world: WorldFile) -> Iterator[Finding]:
     for index, moved in enumerate(world.vary.thing if world.vary else ()):
         if moved.name not in names:
             message = UnknownNameError("thing", moved.name, names).phrase
-            yield Finding(("vary", "thing", index, "name"), "unknown-thing", message)
+            yield FileMistake(("vary", "thing", index, "name"), "unknown-thing", message)
 
 
-def _check_goals(world: WorldFile) -> Iterator[Finding]:
+def _check_goals(world: WorldFile) -> Iterator[FileMistake]:
     lines = [line.name for line in world.line]
     for index, follow in enumerate(world.goal.follow):
         if follow.line not in lines:
             message = UnknownNameError("line", follow.line, lines).phrase
-            yield Finding(("goal", "follow", index, "line"), "unknown-line", message)
+            yield FileMistake(("goal", "follow", index, "line"), "unknown-line", message)
     things: tuple[Box | Cylinder, ...] = (*world.box, *world.cylinder)
     light = [thing.name for thing in things if thing.mass is not None]
     for index, reach in enumerate(world.goal.reach):
         if reach.object is not None and reach.object not in light:
             message = UnknownNameError("light-object", reach.object, light).phrase
-            yield Finding(("goal", "reach", index, "object"), "unknown-object", message)
+            yield FileMistake(("goal", "reach", index, "object"), "unknown-object", message)
     tags = [tag.id for tag in world.tag]
     for index, visit in enumerate(world.goal.visit):
         if visit.id not in tags:
             message = UnknownNameError("tag", str(visit.id), map(str, tags)).phrase
-            yield Finding(("goal", "visit", index, "id"), "unknown-tag", message)
+            yield FileMistake(("goal", "visit", index, "id"), "unknown-tag", message)
     yield from _check_order(world)
 
 
-def _check_order(world: WorldFile) -> Iterator[Finding]:
+def _check_order(world: WorldFile) -> Iterator[FileMistake]:
     """Report goals after goals that do not exist, and those that wait for each other."""
     after = {goal.name: goal.after for _, _, goal in world.goal.all()}
     for kind, index, goal in world.goal.all():
@@ -137,10 +137,10 @@ def _check_order(world: WorldFile) -> Iterator[Finding]:
         if goal.after is not None and goal.after not in after:
             others = [name for name in after if name != goal.name]
             message = UnknownNameError("goal", goal.after, others).phrase
-            yield Finding(path, "unknown-goal", message)
+            yield FileMistake(path, "unknown-goal", message)
         elif goal.name in _before(goal.after, after):
             message = Phrase("world-goal-circle", name=goal.name, after=str(goal.after))
-            yield Finding(path, "goal-circle", message)
+            yield FileMistake(path, "goal-circle", message)
 
 
 def _before(name: str | None, after: Mapping[str, str | None]) -> set[str]:
@@ -152,10 +152,10 @@ def _before(name: str | None, after: Mapping[str, str | None]) -> set[str]:
     return found
 
 
-def _check_picture(folder: Path, picture: str) -> Iterator[Finding]:
+def _check_picture(folder: Path, picture: str) -> Iterator[FileMistake]:
     problem = _picture_problem(folder, picture)
     if problem:
-        yield Finding(("floor", "picture"), "wrong-picture", problem)
+        yield FileMistake(("floor", "picture"), "wrong-picture", problem)
 
 
 def _picture_problem(folder: Path, picture: str) -> Phrase | None:

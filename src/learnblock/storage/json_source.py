@@ -38,7 +38,7 @@ _SLIPS = {
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class TextPosition:
     """A position in the text; line and column are counted from 1."""
 
     line: int = 0
@@ -47,7 +47,7 @@ class Place:
 
 
 @dataclass(frozen=True, slots=True)
-class Document:
+class JsonDocument:
     """The value of a JSON text, and the positions of its parts.
 
     Args:
@@ -58,9 +58,9 @@ class Document:
     """
 
     value: object
-    values: Mapping[Path, Place] = field(default_factory=dict)
-    keys: Mapping[Path, Place] = field(default_factory=dict)
-    repeated: tuple[tuple[str, Place], ...] = ()
+    values: Mapping[Path, TextPosition] = field(default_factory=dict)
+    keys: Mapping[Path, TextPosition] = field(default_factory=dict)
+    repeated: tuple[tuple[str, TextPosition], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +73,7 @@ class _Token:
         return self.text.startswith('"')
 
 
-def parse(text: str, filename: str) -> Document:
+def parse(text: str, filename: str) -> JsonDocument:
     """Read JSON; a text that starts with a key is read as an object without its braces.
 
     Line breaks inside strings are allowed, as in the paper's example.
@@ -91,7 +91,7 @@ class _Source:
         lines = text.splitlines(keepends=True)
         self._line_starts = list(accumulate(map(len, lines), initial=0))
 
-    def document(self) -> Document:
+    def document(self) -> JsonDocument:
         if len(self._text) > LARGEST:
             self._refuse("too-large", Phrase("json-too-large", size=len(self._text), limit=LARGEST))
         tokens = [_Token(match[0], match.start()) for match in _TOKEN.finditer(self._text)]
@@ -144,31 +144,31 @@ class _Source:
             "not-json", Phrase(code) if code else Phrase("json-broken", reason=slip), at=at
         )
 
-    def _located(self, value: object, tokens: Sequence[_Token], *, braceless: bool) -> Document:
+    def _located(self, value: object, tokens: Sequence[_Token], *, braceless: bool) -> JsonDocument:
         walk = _Walk(braceless=braceless)
         for token in tokens:
             walk.step(token)
-        return Document(
+        return JsonDocument(
             value,
             {path: self._place(token) for path, token in walk.values.items()},
             {path: self._place(token) for path, token in walk.keys.items()},
             tuple((name, self._place(token)) for name, token in walk.repeated),
         )
 
-    def _place(self, token: _Token) -> Place:
+    def _place(self, token: _Token) -> TextPosition:
         place = self._place_at(token.start)
-        return Place(place.line, place.column, place.column + len(token.text))
+        return TextPosition(place.line, place.column, place.column + len(token.text))
 
-    def _place_at(self, offset: int) -> Place:
+    def _place_at(self, offset: int) -> TextPosition:
         last = max(len(self._line_starts) - 2, 0)
         line = min(bisect_right(self._line_starts, offset) - 1, last)
         column = offset - self._line_starts[line] + 1
-        return Place(line + 1, column, column + 1)
+        return TextPosition(line + 1, column, column + 1)
 
     def _refuse(
         self, code: str, message: Phrase, token: _Token | None = None, at: int | None = None
     ) -> NoReturn:
-        place = Place()
+        place = TextPosition()
         if token is not None:
             place = self._place(token)
         elif at is not None:

@@ -29,7 +29,7 @@ class FolderFullError(LearnBlockError, OSError):
         self.errno = errno.EDQUOT
 
 
-class Quota:
+class FolderQuota:
     """The files of a folder.
 
     Args:
@@ -78,9 +78,9 @@ def setting(most: int, folder: Path) -> str:
 
 
 @cache
-def _quota(text: str) -> Quota:
+def _quota(text: str) -> FolderQuota:
     most, _, folder = text.partition(" ")
-    return Quota(int(most), Path(folder))
+    return FolderQuota(int(most), Path(folder))
 
 
 def _size(folder: Path) -> int:

@@ -61,7 +61,7 @@ def file() -> Path:
 
 
 @dataclass(frozen=True, slots=True)
-class Table(Generic[SettingsT]):
+class SettingsSection(Generic[SettingsT]):
     """One table of the file.
 
     Args:
@@ -186,7 +186,7 @@ class Table(Generic[SettingsT]):
 def _table_with(kind: Any, name: str) -> Any:
     """A table that contains another table."""
     return msgspec.defstruct(
-        "Table",
+        "SettingsSection",
         [(_identifier(name), kind, kind())],
         rename={_identifier(name): name},
         frozen=True,

@@ -46,7 +46,7 @@ StructT = TypeVar("StructT", bound=msgspec.Struct)
 
 
 @dataclass(frozen=True, slots=True)
-class Finding:
+class FileMistake:
     """A mistake that types can't express, such as two goals with the same name."""
 
     path: KeyPath
@@ -58,7 +58,7 @@ def read(
     file: Path,
     struct: type[StructT],
     error: type[FileError],
-    check: Callable[[StructT], Iterable[Finding]],
+    check: Callable[[StructT], Iterable[FileMistake]],
 ) -> StructT:
     """Read a file as a `struct`.
 
@@ -99,7 +99,7 @@ def convert(
     document: Mapping[str, Any],
     struct: type[StructT],
     error: type[FileError],
-    check: Callable[[StructT], Iterable[Finding]],
+    check: Callable[[StructT], Iterable[FileMistake]],
     *,
     name: str,
     source: str = "",
@@ -124,8 +124,8 @@ def convert(
 def examine(
     document: Mapping[str, Any],
     struct: type[StructT],
-    check: Callable[[StructT], Iterable[Finding]],
-) -> tuple[StructT | None, list[Finding]]:
+    check: Callable[[StructT], Iterable[FileMistake]],
+) -> tuple[StructT | None, list[FileMistake]]:
     """Convert values to a `struct`; return it, None if its types refuse them, and the mistakes.
 
     Args:
@@ -223,7 +223,7 @@ _MSGSPEC = re.compile(r"Expected `|Invalid ")
 
 def _explain(
     refusal: msgspec.ValidationError, document: Mapping[str, Any], root: inspect.Type
-) -> Finding:
+) -> FileMistake:
     """Explain an error of msgspec to a person who knows only the file."""
     text = str(refusal)
     place = _PLACE.search(text)
@@ -239,33 +239,35 @@ def _explain(
         return _missing_key((*path, missing[1]), allowed)
     if not _MSGSPEC.match(text):
         return _refused(path, refusal.__cause__, _PLACE.sub("", text))
-    return Finding(path, "wrong-value", _wrong_value(path, _value_at(document, path), allowed))
+    return FileMistake(path, "wrong-value", _wrong_value(path, _value_at(document, path), allowed))
 
 
-def _wrong_entry(path: KeyPath, allowed: inspect.Type, *, is_key: bool) -> Finding:
+def _wrong_entry(path: KeyPath, allowed: inspect.Type, *, is_key: bool) -> FileMistake:
     keys, values = entry_types(allowed)
     code, kind = ("toml-wrong-key", keys) if is_key else ("toml-wrong-entry", values)
-    return Finding(path, "wrong-value", Phrase(code, place=_place(path), allowed=describe(kind)))
+    return FileMistake(
+        path, "wrong-value", Phrase(code, place=_place(path), allowed=describe(kind))
+    )
 
 
-def _refused(path: KeyPath, cause: BaseException | None, text: str) -> Finding:
+def _refused(path: KeyPath, cause: BaseException | None, text: str) -> FileMistake:
     """Return an error raised by the Struct itself; the text of a plain ValueError may be a code."""
     reason = cause.phrase if isinstance(cause, LearnBlockError) else Phrase(text)
-    return Finding(
+    return FileMistake(
         path, "wrong-value", Phrase("file-wrong-value", place=_place(path), reason=reason)
     )
 
 
-def _unknown_key(path: KeyPath, owner: inspect.Type) -> Finding:
+def _unknown_key(path: KeyPath, owner: inspect.Type) -> FileMistake:
     message = unknown_key(str(path[-1]), _spelled(path[:-1]), known_keys(owner))
-    return Finding(path, "unknown-key", message)
+    return FileMistake(path, "unknown-key", message)
 
 
-def _missing_key(path: KeyPath, owner: inspect.Type) -> Finding:
+def _missing_key(path: KeyPath, owner: inspect.Type) -> FileMistake:
     key = str(path[-1])
     place, allowed = _place(path[:-1]), describe(type_of_key(owner, key))
     message = Phrase("toml-missing-value", key=key, place=place, allowed=allowed)
-    return Finding(path[:-1], "missing-key", message)
+    return FileMistake(path[:-1], "missing-key", message)
 
 
 def _wrong_value(path: KeyPath, value: object, allowed: inspect.Type) -> Phrase:
@@ -311,6 +313,6 @@ def _spelled(path: KeyPath) -> str:
     return text.removeprefix(".")
 
 
-def _diagnostic(finding: Finding, source: str) -> Diagnostic:
+def _diagnostic(finding: FileMistake, source: str) -> Diagnostic:
     line, column, end = find_key(finding.path, source)
     return Diagnostic(finding.code, finding.message, line, column, end)

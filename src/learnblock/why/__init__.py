@@ -6,7 +6,7 @@
 `learnblock.runtime.log` writes logs, for the page and for ``learnblock run --why FILE``.
 """
 
-from learnblock.why.history import Frame, History, SkillUse
+from learnblock.why.history import CalledSkill, EventHistory, Frame
 from learnblock.why.recorded import Recorded, read
 
-__all__ = ["Frame", "History", "Recorded", "SkillUse", "read"]
+__all__ = ["CalledSkill", "EventHistory", "Frame", "Recorded", "read"]

@@ -7,7 +7,7 @@ from learnblock.language.check.robots import need_phrase
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import Kind
 from learnblock.why.causes import Causes
-from learnblock.why.history import History, SkillUse
+from learnblock.why.history import CalledSkill, EventHistory
 from learnblock.why.inquiry import Inquiry
 from learnblock.why.omissions import Omissions
 from learnblock.why.position import LONG
@@ -47,7 +47,7 @@ class Actions:
     def __init__(
         self, inquiry: Inquiry, *, causes: Causes, waits: Waits, omissions: Omissions
     ) -> None:
-        self._history: History = inquiry.history
+        self._history: EventHistory = inquiry.history
         self._slices = inquiry.slices
         self._position = inquiry.position
         self._commands = inquiry.commands
@@ -126,7 +126,7 @@ class Actions:
             # There was no other command since, because the program did something else.
             self._waits.busy(until)
 
-    def say_moved(self, command: int) -> SkillUse | None:
+    def say_moved(self, command: int) -> CalledSkill | None:
         """Tell which line gave the wheels such a command; return its skill, None if none did."""
         use, command = self._history.own_use(command), self._commands.first_alike(command)
         motion = movement_phrase(self._commands.movement(command))
@@ -157,13 +157,13 @@ class Actions:
         elif not self._waits.busy(until):
             self._omissions.in_loop(until)
 
-    def _tell_causes_of(self, use: SkillUse, call: int) -> None:
+    def _tell_causes_of(self, use: CalledSkill, call: int) -> None:
         if use.result >= 0:
             self._causes.tell(use.result)
         elif call >= 0:
             self._causes.tell_unfinished(call, use.begun)
 
-    def _not_stopped(self, use: SkillUse, until: int) -> None:
+    def _not_stopped(self, use: CalledSkill, until: int) -> None:
         """Tell why no line has stopped the `when` that makes the robot do this."""
         history, node = self._history, use.frame.node
         when = history.nodes[node].name if node >= 0 and history.nodes[node].is_when else ""
@@ -198,18 +198,18 @@ class Actions:
         if "activate" in calls and "deactivate" not in calls:
             self._draft.say("why-never-stopped", function, name=name)
 
-    def _after(self, use: SkillUse, call: int) -> None:
+    def _after(self, use: CalledSkill, call: int) -> None:
         """Tell how long the statement before lasted: it determines the time."""
         before = self._position.lasted_before(use, call)
         if before is not None and len(self._draft) <= _FEW:
             self._after_pause(before)
 
-    def _after_pause(self, before: SkillUse) -> None:
+    def _after_pause(self, before: CalledSkill) -> None:
         since = round(self._history.time(before.begun), 2)
         number = self._position.call_of(before)
         self._draft.say("why-after", number, before.ended, since=since)
 
-    def _slowed(self, use: SkillUse) -> None:
+    def _slowed(self, use: CalledSkill) -> None:
         """`slow_down` only slows what another statement began."""
         before = [
             index
@@ -401,7 +401,7 @@ class Actions:
         if with_causes:
             self._tell_causes_of(use, self._position.call_of(use))
 
-    def _is_pause(self, before: SkillUse, use: SkillUse) -> bool:
+    def _is_pause(self, before: CalledSkill, use: CalledSkill) -> bool:
         """Whether a wait decided when another skill began: in a loop ahead, its turns did, too."""
         here, there = (self._position.call_of(skill) for skill in (before, use))
         if before.name != "sleep" or min(here, there) < 0:

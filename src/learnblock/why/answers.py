@@ -8,15 +8,15 @@ from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import Kind, Node
 from learnblock.why.actions import ABOUT, Actions
 from learnblock.why.causes import Causes
-from learnblock.why.history import History
+from learnblock.why.history import EventHistory
 from learnblock.why.inquiry import Inquiry
 from learnblock.why.missed import goal_missed
 from learnblock.why.movements import LINES, Movements
 from learnblock.why.omissions import Omissions
-from learnblock.why.questions import Ask, Question
+from learnblock.why.questions import Question, QuestionKind
 from learnblock.why.readings import Readings
 from learnblock.why.run_end import RunEnd
-from learnblock.why.sentences import Answer, Draft
+from learnblock.why.sentences import Draft, Explanation
 from learnblock.why.slices import Slices
 from learnblock.why.things import Seen, with_things
 from learnblock.why.unused import Unused
@@ -25,7 +25,7 @@ from learnblock.why.waits import Waits
 from learnblock.why.whole_run import WholeRun
 
 
-def answer(history: History, question: Question, seen: Seen | None = None) -> Answer:
+def answer(history: EventHistory, question: Question, seen: Seen | None = None) -> Explanation:
     """Answer a question about a run.
 
     Args:
@@ -44,14 +44,14 @@ class Answers:
         seen: tells what a distance sensor looked at, by its side and the time in s.
     """
 
-    def __init__(self, history: History, seen: Seen | None = None) -> None:
+    def __init__(self, history: EventHistory, seen: Seen | None = None) -> None:
         self._history = history
         self._slices = Slices(history)
         self._readings = Readings(self._slices)
         self._unused = Unused(self._slices)
         self._seen = seen
 
-    def answer(self, question: Question) -> Answer:
+    def answer(self, question: Question) -> Explanation:
         """Answer a question."""
         draft = Draft(self._history)
         inquiry = Inquiry(
@@ -65,7 +65,7 @@ class _Answering:
     """One answer."""
 
     def __init__(self, inquiry: Inquiry) -> None:
-        self._history: History = inquiry.history
+        self._history: EventHistory = inquiry.history
         self._slices = inquiry.slices
         self._position = inquiry.position
         self._commands = inquiry.commands
@@ -103,7 +103,7 @@ class _Answering:
         until = len(history.events) - 1
         if question.time is not None:
             # The robot's movement at a moment does not depend on a command right after it.
-            about = 0.0 if question.ask is Ask.NOW else ABOUT
+            about = 0.0 if question.ask is QuestionKind.NOW else ABOUT
             until = max(0, history.at(question.time + about))
         _ANSWERS[question.ask](self, question.subject, until, question.time)
         if not len(self._draft):
@@ -409,29 +409,29 @@ class _Answering:
         self._whole_run.fall(until)
 
 
-_ANSWERS: dict[Ask, Callable[[_Answering, str, int, float | None], None]] = {
-    Ask.MOVEMENT: _Answering._movement,  # noqa: SLF001 - a table of its own methods
-    Ask.NOT_MOVEMENT: _Answering._not_movement,  # noqa: SLF001
-    Ask.SKILL: _Answering._skill,  # noqa: SLF001
-    Ask.NOT_SKILL: _Answering._not_skill,  # noqa: SLF001
-    Ask.PRINT: _Answering._print,  # noqa: SLF001
-    Ask.NOT_PRINT: _Answering._not_print,  # noqa: SLF001
-    Ask.PRINTED: _Answering._printed,  # noqa: SLF001
-    Ask.WHEN: _Answering._when,  # noqa: SLF001
-    Ask.NOT_WHEN: _Answering._not_when,  # noqa: SLF001
-    Ask.LINE: _Answering._line,  # noqa: SLF001
-    Ask.NOT_LINE: _Answering._not_line,  # noqa: SLF001
-    Ask.VALUE: _Answering._value,  # noqa: SLF001
-    Ask.GOAL: _Answering._goal,  # noqa: SLF001
-    Ask.REACHED: _Answering._goal,  # noqa: SLF001
-    Ask.EMOTION: _Answering._emotion,  # noqa: SLF001
-    Ask.END: _Answering._end,  # noqa: SLF001
-    Ask.BUMP: _Answering._bump,  # noqa: SLF001
-    Ask.NOT_END: _Answering._not_end,  # noqa: SLF001
-    Ask.NOTHING: _Answering._nothing,  # noqa: SLF001
-    Ask.SPEED: _Answering._speed,  # noqa: SLF001
-    Ask.LONG: _Answering._long,  # noqa: SLF001
-    Ask.LOST: _Answering._lost,  # noqa: SLF001
-    Ask.FALL: _Answering._fall,  # noqa: SLF001
-    Ask.NOW: _Answering._now,  # noqa: SLF001
+_ANSWERS: dict[QuestionKind, Callable[[_Answering, str, int, float | None], None]] = {
+    QuestionKind.MOVEMENT: _Answering._movement,  # noqa: SLF001 - a table of its own methods
+    QuestionKind.NOT_MOVEMENT: _Answering._not_movement,  # noqa: SLF001
+    QuestionKind.SKILL: _Answering._skill,  # noqa: SLF001
+    QuestionKind.NOT_SKILL: _Answering._not_skill,  # noqa: SLF001
+    QuestionKind.PRINT: _Answering._print,  # noqa: SLF001
+    QuestionKind.NOT_PRINT: _Answering._not_print,  # noqa: SLF001
+    QuestionKind.PRINTED: _Answering._printed,  # noqa: SLF001
+    QuestionKind.WHEN: _Answering._when,  # noqa: SLF001
+    QuestionKind.NOT_WHEN: _Answering._not_when,  # noqa: SLF001
+    QuestionKind.LINE: _Answering._line,  # noqa: SLF001
+    QuestionKind.NOT_LINE: _Answering._not_line,  # noqa: SLF001
+    QuestionKind.VALUE: _Answering._value,  # noqa: SLF001
+    QuestionKind.GOAL: _Answering._goal,  # noqa: SLF001
+    QuestionKind.REACHED: _Answering._goal,  # noqa: SLF001
+    QuestionKind.EMOTION: _Answering._emotion,  # noqa: SLF001
+    QuestionKind.END: _Answering._end,  # noqa: SLF001
+    QuestionKind.BUMP: _Answering._bump,  # noqa: SLF001
+    QuestionKind.NOT_END: _Answering._not_end,  # noqa: SLF001
+    QuestionKind.NOTHING: _Answering._nothing,  # noqa: SLF001
+    QuestionKind.SPEED: _Answering._speed,  # noqa: SLF001
+    QuestionKind.LONG: _Answering._long,  # noqa: SLF001
+    QuestionKind.LOST: _Answering._lost,  # noqa: SLF001
+    QuestionKind.FALL: _Answering._fall,  # noqa: SLF001
+    QuestionKind.NOW: _Answering._now,  # noqa: SLF001
 }

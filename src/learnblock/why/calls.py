@@ -13,7 +13,7 @@ from functools import cached_property
 
 from learnblock import devices
 from learnblock.runtime.log.events import Op
-from learnblock.why.history import Frame, History, SkillUse
+from learnblock.why.history import CalledSkill, EventHistory, Frame
 
 #: Classes that do not tell one robot from another; "" is that of a function outside any class.
 _OF_ANY_ROBOT = frozenset({"", "Robot", "RobotBody"})
@@ -31,7 +31,7 @@ class Layer(IntEnum):
 
 
 @dataclass(frozen=True, slots=True, order=True)
-class Called:
+class Callee:
     """What was called.
 
     Args:
@@ -54,7 +54,7 @@ class CallNode:
         share: that, as a part of the whole span, from 0 to 1.
     """
 
-    called: Called
+    called: Callee
     count: int
     seconds: float
     share: float
@@ -75,8 +75,8 @@ class Edge:
         event: the number of the first one in the log.
     """
 
-    caller: Called
-    callee: Called
+    caller: Callee
+    callee: Callee
     count: int
     seconds: float
     share: float
@@ -104,8 +104,8 @@ class Calls:
     @cached_property
     def nodes(self) -> tuple[CallNode, ...]:
         """The functions, by layer and in order of the first call."""
-        counts: dict[Called, int] = defaultdict(int)
-        seconds: dict[Called, float] = defaultdict(float)
+        counts: dict[Callee, int] = defaultdict(int)
+        seconds: dict[Callee, float] = defaultdict(float)
         for edge in self.edges:
             counts[edge.callee] += edge.count
             # A function that calls itself spends its time once.
@@ -119,12 +119,12 @@ class Calls:
         return (whole, *sorted(others, key=lambda node: node.called.layer))
 
     @property
-    def program(self) -> Called:
+    def program(self) -> Callee:
         """The program itself."""
-        return self.edges[0].caller if self.edges else Called(Layer.PROGRAM, "")
+        return self.edges[0].caller if self.edges else Callee(Layer.PROGRAM, "")
 
 
-def calls(history: History, first: float = 0.0, last: float | None = None) -> Calls:
+def calls(history: EventHistory, first: float = 0.0, last: float | None = None) -> Calls:
     """The call graph of a run.
 
     Args:
@@ -138,7 +138,7 @@ def calls(history: History, first: float = 0.0, last: float | None = None) -> Ca
     return Calls(_robot(history), first, end, tuple(edges))
 
 
-def _robot(history: History) -> str:
+def _robot(history: EventHistory) -> str:
     return str(history.recorded.conditions.get("robot", ""))
 
 
@@ -166,10 +166,10 @@ class _Counting:
         last: its end.
     """
 
-    def __init__(self, history: History, first: float, last: float) -> None:
+    def __init__(self, history: EventHistory, first: float, last: float) -> None:
         self._history = history
         self._first, self._last = first, last
-        self._sums: dict[tuple[Called, Called], _Sum] = {}
+        self._sums: dict[tuple[Callee, Callee], _Sum] = {}
         self._drivers: dict[str, str] = history.recorded.robot.get("drivers", {})
         self._robot = _robot(history)
         #: What the driver calls on a robot whose operations have names, by function of a device.
@@ -201,22 +201,22 @@ class _Counting:
         frame = self._history.frames[event]
         self._add(self._called(frame.caller), self._called(frame), event, frame.left)
 
-    def _count_skill(self, event: int, use: SkillUse) -> None:
+    def _count_skill(self, event: int, use: CalledSkill) -> None:
         caller = _skill(use.within) if use.within else self._called(use.frame)
         self._add(caller, _skill(use), event, use.ended)
 
-    def _count_device(self, event: int, use: SkillUse | None) -> None:
+    def _count_device(self, event: int, use: CalledSkill | None) -> None:
         history = self._history
         op, device, *more = history.events[event]
         function = more[0] if op == Op.COMMAND else _question(device)
         caller = _skill(use) if use else self._called(history.frames[event])
         kind = device.partition(":")[0]
-        client = Called(Layer.CLIENT, f"{_access(kind, function)}({kind})")
-        interface = Called(Layer.DEVICES, f"{kind}.{function}")
+        client = Callee(Layer.CLIENT, f"{_access(kind, function)}({kind})")
+        interface = Callee(Layer.DEVICES, f"{kind}.{function}")
         self._add(caller, client, event, event)
         self._add(client, interface, event, event)
         for name in self._driver_functions(f"{device}.{function}"):
-            self._add(interface, Called(Layer.DRIVER, name), event, event)
+            self._add(interface, Callee(Layer.DRIVER, name), event, event)
 
     def _driver_functions(self, of: str) -> list[str]:
         """What a function of a device calls on the robot."""
@@ -224,12 +224,12 @@ class _Counting:
             return self._operations[of]
         return [_of_robot(self._drivers[of], self._robot)] if of in self._drivers else []
 
-    def _called(self, frame: Frame | None) -> Called:
+    def _called(self, frame: Frame | None) -> Callee:
         if frame is None or frame.node < 0:
-            return Called(Layer.PROGRAM, self._history.program.name)
-        return Called(Layer.FUNCTIONS, self._history.nodes[frame.node].name)
+            return Callee(Layer.PROGRAM, self._history.program.name)
+        return Callee(Layer.FUNCTIONS, self._history.nodes[frame.node].name)
 
-    def _add(self, caller: Called, callee: Called, begun: int, ended: int) -> None:
+    def _add(self, caller: Callee, callee: Callee, begun: int, ended: int) -> None:
         history = self._history
         began = history.time(begun)
         over = history.time(ended) if ended >= 0 else history.end
@@ -242,8 +242,8 @@ class _Counting:
         total.last = began
 
 
-def _skill(use: SkillUse) -> Called:
-    return Called(Layer.SKILLS, use.name)
+def _skill(use: CalledSkill) -> Callee:
+    return Callee(Layer.SKILLS, use.name)
 
 
 def _question(device: str) -> str:

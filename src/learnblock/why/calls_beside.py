@@ -7,7 +7,7 @@ are the robot's own, differ.
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from learnblock.why.calls import Called, CallNode, Calls, Edge, Layer
+from learnblock.why.calls import Callee, CallNode, Calls, Edge, Layer
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +20,7 @@ class CallPair:
         second: those in the second run.
     """
 
-    called: Called
+    called: Callee
     first: CallNode | None
     second: CallNode | None
 
@@ -60,7 +60,7 @@ class CallsBeside:
     @property
     def merged(self) -> Calls:
         """Both graphs in one, which gives every function its place."""
-        edges: dict[tuple[Called, Called], Edge] = {}
+        edges: dict[tuple[Callee, Callee], Edge] = {}
         for calls in self._graphs:
             for edge in calls.edges:
                 edges.setdefault((edge.caller, edge.callee), edge)
@@ -76,7 +76,7 @@ def beside(first: Calls, second: Calls) -> CallsBeside:
     return CallsBeside(first, _renamed(second, first.program))
 
 
-def _renamed(calls: Calls, program: Called) -> Calls:
+def _renamed(calls: Calls, program: Callee) -> Calls:
     """The same graph with another name of the program: the runs may have it under two names."""
     edges = (
         replace(edge, caller=program) if edge.caller.layer is Layer.PROGRAM else edge

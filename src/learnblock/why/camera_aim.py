@@ -1,6 +1,6 @@
 """Where the camera looked, and who turned it there."""
 
-from learnblock.why.history import History
+from learnblock.why.history import EventHistory
 from learnblock.why.inquiry import Inquiry
 from learnblock.why.wording import blocks, value_phrase
 
@@ -16,7 +16,7 @@ class CameraAim:
     """
 
     def __init__(self, inquiry: Inquiry) -> None:
-        self._history: History = inquiry.history
+        self._history: EventHistory = inquiry.history
         self._slices = inquiry.slices
         self._draft = inquiry.draft
 

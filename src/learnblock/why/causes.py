@@ -7,7 +7,7 @@ from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import CONDITIONS, Kind, Node
 from learnblock.why.camera_aim import CameraAim
 from learnblock.why.decimals import ALL, FEW
-from learnblock.why.history import Frame, History
+from learnblock.why.history import EventHistory, Frame
 from learnblock.why.inquiry import Inquiry
 from learnblock.why.unused import NotUsed
 from learnblock.why.wording import value_phrase
@@ -38,7 +38,7 @@ class Causes:
     """
 
     def __init__(self, inquiry: Inquiry) -> None:
-        self._history: History = inquiry.history
+        self._history: EventHistory = inquiry.history
         self._slices = inquiry.slices
         self._readings = inquiry.readings
         self._draft = inquiry.draft

@@ -9,8 +9,8 @@ from typing import Any
 from learnblock.i18n import Phrase, Value
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.noting import TICK
-from learnblock.why.edits import Edit, edits, line_pairs
-from learnblock.why.history import History
+from learnblock.why.edits import ChangedLine, edits, line_pairs
+from learnblock.why.history import EventHistory
 from learnblock.why.readings import Readings
 from learnblock.why.sentences import Draft, Sentence
 from learnblock.why.slices import Slices
@@ -56,10 +56,10 @@ class Comparison:
 
     parting: Parting | None
     causes: tuple[Phrase, ...]
-    edits: tuple[Edit, ...] = ()
+    edits: tuple[ChangedLine, ...] = ()
 
 
-def compared(first: History, second: History) -> Comparison:
+def compared(first: EventHistory, second: EventHistory) -> Comparison:
     """Compare two runs."""
     changed = edits(first.program, second.program)
     conditions = tuple(_conditions(first, second))
@@ -70,7 +70,7 @@ def compared(first: History, second: History) -> Comparison:
 
 
 # Why: docs/decisions.md, "Two runs part at the first decision that differs"
-def parting(first: History, second: History) -> Parting | None:
+def parting(first: EventHistory, second: EventHistory) -> Parting | None:
     """Find the first decision in which two runs differ; None if there is none."""
     return compared(first, second).parting
 
@@ -90,7 +90,7 @@ class _Step:
     counted: bool = False
 
 
-def _parting(first: History, second: History, *, acts: bool) -> Parting | None:
+def _parting(first: EventHistory, second: EventHistory, *, acts: bool) -> Parting | None:
     """The first step that differs.
 
     Args:
@@ -123,7 +123,7 @@ def _apart(mine: _Step, theirs: _Step) -> bool:
     return mine.ticks != theirs.ticks and not (mine.counted or theirs.counted)
 
 
-def _steps(history: History, kinds: frozenset[Op]) -> Iterator[_Step]:
+def _steps(history: EventHistory, kinds: frozenset[Op]) -> Iterator[_Step]:
     """The decisions of a run, those of turns that were only counted once for each of them."""
     for event, what in enumerate(history.events):
         if what[0] in kinds:
@@ -136,7 +136,7 @@ def _steps(history: History, kinds: frozenset[Op]) -> Iterator[_Step]:
                 yield from (_Step(decision, now, counted=True) for decision in turn)
 
 
-def _places(first: History, second: History) -> dict[int, int]:
+def _places(first: EventHistory, second: EventHistory) -> dict[int, int]:
     """For each node of the first program, the node of the second one that it became."""
     lines = line_pairs(first.program, second.program)
     there = {place: number for number, place in enumerate(_marks(second))}
@@ -144,7 +144,7 @@ def _places(first: History, second: History) -> dict[int, int]:
     return {number: there[mark] for number, mark in enumerate(became) if mark in there}
 
 
-def _marks(history: History) -> Iterator[tuple[str, int, int]]:
+def _marks(history: EventHistory) -> Iterator[tuple[str, int, int]]:
     """What distinguishes each node of a program: kind, line and number among those there."""
     counts: Counter[tuple[str, int]] = Counter()
     for node in history.nodes:
@@ -152,7 +152,7 @@ def _marks(history: History) -> Iterator[tuple[str, int, int]]:
         yield node.kind, node.line, counts[node.kind, node.line]
 
 
-def _done(history: History, step: _Step, places: dict[int, int] | None) -> tuple[Any, ...]:
+def _done(history: EventHistory, step: _Step, places: dict[int, int] | None) -> tuple[Any, ...]:
     op, *values = history.events[step.event]
     if op == Op.COMMAND:
         return op, *values
@@ -160,7 +160,7 @@ def _done(history: History, step: _Step, places: dict[int, int] | None) -> tuple
     return op, node, values[1]
 
 
-def _sentence(history: History, step: _Step | None) -> Sentence:
+def _sentence(history: EventHistory, step: _Step | None) -> Sentence:
     draft = Draft(history)
     if step is None:
         draft.say("why-parted-ended", time=round(history.end, 2))
@@ -177,14 +177,14 @@ def _sentence(history: History, step: _Step | None) -> Sentence:
     return replace(draft.answer().sentences[0], time=step.ticks * TICK)
 
 
-def _caller(history: History, command: int) -> int:
+def _caller(history: EventHistory, command: int) -> int:
     """The place in the program that let a command be given; -1 if the log does not know it."""
     use = history.own_use(command)
     return use.node if use else -1
 
 
 def _because(
-    first: History, mine: _Step | None, second: History, theirs: _Step | None
+    first: EventHistory, mine: _Step | None, second: EventHistory, theirs: _Step | None
 ) -> Phrase | None:
     """Two answers to one question, each with what was measured."""
     if not mine or not theirs:
@@ -208,20 +208,20 @@ def _because(
     )
 
 
-def _facts(history: History, event: int) -> Value:
+def _facts(history: EventHistory, event: int) -> Value:
     """What was measured, in words; "" if nothing was."""
     summary = _readings(history).summary(event)
     return summary.values["facts"] if isinstance(summary, Phrase) else ""
 
 
-def _readings(history: History) -> Readings:
+def _readings(history: EventHistory) -> Readings:
     return Readings(Slices(history))
 
 
 # What was different from the start.
 
 
-def _conditions(first: History, second: History) -> Iterator[Phrase]:
+def _conditions(first: EventHistory, second: EventHistory) -> Iterator[Phrase]:
     mine, theirs = first.recorded.conditions, second.recorded.conditions
     for name, code in _CAUSES.items():
         if mine.get(name) != theirs.get(name):
@@ -234,23 +234,25 @@ def _conditions(first: History, second: History) -> Iterator[Phrase]:
         yield Phrase("why-cause-hand")
 
 
-def _without_cause(first: History, second: History, parted: Parting | None) -> Iterator[Phrase]:
+def _without_cause(
+    first: EventHistory, second: EventHistory, parted: Parting | None
+) -> Iterator[Phrase]:
     if _is_real(first) or _is_real(second):
         yield Phrase("why-cause-real")
     elif parted and first.recorded.ending.get("ended") != second.recorded.ending.get("ended"):
         yield Phrase("why-cause-length")
 
 
-def _world(history: History) -> object:
+def _world(history: EventHistory) -> object:
     world = history.recorded.robot.get("world") or {}
     return {name: value for name, value in world.items() if name != "folder"}
 
 
-def _is_real(history: History) -> bool:
+def _is_real(history: EventHistory) -> bool:
     return history.recorded.robot.get("world") is None
 
 
-def _by_hand(history: History) -> list[object]:
+def _by_hand(history: EventHistory) -> list[object]:
     lines = history.recorded.lines
     return [(line["t"], name, line[name]) for line in lines for name in _BY_HAND if name in line]
 
@@ -259,7 +261,7 @@ def _name(value: object) -> str:
     return "–" if value is None else str(value)
 
 
-def _edit_phrase(edit: Edit) -> Phrase:
+def _edit_phrase(edit: ChangedLine) -> Phrase:
     line = edit.line or edit.line_before
     if not edit.before:
         return Phrase("why-cause-added", line=str(line), after=edit.after)
@@ -268,6 +270,6 @@ def _edit_phrase(edit: Edit) -> Phrase:
     return Phrase("why-cause-edit", line=str(line), before=edit.before, after=edit.after)
 
 
-def _more(changed: tuple[Edit, ...]) -> Iterator[Phrase]:
+def _more(changed: tuple[ChangedLine, ...]) -> Iterator[Phrase]:
     if len(changed) > MOST_EDITS:
         yield Phrase("why-cause-more", count=len(changed) - MOST_EDITS)

@@ -15,7 +15,7 @@ _ROBOT_IMPORT = re.compile(r"^from [\w.]+ import Robot\b")
 
 
 @dataclass(frozen=True, slots=True)
-class Edit:
+class ChangedLine:
     """A line that differs.
 
     Args:
@@ -31,7 +31,7 @@ class Edit:
     after: str
 
 
-def edits(first_program: Program, second_program: Program) -> tuple[Edit, ...]:
+def edits(first_program: Program, second_program: Program) -> tuple[ChangedLine, ...]:
     """The lines, as their author wrote them, in which two programs differ."""
     texts = (first_program.written, second_program.written)
     if (first_program.source_map is None) != (second_program.source_map is None):
@@ -63,11 +63,11 @@ def _split(text: str) -> list[str]:
     return text.split("\n")
 
 
-def _edits(before: Sequence[str], after: Sequence[str]) -> Iterator[Edit]:
+def _edits(before: Sequence[str], after: Sequence[str]) -> Iterator[ChangedLine]:
     for _, first, last, there, end in _changes(before, after, whole=False):
         for number in range(max(last - first, end - there)):
             at, to = first + number, there + number
-            yield Edit(
+            yield ChangedLine(
                 at + 1 if at < last else 0,
                 to + 1 if to < end else 0,
                 before[at].strip()[:LONGEST] if at < last else "",

@@ -14,7 +14,7 @@ _IN_A_ROW = 5
 
 
 @dataclass(frozen=True, slots=True)
-class Finding:
+class TwinFact:
     """One fact about a real robot and its twin.
 
     Args:
@@ -26,7 +26,7 @@ class Finding:
     time: float | None = None
 
 
-def findings(prediction: Prediction, drift: Drift) -> tuple[Finding, ...]:
+def findings(prediction: Prediction, drift: Drift) -> tuple[TwinFact, ...]:
     """The results of comparing a real robot with its twin, most important first."""
     return (*_parting(prediction), *_drift(drift), *_sensor(prediction, drift))
 
@@ -36,12 +36,12 @@ def unrecorded(prediction: Prediction, drift: Drift) -> tuple[Phrase, ...]:
     return tuple(_unrecorded(prediction, drift))
 
 
-def _parting(prediction: Prediction) -> Iterator[Finding]:
+def _parting(prediction: Prediction) -> Iterator[TwinFact]:
     if not prediction.real.times:
         return
     parting = prediction.parting
     if parting is None:
-        yield Finding(Phrase("twin-together"))
+        yield TwinFact(Phrase("twin-together"))
         return
     time = round(parting.time, 1)
     x, y, _ = parting.pose
@@ -52,31 +52,31 @@ def _parting(prediction: Prediction) -> Iterator[Finding]:
     else:
         side = "right" if parting.angle > 0 else "left"
         phrase = Phrase("twin-askew", time=time, angle=round(abs(parting.angle)), side=side)
-    yield Finding(phrase, parting.time)
+    yield TwinFact(phrase, parting.time)
 
 
-def _drift(drift: Drift) -> Iterator[Finding]:
+def _drift(drift: Drift) -> Iterator[TwinFact]:
     if drift.settings:
         yield from _disobedience(drift)
     for code, ratio in (("twin-drives", drift.way), ("twin-turns", drift.turn)):
         if ratio and ratio.is_noticeable:
-            yield Finding(_phrase(code, ratio, sensor=ratio.sensor))
+            yield TwinFact(_phrase(code, ratio, sensor=ratio.sensor))
     for setting, value in drift.better.items():
         if value != drift.settings[setting]:
             now = drift.settings[setting]
-            yield Finding(Phrase("twin-set", setting=setting, value=str(value), now=str(now)))
+            yield TwinFact(Phrase("twin-set", setting=setting, value=str(value), now=str(now)))
     if not drift.settings and any(
         ratio and ratio.is_noticeable for ratio in (drift.way, drift.turn)
     ):
-        yield Finding(Phrase("twin-no-setting"))
+        yield TwinFact(Phrase("twin-no-setting"))
 
 
-def _disobedience(drift: Drift) -> Iterator[Finding]:
+def _disobedience(drift: Drift) -> Iterator[TwinFact]:
     """The wheels count their own turns: if these differ, no size of a wheel is the reason."""
     counted = (drift.counted_way, drift.counted_turn)
     different = [ratio for ratio in counted if ratio and ratio.is_noticeable]
     if different:
-        yield Finding(_phrase("twin-wheels", max(different, key=lambda ratio: abs(ratio.percent))))
+        yield TwinFact(_phrase("twin-wheels", max(different, key=lambda ratio: abs(ratio.percent))))
 
 
 def _phrase(code: str, ratio: Ratio, **more: str) -> Phrase:
@@ -84,7 +84,7 @@ def _phrase(code: str, ratio: Ratio, **more: str) -> Phrase:
     return Phrase(code, percent=f"{abs(ratio.percent):g}", much=much, **more)
 
 
-def _sensor(prediction: Prediction, drift: Drift) -> Iterator[Finding]:
+def _sensor(prediction: Prediction, drift: Drift) -> Iterator[TwinFact]:
     """A sensor with a different reading while the robot was at the right place."""
     if prediction.parting or drift.better or prediction.world == EMPTY:
         return
@@ -95,7 +95,7 @@ def _sensor(prediction: Prediction, drift: Drift) -> Iterator[Finding]:
         if len(row) == _IN_A_ROW:
             time, real, twin = row[0]
             values = {"time": round(time, 1), "real": round(real), "twin": round(twin)}
-            yield Finding(Phrase("twin-sensor", **values), time)
+            yield TwinFact(Phrase("twin-sensor", **values), time)
             return
 
 

@@ -4,7 +4,7 @@ from collections import defaultdict
 from functools import partial
 from html import escape
 
-from learnblock.why.calls import Called, CallNode, Calls, Edge, Layer
+from learnblock.why.calls import Callee, CallNode, Calls, Edge, Layer
 from learnblock.why.calls_beside import CallsBeside
 
 #: Sizes in pixels: of a box, of the space around it and of the text in it.
@@ -86,8 +86,8 @@ def pictures_beside(both: CallsBeside, titles: dict[Layer, str], names: tuple[st
 
 def _graph(
     calls: Calls,
-    places: dict[Called, tuple[float, float]],
-    apart: frozenset[Called] = frozenset(),
+    places: dict[Callee, tuple[float, float]],
+    apart: frozenset[Callee] = frozenset(),
 ) -> str:
     lines = "".join(_line(edge, places) for edge in calls.edges)
     counts = "".join(_count(edge, places) for edge in calls.edges)
@@ -101,9 +101,9 @@ def _graph(
     )
 
 
-def _rows(calls: Calls) -> dict[Layer, list[Called]]:
+def _rows(calls: Calls) -> dict[Layer, list[Callee]]:
     """The functions by row, each near its callers, so that few lines cross."""
-    rows: dict[Layer, list[Called]] = defaultdict(list)
+    rows: dict[Layer, list[Callee]] = defaultdict(list)
     for node in calls.nodes:
         rows[node.called.layer].append(node.called)
     for _ in range(SWEEPS):
@@ -113,20 +113,20 @@ def _rows(calls: Calls) -> dict[Layer, list[Called]]:
     return dict(sorted(rows.items()))
 
 
-def _order(rows: dict[Layer, list[Called]]) -> dict[Called, float]:
+def _order(rows: dict[Layer, list[Callee]]) -> dict[Callee, float]:
     """How far to the right each function is in its row, from 0 to 1."""
     return {called: index / len(row) for row in rows.values() for index, called in enumerate(row)}
 
 
-def _middle(calls: Calls, order: dict[Called, float], called: Called) -> float:
+def _middle(calls: Calls, order: dict[Callee, float], called: Callee) -> float:
     """How far to the right the callers of a function are, on average."""
     above = [order[edge.caller] for edge in calls.edges if edge.callee == called]
     return sum(above) / len(above) if above else order[called]
 
 
-def _places(rows: dict[Layer, list[Called]], width: int) -> dict[Called, tuple[float, float]]:
+def _places(rows: dict[Layer, list[Callee]], width: int) -> dict[Callee, tuple[float, float]]:
     """The upper middle of each box."""
-    places: dict[Called, tuple[float, float]] = {}
+    places: dict[Callee, tuple[float, float]] = {}
     for index, row in enumerate(rows.values()):
         step = (width - BOX) / len(row)
         for column, called in enumerate(row):
@@ -138,7 +138,7 @@ def _top(row: int) -> int:
     return SPACE + row * ROW
 
 
-def _line(edge: Edge, places: dict[Called, tuple[float, float]]) -> str:
+def _line(edge: Edge, places: dict[Callee, tuple[float, float]]) -> str:
     (x, y), (to_x, to_y) = places[edge.caller], places[edge.callee]
     y += HEIGHT
     if to_y < y:
@@ -151,7 +151,7 @@ def _line(edge: Edge, places: dict[Called, tuple[float, float]]) -> str:
     )
 
 
-def _count(edge: Edge, places: dict[Called, tuple[float, float]]) -> str:
+def _count(edge: Edge, places: dict[Callee, tuple[float, float]]) -> str:
     """How often, and for how much of the time: in the middle of the line."""
     (x, y), (to_x, to_y) = places[edge.caller], places[edge.callee]
     below = (to_y - y + HEIGHT) / 2 if to_y > y else HEIGHT + SPACE

@@ -38,7 +38,7 @@ class Frame:
 
 
 @dataclass(eq=False)
-class SkillUse:
+class CalledSkill:
     """A call of a skill.
 
     Args:
@@ -52,7 +52,7 @@ class SkillUse:
     name: str
     args: list[Any]
     begun: int
-    within: "SkillUse | None"
+    within: "CalledSkill | None"
     frame: Frame
     #: The event with which it ended; -1 while it lasts.
     ended: int = -1
@@ -66,7 +66,7 @@ class SkillUse:
     missing: list[str] = field(default_factory=list)
 
     @property
-    def outermost(self) -> "SkillUse":
+    def outermost(self) -> "CalledSkill":
         """The skill that the program used itself, in which this one ran."""
         use = self
         while use.within is not None:
@@ -74,7 +74,7 @@ class SkillUse:
         return use
 
 
-class History:
+class EventHistory:
     """The events of a log, each with its time, its frame and its cause.
 
     Args:
@@ -95,8 +95,8 @@ class History:
         #: Of each event: the condition, loop or call that let it happen; -1 for the program itself.
         self.causes: list[int] = []
         #: The use of a skill that an event belongs to, by event.
-        self.skills: dict[int, SkillUse] = {}
-        self.uses: list[SkillUse] = []
+        self.skills: dict[int, CalledSkill] = {}
+        self.uses: list[CalledSkill] = []
         #: By node, its events; by name, the writes of a variable, and the calls of a function.
         self.of_node: dict[int, list[int]] = defaultdict(list)
         self.writes: dict[str, list[int]] = defaultdict(list)
@@ -117,7 +117,7 @@ class History:
             raise LearnBlockError("log-not-a-log") from error
 
     @cached_property
-    def own_uses(self) -> tuple[SkillUse, ...]:
+    def own_uses(self) -> tuple[CalledSkill, ...]:
         """The skills that the program used itself, in order."""
         return tuple(use for use in self.uses if use.within is None)
 
@@ -125,12 +125,12 @@ class History:
     def _own_begun(self) -> list[int]:
         return [use.begun for use in self.own_uses]
 
-    def own_use(self, event: int) -> SkillUse | None:
+    def own_use(self, event: int) -> CalledSkill | None:
         """The skill that the program used itself, by an event in it; None if there is none."""
         use = self.skills.get(event)
         return use.outermost if use else None
 
-    def uses_back_from(self, event: int) -> Iterator[SkillUse]:
+    def uses_back_from(self, event: int) -> Iterator[CalledSkill]:
         """The skills that the program used itself up to an event, the last one first."""
         return reversed(self.own_uses[: bisect_right(self._own_begun, event)])
 
@@ -211,12 +211,12 @@ class _Reading:
     dropped because it was full. So the frames are those that the events themselves name.
     """
 
-    def __init__(self, history: History) -> None:
+    def __init__(self, history: EventHistory) -> None:
         self._history = history
         self._stack = [Frame(-1)]
         self._ticks = 0
-        self._use: SkillUse | None = None
-        self._ended: SkillUse | None = None
+        self._use: CalledSkill | None = None
+        self._ended: CalledSkill | None = None
         self._call = -1
 
     def read(self, recorded: Recorded) -> None:
@@ -360,7 +360,7 @@ class _Reading:
             self._history.frames[index] = frame
 
     def _skill(self, index: int, event: Event) -> None:
-        use = SkillUse(event[1], list(event[2]), index, self._use, self._stack[-1])
+        use = CalledSkill(event[1], list(event[2]), index, self._use, self._stack[-1])
         self._history.skills[index] = use
         self._history.uses.append(use)
         self._use = use

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from functools import cached_property
 
-from learnblock.why.history import History
+from learnblock.why.history import EventHistory
 from learnblock.why.position import Position
 from learnblock.why.readings import Readings
 from learnblock.why.sentences import Draft
@@ -33,7 +33,7 @@ class Inquiry:
     since: float | None = None
 
     @property
-    def history(self) -> History:
+    def history(self) -> EventHistory:
         """The history of the run."""
         return self.slices.history
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 from learnblock.runtime.log.nodes import Kind, Node
 from learnblock.why import wording
-from learnblock.why.history import History
-from learnblock.why.questions import Ask
+from learnblock.why.history import EventHistory
+from learnblock.why.questions import QuestionKind
 from learnblock.why.vocabulary import EMOTIONS, Concept, concept, forms, words
 
 #: Skills by what they use.
@@ -53,7 +53,7 @@ _NO_SUBJECT = re.compile(rf"{forms('no_subject')}?")
 class Meaning:
     """A kind of question and its subject."""
 
-    ask: Ask
+    ask: QuestionKind
     subject: str = ""
     #: Whether the question is about the first time.
     is_first: bool = False
@@ -79,7 +79,7 @@ class SentenceReader:
         correct: gives a word without its slip.
     """
 
-    def __init__(self, text: str, history: History, correct: Callable[[str], str]) -> None:
+    def __init__(self, text: str, history: EventHistory, correct: Callable[[str], str]) -> None:
         self._history = history
         self.tokens = [correct(word) for word in words(text)]
         meanings = [(word, concept(word)) for word in self.tokens]
@@ -123,11 +123,13 @@ class SentenceReader:
         if self._has(Concept.NOTHING) and not self._has(
             Concept.PRINT, Concept.SAY, Concept.SHOW, Concept.CRASH
         ):
-            return Meaning(Ask.NOTHING)
+            return Meaning(QuestionKind.NOTHING)
         return None
 
     def _error(self) -> Meaning | None:
-        return Meaning(Ask.END) if self._has(Concept.ERROR) and not self.is_negative else None
+        return (
+            Meaning(QuestionKind.END) if self._has(Concept.ERROR) and not self.is_negative else None
+        )
 
     def _bump(self) -> Meaning | None:
         if not self._has(Concept.CRASH):
@@ -136,10 +138,10 @@ class SentenceReader:
         has_failed = bool(self._history.recorded.ending.get("error"))
         # A program crashes as well.
         is_program = has_failed and (not bumps or self._has(Concept.PROGRAM))
-        return Meaning(Ask.END if is_program else Ask.BUMP)
+        return Meaning(QuestionKind.END if is_program else QuestionKind.BUMP)
 
     def _fall(self) -> Meaning | None:
-        return Meaning(Ask.FALL) if self._has(Concept.FALL) else None
+        return Meaning(QuestionKind.FALL) if self._has(Concept.FALL) else None
 
     def _seen(self) -> Meaning | None:
         """It did not see something: a statement that would have run if it had."""
@@ -152,12 +154,14 @@ class SentenceReader:
         if (
             when := next((number for number in whens if self._is_of(number, asking)), None)
         ) is not None:
-            return Meaning(Ask.NOT_WHEN if self.is_negative else Ask.WHEN, nodes[when].name)
+            return Meaning(
+                QuestionKind.NOT_WHEN if self.is_negative else QuestionKind.WHEN, nodes[when].name
+            )
         inside = [node for node in nodes if node.control >= 0 and self._is_of(node.control, asking)]
         if not inside:
             return None
         line = str(self._history.program.written_line(inside[0].line))
-        return Meaning(Ask.NOT_LINE if self.is_negative else Ask.LINE, line)
+        return Meaning(QuestionKind.NOT_LINE if self.is_negative else QuestionKind.LINE, line)
 
     @staticmethod
     def _senses(node: Node, sense: Concept) -> bool:
@@ -177,9 +181,13 @@ class SentenceReader:
             return None
         skill = f"express{emotion.value.capitalize()}"
         if self.is_negative:
-            return Meaning(Ask.NOT_SKILL, skill)
+            return Meaning(QuestionKind.NOT_SKILL, skill)
         is_used = skill in self.skills() and not self._has(Concept.SHOW)
-        return Meaning(Ask.SKILL, skill) if is_used else Meaning(Ask.EMOTION, emotion.value)
+        return (
+            Meaning(QuestionKind.SKILL, skill)
+            if is_used
+            else Meaning(QuestionKind.EMOTION, emotion.value)
+        )
 
     def _device(self) -> Meaning | None:
         for device, pattern in self._devices():
@@ -188,7 +196,9 @@ class SentenceReader:
                 # The program has none: the answer says so.
                 skill = next((name for name in wording.blocks() if re.match(pattern, name)), None)
             if skill:
-                return Meaning(Ask.NOT_SKILL if self.is_negative else Ask.SKILL, skill)
+                return Meaning(
+                    QuestionKind.NOT_SKILL if self.is_negative else QuestionKind.SKILL, skill
+                )
         return None
 
     def _devices(self) -> list[tuple[Concept, str]]:
@@ -203,40 +213,44 @@ class SentenceReader:
     def _line_lost(self) -> Meaning | None:
         is_lost = self._has(Concept.LEAVE) or (self.is_negative and self._has(Concept.FOLLOW))
         is_about_line = self._has(Concept.TRACK) or (self._has(Concept.FOLLOW) and is_lost)
-        return Meaning(Ask.LOST) if is_about_line and is_lost else None
+        return Meaning(QuestionKind.LOST) if is_about_line and is_lost else None
 
     def _speed(self) -> Meaning | None:
         if self._has(Concept.SLOW):
-            return Meaning(Ask.SPEED, "fast" if self.is_negative else "slow")
+            return Meaning(QuestionKind.SPEED, "fast" if self.is_negative else "slow")
         if self._has(Concept.FAST):
-            return Meaning(Ask.SPEED, "slow" if self.is_negative else "fast")
+            return Meaning(QuestionKind.SPEED, "slow" if self.is_negative else "fast")
         return None
 
     def _avoid(self) -> Meaning | None:
         if not self._has(Concept.AVOID):
             return None
         name = self._direction()
-        return Meaning(Ask.NOT_MOVEMENT if self.is_negative else Ask.MOVEMENT, name or "")
+        return Meaning(
+            QuestionKind.NOT_MOVEMENT if self.is_negative else QuestionKind.MOVEMENT, name or ""
+        )
 
     def _long(self) -> Meaning | None:
         name = self._movement()
         if not self._has(Concept.LONG) or name is None or self.is_negative:
             return None
-        return Meaning(Ask.LONG, name)
+        return Meaning(QuestionKind.LONG, name)
 
     def _end(self) -> Meaning | None:
         is_program = self._has(Concept.PROGRAM)
         is_end = self._has(Concept.END) or (is_program and self._has(Concept.STOP))
         if is_end and self.is_negative:
-            return Meaning(Ask.NOT_END)
+            return Meaning(QuestionKind.NOT_END)
         if is_program and self._has(Concept.KEEP):
-            return Meaning(Ask.NOT_END)
-        return Meaning(Ask.END) if is_end else None
+            return Meaning(QuestionKind.NOT_END)
+        return Meaning(QuestionKind.END) if is_end else None
 
     def _stop(self) -> Meaning | None:
         if not self._has(Concept.STOP) or self._has(Concept.TURN, Concept.BACK, Concept.FORWARD):
             return None
-        return Meaning(Ask.NOT_MOVEMENT if self.is_negative else Ask.MOVEMENT, wording.STAND)
+        return Meaning(
+            QuestionKind.NOT_MOVEMENT if self.is_negative else QuestionKind.MOVEMENT, wording.STAND
+        )
 
     def _motion(self) -> Meaning | None:
         name = self._movement()
@@ -246,7 +260,7 @@ class SentenceReader:
         if name == wording.FORWARD and self.is_negative and not self._has(Concept.FORWARD):
             return self._not_moving()
         is_missing = self.is_negative or Concept.AGAIN in self._known
-        return Meaning(Ask.NOT_MOVEMENT if is_missing else Ask.MOVEMENT, name)
+        return Meaning(QuestionKind.NOT_MOVEMENT if is_missing else QuestionKind.MOVEMENT, name)
 
     def _not_moving(self) -> Meaning:
         """It did not move: the robot stands still, or it does something else."""
@@ -255,8 +269,8 @@ class SentenceReader:
             node.name in ("move_straight", "drive_distance") for node in self._history.nodes
         )
         if moves and is_driven and self._known <= {Concept.MOVE, Concept.NOT, Concept.KEEP}:
-            return Meaning(Ask.NOT_MOVEMENT, wording.FORWARD)
-        return Meaning(Ask.MOVEMENT, wording.STAND)
+            return Meaning(QuestionKind.NOT_MOVEMENT, wording.FORWARD)
+        return Meaning(QuestionKind.MOVEMENT, wording.STAND)
 
     def _movement(self) -> str | None:
         """The movement that the words name; None if they name none."""
@@ -280,7 +294,7 @@ class SentenceReader:
         return f"{'curve' if is_curve else 'spin'}-{sides[0].value}"
 
     def _goal(self) -> Meaning | None:
-        return Meaning(Ask.GOAL) if self._has(Concept.GOAL) else None
+        return Meaning(QuestionKind.GOAL) if self._has(Concept.GOAL) else None
 
     def skills(self) -> Iterable[str]:
         """The skills that the program uses, in the order of its lines."""

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import takewhile
 
 from learnblock.runtime.log.nodes import Kind, Node
-from learnblock.why.history import History
+from learnblock.why.history import EventHistory
 from learnblock.why.vocabulary import Concept, concept, plain, translated
 
 #: The number of letters in the root of a word.
@@ -43,20 +43,20 @@ def names_in(tokens: Iterable[str]) -> frozenset[str]:
     return frozenset(root(token) for token in tokens if token.isdigit() or concept(token) in own)
 
 
-def printed_text(history: History, wanted: frozenset[str]) -> str | None:
+def printed_text(history: EventHistory, wanted: frozenset[str]) -> str | None:
     """The printed text that has most of some words; None if none has any."""
     texts = dict.fromkeys(str(line["print"]) for line in history.recorded.lines if "print" in line)
     return _most(((text, words_of(text)) for text in reversed([*texts])), wanted)
 
 
-def prints(history: History) -> Iterator[Node]:
+def prints(history: EventHistory) -> Iterator[Node]:
     """The calls that print."""
     for node in history.nodes:
         if node.kind is Kind.CALL and node.name == "print" and not node.base:
             yield node
 
 
-def print_with(history: History, wanted: frozenset[str]) -> str | None:
+def print_with(history: EventHistory, wanted: frozenset[str]) -> str | None:
     """The text of a line that prints most of some words; None if none has any."""
     texts = [(node.text, words_of(node.text)) for node in prints(history)]
     text = _most(iter(texts), wanted)
@@ -64,7 +64,7 @@ def print_with(history: History, wanted: frozenset[str]) -> str | None:
     return quoted[1] if quoted else None
 
 
-def line_with(history: History, wanted: frozenset[str]) -> int | None:
+def line_with(history: EventHistory, wanted: frozenset[str]) -> int | None:
     """The node of a call whose name, values or function mention most of some words."""
     calls = [
         (str(number), words_of(node.text) | words_of(_function(history, node)))
@@ -75,13 +75,13 @@ def line_with(history: History, wanted: frozenset[str]) -> int | None:
     return int(best) if best is not None else None
 
 
-def variable_with(history: History, tokens: Sequence[str]) -> str | None:
+def variable_with(history: EventHistory, tokens: Sequence[str]) -> str | None:
     """The variable that a question names; None if it names none."""
     names = {plain(name.removesuffix("_")): name for name in history.writes if name != "robot"}
     return next((names[token] for token in tokens if token in names), None)
 
 
-def when_with(history: History, tokens: Sequence[str]) -> str | None:
+def when_with(history: EventHistory, tokens: Sequence[str]) -> str | None:
     """The `when` with a name like a word of a question, such as searching and search."""
     for node in history.nodes:
         if node.is_when and any(_is_akin(token, plain(node.name)) for token in tokens):
@@ -96,7 +96,7 @@ def _is_akin(word: str, name: str) -> bool:
     return shared >= _ROOT and shared >= min(len(word), len(name)) - 1
 
 
-def _function(history: History, node: Node) -> str:
+def _function(history: EventHistory, node: Node) -> str:
     return history.nodes[node.function].name if node.function >= 0 else ""
 
 

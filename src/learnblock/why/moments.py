@@ -10,7 +10,7 @@ from learnblock.runtime.log.events import Event, Op
 from learnblock.runtime.log.nodes import Kind
 from learnblock.runtime.log.noting import TICK
 from learnblock.runtime.remote import RemoteRobot
-from learnblock.why.history import Frame, History
+from learnblock.why.history import EventHistory, Frame
 from learnblock.why.recorded import Recorded
 from learnblock.why.shapes import identities
 
@@ -37,7 +37,7 @@ class Mark:
 
 
 @dataclass(frozen=True, slots=True)
-class Moment:
+class RunMoment:
     """A moment of a run.
 
     Args:
@@ -66,7 +66,7 @@ class Moments:
         history: the run.
     """
 
-    def __init__(self, history: History) -> None:
+    def __init__(self, history: EventHistory) -> None:
         self._history = history
         lines = history.recorded.lines
         #: When a line of the program's Python ran, in s, and which one.
@@ -86,7 +86,7 @@ class Moments:
         self._by_name: dict[str, _Tellings] = {}
         self.marks = tuple(sorted(_marks(history), key=lambda mark: mark.time))
 
-    def at(self, time: float, event: int | None = None) -> Moment:
+    def at(self, time: float, event: int | None = None) -> RunMoment:
         """The moment at a time in s.
 
         Args:
@@ -98,7 +98,7 @@ class Moments:
         place = self._place(time) if event is None else _Place(event)
         event = last if event is None else event
         frame = self._frame_after(place.event)
-        return Moment(
+        return RunMoment(
             time,
             self.line_at(time),
             dict(self._variables(place, None)),
@@ -297,7 +297,7 @@ class _Place:
         yield from reversed(events[: bisect_right(events, until)])
 
 
-def switches(history: History, when: str) -> Sequence[tuple[int, bool]]:
+def switches(history: EventHistory, when: str) -> Sequence[tuple[int, bool]]:
     """The events that made a `when` active or inactive, in order."""
     by_call = [(event, history.node(event).name == "activate") for event in history.switches[when]]
     by_condition = [
@@ -309,7 +309,7 @@ def switches(history: History, when: str) -> Sequence[tuple[int, bool]]:
     return sorted([*by_call, *by_condition])
 
 
-def written(history: History, event: int, name: str) -> Any:
+def written(history: EventHistory, event: int, name: str) -> Any:
     """The value that an event gave to a variable."""
     if history.op(event) == Op.VARIABLES:
         _, _, _, pairs, *_ = history.events[event]
@@ -324,7 +324,7 @@ def written(history: History, event: int, name: str) -> Any:
     return value[index] if isinstance(value, list | tuple) and index < len(value) else None
 
 
-def _identity(history: History, event: int, name: str) -> int:
+def _identity(history: EventHistory, event: int, name: str) -> int:
     """The identity of the list in a variable, by an event; 0 if it holds none."""
     event_told, of_each = history.events[event], identities(history.events[event])
     if not of_each:
@@ -370,13 +370,13 @@ def shown(value: Any) -> str:
     return repr(value)
 
 
-def _prints(history: History, event: int) -> bool:
+def _prints(history: EventHistory, event: int) -> bool:
     """Whether the program has printed something at an event."""
     op, *values = history.events[event]
     return op == Op.RESULT and history.nodes[values[0]].name == "print"
 
 
-def _names(history: History, frame: Frame | None) -> list[str]:
+def _names(history: EventHistory, frame: Frame | None) -> list[str]:
     names: list[str] = []
     while frame is not None and frame.node >= 0:
         names.insert(0, history.nodes[frame.node].name)
@@ -384,7 +384,7 @@ def _names(history: History, frame: Frame | None) -> list[str]:
     return names
 
 
-def _marks(history: History) -> Iterator[Mark]:
+def _marks(history: EventHistory) -> Iterator[Mark]:
     recorded: Recorded = history.recorded
     yield from marks_in(recorded.lines)
     for node in history.nodes:
@@ -405,7 +405,7 @@ def marks_in(lines: Iterable[Mapping[str, Any]]) -> Iterator[Mark]:
             yield Mark(line["t"], "emotion", str(line["args"][0]))
 
 
-def _activations(history: History, when: str) -> Iterator[Mark]:
+def _activations(history: EventHistory, when: str) -> Iterator[Mark]:
     active = False
     for event, on in switches(history, when):
         if on and not active:

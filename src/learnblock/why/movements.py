@@ -5,7 +5,7 @@ from math import dist
 from typing import Any
 
 from learnblock.why.actions import LONG_AGO, Actions
-from learnblock.why.history import History
+from learnblock.why.history import EventHistory
 from learnblock.why.inquiry import Inquiry
 from learnblock.why.run_end import RunEnd
 from learnblock.why.whole_run import WholeRun
@@ -30,7 +30,7 @@ class Movements:
     def __init__(
         self, inquiry: Inquiry, *, run_end: RunEnd, actions: Actions, whole_run: WholeRun
     ) -> None:
-        self._history: History = inquiry.history
+        self._history: EventHistory = inquiry.history
         self._position = inquiry.position
         self._commands = inquiry.commands
         self._draft = inquiry.draft

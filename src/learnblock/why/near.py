@@ -5,8 +5,8 @@ from difflib import SequenceMatcher
 from itertools import chain
 
 from learnblock.i18n import languages, translate
-from learnblock.why.history import History
-from learnblock.why.questions import Ask, Question, questions
+from learnblock.why.history import EventHistory
+from learnblock.why.questions import Question, QuestionKind, questions
 from learnblock.why.vocabulary import Concept, concept, corrected, plain, words
 
 #: The number of questions offered.
@@ -16,7 +16,7 @@ _VAGUE = frozenset({None, Concept.FILLER, Concept.NOT})
 _OF_LETTERS = 0.5
 
 
-def nearest(text: str, history: History) -> tuple[Question, ...]:
+def nearest(text: str, history: EventHistory) -> tuple[Question, ...]:
     """The three questions about a run most similar to a text."""
     question_words = [corrected(word) for word in words(plain(text))]
     meant = {concept(word) for word in question_words} - _VAGUE
@@ -28,9 +28,12 @@ def nearest(text: str, history: History) -> tuple[Question, ...]:
         letters = max(SequenceMatcher(None, written, wording).ratio() for wording in texts)
         return len(meant & concepts) + _OF_LETTERS * letters
 
-    general = (Question(Ask.NOW, "", round(history.end, 2)), Question(Ask.NOTHING))
+    general = (
+        Question(QuestionKind.NOW, "", round(history.end, 2)),
+        Question(QuestionKind.NOTHING),
+    )
     # One about each subject: the first time.
-    by_subject: dict[tuple[Ask, str], Question] = {}
+    by_subject: dict[tuple[QuestionKind, str], Question] = {}
     for question in chain(questions(history), general):
         by_subject.setdefault((question.ask, question.subject), question)
     ranked = sorted(by_subject.values(), key=likeness, reverse=True)

@@ -5,7 +5,7 @@ from collections import Counter
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import LOOPS, Kind, Node
 from learnblock.why.causes import Causes
-from learnblock.why.history import History
+from learnblock.why.history import EventHistory
 from learnblock.why.inquiry import Inquiry
 from learnblock.why.position import LONG
 from learnblock.why.run_end import RunEnd
@@ -33,7 +33,7 @@ class Omissions:
     """
 
     def __init__(self, inquiry: Inquiry, *, causes: Causes, run_end: RunEnd, waits: Waits) -> None:
-        self._history: History = inquiry.history
+        self._history: EventHistory = inquiry.history
         self._slices = inquiry.slices
         self._readings = inquiry.readings
         self._position = inquiry.position

@@ -11,12 +11,12 @@ from learnblock.i18n import Phrase, languages, translate
 from learnblock.i18n.names import goal_phrase
 from learnblock.runtime.log.nodes import Kind, Node
 from learnblock.why import mentions, wording
-from learnblock.why.history import History
+from learnblock.why.history import EventHistory
 from learnblock.why.meaning import Meaning, SentenceReader, main_part
 from learnblock.why.near import nearest
 from learnblock.why.places import place_time
-from learnblock.why.questions import Ask, Question, askable, questions
-from learnblock.why.spans import Span, take_span
+from learnblock.why.questions import Question, QuestionKind, askable, questions
+from learnblock.why.spans import RunSpan, take_span
 from learnblock.why.vocabulary import Concept, concept, corrected, forms, plain, words
 
 _LINE = re.compile(rf"\b{forms('line')}\s+(\d+)\b")
@@ -35,15 +35,15 @@ _QUOTES = re.compile(r"[\"'“”«»]")
 #: After a name that is also a word, as in "drive backwards", these make it a name.
 _ABOUT_WHEN = re.compile(rf"^{forms('about_when')}\b")
 _NEGATED = {
-    Ask.MOVEMENT: Ask.NOT_MOVEMENT,
-    Ask.SKILL: Ask.NOT_SKILL,
-    Ask.PRINT: Ask.NOT_PRINT,
-    Ask.WHEN: Ask.NOT_WHEN,
-    Ask.LINE: Ask.NOT_LINE,
+    QuestionKind.MOVEMENT: QuestionKind.NOT_MOVEMENT,
+    QuestionKind.SKILL: QuestionKind.NOT_SKILL,
+    QuestionKind.PRINT: QuestionKind.NOT_PRINT,
+    QuestionKind.WHEN: QuestionKind.NOT_WHEN,
+    QuestionKind.LINE: QuestionKind.NOT_LINE,
 }
 
 
-def parse(text: str, history: History) -> Question:
+def parse(text: str, history: EventHistory) -> Question:
     """The question that a text asks about a run.
 
     Raises:
@@ -55,16 +55,16 @@ def parse(text: str, history: History) -> Question:
 class _Parsing:
     """Parses one question."""
 
-    def __init__(self, text: str, history: History) -> None:
+    def __init__(self, text: str, history: EventHistory) -> None:
         self._text = text
         self._history = history
         written = plain(text)
         self._span, self._without_time = take_span(written)
-        if self._span == Span():
+        if self._span == RunSpan():
             # Perhaps there is a typo in "between".
             corrected_text = " ".join(map(self._corrected, written.split()))
             span, without = take_span(corrected_text)
-            if span != Span():
+            if span != RunSpan():
                 self._span, self._without_time = span, without
         self._is_negative = bool(_NOT.search(self._without_time))
         self._rest = _without_opening(_QUOTES.sub(" ", _NOT.sub(" ", self._without_time)))
@@ -88,16 +88,16 @@ class _Parsing:
             if parsed is not None:
                 return parsed
         if not self._rest and self._span.time is not None:
-            return self._about(Ask.NOW)
+            return self._about(QuestionKind.NOW)
         first, second, third = (question.phrase for question in nearest(self._text, self._history))
         raise LearnBlockError(
             "why-not-understood", question=self._text, first=first, second=second, third=third
         )
 
-    def _about(self, ask: Ask, subject: str = "") -> Question:
+    def _about(self, ask: QuestionKind, subject: str = "") -> Question:
         return Question(ask, subject, self._span.time, self._span.since)
 
-    def _signed(self, ask: Ask, subject: str) -> Question:
+    def _signed(self, ask: QuestionKind, subject: str) -> Question:
         return self._about(_NEGATED.get(ask, ask) if self._is_negative else ask, subject)
 
     # In fixed words.
@@ -114,11 +114,11 @@ class _Parsing:
     def _now(self) -> Question | None:
         if not _NOW.search(self._without_time):
             return None
-        return self._question_of(Meaning(Ask.NOW))
+        return self._question_of(Meaning(QuestionKind.NOW))
 
     def _line(self) -> Question | None:
         line = _LINE.search(self._rest)
-        return self._signed(Ask.LINE, line[1]) if line else None
+        return self._signed(QuestionKind.LINE, line[1]) if line else None
 
     def _named(self) -> Question | None:
         """A `when` or a variable."""
@@ -136,9 +136,9 @@ class _Parsing:
                 continue
             when = name if name in whens else _STATES.sub("", name)
             if when in whens and not stated:
-                return self._signed(Ask.WHEN, whens[when])
+                return self._signed(QuestionKind.WHEN, whens[when])
             if name in names:
-                return self._about(Ask.VALUE, names[name])
+                return self._about(QuestionKind.VALUE, names[name])
         return None
 
     def _is_about(self, name: str) -> bool:
@@ -162,7 +162,7 @@ class _Parsing:
             return None
         first = re.sub(r"\(.*\)", "", self._rest).removeprefix("function.")
         name = called.get(first.removeprefix("robot.")) or skills.get(first.removeprefix("robot."))
-        return self._signed(Ask.SKILL, name) if name else None
+        return self._signed(QuestionKind.SKILL, name) if name else None
 
     def _calls(self) -> list[Node]:
         nodes = self._history.nodes
@@ -174,15 +174,15 @@ class _Parsing:
         if not verb or self._is_said(quoted[1] if quoted else self._rest[verb.end() :]):
             return None
         if quoted and quoted[1] in self._printed and not self._is_negative:
-            return self._about(Ask.PRINTED, quoted[1])
+            return self._about(QuestionKind.PRINTED, quoted[1])
         subject = quoted[1] if quoted else self._rest[verb.end() :]
         is_known = quoted or not subject or any(plain(subject) in text for text in self._texts())
-        return self._signed(Ask.PRINT, subject) if is_known else None
+        return self._signed(QuestionKind.PRINT, subject) if is_known else None
 
     def _print_of_unknown(self) -> Question | None:
         """A text that no line prints: the answer says so."""
         verb = _PRINTS.match(self._rest)
-        return self._signed(Ask.PRINT, self._rest[verb.end() :]) if verb else None
+        return self._signed(QuestionKind.PRINT, self._rest[verb.end() :]) if verb else None
 
     def _texts(self) -> Iterator[str]:
         """The texts in the lines that print, and what they printed."""
@@ -212,7 +212,7 @@ class _Parsing:
                 names |= {translate(phrase, language) for language in languages()}
             if rest and rest in map(plain, names):
                 is_reached = goal.get("state") == "reached" and not self._is_negative
-                return self._about(Ask.REACHED if is_reached else Ask.GOAL, name)
+                return self._about(QuestionKind.REACHED if is_reached else QuestionKind.GOAL, name)
         return None
 
     def _label(self) -> Question | None:
@@ -233,7 +233,7 @@ class _Parsing:
             return None
         for text in (self._rest, f"look {self._rest}"):
             if text in by_words:
-                return self._signed(Ask.SKILL, by_words[text])
+                return self._signed(QuestionKind.SKILL, by_words[text])
         return None
 
     # In plain sentences.
@@ -272,7 +272,11 @@ class _Parsing:
         if meaning.is_first:
             return self._first(question)
         time = place_time(self._history, self._without_time)
-        return question if time is None or meaning.ask is Ask.BUMP else replace(question, time=time)
+        return (
+            question
+            if time is None or meaning.ask is QuestionKind.BUMP
+            else replace(question, time=time)
+        )
 
     def _first(self, question: Question) -> Question:
         """A question about the first time that something happened."""
@@ -294,40 +298,44 @@ class _Parsing:
             return False
         says = Concept.SAY in concepts or (Concept.SHOW in concepts and meaning is None)
         return Concept.PRINT in concepts or (
-            says and (meaning is None or meaning.ask is not Ask.BUMP)
+            says and (meaning is None or meaning.ask is not QuestionKind.BUMP)
         )
 
     def _about_print(self) -> Question | None:
         wanted = mentions.content(self._reader.tokens)
         if self._reader.is_negative:
-            return self._about(Ask.NOT_PRINT, mentions.print_with(self._history, wanted) or "")
+            return self._about(
+                QuestionKind.NOT_PRINT, mentions.print_with(self._history, wanted) or ""
+            )
         printed = mentions.printed_text(self._history, wanted)
         if printed is not None:
-            return self._about(Ask.PRINTED, printed)
-        return self._about(Ask.PRINT, mentions.print_with(self._history, wanted) or "")
+            return self._about(QuestionKind.PRINTED, printed)
+        return self._about(QuestionKind.PRINT, mentions.print_with(self._history, wanted) or "")
 
     def _mentioned(self) -> Question | None:
         """The parts of the program that the words mention."""
         reader = self._reader
         name = mentions.variable_with(self._history, reader.tokens)
         if name is not None:
-            return self._about(Ask.VALUE, name)
+            return self._about(QuestionKind.VALUE, name)
         if (when := mentions.when_with(self._history, reader.tokens)) is not None:
-            return self._about(Ask.NOT_WHEN if reader.is_negative else Ask.WHEN, when)
+            return self._about(
+                QuestionKind.NOT_WHEN if reader.is_negative else QuestionKind.WHEN, when
+            )
         printed = mentions.printed_text(self._history, mentions.names_in(reader.tokens))
         if printed is not None and not reader.is_negative:
-            return self._about(Ask.PRINTED, printed)
+            return self._about(QuestionKind.PRINTED, printed)
         number = mentions.line_with(self._history, mentions.names_in(reader.tokens))
         if number is not None:
-            ask = Ask.NOT_LINE if reader.is_negative else Ask.LINE
+            ask = QuestionKind.NOT_LINE if reader.is_negative else QuestionKind.LINE
             return self._about(ask, str(self._history.line(number)))
         is_endless = Concept.KEEP in reader.concepts and not reader.unknown
-        return self._about(Ask.NOT_END) if is_endless else None
+        return self._about(QuestionKind.NOT_END) if is_endless else None
 
     def _at_place(self) -> Question | None:
         """A place alone: what the robot did when it was there."""
         time = place_time(self._history, self._without_time)
-        return None if time is None else replace(self._about(Ask.NOW), time=time)
+        return None if time is None else replace(self._about(QuestionKind.NOW), time=time)
 
 
 def _words_of(name: str) -> Iterator[str]:

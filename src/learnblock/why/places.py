@@ -3,7 +3,7 @@
 import re
 
 from learnblock.runtime.log.events import Op
-from learnblock.why.history import History
+from learnblock.why.history import EventHistory
 from learnblock.why.vocabulary import Concept, concept, forms, plain, words
 from learnblock.why.wording import unpacked
 
@@ -12,7 +12,7 @@ _PLACE = re.compile(rf"\b{forms('place')} (?:{forms('article')} )?(\w+)")
 _NEAR = 200.0
 
 
-def place_time(history: History, text: str) -> float | None:
+def place_time(history: EventHistory, text: str) -> float | None:
     """When the robot first was at the place that a plain text names, in s; None for no place."""
     place = _PLACE.search(text)
     name = words(place[1])[-1] if place and words(place[1]) else ""
@@ -25,7 +25,7 @@ def place_time(history: History, text: str) -> float | None:
     return _nearest(history) if concept(name) is Concept.WALL else None
 
 
-def _nearest(history: History) -> float | None:
+def _nearest(history: EventHistory) -> float | None:
     """When the front sensor first measured least; None if it saw nothing near."""
     readings: list[tuple[float, float]] = []
     for index, event in enumerate(history.events):

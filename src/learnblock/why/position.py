@@ -5,7 +5,7 @@ from bisect import bisect_right
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import LOOPS, Kind, Node
 from learnblock.runtime.log.noting import TICK
-from learnblock.why.history import Frame, History, SkillUse
+from learnblock.why.history import CalledSkill, EventHistory, Frame
 from learnblock.why.shapes import OF_NODES
 from learnblock.why.slices import Slices
 
@@ -24,7 +24,7 @@ class Position:
     """
 
     def __init__(self, slices: Slices) -> None:
-        self._history: History = slices.history
+        self._history: EventHistory = slices.history
         self._slices = slices
 
     def jump_before(self, number: int, frame: Frame | None, since: int, until: int) -> int:
@@ -140,7 +140,7 @@ class Position:
             return False
         return self._history.value(decision) is not False
 
-    def running(self, until: int) -> SkillUse | None:
+    def running(self, until: int) -> CalledSkill | None:
         """The skill in which a program had been for long at an event; None if there was none."""
         for use in self._history.uses_back_from(until):
             if self.is_over(use) and use.ended <= until:
@@ -149,7 +149,7 @@ class Position:
             return use if took > LONG else None
         return None
 
-    def lasted_before(self, use: SkillUse, call: int) -> SkillUse | None:
+    def lasted_before(self, use: CalledSkill, call: int) -> CalledSkill | None:
         """The use of a skill that ended when another began, and took time; None if none did.
 
         Only one before the other in the same block: it decides when the other one begins.
@@ -166,15 +166,15 @@ class Position:
             return before if is_beside and is_ahead and before.frame is use.frame else None
         return None
 
-    def is_over(self, use: SkillUse) -> bool:
+    def is_over(self, use: CalledSkill) -> bool:
         """Whether a skill ended, and not the run before it."""
         return use.result >= 0 and use.ended >= 0
 
-    def end(self, use: SkillUse) -> float:
+    def end(self, use: CalledSkill) -> float:
         """When a skill ended, in s; if it did not, the end of the run."""
         return self._history.time(use.ended) if self.is_over(use) else self._history.end
 
-    def call_of(self, use: SkillUse) -> int:
+    def call_of(self, use: CalledSkill) -> int:
         """The node of a skill's call, also while it lasts; -1 if it is unknown."""
         if use.node >= 0:
             return use.node
@@ -187,7 +187,7 @@ class Position:
         lasting = self._line_of_last(calls, use) if not self.is_over(use) else []
         return next(iter([*lasting, *likely, *calls]), -1)
 
-    def _line_of_last(self, calls: list[int], use: SkillUse) -> list[int]:
+    def _line_of_last(self, calls: list[int], use: CalledSkill) -> list[int]:
         """The calls in the line that a skill began in: no line has begun since, as it lasts."""
         ran = self._history.recorded.ran
         begun = bisect_right(ran, (self._history.time(use.begun) + TICK, 0))
@@ -198,7 +198,7 @@ class Position:
     def _is_in(line: int, node: Node) -> bool:
         return node.line <= line <= node.end
 
-    def _is_likely(self, number: int, use: SkillUse) -> bool:
+    def _is_likely(self, number: int, use: CalledSkill) -> bool:
         """Whether the condition of a call held when a skill began."""
         history, node = self._history, self._history.nodes[number]
         if node.control < 0:

@@ -7,7 +7,7 @@ from enum import StrEnum
 from learnblock.i18n import Phrase, Value
 from learnblock.i18n.names import goal_phrase
 from learnblock.runtime.log.nodes import Kind, Node
-from learnblock.why.history import History, SkillUse
+from learnblock.why.history import CalledSkill, EventHistory
 from learnblock.why.slices import movements
 from learnblock.why.steering import movement_of, written_values
 from learnblock.why.wording import (
@@ -26,7 +26,7 @@ _UNSEEN = frozenset({"run", "activate", "deactivate", "Robot", "wait_until", "wh
 _LONG_AGO = 1.0
 
 
-class Ask(StrEnum):
+class QuestionKind(StrEnum):
     """The kinds of questions."""
 
     #: Why did the robot move this way? The subject is a movement.
@@ -74,43 +74,46 @@ class Ask(StrEnum):
 
 
 _CODES = {
-    Ask.MOVEMENT: "why-ask-movement",
-    Ask.NOT_MOVEMENT: "why-ask-not-movement",
-    Ask.SKILL: "why-ask-skill",
-    Ask.NOT_SKILL: "why-ask-not-skill",
-    Ask.PRINT: "why-ask-print",
-    Ask.NOT_PRINT: "why-ask-not-print",
-    Ask.PRINTED: "why-ask-printed",
-    Ask.WHEN: "why-ask-when",
-    Ask.NOT_WHEN: "why-ask-not-when",
-    Ask.LINE: "why-ask-line",
-    Ask.NOT_LINE: "why-ask-not-line",
-    Ask.VALUE: "why-ask-value",
-    Ask.GOAL: "why-ask-goal",
-    Ask.REACHED: "why-ask-reached",
-    Ask.EMOTION: "why-ask-emotion",
-    Ask.END: "why-ask-end",
-    Ask.NOT_END: "why-ask-not-end",
-    Ask.NOTHING: "why-ask-nothing",
-    Ask.LONG: "why-ask-long",
-    Ask.SPEED: "why-ask-speed",
-    Ask.LOST: "why-ask-lost",
-    Ask.FALL: "why-ask-fall",
-    Ask.BUMP: "why-ask-bump",
-    Ask.NOW: "why-ask-now",
+    QuestionKind.MOVEMENT: "why-ask-movement",
+    QuestionKind.NOT_MOVEMENT: "why-ask-not-movement",
+    QuestionKind.SKILL: "why-ask-skill",
+    QuestionKind.NOT_SKILL: "why-ask-not-skill",
+    QuestionKind.PRINT: "why-ask-print",
+    QuestionKind.NOT_PRINT: "why-ask-not-print",
+    QuestionKind.PRINTED: "why-ask-printed",
+    QuestionKind.WHEN: "why-ask-when",
+    QuestionKind.NOT_WHEN: "why-ask-not-when",
+    QuestionKind.LINE: "why-ask-line",
+    QuestionKind.NOT_LINE: "why-ask-not-line",
+    QuestionKind.VALUE: "why-ask-value",
+    QuestionKind.GOAL: "why-ask-goal",
+    QuestionKind.REACHED: "why-ask-reached",
+    QuestionKind.EMOTION: "why-ask-emotion",
+    QuestionKind.END: "why-ask-end",
+    QuestionKind.NOT_END: "why-ask-not-end",
+    QuestionKind.NOTHING: "why-ask-nothing",
+    QuestionKind.LONG: "why-ask-long",
+    QuestionKind.SPEED: "why-ask-speed",
+    QuestionKind.LOST: "why-ask-lost",
+    QuestionKind.FALL: "why-ask-fall",
+    QuestionKind.BUMP: "why-ask-bump",
+    QuestionKind.NOW: "why-ask-now",
 }
 
 
 #: Those that need no subject.
 _CODES_OF_ANY = {
-    Ask.PRINT: "why-ask-print-any",
-    Ask.NOT_PRINT: "why-ask-not-print-any",
-    Ask.GOAL: "why-ask-goal-any",
-    Ask.REACHED: "why-ask-reached-any",
-    Ask.BUMP: "why-ask-bump-any",
+    QuestionKind.PRINT: "why-ask-print-any",
+    QuestionKind.NOT_PRINT: "why-ask-not-print-any",
+    QuestionKind.GOAL: "why-ask-goal-any",
+    QuestionKind.REACHED: "why-ask-reached-any",
+    QuestionKind.BUMP: "why-ask-bump-any",
 }
 #: Those with a subject that may be a text instead of a line.
-_CODES_OF_TEXT = {Ask.PRINT: "why-ask-print-text", Ask.NOT_PRINT: "why-ask-not-print-text"}
+_CODES_OF_TEXT = {
+    QuestionKind.PRINT: "why-ask-print-text",
+    QuestionKind.NOT_PRINT: "why-ask-not-print-text",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,7 +127,7 @@ class Question:
         since: the start of the time in question, in s; None for a moment or the whole run.
     """
 
-    ask: Ask
+    ask: QuestionKind
     subject: str = ""
     time: float | None = None
     since: float | None = None
@@ -151,20 +154,23 @@ class Question:
         return _CODES[self.ask]
 
     def _subject(self) -> Value:
-        if self.ask in (Ask.MOVEMENT, Ask.NOT_MOVEMENT, Ask.LONG) and self.subject in MOVEMENTS:
+        if (
+            self.ask in (QuestionKind.MOVEMENT, QuestionKind.NOT_MOVEMENT, QuestionKind.LONG)
+            and self.subject in MOVEMENTS
+        ):
             return movement_phrase(self.subject)
-        if self.ask in (Ask.SKILL, Ask.NOT_SKILL):
+        if self.ask in (QuestionKind.SKILL, QuestionKind.NOT_SKILL):
             return self.skill or skill_phrase(self.subject)
-        if self.ask is Ask.BUMP:
+        if self.ask is QuestionKind.BUMP:
             return thing_phrase(self.subject)
-        if self.ask in (Ask.GOAL, Ask.REACHED):
+        if self.ask in (QuestionKind.GOAL, QuestionKind.REACHED):
             return goal_phrase(self.subject)
-        if self.ask is Ask.EMOTION:
+        if self.ask is QuestionKind.EMOTION:
             return Phrase("why-emotion", emotion=self.subject)
         return self.subject
 
 
-def questions(history: History) -> tuple[Question, ...]:
+def questions(history: EventHistory) -> tuple[Question, ...]:
     """What can be asked about a run, in the order of the page: what happened, what did not."""
     listed = [
         *_movements(history),
@@ -181,28 +187,30 @@ def questions(history: History) -> tuple[Question, ...]:
     return tuple(dict.fromkeys(listed))
 
 
-def questions_about_moment(history: History, time: float) -> tuple[Question, ...]:
+def questions_about_moment(history: EventHistory, time: float) -> tuple[Question, ...]:
     """What can be asked about the robot at a time in s: what it was doing, and what it was not."""
     time = round(min(time, history.end), 2)
     commands = [index for index in movements(history) if history.time(index) <= time]
     moving = movement(*history.arguments(commands[-1])[:2]) if commands else _at_first(history)
-    listed = [Question(Ask.NOW, "", time)]
+    listed = [Question(QuestionKind.NOW, "", time)]
     if moving:
-        listed.append(Question(Ask.MOVEMENT, moving, time))
+        listed.append(Question(QuestionKind.MOVEMENT, moving, time))
     listed += [
-        Question(Ask.NOT_MOVEMENT, name, time) for name in _possible(history) if name != moving
+        Question(QuestionKind.NOT_MOVEMENT, name, time)
+        for name in _possible(history)
+        if name != moving
     ]
     steering = _steering_skills(history)
     listed += [
         replace(question, time=time)
         for question in _skills(history)
-        if question.ask is Ask.NOT_SKILL and question.subject not in steering
+        if question.ask is QuestionKind.NOT_SKILL and question.subject not in steering
     ]
     listed += [Question(question.ask, question.subject, time) for question in _whens(history)]
     return tuple(dict.fromkeys(listed))
 
 
-def with_values(history: History, question: Question) -> Question:
+def with_values(history: EventHistory, question: Question) -> Question:
     """A question that names its skill with the values of its call."""
     for candidate in _skills(history):
         if (candidate.ask, candidate.subject) == (question.ask, question.subject):
@@ -210,40 +218,44 @@ def with_values(history: History, question: Question) -> Question:
     return question
 
 
-def _at_first(history: History) -> str:
+def _at_first(history: EventHistory) -> str:
     """The movement before the first command; without wheels there is none to ask about."""
     return STAND if any(_possible(history)) else ""
 
 
-def askable(history: History) -> Iterator[Question]:
+def askable(history: EventHistory) -> Iterator[Question]:
     """All questions for a list, without times, except those about printed texts."""
     yield from (replace(question, time=None) for question in questions(history))
-    subjects: dict[tuple[Ask, Ask], Iterable[str]] = {
-        (Ask.MOVEMENT, Ask.NOT_MOVEMENT): MOVEMENTS,
-        (Ask.SKILL, Ask.NOT_SKILL): _calls(history),
-        (Ask.WHEN, Ask.NOT_WHEN): (node.name for node in history.nodes if node.is_when),
-        (Ask.PRINT, Ask.NOT_PRINT): (question.subject for question in _prints(history)),
-        (Ask.LINE, Ask.NOT_LINE): map(str, _runs_of_lines(history)),
+    subjects: dict[tuple[QuestionKind, QuestionKind], Iterable[str]] = {
+        (QuestionKind.MOVEMENT, QuestionKind.NOT_MOVEMENT): MOVEMENTS,
+        (QuestionKind.SKILL, QuestionKind.NOT_SKILL): _calls(history),
+        (QuestionKind.WHEN, QuestionKind.NOT_WHEN): (
+            node.name for node in history.nodes if node.is_when
+        ),
+        (QuestionKind.PRINT, QuestionKind.NOT_PRINT): (
+            question.subject for question in _prints(history)
+        ),
+        (QuestionKind.LINE, QuestionKind.NOT_LINE): map(str, _runs_of_lines(history)),
     }
     for (why, why_not), named in subjects.items():
         for subject in named:
             yield Question(why, subject)
             yield Question(why_not, subject)
-    yield from (Question(ask) for ask in (*_CODES_OF_ANY, Ask.NOW))
+    yield from (Question(ask) for ask in (*_CODES_OF_ANY, QuestionKind.NOW))
 
 
-def _possible(history: History) -> Iterable[str]:
+def _possible(history: EventHistory) -> Iterable[str]:
     """The movements that the program could make, in the order of its lines."""
     names = [movement_of(node) for node in history.nodes if node.base == "robot"]
     return dict.fromkeys(name for name in names if name)
 
 
-def _steering_skills(history: History) -> frozenset[str]:
+def _steering_skills(history: EventHistory) -> frozenset[str]:
     return frozenset(node.name for node in history.nodes if movement_of(node))
 
 
 def questions_about_lines(
-    history: History, lines: Container[str], time: float | None
+    history: EventHistory, lines: Container[str], time: float | None
 ) -> tuple[Question, ...]:
     """What can be asked about some lines at a time in s: why they ran last, or why they did not.
 
@@ -259,25 +271,25 @@ def questions_about_lines(
             continue
         before = [time_ran for time_ran in map(history.time, ran) if time_ran <= until]
         if before:
-            listed.append(Question(Ask.LINE, str(line), max(before)))
+            listed.append(Question(QuestionKind.LINE, str(line), max(before)))
         if not before or max(before) < until - _LONG_AGO:
-            listed.append(Question(Ask.NOT_LINE, str(line), round(until, 2)))
+            listed.append(Question(QuestionKind.NOT_LINE, str(line), round(until, 2)))
     return tuple(listed)
 
 
-def _movements(history: History) -> Iterator[Question]:
+def _movements(history: EventHistory) -> Iterator[Question]:
     """Each change of the robot's movement."""
     before = ""
     for index in movements(history):
         advance, rotation = history.arguments(index)[:2]
         name = movement(advance, rotation)
         if name != before:
-            yield Question(Ask.MOVEMENT, name, history.time(index))
+            yield Question(QuestionKind.MOVEMENT, name, history.time(index))
         before = name
 
 
-def _skills(history: History) -> Iterator[Question]:
-    ran: dict[str, SkillUse] = {}
+def _skills(history: EventHistory) -> Iterator[Question]:
+    ran: dict[str, CalledSkill] = {}
     for use in history.own_uses:
         ran.setdefault(use.name, use)
     for name, call in _calls(history).items():
@@ -287,11 +299,11 @@ def _skills(history: History) -> Iterator[Question]:
         written = skill_phrase(name, written_values(call.text))
         if name in ran:
             phrase, time = skill_phrase(name, ran[name].args), history.time(ran[name].begun)
-            yield Question(Ask.SKILL, name, time, skill=phrase)
-        yield Question(Ask.NOT_SKILL, name, round(history.end, 2), skill=written)
+            yield Question(QuestionKind.SKILL, name, time, skill=phrase)
+        yield Question(QuestionKind.NOT_SKILL, name, round(history.end, 2), skill=written)
 
 
-def _calls(history: History) -> dict[str, Node]:
+def _calls(history: EventHistory) -> dict[str, Node]:
     """The skills that the program uses, each with its first call."""
     first_calls: dict[str, Node] = {}
     for node in history.nodes:
@@ -300,67 +312,69 @@ def _calls(history: History) -> dict[str, Node]:
     return first_calls
 
 
-def _whens(history: History) -> Iterator[Question]:
+def _whens(history: EventHistory) -> Iterator[Question]:
     for number, node in enumerate(history.nodes):
         if node.is_when:
             ran = history.of_node.get(number)
             if ran:
-                yield Question(Ask.WHEN, node.name, history.time(ran[0]))
-            yield Question(Ask.NOT_WHEN, node.name, round(history.end, 2))
+                yield Question(QuestionKind.WHEN, node.name, history.time(ran[0]))
+            yield Question(QuestionKind.NOT_WHEN, node.name, round(history.end, 2))
 
 
-def _prints(history: History) -> Iterator[Question]:
+def _prints(history: EventHistory) -> Iterator[Question]:
     for number, node in enumerate(history.nodes):
         if node.kind is Kind.CALL and node.name == "print" and not node.base:
             line = str(history.line(number))
             if ran := history.of_node.get(number):
-                yield Question(Ask.PRINT, line, history.time(ran[0]))
+                yield Question(QuestionKind.PRINT, line, history.time(ran[0]))
             else:
-                yield Question(Ask.NOT_PRINT, line, round(history.end, 2))
+                yield Question(QuestionKind.NOT_PRINT, line, round(history.end, 2))
 
 
-def _values(history: History) -> Iterator[Question]:
+def _values(history: EventHistory) -> Iterator[Question]:
     for name, writes in history.writes.items():
         if writes and name not in ("robot", "_"):
-            yield Question(Ask.VALUE, name, history.time(writes[-1]))
+            yield Question(QuestionKind.VALUE, name, history.time(writes[-1]))
 
 
-def _bumps(history: History) -> Iterator[Question]:
+def _bumps(history: EventHistory) -> Iterator[Question]:
     for line in history.recorded.lines:
         if "bump" in line:
-            yield Question(Ask.BUMP, str(line["bump"]), round(line.get("t", 0.0), 2))
+            yield Question(QuestionKind.BUMP, str(line["bump"]), round(line.get("t", 0.0), 2))
 
 
-def _emotions(history: History) -> Iterator[Question]:
+def _emotions(history: EventHistory) -> Iterator[Question]:
     for line in history.recorded.lines:
         if line.get("do") == "show_emotion":
-            yield Question(Ask.EMOTION, str(line["args"][0]), round(line.get("t", 0.0), 2))
+            yield Question(QuestionKind.EMOTION, str(line["args"][0]), round(line.get("t", 0.0), 2))
 
 
-def _goals(history: History) -> Iterator[Question]:
+def _goals(history: EventHistory) -> Iterator[Question]:
     for goal in history.recorded.ending.get("goals") or ():
         is_reached = goal.get("state") == "reached"
-        yield Question(Ask.REACHED if is_reached else Ask.GOAL, str(goal.get("name")))
+        yield Question(
+            QuestionKind.REACHED if is_reached else QuestionKind.GOAL, str(goal.get("name"))
+        )
 
 
-def _endings(history: History) -> Iterator[Question]:
+def _endings(history: EventHistory) -> Iterator[Question]:
     """Why it ended; for a run in progress or a stopped one, why it did not."""
     ended = history.recorded.ending.get("ended")
     if ended:
-        yield Question(Ask.END, "", round(history.end, 2))
+        yield Question(QuestionKind.END, "", round(history.end, 2))
     if ended not in ("finished", "error"):
-        yield Question(Ask.NOT_END, "", round(history.end, 2))
+        yield Question(QuestionKind.NOT_END, "", round(history.end, 2))
 
 
-def _lines(history: History) -> Iterator[Question]:
+def _lines(history: EventHistory) -> Iterator[Question]:
     for line, ran in sorted(_runs_of_lines(history).items()):
         if ran:
-            yield Question(Ask.LINE, str(line), history.time(min(ran)))
+            yield Question(QuestionKind.LINE, str(line), history.time(min(ran)))
         else:
-            yield Question(Ask.NOT_LINE, str(line), round(history.end, 2))
+            yield Question(QuestionKind.NOT_LINE, str(line), round(history.end, 2))
 
 
-def _runs_of_lines(history: History) -> dict[int, list[int]]:
+def _runs_of_lines(history: EventHistory) -> dict[int, list[int]]:
     """By line of the author's, the events of its nodes."""
     runs: dict[int, list[int]] = {}
     for number in range(len(history.nodes)):

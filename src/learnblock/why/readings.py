@@ -9,7 +9,7 @@ from learnblock.language.check.robots import need_phrase
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import Kind
 from learnblock.why.decimals import FEW, decimals, is_compared_exactly
-from learnblock.why.history import History, SkillUse
+from learnblock.why.history import CalledSkill, EventHistory
 from learnblock.why.slices import Slices
 from learnblock.why.things import thing_at
 from learnblock.why.wording import answer_phrase, blocks, skill_phrase, unpacked, value_phrase
@@ -31,7 +31,7 @@ class Readings:
     """
 
     def __init__(self, slices: Slices) -> None:
-        self._history: History = slices.history
+        self._history: EventHistory = slices.history
         self._slices = slices
         self._of_device: dict[str, list[int]] = defaultdict(list)
         for index, event in enumerate(self._history.events):
@@ -84,7 +84,7 @@ class Readings:
             return Phrase("why-own-gave", name=node.name, value=value_phrase(value, count))
         return None
 
-    def answered(self, use: SkillUse, result: int, count: int = FEW) -> Phrase:
+    def answered(self, use: CalledSkill, result: int, count: int = FEW) -> Phrase:
         """The answer of a skill in words, with this many decimals."""
         value = self._history.value(result)
         if use.missing:
@@ -102,7 +102,7 @@ class Readings:
             )
         )
 
-    def _measured(self, use: SkillUse, result: int) -> Phrase | None:
+    def _measured(self, use: CalledSkill, result: int) -> Phrase | None:
         """The reading behind an answer; None if it is not one of a sensor."""
         block = blocks().get(use.name)
         needs = block.needs if block else ()
@@ -135,7 +135,7 @@ class Readings:
                     distances.append((*near, part))
         return min(distances, default=None)
 
-    def _nearest(self, use: SkillUse, result: int) -> tuple[float, str] | None:
+    def _nearest(self, use: CalledSkill, result: int) -> tuple[float, str] | None:
         block = blocks().get(use.name)
         needs = block.needs if block else ()
         sides = [need.removeprefix("obstacle-") for need in needs if need.startswith("obstacle-")]
@@ -150,7 +150,7 @@ class Readings:
         ]
         return min(distances, default=None)
 
-    def _distance(self, use: SkillUse, result: int) -> Phrase | None:
+    def _distance(self, use: CalledSkill, result: int) -> Phrase | None:
         near = self._nearest(use, result)
         if near is None:
             return None
@@ -201,7 +201,7 @@ class Readings:
             return Phrase("why-saw-no-tag")
         return Phrase("why-saw-tags", tags=tuple(numbers))
 
-    def _time_asked(self, use: SkillUse, result: int) -> Phrase | None:
+    def _time_asked(self, use: CalledSkill, result: int) -> Phrase | None:
         if use.name != "elapsedTime" or not use.args or not _is_number(use.args[0]):
             return None
         time, limit = self._history.time(result), use.args[0]
@@ -212,7 +212,7 @@ class Readings:
             limit=limit,
         )
 
-    def _reading(self, device: str, use: SkillUse | None, before: int) -> int | None:
+    def _reading(self, device: str, use: CalledSkill | None, before: int) -> int | None:
         """The reading of a device that a skill used: its own, or the newest one of that moment."""
         own = [
             index
@@ -225,7 +225,7 @@ class Readings:
         return last if last >= 0 else None
 
 
-def _limit(use: SkillUse) -> float | None:
+def _limit(use: CalledSkill) -> float | None:
     """The distance in mm within which an obstacle counts."""
     block = blocks().get(use.name)
     for index, parameter in enumerate(block.parameters if block else ()):

@@ -10,7 +10,7 @@ import msgspec
 
 from learnblock.errors import LearnBlockError
 from learnblock.language.python.source_map import SourceMap
-from learnblock.runtime.log.blocks import MAGIC, Block, Stream, stored
+from learnblock.runtime.log.blocks import MAGIC, EventBlock, EventStream, stored
 from learnblock.runtime.log.events import Event
 from learnblock.runtime.log.nodes import Node
 from learnblock.runtime.program import Program
@@ -56,24 +56,24 @@ class Recorded:
     team: tuple[dict[str, Any], ...] = ()
 
     @classmethod
-    def of(cls, blocks: Iterable[Block]) -> "Recorded":
+    def of(cls, blocks: Iterable[EventBlock]) -> "Recorded":
         """The log in some blocks.
 
         Raises:
             LearnBlockError: they are not those of a log.
         """
-        by_stream: dict[Stream, list[bytes]] = {stream: [] for stream in Stream}
+        by_stream: dict[EventStream, list[bytes]] = {stream: [] for stream in EventStream}
         try:
             for stream, data in _unpacked(blocks):
                 by_stream[stream].append(data)
-            header = msgspec.msgpack.decode(by_stream[Stream.HEADER][0], type=_Header)
+            header = msgspec.msgpack.decode(by_stream[EventStream.HEADER][0], type=_Header)
             return cls(
                 _program(header),
                 header.nodes,
-                tuple(_batches(by_stream[Stream.PROGRAM])),
-                lines_in([*by_stream[Stream.WORLD], *by_stream[Stream.STEPS]]),
-                _ending(by_stream[Stream.ENDING]),
-                lines_in(by_stream[Stream.TEAM]),
+                tuple(_batches(by_stream[EventStream.PROGRAM])),
+                lines_in([*by_stream[EventStream.WORLD], *by_stream[EventStream.STEPS]]),
+                _ending(by_stream[EventStream.ENDING]),
+                lines_in(by_stream[EventStream.TEAM]),
             )
         except (IndexError, TypeError, ValueError, msgspec.DecodeError) as error:
             raise LearnBlockError("log-not-a-log") from error
@@ -135,7 +135,7 @@ def _program(header: _Header) -> Program:
     return Program(header.name, header.python, header.written, source_map)
 
 
-def _unpacked(blocks: Iterable[Block]) -> Iterator[tuple[Stream, bytes]]:
+def _unpacked(blocks: Iterable[EventBlock]) -> Iterator[tuple[EventStream, bytes]]:
     """What some blocks contain.
 
     Raises:

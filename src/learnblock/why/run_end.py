@@ -6,7 +6,7 @@ from learnblock.i18n import Phrase, Value
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import Kind
 from learnblock.why.causes import Causes
-from learnblock.why.history import History
+from learnblock.why.history import EventHistory
 from learnblock.why.inquiry import Inquiry
 
 #: The time in a question may be this many seconds off: people round it.
@@ -27,7 +27,7 @@ class RunEnd:
     """
 
     def __init__(self, inquiry: Inquiry, *, causes: Causes) -> None:
-        self._history: History = inquiry.history
+        self._history: EventHistory = inquiry.history
         self._causes = causes
         self._draft = inquiry.draft
         self._time = inquiry.time

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from learnblock.i18n import Phrase, Value, translate
-from learnblock.why.history import History
+from learnblock.why.history import EventHistory
 
 #: The number of sentences that come first; the others are under "more".
 FIRST = 4
@@ -29,7 +29,7 @@ class Sentence:
 
 
 @dataclass(frozen=True, slots=True)
-class Answer:
+class Explanation:
     """The answer to a question.
 
     Args:
@@ -58,7 +58,7 @@ class Draft:
         history: of the run.
     """
 
-    def __init__(self, history: History) -> None:
+    def __init__(self, history: EventHistory) -> None:
         self._history = history
         self._facts: dict[tuple[str, int, str], Sentence] = {}
         #: How many sentences were told before each part but the first.
@@ -109,10 +109,10 @@ class Draft:
         fact = (code, line, str(values.get("name", "")) + str(values.get("inner", "")))
         self._facts.setdefault(fact, Sentence(phrase, line, event, time))
 
-    def answer(self) -> Answer:
+    def answer(self) -> Explanation:
         """The sentences so far."""
         sentences = self._in_order(tuple(self._facts.values()))
-        return Answer(sentences[:FIRST], sentences[FIRST:])
+        return Explanation(sentences[:FIRST], sentences[FIRST:])
 
     def _in_order(self, sentences: tuple[Sentence, ...]) -> tuple[Sentence, ...]:
         ends = [*self._parts, len(sentences)]
@@ -121,7 +121,7 @@ class Draft:
         return (*heads, *(sentence for part in parts for sentence in part[_HEAD:]))
 
 
-def quoted(history: History, line: int) -> str:
+def quoted(history: EventHistory, line: int) -> str:
     """A line as its author wrote it, without what every such line has."""
     text = history.program.quote(line).partition("#")[0].strip().removesuffix(":")
     return text.replace("function.", "").replace("robot.", "")

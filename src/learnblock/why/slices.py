@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import LOOPS, Kind
-from learnblock.why.history import Frame, History
+from learnblock.why.history import EventHistory, Frame
 from learnblock.why.scopes import globals_by_line
 
 #: Nodes before the statement or condition, which are not part of it.
@@ -25,7 +25,7 @@ class Slices:
         history: of the run.
     """
 
-    def __init__(self, history: History) -> None:
+    def __init__(self, history: EventHistory) -> None:
         self.history = history
         self._globals = globals_by_line(history.program.python)
         self._local_names = self._find_local_names()
@@ -279,7 +279,7 @@ class Slices:
         return False
 
 
-def movements(history: History) -> Iterator[int]:
+def movements(history: EventHistory) -> Iterator[int]:
     """The commands to the wheels."""
     for index, event in enumerate(history.events):
         if event[0] == Op.COMMAND and event[2] == "move" and event[1].startswith("Base"):

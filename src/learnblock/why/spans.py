@@ -20,7 +20,7 @@ _MOMENT = re.compile(rf"{_AT}{_NUMBER}(?:{_UNIT}|\s*$)|^{forms('moment')} {_NUMB
 
 
 @dataclass(frozen=True, slots=True)
-class Span:
+class RunSpan:
     """The part of a run that a question is about.
 
     Args:
@@ -32,19 +32,19 @@ class Span:
     since: float | None = None
 
 
-def take_span(text: str) -> tuple[Span, str]:
+def take_span(text: str) -> tuple[RunSpan, str]:
     """The times in a plain text, and the text without them."""
     for pattern in (_BETWEEN, _RANGE):
         if times := pattern.search(text):
             first, last = sorted((_seconds(times[1]), _seconds(times[2])))
-            return Span(last, first), _without(text, times)
+            return RunSpan(last, first), _without(text, times)
     if times := _AFTER.search(text):
-        return Span(None, _seconds(times[1])), _without(text, times)
+        return RunSpan(None, _seconds(times[1])), _without(text, times)
     if times := _BEFORE.search(text):
-        return Span(_seconds(times[1]), 0.0), _without(text, times)
+        return RunSpan(_seconds(times[1]), 0.0), _without(text, times)
     if times := _MOMENT.search(text):
-        return Span(_seconds(times[1] or times[2])), _without(text, times)
-    return Span(), text
+        return RunSpan(_seconds(times[1] or times[2])), _without(text, times)
+    return RunSpan(), text
 
 
 def _seconds(digits: str) -> float:

@@ -12,7 +12,7 @@ from functools import cached_property
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import LOOPS, Kind, Node
 from learnblock.runtime.log.noting import TICK
-from learnblock.why.history import History
+from learnblock.why.history import EventHistory
 from learnblock.why.moments import Moments
 from learnblock.why.shapes import OF_NODES
 
@@ -47,7 +47,7 @@ class Steps:
         moments: its moments.
     """
 
-    def __init__(self, history: History, moments: Moments) -> None:
+    def __init__(self, history: EventHistory, moments: Moments) -> None:
         self._history = history
         self._moments = moments
         self._found: dict[tuple[To, object], Sequence[Place]] = {}

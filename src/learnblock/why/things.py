@@ -6,7 +6,7 @@ from dataclasses import replace
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase, Value
 from learnblock.why.recorded import Recorded
-from learnblock.why.sentences import Answer, Sentence
+from learnblock.why.sentences import Explanation, Sentence
 from learnblock.why.wording import thing_phrase
 from learnblock.why.world_again import WorldAgain
 
@@ -34,7 +34,7 @@ def seen_in_run(recorded: Recorded) -> Seen | None:
         return None
 
 
-def with_things(answer: Answer, seen: Seen | None) -> Answer:
+def with_things(answer: Explanation, seen: Seen | None) -> Explanation:
     """An answer with sentences that name the things that sensors looked at."""
     wanted = {
         sight for sentence in (*answer.sentences, *answer.more) for sight in _in(sentence.phrase)
@@ -49,7 +49,7 @@ def with_things(answer: Answer, seen: Seen | None) -> Answer:
 
     if not wanted:
         return answer
-    return Answer(tuple(map(named, answer.sentences)), tuple(map(named, answer.more)))
+    return Explanation(tuple(map(named, answer.sentences)), tuple(map(named, answer.more)))
 
 
 def _in(value: Value) -> Iterator[tuple[str, float]]:

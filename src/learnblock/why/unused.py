@@ -10,7 +10,7 @@ from typing import Any
 from learnblock.i18n import Value
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import LOOPS, Kind
-from learnblock.why.history import History
+from learnblock.why.history import EventHistory
 from learnblock.why.sentences import Draft
 from learnblock.why.slices import Slices
 from learnblock.why.wording import value_phrase
@@ -31,7 +31,7 @@ class Unused:
     """
 
     def __init__(self, slices: Slices) -> None:
-        self._history: History = slices.history
+        self._history: EventHistory = slices.history
         self._slices = slices
 
     def instead_of(self, write: int, name: str) -> Iterator[int]:
@@ -162,7 +162,7 @@ class NotUsed:
 
     def __init__(self, unused: Unused, slices: Slices, draft: Draft) -> None:
         self._unused = unused
-        self._history: History = slices.history
+        self._history: EventHistory = slices.history
         self._draft = draft
 
     def instead_of(self, write: int, name: str) -> Iterator[int]:

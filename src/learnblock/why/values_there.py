@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import Kind
-from learnblock.why.history import Frame, History
+from learnblock.why.history import EventHistory, Frame
 from learnblock.why.moments import Moments, shown, written
 
 #: How far back in the log the beginning of a line is searched.
@@ -30,7 +30,9 @@ class ValueThere:
     value: str
 
 
-def values_there(history: History, moments: Moments, event: int, line: int) -> list[ValueThere]:
+def values_there(
+    history: EventHistory, moments: Moments, event: int, line: int
+) -> list[ValueThere]:
     """The values next to the lines, after an event.
 
     Next to the line that ran are the values that it has read and written, and whether its condition
@@ -48,7 +50,7 @@ def values_there(history: History, moments: Moments, event: int, line: int) -> l
 class _There:
     """The values at one place of a run."""
 
-    def __init__(self, history: History, moments: Moments, event: int, line: int) -> None:
+    def __init__(self, history: EventHistory, moments: Moments, event: int, line: int) -> None:
         self._history = history
         self._moments = moments
         self._event = event

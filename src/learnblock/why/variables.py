@@ -1,7 +1,7 @@
 """More facts about a variable than the statement that set it."""
 
 from learnblock.runtime.log.nodes import Kind
-from learnblock.why.history import History
+from learnblock.why.history import EventHistory
 from learnblock.why.inquiry import Inquiry
 
 
@@ -13,7 +13,7 @@ class VariableFacts:
     """
 
     def __init__(self, inquiry: Inquiry) -> None:
-        self._history: History = inquiry.history
+        self._history: EventHistory = inquiry.history
         self._slices = inquiry.slices
         self._draft = inquiry.draft
 

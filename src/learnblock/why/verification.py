@@ -11,9 +11,9 @@ from time import monotonic
 from typing import Any
 
 from learnblock.errors import LearnBlockError
-from learnblock.runtime.log.blocks import MAGIC, Block, Stream, stored
+from learnblock.runtime.log.blocks import MAGIC, EventBlock, EventStream, stored
 from learnblock.why.calls import calls
-from learnblock.why.history import History
+from learnblock.why.history import EventHistory
 from learnblock.why.moments import Moments
 from learnblock.why.recorded import Recorded
 from learnblock.why.world_again import WorldAgain
@@ -44,7 +44,7 @@ class Verified:
         has_world: whether its world can be shown at any moment.
     """
 
-    blocks: tuple[Block, ...]
+    blocks: tuple[EventBlock, ...]
     recorded: Recorded
     has_world: bool
 
@@ -54,9 +54,9 @@ class Verified:
         return complete_since(self.blocks)
 
 
-def complete_since(blocks: Iterable[Block]) -> int:
+def complete_since(blocks: Iterable[EventBlock]) -> int:
     """The oldest detail that a log has, in ticks: a full one has given up what was before."""
-    return next((block.first for block in blocks if block.stream is Stream.PROGRAM), 0)
+    return next((block.first for block in blocks if block.stream is EventStream.PROGRAM), 0)
 
 
 def verified(data: bytes, now: Callable[[], float] = monotonic) -> Verified:
@@ -76,7 +76,7 @@ def verified(data: bytes, now: Callable[[], float] = monotonic) -> Verified:
     return Verified(blocks, history.recorded, has_world)
 
 
-def history_of(data: bytes) -> History:
+def history_of(data: bytes) -> EventHistory:
     """Read the bytes of a log's file, for all that does not need its world.
 
     Raises:
@@ -98,15 +98,15 @@ def _refusing() -> Iterator[None]:
         raise LearnBlockError("log-not-a-log") from error
 
 
-def _sound(blocks: Iterable[Block]) -> History:
-    history = History(Recorded.of(blocks))
+def _sound(blocks: Iterable[EventBlock]) -> EventHistory:
+    history = EventHistory(Recorded.of(blocks))
     _require_sound(history)
     Moments(history).at(history.end)
     calls(history)
     return history
 
 
-def _blocks(data: bytes) -> tuple[Block, ...]:
+def _blocks(data: bytes) -> tuple[EventBlock, ...]:
     if len(data) > LARGEST:
         raise LearnBlockError("log-file-too-large", most=LARGEST // 2**20)
     if not data.startswith(MAGIC):
@@ -123,7 +123,7 @@ def _blocks(data: bytes) -> tuple[Block, ...]:
     return blocks
 
 
-def _require_sound(history: History) -> None:
+def _require_sound(history: EventHistory) -> None:
     if not 0 <= history.end <= LONGEST or not all(map(_is_sound, history.recorded.lines)):
         raise LearnBlockError("log-not-a-log")
     nodes = len(history.nodes)

@@ -2,7 +2,7 @@
 
 from learnblock.i18n import Phrase
 from learnblock.why.causes import Causes
-from learnblock.why.history import History, SkillUse
+from learnblock.why.history import CalledSkill, EventHistory
 from learnblock.why.inquiry import Inquiry
 
 #: The number of last decisions that are searched for the smallest distance.
@@ -18,7 +18,7 @@ class Waits:
     """
 
     def __init__(self, inquiry: Inquiry, *, causes: Causes) -> None:
-        self._history: History = inquiry.history
+        self._history: EventHistory = inquiry.history
         self._readings = inquiry.readings
         self._position = inquiry.position
         self._draft = inquiry.draft
@@ -32,7 +32,7 @@ class Waits:
         self.say_busy(use)
         return True
 
-    def say_busy(self, use: SkillUse) -> None:
+    def say_busy(self, use: CalledSkill) -> None:
         """Tell how long a statement kept the program from doing anything else."""
         since = round(self._history.time(use.begun), 2)
         end = round(self._position.end(use), 2)

@@ -2,7 +2,7 @@
 
 from bisect import bisect_left
 
-from learnblock.why.history import History
+from learnblock.why.history import EventHistory
 from learnblock.why.slices import Slices
 from learnblock.why.wording import STAND, movement
 
@@ -15,7 +15,7 @@ class WheelCommands:
     """
 
     def __init__(self, slices: Slices) -> None:
-        self._history: History = slices.history
+        self._history: EventHistory = slices.history
         #: All of them, in order.
         self.all = slices.of_base
 

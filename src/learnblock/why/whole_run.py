@@ -8,7 +8,7 @@ from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import Kind, Node
 from learnblock.why.actions import Actions
 from learnblock.why.causes import Causes
-from learnblock.why.history import History, SkillUse
+from learnblock.why.history import CalledSkill, EventHistory
 from learnblock.why.inquiry import Inquiry
 from learnblock.why.omissions import Omissions
 from learnblock.why.run_end import RunEnd
@@ -50,7 +50,7 @@ class WholeRun:
         omissions: Omissions,
         actions: Actions,
     ) -> None:
-        self._history: History = inquiry.history
+        self._history: EventHistory = inquiry.history
         self._readings = inquiry.readings
         self._position = inquiry.position
         self._commands = inquiry.commands
@@ -164,7 +164,7 @@ class WholeRun:
         last = self._commands.last(event)
         return last < 0 or self._commands.movement(last) == STAND
 
-    def _lasted(self, use: SkillUse, until: int) -> float:
+    def _lasted(self, use: CalledSkill, until: int) -> float:
         times = self._history.times[use.begun]
         end = min(self._position.end(use), max(self._run_end.moment(until), 0.0))
         return max(0.0, end - self._history.time(use.begun)) * times

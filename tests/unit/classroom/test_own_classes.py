@@ -8,7 +8,7 @@ import pytest
 from classes import Class
 from learnblock.classroom.own_classes import OwnClasses
 from learnblock.classroom.roster import FILE, Roster, class_folder
-from learnblock.project.files.writer import Writer
+from learnblock.project.files.writer import FolderClaim
 from pages import TOKEN, english, serving
 
 pytestmark = [pytest.mark.realtime, pytest.mark.slow]
@@ -145,7 +145,7 @@ def test_the_file_of_an_open_class_is_not_written_by_who_only_reads_it():
 def test_a_description_without_the_key_shows_no_wall():
     folder = class_folder("7b")
     Roster(folder, "7b")
-    with Writer(folder) as writer:
+    with FolderClaim(folder) as writer:
         assert writer.claim()
         writer.describe("http://192.0.2.1", "another key")
         assert OwnClasses().entries()[0].wall == ""

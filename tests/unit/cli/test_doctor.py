@@ -3,10 +3,12 @@ from click.testing import CliRunner
 from learnblock.cli import main
 from learnblock.i18n import Phrase
 from learnblock.runtime.containment import survey
-from learnblock.runtime.containment.survey import Finding
+from learnblock.runtime.containment.survey import AttemptResult
 
-HELD = Finding(Phrase("doctor-read"), True, Phrase("doctor-by-landlock", version=7))
-FREE = Finding(Phrase("doctor-network"), False, Phrase("doctor-other-system", system="Darwin"))
+HELD = AttemptResult(Phrase("doctor-read"), True, Phrase("doctor-by-landlock", version=7))
+FREE = AttemptResult(
+    Phrase("doctor-network"), False, Phrase("doctor-other-system", system="Darwin")
+)
 
 
 def doctor(monkeypatch, *findings, language="en"):

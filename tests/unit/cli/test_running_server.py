@@ -4,7 +4,7 @@ import pytest
 from click.testing import CliRunner
 
 from learnblock.cli import main
-from learnblock.project.files.writer import Writer
+from learnblock.project.files.writer import FolderClaim
 from learnblock.server import serve
 from pages import TOKEN, serving
 
@@ -36,7 +36,7 @@ def started(monkeypatch):
 def running(folder, monkeypatch):
     """The address of a server of the user's that has the folder."""
     monkeypatch.setenv("LEARNBLOCK_TOKEN", TOKEN)
-    with Writer(folder) as writer, serving(folder) as server:
+    with FolderClaim(folder) as writer, serving(folder) as server:
         assert writer.claim()
         address = f"http://127.0.0.1:{server.port}/"
         writer.describe(address, TOKEN)
@@ -93,7 +93,7 @@ def test_the_token_is_not_sent_to_an_address_that_another_user_wrote(
 
 def test_one_that_does_not_answer_can_be_taken_over(folder, shown, monkeypatch):
     monkeypatch.setenv("LEARNBLOCK_TOKEN", TOKEN)
-    with Writer(folder) as writer:
+    with FolderClaim(folder) as writer:
         writer.claim()
         # Nothing listens at port 1.
         writer.describe("http://127.0.0.1:1/", TOKEN)

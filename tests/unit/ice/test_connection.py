@@ -7,7 +7,7 @@ import pytest
 
 from learnblock.errors import IceLinkError
 from learnblock.ice.endpoint import Endpoint
-from learnblock.ice.messages import Kind, message
+from learnblock.ice.messages import MessageKind, message
 from learnblock.testing import ManualClock
 from waiting import wait_for
 
@@ -26,7 +26,7 @@ def test_a_call_that_waits_while_another_one_receives_gives_up_exactly_in_time(s
     clock = ManualClock()
     with Endpoint("127.0.0.1", port, 20, clock) as endpoint, ThreadPoolExecutor(1) as pool:
         first = pool.submit(endpoint.call, b"", b"", again=False)
-        accepted.result()[0].sendall(message(Kind.VALIDATE))
+        accepted.result()[0].sendall(message(MessageKind.VALIDATE))
         wait_for(lambda: endpoint._connection and endpoint._connection._receives, "it receives")
         endpoint.timeout = 2
         with pytest.raises(IceLinkError) as error:

@@ -10,7 +10,7 @@ from learnblock.ice.interface import Mode
 from learnblock.ice.messages import (
     HEADER,
     LARGEST,
-    Kind,
+    MessageKind,
     Status,
     failure,
     message,
@@ -54,7 +54,7 @@ def test_a_request_survives_a_round_trip():
 def answered(data):
     """Return the decoded reply to a message."""
     kind, size = read_header(data[: HEADER.size])
-    assert (kind, size) == (Kind.REPLY, len(data) - HEADER.size)
+    assert (kind, size) == (MessageKind.REPLY, len(data) - HEADER.size)
     number, body = read_reply(data[HEADER.size :])
     assert number == 5
     return open_reply(body)
@@ -119,7 +119,7 @@ def test_bytes_that_are_not_a_message_are_rejected(header, sentence):
 
 
 def test_a_message_that_is_only_a_header_has_no_content():
-    assert read_header(message(Kind.VALIDATE)) == (Kind.VALIDATE, 0)
+    assert read_header(message(MessageKind.VALIDATE)) == (MessageKind.VALIDATE, 0)
 
 
 @given(st.binary(min_size=HEADER.size, max_size=HEADER.size), st.binary(max_size=100))

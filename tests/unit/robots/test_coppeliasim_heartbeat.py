@@ -6,7 +6,7 @@ import pytest
 
 from learnblock.errors import RobotConnectionError
 from learnblock.robots.coppeliasim.heartbeat import PERIOD, Heartbeat
-from learnblock.robots.coppeliasim.simulation import STOPPED, Simulation
+from learnblock.robots.coppeliasim.simulation import STOPPED, SceneSimulation
 from learnblock.testing import ManualClock
 
 RUNNING = 17
@@ -68,7 +68,7 @@ class Remote:
 
 
 def test_a_simulation_that_does_not_start_is_given_up_exactly_in_time(clock):
-    simulation = Simulation(Remote(clock, starts=60), 3.0, clock)
+    simulation = SceneSimulation(Remote(clock, starts=60), 3.0, clock)
     with pytest.raises(RobotConnectionError) as error:
         clock.run(simulation.start)
     assert error.value.phrase.code == "coppeliasim-not-started"
@@ -76,5 +76,5 @@ def test_a_simulation_that_does_not_start_is_given_up_exactly_in_time(clock):
 
 
 def test_a_simulation_that_starts_late_is_waited_for(clock):
-    clock.run(Simulation(Remote(clock, starts=2.9), 3.0, clock).start)
+    clock.run(SceneSimulation(Remote(clock, starts=2.9), 3.0, clock).start)
     assert clock.now() == pytest.approx(2.9)

@@ -7,13 +7,13 @@ import pytest
 
 from learnblock.errors import RobotBusyError, RobotConnectionError
 from learnblock.robots.ev3.brick import Drive, Look, State
-from learnblock.robots.ev3.link import FRESH, PULSE, Link
+from learnblock.robots.ev3.link import FRESH, PULSE, BrickLink
 from learnblock.robots.ev3.ways import PAUSE, TIMEOUT, when_free
 from learnblock.robots.ev3.wires import LONGEST_WRITE, DeviceFile, Stream
 from learnblock.testing import ManualClock
 
 
-class Wire(Link):
+class Wire(BrickLink):
     """Records what it says, and when."""
 
     def __init__(self, clock):

@@ -8,7 +8,7 @@ from learnblock.errors import DeviceValueError
 from learnblock.robots.thymio import units
 from learnblock.robots.thymio.frames import Frames, encoded, signed
 from learnblock.robots.thymio.link import GarbledError
-from learnblock.robots.thymio.node import READ, Node
+from learnblock.robots.thymio.node import READ, AsebaNode
 from learnblock.robots.thymio.program import COMMANDS, EVENTS, NATIVES, source
 from learnblock.robots.thymio.suite import Packets
 
@@ -122,7 +122,7 @@ def test_a_message_survives_being_cut_anywhere():
 
 @given(st.binary(max_size=3000))
 def test_any_bytes_are_messages_or_garbled(data):
-    node = Node(1)
+    node = AsebaNode(1)
     try:
         for message in Frames().feed(data):
             node.take(message)
@@ -135,7 +135,7 @@ KINDS = st.sampled_from([0x9000, 0x9001, 0x9002, 0x9003, 0x9005, 0x900A, 0x900C,
 
 @given(st.lists(st.tuples(KINDS, st.lists(st.integers(0, 0xFFFF), max_size=40)), max_size=20))
 def test_messages_of_known_kinds_with_any_numbers_describe_a_node_or_are_garbled(messages):
-    node = Node(1)
+    node = AsebaNode(1)
     try:
         for message in Frames().feed(b"".join(encoded(kind, *words) for kind, words in messages)):
             node.take(message)

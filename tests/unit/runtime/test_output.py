@@ -2,12 +2,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from learnblock.runtime.output import LONGEST_LINE, LineWriter
+from learnblock.runtime.output import LONGEST_LINE, LineStream
 
 
 def written(*texts):
     lines = []
-    writer = LineWriter(lines.append)
+    writer = LineStream(lines.append)
     for text in texts:
         assert writer.write(text) == len(text)
     writer.finish()
@@ -32,13 +32,13 @@ def test_a_long_line_comes_in_parts():
 
 def test_print_writes_to_it():
     lines = []
-    print("a", 1, file=LineWriter(lines.append), flush=True)
+    print("a", 1, file=LineStream(lines.append), flush=True)
     assert lines == ["a 1\n"]
 
 
 def test_an_unfinished_line_is_passed_on_only_by_flush():
     told = []
-    writer = LineWriter(told.append, lambda: told.append("seen"))
+    writer = LineStream(told.append, lambda: told.append("seen"))
     writer.write("a")
     assert told == []
     writer.flush()
@@ -49,4 +49,4 @@ def test_an_unfinished_line_is_passed_on_only_by_flush():
 
 def test_only_text_can_be_written():
     with pytest.raises(TypeError, match="must be str, not bytes"):
-        LineWriter(print).write(b"x")
+        LineStream(print).write(b"x")

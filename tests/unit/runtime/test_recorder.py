@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from learnblock.devices import Base, Display, Speaker
-from learnblock.runtime.recorder import Mark, Recorder, record
+from learnblock.runtime.recorder import PlacedEvent, Recorder, record
 from learnblock.runtime.trace import Trace
 from learnblock.testing import FakeRobot
 
@@ -82,7 +82,7 @@ def test_prints_poses_goals_and_the_end_are_written(file, recorder):
         {"t": 1.5, "end": "finished"},
     ]
     assert recorder.path == [(0.5, (1.23456, -0.0, 90.0))]
-    assert recorder.marks[-1] == Mark(1.5, "end", "finished", (1.0, 2.0, 3.0))
+    assert recorder.marks[-1] == PlacedEvent(1.5, "end", "finished", (1.0, 2.0, 3.0))
 
 
 @pytest.fixture

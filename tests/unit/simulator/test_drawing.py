@@ -4,7 +4,14 @@ from itertools import pairwise
 import pytest
 
 from learnblock.simulator import World, load_robot
-from learnblock.simulator.drawing import MOST_POINTS, PEN_COLOUR, SPACING, Drawing, Pen, Stroke
+from learnblock.simulator.drawing import (
+    MOST_POINTS,
+    PEN_COLOUR,
+    SPACING,
+    Drawing,
+    DrawingPen,
+    PenStroke,
+)
 from learnblock.simulator.geometry import Pose
 from learnblock.simulator.world_description import WorldDescription
 
@@ -29,7 +36,7 @@ class Hand:
     def __init__(self) -> None:
         self.drawing = Drawing()
         self.pose = Pose(0, 0, 0)
-        self.pen = Pen(self.drawing, "robot", lambda: self.pose)
+        self.pen = DrawingPen(self.drawing, "robot", lambda: self.pose)
 
     def move(self, x: float, y: float) -> None:
         self.pose = Pose(x, y, 0)
@@ -97,7 +104,7 @@ def test_the_width_of_a_pen_is_limited(hand: Hand, width: float, drawn: float) -
 
 
 def test_erasing_removes_the_strokes_of_one_robot_and_its_pen_goes_on(hand: Hand) -> None:
-    other = Stroke("other", PEN_COLOUR, 6)
+    other = PenStroke("other", PEN_COLOUR, 6)
     hand.drawing.add(other, 5, 5)
     hand.pen.set(True)
     hand.move(10, 0)

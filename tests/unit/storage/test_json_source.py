@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from learnblock.errors import BlockConfigurationError
 from learnblock.i18n import Phrase
-from learnblock.storage.json_source import Document, Place, parse
+from learnblock.storage.json_source import JsonDocument, TextPosition, parse
 
 texts = st.text(st.characters(exclude_categories=["Cs"]), max_size=8)
 scalars = (
@@ -19,12 +19,12 @@ values = st.recursive(
 )
 
 
-def text_at(source: str, place: Place) -> str:
+def text_at(source: str, place: TextPosition) -> str:
     line = source.splitlines()[place.line - 1]
     return line[place.column - 1 : place.end_column - 1]
 
 
-def part(document: Document, path: tuple[str | int, ...]) -> object:
+def part(document: JsonDocument, path: tuple[str | int, ...]) -> object:
     value = document.value
     for step in path:
         value = value[step]  # type: ignore[index]
@@ -71,7 +71,7 @@ def test_any_text_is_read_or_refused_with_our_own_error(text):
 def test_a_repeated_key_is_reported_with_its_later_position():
     document = parse('{"a": 1,\n "b": {"a": 2}, "a": 3}', "f")
 
-    assert (("a", Place(2, 17, 20)),) == document.repeated
+    assert (("a", TextPosition(2, 17, 20)),) == document.repeated
 
 
 @pytest.mark.parametrize("text", ["1 2", '{"a": 1} {"b": 2}'])

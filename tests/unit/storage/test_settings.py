@@ -10,7 +10,7 @@ from msgspec import Meta
 
 from learnblock.errors import SettingsError
 from learnblock.i18n import Phrase
-from learnblock.storage.settings import Settings, Table, file
+from learnblock.storage.settings import Settings, SettingsSection, file
 
 
 class Mine(Settings, frozen=True):
@@ -20,8 +20,8 @@ class Mine(Settings, frozen=True):
     on: bool = False
 
 
-OUTER = Table(("mine",), "mine", Mine)
-INNER = Table(("all", "of-mine"), "the inner mine", Mine)
+OUTER = SettingsSection(("mine",), "mine", Mine)
+INNER = SettingsSection(("all", "of-mine"), "the inner mine", Mine)
 
 
 @pytest.mark.parametrize(

@@ -5,10 +5,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from learnblock.i18n import languages, translate
-from learnblock.why import History, Recorded
+from learnblock.why import EventHistory, Recorded
 from learnblock.why.answers import Answers, answer
 from learnblock.why.parser import parse
-from learnblock.why.questions import Ask, Question, questions
+from learnblock.why.questions import Question, QuestionKind, questions
 from logged_runs import logged_text
 
 
@@ -141,7 +141,7 @@ def run(request, tmp_path_factory):
 
 
 def test_each_listed_question_is_answered_in_each_language(run):
-    history = History(run)
+    history = EventHistory(run)
     answers = Answers(history)
     for question in questions(history):
         given = answers.answer(question)
@@ -157,12 +157,12 @@ SUBJECTS = ("a", "b", "x", "l", "m", "d", "4", "7", "turn", "print", "spin-left"
 @settings(max_examples=80, deadline=None)
 @given(
     share=st.floats(0, 1),
-    ask=st.sampled_from(list(Ask)),
+    ask=st.sampled_from(list(QuestionKind)),
     subject=st.sampled_from(SUBJECTS),
     time=st.none() | st.floats(0, 10),
 )
 def test_any_question_about_a_log_that_was_cut_off_is_answered(run, share, ask, subject, time):
     events = [event for batch in run.batches for event in batch]
     kept = tuple(events[: round(share * len(events))])
-    history = History(Recorded(run.program, run.nodes, (kept,), run.lines, {}))
+    history = EventHistory(Recorded(run.program, run.nodes, (kept,), run.lines, {}))
     assert answer(history, Question(ask, subject, time)).sentences

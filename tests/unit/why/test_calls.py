@@ -8,7 +8,7 @@ from click.testing import CliRunner
 
 from learnblock.cli import main
 from learnblock.runtime.log.events import Op
-from learnblock.why.calls import Called, Layer, calls
+from learnblock.why.calls import Callee, Layer, calls
 from learnblock.why.graph_picture import COLOURS, colour, picture
 from logged_runs import logged_example, logged_file, logged_text
 
@@ -43,7 +43,7 @@ def test_each_layer_calls_the_one_below(square):
 
 
 def test_calls_are_counted_through_a_function(square):
-    program, side = square.program, Called(Layer.FUNCTIONS, "side")
+    program, side = square.program, Callee(Layer.FUNCTIONS, "side")
     counts = {(edge.caller, edge.callee.name): edge.count for edge in square.edges}
     assert counts[program, "side"] == 4
     assert counts[side, "drive_distance"] == 4

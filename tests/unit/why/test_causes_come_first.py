@@ -5,8 +5,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from learnblock.why.answers import Answers
-from learnblock.why.history import History
-from learnblock.why.questions import Ask, Question, questions, questions_about_moment
+from learnblock.why.history import EventHistory
+from learnblock.why.questions import Question, QuestionKind, questions, questions_about_moment
 from logged_runs import logged_example
 
 RUNS = (
@@ -73,7 +73,7 @@ def histories():
     return find
 
 
-def assert_causes_come_first(history: History, answers: Answers, question: Question):
+def assert_causes_come_first(history: EventHistory, answers: Answers, question: Question):
     given = answers.answer(question)
     told = (*given.sentences, *given.more)
     asked = history.end if question.time is None else question.time
@@ -111,7 +111,10 @@ def test_no_cause_at_any_moment_is_later_than_its_effect(name, robot, world, his
     @given(st.floats(0, history.end))
     def check(time):
         asked = questions_about_moment(history, time)
-        others = (Question(ask, "", round(time, 2)) for ask in (Ask.NOTHING, Ask.NOT_END, Ask.LOST))
+        others = (
+            Question(ask, "", round(time, 2))
+            for ask in (QuestionKind.NOTHING, QuestionKind.NOT_END, QuestionKind.LOST)
+        )
         for question in (*asked, *others):
             assert_causes_come_first(history, answers, question)
 
@@ -125,6 +128,6 @@ def test_what_is_told_of_a_span_happened_in_it_or_led_to_it(name, robot, world, 
     for start, end in ((0.5, 2.0), (3.0, 5.0)):
         for question in questions(history):
             of_span = Question(question.ask, question.subject, end, start)
-            if question.ask in (Ask.END, Ask.NOT_END):
+            if question.ask in (QuestionKind.END, QuestionKind.NOT_END):
                 continue
             assert_causes_come_first(history, answers, of_span)

@@ -12,8 +12,8 @@ from learnblock.i18n import languages, translate
 from learnblock.why.near import nearest
 from learnblock.why.parser import parse
 from learnblock.why.questions import (
-    Ask,
     Question,
+    QuestionKind,
     questions,
     questions_about_lines,
     questions_about_moment,
@@ -45,51 +45,54 @@ def history(tmp_path_factory):
 @pytest.mark.parametrize(
     ("text", "question"),
     [
-        ("turn left at 8.9", Question(Ask.MOVEMENT, "spin-left", 8.9)),
-        ("why did the robot turn left at 8.9?", Question(Ask.MOVEMENT, "spin-left", 8.9)),
-        ("why did it show joy?", Question(Ask.EMOTION, "joy")),
-        ("¿Por qué mostró sorpresa en 3?", Question(Ask.EMOTION, "surprise", 3.0)),
-        ("Why didn't it turn right?", Question(Ask.NOT_MOVEMENT, "spin-right")),
-        ("why didn’t the robot stop at 3 s", Question(Ask.NOT_MOVEMENT, "stand", 3.0)),
-        ("¿Por qué no giró a la izquierda en 8,9?", Question(Ask.NOT_MOVEMENT, "spin-left", 8.9)),
-        ("¿por qué avanzó a los 2 s?", Question(Ask.MOVEMENT, "forward", 2.0)),
-        ("not expressSurprise", Question(Ask.NOT_SKILL, "expressSurprise")),
-        ("function.turn(90) at 1", Question(Ask.SKILL, "turn", 1.0)),
-        ("not look surprised at 4", Question(Ask.NOT_SKILL, "expressSurprise", 4.0)),
-        ("no poner cara de sorpresa", Question(Ask.NOT_SKILL, "expressSurprise")),
-        ("not line 4", Question(Ask.NOT_LINE, "4")),
-        ("¿por qué se ejecutó la línea 9?", Question(Ask.LINE, "9")),
-        ("count at 3", Question(Ask.VALUE, "count", 3.0)),
-        ("why is count 2?", Question(Ask.VALUE, "count")),
-        ("valor de count en 3", Question(Ask.VALUE, "count", 3.0)),
-        ("when near", Question(Ask.WHEN, "near")),
-        ("why was near not active at 2?", Question(Ask.NOT_WHEN, "near", 2.0)),
-        ('print "hello"', Question(Ask.PRINTED, "hello")),
-        ("print hello", Question(Ask.PRINT, "hello")),
-        ("why did the program end?", Question(Ask.END)),
-        ("¿por qué terminó el programa?", Question(Ask.END)),
-        ("why did it bump at 4?", Question(Ask.BUMP, "", 4.0)),
-        ("goal", Question(Ask.GOAL)),
-        ("¿por qué no llegó a la meta?", Question(Ask.GOAL)),
-        ("objetivo", Question(Ask.GOAL)),
-        ("why did it not reach the goal", Question(Ask.GOAL)),
-        ("at 2.5", Question(Ask.NOW, "", 2.5)),
-        ("what was it doing at 3", Question(Ask.NOW, "", 3.0)),
-        ("what happened at 3 s?", Question(Ask.NOW, "", 3.0)),
-        ("¿Qué hacía el robot en 3?", Question(Ask.NOW, "", 3.0)),
-        ("ahora", Question(Ask.NOW)),
-        ("turn", Question(Ask.MOVEMENT, "")),
-        ("why did the robot not turn?", Question(Ask.NOT_MOVEMENT, "")),
-        ("why did it turn only 3 times?", Question(Ask.MOVEMENT, "")),
-        ("why does it keep turning at 5", Question(Ask.MOVEMENT, "", 5.0)),
-        ("¿por qué no gira?", Question(Ask.NOT_MOVEMENT, "")),
-        ("why did it drive in a curve", Question(Ask.MOVEMENT, "")),
-        ("why is the robot so slow?", Question(Ask.SPEED, "slow")),
-        ("¿por qué va tan despacio?", Question(Ask.SPEED, "slow")),
-        ("why did the program stop?", Question(Ask.END)),
-        ("¿por qué cambió count?", Question(Ask.VALUE, "count")),
-        ("why is it surprised", Question(Ask.SKILL, "expressSurprise")),
-        ("look suprised", Question(Ask.SKILL, "expressSurprise")),
+        ("turn left at 8.9", Question(QuestionKind.MOVEMENT, "spin-left", 8.9)),
+        ("why did the robot turn left at 8.9?", Question(QuestionKind.MOVEMENT, "spin-left", 8.9)),
+        ("why did it show joy?", Question(QuestionKind.EMOTION, "joy")),
+        ("¿Por qué mostró sorpresa en 3?", Question(QuestionKind.EMOTION, "surprise", 3.0)),
+        ("Why didn't it turn right?", Question(QuestionKind.NOT_MOVEMENT, "spin-right")),
+        ("why didn’t the robot stop at 3 s", Question(QuestionKind.NOT_MOVEMENT, "stand", 3.0)),
+        (
+            "¿Por qué no giró a la izquierda en 8,9?",
+            Question(QuestionKind.NOT_MOVEMENT, "spin-left", 8.9),
+        ),
+        ("¿por qué avanzó a los 2 s?", Question(QuestionKind.MOVEMENT, "forward", 2.0)),
+        ("not expressSurprise", Question(QuestionKind.NOT_SKILL, "expressSurprise")),
+        ("function.turn(90) at 1", Question(QuestionKind.SKILL, "turn", 1.0)),
+        ("not look surprised at 4", Question(QuestionKind.NOT_SKILL, "expressSurprise", 4.0)),
+        ("no poner cara de sorpresa", Question(QuestionKind.NOT_SKILL, "expressSurprise")),
+        ("not line 4", Question(QuestionKind.NOT_LINE, "4")),
+        ("¿por qué se ejecutó la línea 9?", Question(QuestionKind.LINE, "9")),
+        ("count at 3", Question(QuestionKind.VALUE, "count", 3.0)),
+        ("why is count 2?", Question(QuestionKind.VALUE, "count")),
+        ("valor de count en 3", Question(QuestionKind.VALUE, "count", 3.0)),
+        ("when near", Question(QuestionKind.WHEN, "near")),
+        ("why was near not active at 2?", Question(QuestionKind.NOT_WHEN, "near", 2.0)),
+        ('print "hello"', Question(QuestionKind.PRINTED, "hello")),
+        ("print hello", Question(QuestionKind.PRINT, "hello")),
+        ("why did the program end?", Question(QuestionKind.END)),
+        ("¿por qué terminó el programa?", Question(QuestionKind.END)),
+        ("why did it bump at 4?", Question(QuestionKind.BUMP, "", 4.0)),
+        ("goal", Question(QuestionKind.GOAL)),
+        ("¿por qué no llegó a la meta?", Question(QuestionKind.GOAL)),
+        ("objetivo", Question(QuestionKind.GOAL)),
+        ("why did it not reach the goal", Question(QuestionKind.GOAL)),
+        ("at 2.5", Question(QuestionKind.NOW, "", 2.5)),
+        ("what was it doing at 3", Question(QuestionKind.NOW, "", 3.0)),
+        ("what happened at 3 s?", Question(QuestionKind.NOW, "", 3.0)),
+        ("¿Qué hacía el robot en 3?", Question(QuestionKind.NOW, "", 3.0)),
+        ("ahora", Question(QuestionKind.NOW)),
+        ("turn", Question(QuestionKind.MOVEMENT, "")),
+        ("why did the robot not turn?", Question(QuestionKind.NOT_MOVEMENT, "")),
+        ("why did it turn only 3 times?", Question(QuestionKind.MOVEMENT, "")),
+        ("why does it keep turning at 5", Question(QuestionKind.MOVEMENT, "", 5.0)),
+        ("¿por qué no gira?", Question(QuestionKind.NOT_MOVEMENT, "")),
+        ("why did it drive in a curve", Question(QuestionKind.MOVEMENT, "")),
+        ("why is the robot so slow?", Question(QuestionKind.SPEED, "slow")),
+        ("¿por qué va tan despacio?", Question(QuestionKind.SPEED, "slow")),
+        ("why did the program stop?", Question(QuestionKind.END)),
+        ("¿por qué cambió count?", Question(QuestionKind.VALUE, "count")),
+        ("why is it surprised", Question(QuestionKind.SKILL, "expressSurprise")),
+        ("look suprised", Question(QuestionKind.SKILL, "expressSurprise")),
     ],
 )
 def test_a_question_is_understood(text, question, history):
@@ -124,8 +127,8 @@ def test_what_is_not_understood_gets_three_questions_that_are(text, history):
 @pytest.mark.parametrize(
     ("text", "question"),
     [
-        ("turn xyzzy right or what", Question(Ask.MOVEMENT, "spin-right")),
-        ("frobnicate count", Question(Ask.VALUE, "count")),
+        ("turn xyzzy right or what", Question(QuestionKind.MOVEMENT, "spin-right")),
+        ("frobnicate count", Question(QuestionKind.VALUE, "count")),
     ],
 )
 def test_the_nearest_questions_are_about_the_same_thing(text, question, history):
@@ -135,55 +138,55 @@ def test_the_nearest_questions_are_about_the_same_thing(text, question, history)
 
 #: What children ask, each with what it means.
 PLAIN = (
-    ("why did it crash", Question(Ask.BUMP)),
-    ("why did it crsh into the wal", Question(Ask.BUMP)),
-    ("why did it drive into the box", Question(Ask.BUMP)),
-    ("it hits the thing why", Question(Ask.BUMP)),
-    ("porque se choco", Question(Ask.BUMP)),
-    ("se da contra la pared por que", Question(Ask.BUMP)),
-    ("why does it not stop", Question(Ask.NOT_MOVEMENT, "stand")),
-    ("why doesnt it stop", Question(Ask.NOT_MOVEMENT, "stand")),
-    ("WHY DOSNT IT STOP", Question(Ask.NOT_MOVEMENT, "stand")),
-    ("por que no para", Question(Ask.NOT_MOVEMENT, "stand")),
-    ("por que no se detiene", Question(Ask.NOT_MOVEMENT, "stand")),
-    ("por que no frena", Question(Ask.NOT_MOVEMENT, "stand")),
-    ("why did it not show joy", Question(Ask.NOT_SKILL, "expressJoy")),
-    ("why no smile", Question(Ask.NOT_SKILL, "expressJoy")),
-    ("why dosent it smile when it sees the box", Question(Ask.NOT_SKILL, "expressJoy")),
-    ("por que no sonrie", Question(Ask.NOT_SKILL, "expressJoy")),
-    ("por que no pone cara de alegria", Question(Ask.NOT_SKILL, "expressJoy")),
-    ("why is it scared all the time", Question(Ask.EMOTION, "fear")),
-    ("por que tiene miedo", Question(Ask.EMOTION, "fear")),
-    ("why is it so slow", Question(Ask.SPEED, "slow")),
-    ("por que va tan rapido", Question(Ask.SPEED, "fast")),
-    ("why did nothing happen", Question(Ask.NOTHING)),
-    ("por que no pasa nada", Question(Ask.NOTHING)),
-    ("por que no hace nada", Question(Ask.NOTHING)),
-    ("what made it turn", Question(Ask.MOVEMENT, "")),
-    ("what made it go right", Question(Ask.MOVEMENT, "spin-right")),
-    ("why is it spinnig", Question(Ask.MOVEMENT, "")),
-    ("why does it go round and round", Question(Ask.MOVEMENT, "")),
-    ("por que no para de dar vueltas", Question(Ask.MOVEMENT, "")),
-    ("why did it turn between 0 and 2 s", Question(Ask.MOVEMENT, "", 2.0, 0.0)),
-    ("por que giro entre 0 y 2", Question(Ask.MOVEMENT, "", 2.0, 0.0)),
-    ("why did it not come back", Question(Ask.NOT_MOVEMENT, "back")),
-    ("por que no vuelve", Question(Ask.NOT_MOVEMENT, "back")),
-    ("por que no da marcha atras", Question(Ask.NOT_MOVEMENT, "back")),
-    ("why does it go straight for so long", Question(Ask.LONG, "forward")),
-    ("why does it not end", Question(Ask.NOT_END)),
-    ("why doesnt my program stop", Question(Ask.NOT_END)),
-    ("por que no termina el programa", Question(Ask.NOT_END)),
-    ("why did my program break", Question(Ask.END)),
-    ("por que me sale un error", Question(Ask.END)),
-    ("why did it leave the line", Question(Ask.LOST)),
-    ("por que se sale de la linea", Question(Ask.LOST)),
-    ("por que no sigue la linea", Question(Ask.LOST)),
-    ("why did it fall off the table", Question(Ask.FALL)),
-    ("por que se cayo", Question(Ask.FALL)),
-    ("why does it say hello", Question(Ask.PRINT, "hello")),
-    ("por que escribe hello", Question(Ask.PRINTED, "hello")),
-    ("what did it do between 1 and 3 s", Question(Ask.NOW, "", 3.0, 1.0)),
-    ("is it stuck", Question(Ask.MOVEMENT, "stand")),
+    ("why did it crash", Question(QuestionKind.BUMP)),
+    ("why did it crsh into the wal", Question(QuestionKind.BUMP)),
+    ("why did it drive into the box", Question(QuestionKind.BUMP)),
+    ("it hits the thing why", Question(QuestionKind.BUMP)),
+    ("porque se choco", Question(QuestionKind.BUMP)),
+    ("se da contra la pared por que", Question(QuestionKind.BUMP)),
+    ("why does it not stop", Question(QuestionKind.NOT_MOVEMENT, "stand")),
+    ("why doesnt it stop", Question(QuestionKind.NOT_MOVEMENT, "stand")),
+    ("WHY DOSNT IT STOP", Question(QuestionKind.NOT_MOVEMENT, "stand")),
+    ("por que no para", Question(QuestionKind.NOT_MOVEMENT, "stand")),
+    ("por que no se detiene", Question(QuestionKind.NOT_MOVEMENT, "stand")),
+    ("por que no frena", Question(QuestionKind.NOT_MOVEMENT, "stand")),
+    ("why did it not show joy", Question(QuestionKind.NOT_SKILL, "expressJoy")),
+    ("why no smile", Question(QuestionKind.NOT_SKILL, "expressJoy")),
+    ("why dosent it smile when it sees the box", Question(QuestionKind.NOT_SKILL, "expressJoy")),
+    ("por que no sonrie", Question(QuestionKind.NOT_SKILL, "expressJoy")),
+    ("por que no pone cara de alegria", Question(QuestionKind.NOT_SKILL, "expressJoy")),
+    ("why is it scared all the time", Question(QuestionKind.EMOTION, "fear")),
+    ("por que tiene miedo", Question(QuestionKind.EMOTION, "fear")),
+    ("why is it so slow", Question(QuestionKind.SPEED, "slow")),
+    ("por que va tan rapido", Question(QuestionKind.SPEED, "fast")),
+    ("why did nothing happen", Question(QuestionKind.NOTHING)),
+    ("por que no pasa nada", Question(QuestionKind.NOTHING)),
+    ("por que no hace nada", Question(QuestionKind.NOTHING)),
+    ("what made it turn", Question(QuestionKind.MOVEMENT, "")),
+    ("what made it go right", Question(QuestionKind.MOVEMENT, "spin-right")),
+    ("why is it spinnig", Question(QuestionKind.MOVEMENT, "")),
+    ("why does it go round and round", Question(QuestionKind.MOVEMENT, "")),
+    ("por que no para de dar vueltas", Question(QuestionKind.MOVEMENT, "")),
+    ("why did it turn between 0 and 2 s", Question(QuestionKind.MOVEMENT, "", 2.0, 0.0)),
+    ("por que giro entre 0 y 2", Question(QuestionKind.MOVEMENT, "", 2.0, 0.0)),
+    ("why did it not come back", Question(QuestionKind.NOT_MOVEMENT, "back")),
+    ("por que no vuelve", Question(QuestionKind.NOT_MOVEMENT, "back")),
+    ("por que no da marcha atras", Question(QuestionKind.NOT_MOVEMENT, "back")),
+    ("why does it go straight for so long", Question(QuestionKind.LONG, "forward")),
+    ("why does it not end", Question(QuestionKind.NOT_END)),
+    ("why doesnt my program stop", Question(QuestionKind.NOT_END)),
+    ("por que no termina el programa", Question(QuestionKind.NOT_END)),
+    ("why did my program break", Question(QuestionKind.END)),
+    ("por que me sale un error", Question(QuestionKind.END)),
+    ("why did it leave the line", Question(QuestionKind.LOST)),
+    ("por que se sale de la linea", Question(QuestionKind.LOST)),
+    ("por que no sigue la linea", Question(QuestionKind.LOST)),
+    ("why did it fall off the table", Question(QuestionKind.FALL)),
+    ("por que se cayo", Question(QuestionKind.FALL)),
+    ("why does it say hello", Question(QuestionKind.PRINT, "hello")),
+    ("por que escribe hello", Question(QuestionKind.PRINTED, "hello")),
+    ("what did it do between 1 and 3 s", Question(QuestionKind.NOW, "", 3.0, 1.0)),
+    ("is it stuck", Question(QuestionKind.MOVEMENT, "stand")),
 )
 
 
@@ -211,11 +214,11 @@ def test_any_text_is_a_question_or_is_answered_with_three(history, written):
 def test_only_what_the_program_makes_possible_is_listed(history):
     listed = questions(history)
     asked = {(one.ask, one.subject) for one in listed}
-    assert (Ask.NOT_SKILL, "expressSurprise") in asked
-    assert (Ask.NOT_WHEN, "near") in asked
-    assert (Ask.VALUE, "count") in asked
-    assert (Ask.NOT_SKILL, "expressJoy") not in asked
-    assert (Ask.VALUE, "robot") not in asked
+    assert (QuestionKind.NOT_SKILL, "expressSurprise") in asked
+    assert (QuestionKind.NOT_WHEN, "near") in asked
+    assert (QuestionKind.VALUE, "count") in asked
+    assert (QuestionKind.NOT_SKILL, "expressJoy") not in asked
+    assert (QuestionKind.VALUE, "robot") not in asked
 
 
 def test_each_question_has_words_in_both_languages(history):
@@ -250,7 +253,7 @@ PROGRAMS = (
     ),
 )
 #: Questions whose words have no time.
-TIMELESS = {Ask.END, Ask.GOAL, Ask.REACHED}
+TIMELESS = {QuestionKind.END, QuestionKind.GOAL, QuestionKind.REACHED}
 
 
 def listed(history):
@@ -260,7 +263,7 @@ def listed(history):
         *questions(history),
         *(one for time in moments for one in questions_about_moment(history, time)),
         *(one for time in moments for one in questions_about_lines(history, lines, time)),
-        *(Question(Ask.PRINTED, text, 3.0) for text in ("at 5", "hello", "2")),
+        *(Question(QuestionKind.PRINTED, text, 3.0) for text in ("at 5", "hello", "2")),
     }
 
 
@@ -270,7 +273,7 @@ def test_each_listed_question_is_understood_in_each_language(program, robot, wor
     history = logged_text(tmp_path, program, robot, **options).history
     printed = {str(line["print"]) for line in history.recorded.lines if "print" in line}
     for one in listed(history):
-        if one.ask is Ask.PRINTED and one.subject not in printed:
+        if one.ask is QuestionKind.PRINTED and one.subject not in printed:
             continue
         wanted = replace(one, time=None) if one.ask in TIMELESS else one
         for language in languages():
@@ -280,12 +283,20 @@ def test_each_listed_question_is_understood_in_each_language(program, robot, wor
 
 
 def test_a_question_about_no_subject_is_whole():
-    words = {str(Question(ask).phrase) for ask in (Ask.BUMP, Ask.GOAL, Ask.PRINT, Ask.NOT_PRINT)}
+    words = {
+        str(Question(ask).phrase)
+        for ask in (
+            QuestionKind.BUMP,
+            QuestionKind.GOAL,
+            QuestionKind.PRINT,
+            QuestionKind.NOT_PRINT,
+        )
+    }
     assert words == {
         "Why did the robot bump into something?",
         "Why was the goal not reached?",
         "Why was a text printed?",
         "Why was no text printed?",
     }
-    assert str(Question(Ask.NOT_PRINT, "late").phrase) == 'Why was "late" not printed?'
-    assert str(Question(Ask.VALUE, "x").phrase) == "Why does x have this value?"
+    assert str(Question(QuestionKind.NOT_PRINT, "late").phrase) == 'Why was "late" not printed?'
+    assert str(Question(QuestionKind.VALUE, "x").phrase) == "Why does x have this value?"

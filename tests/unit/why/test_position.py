@@ -5,7 +5,7 @@ import pytest
 from asked import run_of
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import Kind
-from learnblock.why.history import History
+from learnblock.why.history import EventHistory
 from learnblock.why.position import Position
 from learnblock.why.recorded import Recorded
 from learnblock.why.slices import Slices
@@ -35,7 +35,7 @@ def test_a_skill_that_still_lasts_is_the_one_whose_line_ran_last(history):
 def test_without_its_lines_a_skill_that_still_lasts_is_any_call_of_it(history):
     recorded = history.recorded
     lines = tuple(line for line in recorded.lines if "line" not in line)
-    history = History(Recorded(recorded.program, recorded.nodes, recorded.batches, lines, {}))
+    history = EventHistory(Recorded(recorded.program, recorded.nodes, recorded.batches, lines, {}))
     assert history.line(Position(Slices(history)).call_of(history.uses[-1])) in (3, 6)
 
 

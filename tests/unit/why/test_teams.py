@@ -15,7 +15,7 @@ from learnblock.runtime.inline import InlineWorker
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.log.noting import TICK
 from learnblock.simulator import World
-from learnblock.why import History, Recorded, read
+from learnblock.why import EventHistory, Recorded, read
 from learnblock.why.calls import calls
 from learnblock.why.moments import Moments
 from learnblock.why.world_again import WorldAgain
@@ -87,7 +87,7 @@ def test_logs_leave_the_trace_of_a_run_as_it_was():
 def test_each_log_is_of_its_own_program():
     run, logs = team("football")
     report = run.run()
-    striker, keeper = (History(Recorded.of(log.blocks)) for log in logs.values())
+    striker, keeper = (EventHistory(Recorded.of(log.blocks)) for log in logs.values())
     assert striker.recorded.name == "r0"
     assert striker.recorded.conditions["robot"] == "sim-ebo"
     assert keeper.recorded.conditions["robot"] == "sim-thymio"

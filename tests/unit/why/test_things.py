@@ -4,8 +4,8 @@ import pytest
 
 from learnblock.i18n import Phrase, translate
 from learnblock.why.answers import Answers
-from learnblock.why.questions import Ask, Question
-from learnblock.why.sentences import Answer, Sentence
+from learnblock.why.questions import Question, QuestionKind
+from learnblock.why.sentences import Explanation, Sentence
 from learnblock.why.things import seen_in_run, thing_at, with_things
 from logged_runs import logged_text
 
@@ -27,12 +27,12 @@ DRIVING = (
 def test_a_reading_names_what_the_sensor_saw(tmp_path, robot, world, thing):
     run = logged_text(tmp_path, DRIVING, robot, world=world, seconds=15, seed=0)
     answers = Answers(run.history, seen_in_run(run.recorded))
-    given = answers.answer(Question(Ask.MOVEMENT, "stand"))
+    given = answers.answer(Question(QuestionKind.MOVEMENT, "stand"))
     assert f"({thing}" in " ".join(given.words("en"))
 
 
 def test_things_are_named_in_the_readers_language():
-    given = Answer(
+    given = Explanation(
         (Sentence(Phrase("why-measured", side="x", mm=3, thing=thing_at("left", 1.0)), 1, 0, 1.0),)
     )
     [sentence] = with_things(given, lambda side, time: "light box").sentences
@@ -43,6 +43,6 @@ def test_things_are_named_in_the_readers_language():
 def test_moments_are_asked_for_in_their_order():
     asked = []
     phrases = [Phrase("why-facts", facts=(thing_at("left", time),)) for time in (3.0, 1.0, 2.0)]
-    given = Answer(tuple(Sentence(one, 1, 0, 0.0) for one in phrases))
+    given = Explanation(tuple(Sentence(one, 1, 0, 0.0) for one in phrases))
     with_things(given, lambda side, time: asked.append(time))
     assert asked == [1.0, 2.0, 3.0]

@@ -7,7 +7,7 @@ import msgspec
 import pytest
 
 from learnblock.errors import LearnBlockError
-from learnblock.runtime.log.blocks import MAGIC, Block, Stream
+from learnblock.runtime.log.blocks import MAGIC, EventBlock, EventStream
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.program import Program
 from learnblock.why import verification
@@ -51,8 +51,8 @@ def test_a_file_that_was_cut_off_is_read_up_to_there():
         b"PK\x03\x04",
         MAGIC,
         MAGIC + b"\0" * 100,
-        file(Block(Stream.HEADER, 0, 0, b"not compressed")),
-        file(Block.of(Stream.HEADER, 0, 0, b"\x91" * 100_000)),
+        file(EventBlock(EventStream.HEADER, 0, 0, b"not compressed")),
+        file(EventBlock.of(EventStream.HEADER, 0, 0, b"\x91" * 100_000)),
         file(*made({"run": RUN}, {"t": "soon", "print": "x"})),
         file(*made({"run": RUN}, {"t": -5, "print": 1}, {"t": 1e300, "print": "x"})),
         file(*made({"run": RUN}, {"pose": [1, 2, 3]})),
@@ -81,7 +81,7 @@ def test_what_is_no_sound_log_is_refused(data):
 
 def test_a_file_that_unpacks_to_too_much_is_refused(monkeypatch):
     monkeypatch.setattr(verification, "MOST_DATA", 1_000_000)
-    bomb = [Block.of(Stream.WORLD, 0, 0, b" " * 400_000)] * 3
+    bomb = [EventBlock.of(EventStream.WORLD, 0, 0, b" " * 400_000)] * 3
     assert len(file(*bomb)) < 10_000
     with pytest.raises(LearnBlockError, match="too large"):
         verified(file(*made(), *bomb))

@@ -22,7 +22,7 @@ from pycozmo.util import hex_load
 from cozmos import Cozmo, cozmo
 from emulated import LONG
 from learnblock.emulators.cozmo import face, frames, picture
-from learnblock.emulators.cozmo.frames import DatagramError, Frame, FrameKind, decoded, encoded
+from learnblock.emulators.cozmo.frames import Datagram, DatagramError, FrameKind, decoded, encoded
 from waiting import wait_for
 
 # Frames.
@@ -182,7 +182,7 @@ class Client:
         for packet in (packets.Enable(), packets.SyncTime()):
             self.command(packet)
 
-    def hear(self) -> Frame:
+    def hear(self) -> Datagram:
         return decoded(self.socket.recv(65536))
 
     def hear_until(self, kind: type) -> object:

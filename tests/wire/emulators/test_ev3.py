@@ -14,7 +14,7 @@ from bricks import brick
 from learnblock.devices import Base
 from learnblock.emulators import emulate
 from learnblock.emulators.ev3 import firmware
-from learnblock.emulators.ev3.bytecode import ByteCodeError, Code, Machine
+from learnblock.emulators.ev3.bytecode import ByteCodeError, ByteCodeMachine, ByteCodeReader
 from learnblock.emulators.ev3.ev3dev import RPYC
 from learnblock.emulators.ev3.sysfs import Attribute
 from learnblock.errors import UnknownNameError
@@ -190,7 +190,7 @@ def vehicle():
 
 def test_a_timed_motor_turns_until_its_time_is_over(vehicle):
     now = Time()
-    machine = Machine(vehicle, now)
+    machine = ByteCodeMachine(vehicle, now)
     # Motor B at -50 percent for 300 ms, then brake.
     assert machine.execute(message("af000281ce00822c010001")) == b"\x01\x00\x02"
     assert vehicle.speeds == {"A": 0, "B": -525, "C": 0, "D": 0}
@@ -205,7 +205,7 @@ def test_a_timed_motor_turns_until_its_time_is_over(vehicle):
 def test_a_reply_has_the_requested_values_at_the_given_positions(vehicle):
     # Type and mode at port 4, the count of motor B, and what the sensors at ports 4 and 1 read.
     code = "99050003" + "6061" + "b3000164" + "991d00030000016" + "8" + "991d0000000001" + "6c"
-    reply = Machine(vehicle).execute(message(code, 16))
+    reply = ByteCodeMachine(vehicle).execute(message(code, 16))
     assert reply[:3] == b"\x01\x00\x02"
     kind, mode, count, distance, touched = struct.unpack("<bb2xiff", reply[3:])
     assert (kind, mode, count, touched) == (30, 0, 90, 1)
@@ -217,18 +217,18 @@ def test_a_reply_has_the_requested_values_at_the_given_positions(vehicle):
     ["ff", "a3", "a30002", "990500034041", "b3000161", "b3000178", "9502", "a3010201", "99ff00"],
 )
 def test_the_firmware_rejects_unknown_commands(vehicle, code):
-    assert Machine(vehicle).execute(message(code, 4)) == b"\x01\x00\x04"
+    assert ByteCodeMachine(vehicle).execute(message(code, 4)) == b"\x01\x00\x04"
 
 
 def test_a_command_without_a_reply_gets_none(vehicle):
-    assert Machine(vehicle).execute(message("94010282e80382e803", kind=0x80)) == b""
+    assert ByteCodeMachine(vehicle).execute(message("94010282e80382e803", kind=0x80)) == b""
     assert vehicle.noted == [("tone", 1000.0, 1000.0)]
 
 
 @settings(max_examples=500)
 @given(st.binary(max_size=60) | st.binary(max_size=60).map(lambda code: b"\1\0\0\x10\0" + code))
 def test_no_message_upsets_the_firmware(code):
-    assert isinstance(Machine(FakeVehicle()).execute(code), bytes)
+    assert isinstance(ByteCodeMachine(FakeVehicle()).execute(code), bytes)
 
 
 def test_a_stranger_that_says_nothing_leaves_the_firmwares_only_place(monkeypatch):
@@ -240,7 +240,7 @@ def test_a_stranger_that_says_nothing_leaves_the_firmwares_only_place(monkeypatc
 
 
 def test_constants_are_decoded():
-    code = Code(bytes.fromhex("1f20818082e80383a0860100"))
+    code = ByteCodeReader(bytes.fromhex("1f20818082e80383a0860100"))
     assert [code.constant() for _ in range(5)] == [31, -32, -128, 1000, 100000]
     with pytest.raises(ByteCodeError):
         code.byte()

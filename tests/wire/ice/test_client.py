@@ -16,7 +16,7 @@ from learnblock.ice.robocomp import (
     interfaces,
 )
 from learnblock.ice.robocomp.cameras import ColorRGB, PointXYZ, Registration
-from learnblock.ice.robocomp.components import State
+from learnblock.ice.robocomp.components import ComponentState
 from learnblock.ice.robocomp.joints import BusParams, MotorGoalVelocity, MotorParams
 from learnblock.ice.robocomp.recognition import FoundTag, Picture
 
@@ -146,7 +146,7 @@ def test_components_are_read(robot):
     assert proxies["apriltag"].call("processimage", picture) == (FoundTag(8, 160, 120, "ebo"),)
     assert running.told() == ["processimage", 240, 320, 3, 230400]
     assert proxies["commonbehavior"].call("getPeriod") == 100
-    assert proxies["commonbehavior"].call("getState") is State.RUNNING
+    assert proxies["commonbehavior"].call("getState") is ComponentState.RUNNING
     assert proxies["commonbehavior"].call("getParameterList")["ñ"].value == "1" * 300
 
 

@@ -14,7 +14,7 @@ from learnblock.errors import IceLinkError
 from learnblock.ice import Adapter, Interface, Operation, Proxy, Servant
 from learnblock.ice.endpoint import Endpoint
 from learnblock.ice.interface import Mode
-from learnblock.ice.messages import HEADER, Kind, message
+from learnblock.ice.messages import HEADER, MessageKind, message
 from learnblock.ice.robocomp import Layout, interfaces
 from learnblock.ice.types import INT
 from learnblock.testing import Fault, Relay
@@ -82,7 +82,7 @@ def test_a_call_that_hangs_delays_no_other():
     heard, let_go = threading.Event(), threading.Event()
 
     def serve(connection):
-        connection.sendall(message(Kind.VALIDATE))
+        connection.sendall(message(MessageKind.VALIDATE))
         first = read(connection)[:4]
         heard.set()
         connection.sendall(reply_to(read(connection)[:4], 2))
@@ -99,7 +99,7 @@ def test_a_call_that_hangs_delays_no_other():
 
 def reply_to(number, value):
     """The message that answers the request with that number."""
-    return message(Kind.REPLY, number + b"\0" + struct.pack("<iBBi", 10, 1, 1, value))
+    return message(MessageKind.REPLY, number + b"\0" + struct.pack("<iBBi", 10, 1, 1, value))
 
 
 def read(connection):
@@ -170,11 +170,14 @@ def test_a_slow_link_works(counter):
     ("says", "sentence"),
     [
         (b"HTTP/1.1 400 Bad Request\r\n\r\n", "can't be read"),
-        (message(Kind.REPLY, b"\1\0\0\0\0"), r"unexpected message \(REPLY\)"),
-        (message(Kind.VALIDATE) + b"x" * 40, "can't be read"),
-        (message(Kind.VALIDATE) + message(Kind.REPLY, b"\1"), "can't be read"),
-        (message(Kind.VALIDATE) + message(Kind.REQUEST, b""), r"unexpected message \(REQUEST\)"),
-        (message(Kind.VALIDATE)[:5], "closed the connection"),
+        (message(MessageKind.REPLY, b"\1\0\0\0\0"), r"unexpected message \(REPLY\)"),
+        (message(MessageKind.VALIDATE) + b"x" * 40, "can't be read"),
+        (message(MessageKind.VALIDATE) + message(MessageKind.REPLY, b"\1"), "can't be read"),
+        (
+            message(MessageKind.VALIDATE) + message(MessageKind.REQUEST, b""),
+            r"unexpected message \(REQUEST\)",
+        ),
+        (message(MessageKind.VALIDATE)[:5], "closed the connection"),
         (b"", "closed the connection"),
     ],
 )
@@ -192,10 +195,10 @@ def test_a_server_without_ice_is_reported(says, sentence):
 
 def test_keep_alive_messages_and_late_replies_are_skipped():
     def serve(connection):
-        connection.sendall(message(Kind.VALIDATE) * 3)
+        connection.sendall(message(MessageKind.VALIDATE) * 3)
         number = read(connection)[:4]
-        late = message(Kind.REPLY, struct.pack("<i", 99) + b"\0\6\0\0\0\1\1")
-        connection.sendall(late + message(Kind.VALIDATE) + reply_to(number, 7))
+        late = message(MessageKind.REPLY, struct.pack("<i", 99) + b"\0\6\0\0\0\1\1")
+        connection.sendall(late + message(MessageKind.VALIDATE) + reply_to(number, 7))
         connection.recv(1)
 
     with peer(serve) as port, proxy_to(port) as proxy:
@@ -209,7 +212,7 @@ def test_a_call_lost_with_its_connection_is_repeated_if_that_is_harmless():
         for _ in range(2):
             connection, _ = listener.accept()
             with connection:
-                connection.sendall(message(Kind.VALIDATE))
+                connection.sendall(message(MessageKind.VALIDATE))
                 while body := read_all(connection):
                     heard.append(body)
                     if len(heard) == 2:
@@ -228,7 +231,7 @@ def test_a_call_lost_with_its_connection_is_repeated_if_that_is_harmless():
 def read_all(connection):
     """The body of the next request; empty if the client is gone."""
     header = connection.recv(HEADER.size, socket.MSG_WAITALL)
-    if len(header) < HEADER.size or header[8] != Kind.REQUEST:
+    if len(header) < HEADER.size or header[8] != MessageKind.REQUEST:
         return b""
     return connection.recv(HEADER.unpack(header)[-1] - HEADER.size, socket.MSG_WAITALL)
 

@@ -18,7 +18,7 @@ from learnblock.ice.robocomp import (
     interfaces,
 )
 from learnblock.ice.robocomp.cameras import Registration
-from learnblock.ice.robocomp.components import Parameter, State
+from learnblock.ice.robocomp.components import ComponentState, Parameter
 from learnblock.ice.robocomp.recognition import FoundTag
 from places import TESTS
 
@@ -74,7 +74,7 @@ class Everything:
         return [FoundTag(8, frame.width, len(frame.image), "ebo")]
 
     def getState(self):
-        return State.RUNNING
+        return ComponentState.RUNNING
 
     def getParameterList(self):
         return {"ñ": Parameter(editable=True, value="1" * 300, type="string")}

@@ -40,9 +40,9 @@ from learnblock.errors import (
 from learnblock.robots import connect, find
 from learnblock.robots import settings as user_settings
 from learnblock.robots.cozmo import CozmoSettings, Robot, behaviours, face, sound, units
-from learnblock.robots.cozmo.camera import Picture
+from learnblock.robots.cozmo.camera import ReceivedPicture
 from learnblock.robots.cozmo.link import batches, decoded
-from learnblock.robots.cozmo.odometry import Odometry
+from learnblock.robots.cozmo.odometry import CozmoOdometry
 from learnblock.skills import cozmo as skills
 from learnblock.testing import LINK_CLAIMS, Fault, check_robot
 from places import ROOT
@@ -509,7 +509,7 @@ def test_no_datagram_brings_the_driver_down(tail):
 @given(st.binary(min_size=1, max_size=400), st.sampled_from([6, 7, 8]))
 def test_a_damaged_picture_is_decoded_as_none(data, encoding):
     resolution = packets.ImageResolution.QVGA
-    frame = Picture(data, packets.ImageEncoding(encoding), resolution).frame()
+    frame = ReceivedPicture(data, packets.ImageEncoding(encoding), resolution).frame()
     assert frame is None or frame.shape == (240, 320, 3)
 
 
@@ -548,7 +548,7 @@ def test_the_robots_accelerations_are_mm_per_s2():
 
 
 def test_odometry_counts_full_turns_to_the_right_and_accepts_a_new_origin():
-    odometry = Odometry()
+    odometry = CozmoOdometry()
     for degrees in range(0, 801, 20):
         odometry.follow((0, 1), 10, 20, math.remainder(-math.radians(degrees), 2 * math.pi))
     assert odometry.turned() == pytest.approx(800)

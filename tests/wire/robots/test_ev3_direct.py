@@ -20,8 +20,8 @@ from learnblock.errors import RobotConnectionError
 from learnblock.robots import connect
 from learnblock.robots.ev3 import direct, scan
 from learnblock.robots.ev3.brick import Look
-from learnblock.robots.ev3.direct_link import Motor
-from learnblock.robots.ev3.link import Link
+from learnblock.robots.ev3.direct_link import DirectMotor
+from learnblock.robots.ev3.link import BrickLink
 from learnblock.robots.ev3.screen import LARGE, NORMAL, laid_out
 from twins import stands_after, x_of
 from waiting import wait_for
@@ -122,7 +122,7 @@ def test_bytes_of_a_wire_are_messages_or_refused(data):
 
 
 def test_the_rounding_of_a_speed_is_corrected_later():
-    motor = Motor(1)
+    motor = DirectMotor(1)
     turns = [motor.turn(2.4) for _ in range(10)]
     assert sum(one == direct.turn(1, 3, 300) for one in turns) == 4
     assert sum(one == direct.turn(1, 2, 300) for one in turns) == 6
@@ -132,7 +132,7 @@ def test_the_rounding_of_a_speed_is_corrected_later():
     assert motor.turn(0.3) == direct.turn(1, 1, 300)
 
 
-class Silence(Link):
+class Silence(BrickLink):
     """A link that is closed while a thread is waiting to send."""
 
     def exchange(self, word):

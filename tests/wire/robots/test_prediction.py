@@ -4,7 +4,7 @@ import pytest
 
 from emulated import settle
 from learnblock.emulators import emulate
-from learnblock.emulators.cozmo.machine import Machine
+from learnblock.emulators.cozmo.machine import CozmoMachine
 from learnblock.emulators.ev3.vehicle import Vehicle
 from learnblock.why.drift import NOTICEABLE, drift
 from learnblock.why.ghost import findings, unrecorded
@@ -90,9 +90,11 @@ def test_wrong_sizes_of_an_ev3_are_found_with_the_numbers_to_put_there(run, radi
 
 
 def test_a_cozmo_that_drives_too_little_leaves_the_way_of_its_twin(run, monkeypatch):
-    drive = Machine._set_speeds
+    drive = CozmoMachine._set_speeds
     monkeypatch.setattr(
-        Machine, "_set_speeds", lambda self, left, right: drive(self, left * 0.93, right * 0.93)
+        CozmoMachine,
+        "_set_speeds",
+        lambda self, left, right: drive(self, left * 0.93, right * 0.93),
     )
     prediction = run("cozmo")
     found = drift(prediction)

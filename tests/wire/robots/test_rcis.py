@@ -18,7 +18,7 @@ from learnblock.emulators.twin import Twin
 from learnblock.errors import RobotConnectionError, SettingsError
 from learnblock.ice.robocomp import Layout
 from learnblock.robots.rcis import Robot
-from learnblock.robots.rcis.camera import Pictures, shape_of
+from learnblock.robots.rcis.camera import FrameConverter, shape_of
 from learnblock.robots.rcis.face import draw_face, draw_text
 from learnblock.testing import LINK_CLAIMS, Fault, Relay, check_robot
 from runs import run_file
@@ -165,7 +165,7 @@ def test_bytes_that_are_not_a_picture_are_reported(size):
 
 
 def test_without_bytes_there_is_no_picture_yet():
-    assert Pictures().unpacked(b"") is None
+    assert FrameConverter().unpacked(b"") is None
 
 
 @pytest.mark.parametrize("ports", [[1, 2, 3, 4], [1, 2, 3, 4, 0], 5])

@@ -19,7 +19,7 @@ from learnblock.blocks.schema.limits import MOST_CHOICES, is_choice, range_probl
 from learnblock.errors import Diagnostic, nearest
 from learnblock.fields import Range
 from learnblock.i18n import Phrase
-from learnblock.storage.json_source import Document, Path, Place
+from learnblock.storage.json_source import JsonDocument, Path, TextPosition
 
 T = TypeVar("T", bound=str)
 
@@ -57,7 +57,7 @@ _LANGUAGE = re.compile(r"[A-Z]{2,3}(-[A-Z0-9]{2,8})*")
 _NEED = re.compile(r"[A-Za-z][\w-]*(:(\w+|\{\w+\}))?")
 
 
-def read(document: Document) -> tuple[tuple[BlockConfiguration, ...], tuple[Diagnostic, ...]]:
+def read(document: JsonDocument) -> tuple[tuple[BlockConfiguration, ...], tuple[Diagnostic, ...]]:
     """The configurations in a document (one, or a list), and its mistakes."""
     reader = _Reader(document)
     return tuple(reader.blocks()), tuple(
@@ -66,7 +66,7 @@ def read(document: Document) -> tuple[tuple[BlockConfiguration, ...], tuple[Diag
 
 
 class _Reader:
-    def __init__(self, document: Document) -> None:
+    def __init__(self, document: JsonDocument) -> None:
         self._document = document
         self.problems: list[Diagnostic] = []
 
@@ -136,7 +136,7 @@ class _Reader:
             self._wrong("wrong-type", path, message)
             return {}
         for key in value.keys() - known:
-            place = self._document.keys.get((*path, key), Place())
+            place = self._document.keys.get((*path, key), TextPosition())
             self._note("unknown-key", _unknown_key(key, who, known), place)
         for key in (key for key, required in known.items() if required and key not in value):
             self._wrong("missing-key", path, Phrase("block-missing-key", where=who, key=key))
@@ -203,7 +203,7 @@ class _Reader:
         return texts
 
     def _check_language(self, code: str, known: Collection[str], path: Path, who: Phrase) -> None:
-        place, key = self._document.keys.get(path, Place()), str(path[-2])
+        place, key = self._document.keys.get(path, TextPosition()), str(path[-2])
         if not _LANGUAGE.fullmatch(code.upper()):
             message = Phrase("block-bad-language", where=who, key=key, value=_shown(code))
             self._note("bad-language", message, place)
@@ -288,7 +288,7 @@ class _Reader:
             self._wrong("wrong-type", at, message)
             return {}
         for name in value.keys() - set(choices):
-            place = self._document.keys.get((*at, name), Place())
+            place = self._document.keys.get((*at, name), TextPosition())
             self._note("unknown-key", _unknown_choice(name, choices, who), place)
         return {name: self._languages(value, name, at, who) for name in choices if name in value}
 
@@ -338,9 +338,9 @@ class _Reader:
                 self._wrong("missing-default", path, message)
 
     def _wrong(self, code: str, path: Path, message: Phrase) -> None:
-        self._note(code, message, self._document.values.get(path, Place()))
+        self._note(code, message, self._document.values.get(path, TextPosition()))
 
-    def _note(self, code: str, message: Phrase, place: Place) -> None:
+    def _note(self, code: str, message: Phrase, place: TextPosition) -> None:
         if len(self.problems) == _MOST_PROBLEMS:
             return
         self.problems.append(Diagnostic(code, message, place.line, place.column, place.end_column))

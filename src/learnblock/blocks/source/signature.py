@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 
 from learnblock.blocks.schema.configuration import ParameterType, Returns
 from learnblock.blocks.source.hints import FieldType, field_type
-from learnblock.blocks.source.uses import Uses, uses_of
+from learnblock.blocks.source.uses import UsedNames, uses_of
 from learnblock.errors import HintError
 from learnblock.i18n import Phrase
 from learnblock.storage import skill_files
@@ -22,7 +22,7 @@ _BY_DEFAULT: dict[str, ParameterType] = {
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class FilePosition:
     """A position in a file: line and columns, counted from 1."""
 
     line: int
@@ -52,7 +52,7 @@ class Argument:
     default: object
     is_constant: bool
     wrong: Phrase | None
-    place: Place
+    place: FilePosition
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,8 +80,8 @@ class Signature:
     is_said: bool
     summary: str
     unfit: tuple[str, ...]
-    place: Place
-    uses: Uses = field(default_factory=Uses)
+    place: FilePosition
+    uses: UsedNames = field(default_factory=UsedNames)
 
 
 def signatures(source: str, filename: str) -> tuple[Signature, ...]:
@@ -111,7 +111,7 @@ def signature(function: ast.FunctionDef) -> Signature:
         is_said=has_hint,
         summary=" ".join(summary.split()),
         unfit=tuple(_unfit(function.args)),
-        place=Place(function.lineno, start + 1, start + 1 + len(function.name)),
+        place=FilePosition(function.lineno, start + 1, start + 1 + len(function.name)),
     )
 
 
@@ -135,7 +135,7 @@ def _argument(argument: ast.arg, expression: ast.expr | None) -> Argument:
         default=default,
         is_constant=is_constant,
         wrong=wrong,
-        place=Place(argument.lineno, column, column + len(argument.arg)),
+        place=FilePosition(argument.lineno, column, column + len(argument.arg)),
     )
 
 

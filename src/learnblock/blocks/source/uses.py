@@ -43,7 +43,7 @@ class SkillUse:
 
 
 @dataclass(frozen=True, slots=True)
-class Uses:
+class UsedNames:
     """What a function or a class uses.
 
     Args:
@@ -62,15 +62,15 @@ class Uses:
         known = (call.needed(skills[call.name]) for call in self.calls if call.name in skills)
         return tuple(sorted(self.needs.union(*known)))
 
-    def joined(self, other: "Uses") -> "Uses":
+    def joined(self, other: "UsedNames") -> "UsedNames":
         """What both use."""
         mentions = self.mentions | other.mentions
-        return Uses(self.needs | other.needs, self.calls + other.calls, mentions)
+        return UsedNames(self.needs | other.needs, self.calls + other.calls, mentions)
 
 
 def uses_of(
-    tree: ast.Module, imported: Mapping[str, Uses] = MappingProxyType({})
-) -> dict[str, Uses]:
+    tree: ast.Module, imported: Mapping[str, UsedNames] = MappingProxyType({})
+) -> dict[str, UsedNames]:
     """What each function and class at the top of a file uses, by its name.
 
     What it mentions counts as well.
@@ -87,8 +87,8 @@ def uses_of(
 
 
 def imported_names(
-    tree: ast.Module, defined: Callable[[str], Mapping[str, Uses]]
-) -> dict[str, Uses]:
+    tree: ast.Module, defined: Callable[[str], Mapping[str, UsedNames]]
+) -> dict[str, UsedNames]:
     """What the functions and classes use that a file imports, as it writes them.
 
     They are ``follow`` or, after ``import helpers``, ``helpers.follow``.
@@ -97,7 +97,7 @@ def imported_names(
         tree: the file.
         defined: returns what is defined in a module; nothing if it is not beside the program.
     """
-    found: dict[str, Uses] = {}
+    found: dict[str, UsedNames] = {}
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
             for alias in node.names:
@@ -116,7 +116,7 @@ def imported_names(
 
 def with_needs(
     blocks: Iterable[BlockConfiguration],
-    uses: Mapping[str, Uses],
+    uses: Mapping[str, UsedNames],
     skills: Mapping[str, BlockConfiguration],
 ) -> Iterator[BlockConfiguration]:
     """Blocks with the needs of their functions, unless their configurations name some.
@@ -133,25 +133,25 @@ def with_needs(
         yield replace(block, needs=tuple(needs)) if needs else block
 
 
-def _all(name: str, uses: Mapping[str, Uses]) -> Uses:
+def _all(name: str, uses: Mapping[str, UsedNames]) -> UsedNames:
     """What something uses, and in turn what it mentions."""
-    seen: dict[str, Uses] = {}
+    seen: dict[str, UsedNames] = {}
     ahead = [name]
     while ahead:
         found = ahead.pop()
         if found in uses and found not in seen:
             seen[found] = uses[found]
             ahead += uses[found].mentions
-    return reduce(Uses.joined, seen.values(), Uses())
+    return reduce(UsedNames.joined, seen.values(), UsedNames())
 
 
-def _uses(definition: ast.stmt) -> Uses:
+def _uses(definition: ast.stmt) -> UsedNames:
     nodes = list(_unguarded(definition))
     calls = [node for node in nodes if isinstance(node, ast.Call)]
     names = {node.id for node in nodes if isinstance(node, ast.Name)}
     attributes = [node for node in nodes if isinstance(node, ast.Attribute)]
     names |= {node.attr for node in attributes}
-    return Uses(
+    return UsedNames(
         frozenset(filter(None, map(_read, calls))),
         tuple(filter(None, map(_skill_use, calls))),
         frozenset(names.union(map(dotted, attributes))),

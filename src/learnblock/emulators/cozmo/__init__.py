@@ -34,10 +34,10 @@ class Emulator:
     def __init__(self, twin: Twin, *, address: str = "127.0.0.1", port: int = 0) -> None:
         require("pycozmo", "cozmo")
         # These modules need pycozmo, which is not always installed.
-        from learnblock.emulators.cozmo.machine import TICK, Machine  # noqa: PLC0415
+        from learnblock.emulators.cozmo.machine import TICK, CozmoMachine  # noqa: PLC0415
         from learnblock.emulators.cozmo.server import Server  # noqa: PLC0415
 
-        self.machine = Machine(twin)
+        self.machine = CozmoMachine(twin)
         self._server = Server(self.machine, address, port, TICK / twin.speed)
         self.settings: Mapping[str, Any] = {"address": address, "port": self._server.port}
 

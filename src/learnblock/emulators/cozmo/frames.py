@@ -52,7 +52,7 @@ class PacketKind(IntEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Frame:
+class Datagram:
     """The contents of a datagram.
 
     Args:
@@ -71,7 +71,7 @@ def following(sequence: int) -> int:
     return sequence % LAST_SEQUENCE + 1
 
 
-def decoded(datagram: bytes) -> Frame:
+def decoded(datagram: bytes) -> Datagram:
     """Read a datagram.
 
     Raises:
@@ -89,7 +89,7 @@ def decoded(datagram: bytes) -> Frame:
         raise DatagramError(
             f"a frame has {len(payload)} bytes of packets, more than {MOST_PAYLOAD}"
         )
-    return Frame(kind, ack, tuple(_numbered(first, _packets(kind, payload))))
+    return Datagram(kind, ack, tuple(_numbered(first, _packets(kind, payload))))
 
 
 def encoded(ack: int, first: int, contents: Sequence[Any]) -> bytes:

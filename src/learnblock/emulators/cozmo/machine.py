@@ -28,7 +28,7 @@ _JOINTS = (packets.MotorID.MOTOR_HEAD, packets.MotorID.MOTOR_LIFT)
 _FIRMWARE = {"version": 2381, "build": "DEVELOPMENT"}
 
 
-class Machine:
+class CozmoMachine:
     """An emulated Cozmo, whose body is a twin.
 
     Args:

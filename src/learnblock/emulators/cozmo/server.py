@@ -12,8 +12,8 @@ from pycozmo import protocol_encoder as packets
 
 from learnblock.emulators.cozmo.frames import (
     MOST_PAYLOAD,
+    Datagram,
     DatagramError,
-    Frame,
     FrameKind,
     decoded,
     encoded,
@@ -157,7 +157,7 @@ class Server:
         self._session = _Session(address, monotonic())
         self._send(self._session, (packets.Connect(), *self._robot.greet()))
 
-    def _hear(self, session: _Session, frame: Frame) -> None:
+    def _hear(self, session: _Session, frame: Datagram) -> None:
         session.heard = monotonic()
         session.acknowledge(frame.ack)
         answers: list[Any] = []

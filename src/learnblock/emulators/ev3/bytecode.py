@@ -21,7 +21,7 @@ class ByteCodeError(Exception):
     """The firmware cannot execute this byte code."""
 
 
-class Code:
+class ByteCodeReader:
     """Reads byte code from start to end."""
 
     def __init__(self, code: bytes) -> None:
@@ -74,7 +74,7 @@ class Code:
         return piece
 
 
-class Machine:
+class ByteCodeMachine:
     """Executes direct commands.
 
     Args:
@@ -89,7 +89,7 @@ class Machine:
         self._runs: dict[str, tuple[int, float]] = {}
         #: What has been drawn on the screen since it was emptied: places of lines, and the lines.
         self._drawn: dict[tuple[int, int], str] = {}
-        self._operations: dict[int, Callable[[Code, bytearray], None]] = {
+        self._operations: dict[int, Callable[[ByteCodeReader, bytearray], None]] = {
             0x84: self._draw,
             0x94: self._sound,
             0x99: self._input_device,
@@ -112,7 +112,7 @@ class Machine:
             return b""
         counter, kind, sizes = struct.unpack_from("<HBH", message)
         reply = bytearray(sizes & 0x3FF)
-        code = Code(message[5:])
+        code = ByteCodeReader(message[5:])
         try:
             if kind & 0x7F:
                 raise ByteCodeError("no direct command")
@@ -123,12 +123,12 @@ class Machine:
         self.turn()
         return b"" if kind & 0x80 else struct.pack("<HB", counter, 0x02) + bytes(reply)
 
-    def _operation(self, number: int) -> Callable[[Code, bytearray], None]:
+    def _operation(self, number: int) -> Callable[[ByteCodeReader, bytearray], None]:
         if number not in self._operations:
             raise ByteCodeError(f"the operation {number:#x}")
         return self._operations[number]
 
-    def _draw(self, code: Code, reply: bytearray) -> None:
+    def _draw(self, code: ByteCodeReader, reply: bytearray) -> None:
         del reply
         match code.byte():
             case 0x00:
@@ -149,7 +149,7 @@ class Machine:
             case other:
                 raise ByteCodeError(f"the subcode {other:#x}")
 
-    def _sound(self, code: Code, reply: bytearray) -> None:
+    def _sound(self, code: ByteCodeReader, reply: bytearray) -> None:
         del reply
         if code.byte() != 1:
             raise ByteCodeError("a sound that is no tone")
@@ -157,7 +157,7 @@ class Machine:
         if volume:
             self._vehicle.note("tone", float(hertz), float(milliseconds))
 
-    def _input_device(self, code: Code, reply: bytearray) -> None:
+    def _input_device(self, code: ByteCodeReader, reply: bytearray) -> None:
         match code.byte():
             case 0x05:
                 port = self._port(code)
@@ -188,13 +188,13 @@ class Machine:
             case _:
                 return math.nan
 
-    def _output_stop(self, code: Code, reply: bytearray) -> None:
+    def _output_stop(self, code: ByteCodeReader, reply: bytearray) -> None:
         del reply
         for port in self._motors(code):
             self._runs.pop(port, None)
         code.constant()
 
-    def _output_time_speed(self, code: Code, reply: bytearray) -> None:
+    def _output_time_speed(self, code: ByteCodeReader, reply: bytearray) -> None:
         del reply
         ports, percent = self._motors(code), code.constant()
         up, even, down = code.constant(), code.constant(), code.constant()
@@ -202,19 +202,19 @@ class Machine:
         until = self._now() + (up + even + down) / 1000
         self._runs |= {port: (min(max(percent, -100), 100), until) for port in ports}
 
-    def _output_get_count(self, code: Code, reply: bytearray) -> None:
+    def _output_get_count(self, code: ByteCodeReader, reply: bytearray) -> None:
         port = self._port(code)
         if not 0 <= port < len(PORTS):
             raise ByteCodeError(f"the motor {port}")
         turned = self._vehicle.turned().get(PORTS[port], 0.0)
         _put(reply, code.variable(), "<i", round(turned))
 
-    def _port(self, code: Code) -> int:
+    def _port(self, code: ByteCodeReader) -> int:
         if code.constant():
             raise ByteCodeError("another brick of a chain")
         return code.constant()
 
-    def _motors(self, code: Code) -> list[str]:
+    def _motors(self, code: ByteCodeReader) -> list[str]:
         bits = self._port(code)
         return [port for index, port in enumerate(PORTS) if bits >> index & 1]
 

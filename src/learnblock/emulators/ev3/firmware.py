@@ -8,7 +8,7 @@ import threading
 from contextlib import suppress
 from time import monotonic
 
-from learnblock.emulators.ev3.bytecode import Machine
+from learnblock.emulators.ev3.bytecode import ByteCodeMachine
 from learnblock.emulators.ev3.vehicle import Vehicle
 
 #: Seconds between two turns of the motors, and between two beacons.
@@ -35,7 +35,7 @@ class Firmware:
         port: int = 0,
         beacon: tuple[str, int] | None = None,
     ) -> None:
-        self.machine = Machine(vehicle)
+        self.machine = ByteCodeMachine(vehicle)
         self._lock = threading.Lock()
         self._closed = threading.Event()
         # As in the firmware, a second client waits until the first one is gone.

@@ -65,7 +65,7 @@ class Attribute:
         os.utime(self.path, ns=(0, 0))
 
 
-class Device:
+class DeviceFolder:
     """A device's folder."""
 
     def __init__(self, folder: Path) -> None:
@@ -85,7 +85,7 @@ class Device:
         self._attributes[name] = Attribute(self.folder / name, mode | 0o600, value)
 
 
-class Motor(Device):
+class MotorFolder(DeviceFolder):
     """A large motor with its current `speed` in degrees/s."""
 
     def __init__(self, folder: Path, port: str) -> None:
@@ -123,7 +123,7 @@ class Motor(Device):
         self["state"].show("running" if self.speed else "")
 
 
-class Sensor(Device):
+class SensorFolder(DeviceFolder):
     """A sensor with several modes; it measures only in the first one."""
 
     def __init__(
@@ -168,7 +168,7 @@ class Sensor(Device):
         self["value0"].show(round(self._measure() * 10**self._decimals) if measures else 0)
 
 
-class Battery(Device):
+class BatteryFolder(DeviceFolder):
     """The battery of a brick, which never runs down."""
 
     def __init__(self, folder: Path) -> None:
@@ -187,29 +187,30 @@ class Tree:
     def __init__(self, root: Path, vehicle: Vehicle) -> None:
         self._vehicle = vehicle
         motors, sensors = root / "tacho-motor", root / "lego-sensor"
-        self._battery = Battery(root / "power_supply" / "lego-ev3-battery")
+        self._battery = BatteryFolder(root / "power_supply" / "lego-ev3-battery")
         self.motors = {
-            port: Motor(motors / f"motor{index}", port) for index, port in enumerate((LEFT, RIGHT))
+            port: MotorFolder(motors / f"motor{index}", port)
+            for index, port in enumerate((LEFT, RIGHT))
         }
         self.sensors = {
-            "touch": Sensor(
+            "touch": SensorFolder(
                 sensors / "sensor0", 1, "lego-ev3-touch", modes=("TOUCH",), measure=vehicle.touched
             ),
-            "gyroscope": Sensor(
+            "gyroscope": SensorFolder(
                 sensors / "sensor1",
                 2,
                 "lego-ev3-gyro",
                 modes=("GYRO-ANG", "GYRO-RATE", "GYRO-CAL"),
                 measure=vehicle.angle,
             ),
-            "colour": Sensor(
+            "colour": SensorFolder(
                 sensors / "sensor2",
                 3,
                 "lego-ev3-color",
                 modes=("COL-REFLECT", "COL-AMBIENT", "COL-COLOR"),
                 measure=vehicle.reflection,
             ),
-            "ultrasonic": Sensor(
+            "ultrasonic": SensorFolder(
                 sensors / "sensor3",
                 4,
                 "lego-ev3-us",

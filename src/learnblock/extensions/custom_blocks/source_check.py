@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from types import CodeType
 
 from learnblock.blocks import NUMBERS, Parameter
-from learnblock.blocks.source.signature import Argument, Place, Signature, signature
+from learnblock.blocks.source.signature import Argument, FilePosition, Signature, signature
 from learnblock.errors import Diagnostic, ProgramError, Severity
 from learnblock.extensions.custom_blocks.imports_check import wrong_imports
 from learnblock.extensions.custom_blocks.names_check import unknown_names, unknown_skills
@@ -85,7 +85,7 @@ def _wrong_heads(tree: ast.Module) -> Iterator[Diagnostic]:
         ) or statement.name.startswith("_"):
             continue
         start = statement.col_offset + (len("async def ") if _is_async(statement) else len("def "))
-        place = Place(statement.lineno, start + 1, start + 1 + len(statement.name))
+        place = FilePosition(statement.lineno, start + 1, start + 1 + len(statement.name))
         if _is_async(statement):
             yield _at(place, "async-function", Phrase("custom-async", name=statement.name))
         elif not (statement.args.posonlyargs or statement.args.args):
@@ -121,7 +121,7 @@ def _wrong_function(skill: Signature, taken: Mapping[str, Phrase]) -> Iterator[D
         yield from _wrong_argument(skill.name, argument)
 
 
-def _wrong_spelling(name: str, place: Place) -> Iterator[Diagnostic]:
+def _wrong_spelling(name: str, place: FilePosition) -> Iterator[Diagnostic]:
     """Report a name that Block-Text uses for a Python keyword, such as ``class_``."""
     plain = name.rstrip("_")
     if attribute_to_python(name) != name:
@@ -172,5 +172,7 @@ def _objection(argument: Argument) -> Phrase | None:
     return parameter.objection(default)
 
 
-def _at(place: Place, code: str, message: Phrase, severity: Severity = "error") -> Diagnostic:
+def _at(
+    place: FilePosition, code: str, message: Phrase, severity: Severity = "error"
+) -> Diagnostic:
     return Diagnostic(code, message, place.line, place.column, place.end_column, severity)

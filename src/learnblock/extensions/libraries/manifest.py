@@ -12,7 +12,7 @@ from learnblock.errors import LibraryError
 from learnblock.i18n import Phrase
 from learnblock.storage import toml_source
 from learnblock.storage.files import is_device_name
-from learnblock.storage.toml_source import Finding
+from learnblock.storage.toml_source import FileMistake
 
 Name = Annotated[
     str,
@@ -93,7 +93,7 @@ def write_manifest(manifest: Manifest) -> str:
     return toml_source.write(manifest, MANIFEST, LibraryError)
 
 
-def _findings(manifest: Manifest) -> Iterator[Finding]:
+def _findings(manifest: Manifest) -> Iterator[FileMistake]:
     if keyword.iskeyword(manifest.name) or is_device_name(manifest.name):
         message = Phrase("library-bad-name", name=manifest.name)
-        yield Finding(("name",), "name-taken", message)
+        yield FileMistake(("name",), "name-taken", message)

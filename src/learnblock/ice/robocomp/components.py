@@ -7,7 +7,7 @@ from learnblock.ice.interface import Interface, Mode, Operation
 from learnblock.ice.types import INT, STRING, Bool, Dictionary, Enumeration, String, Structure
 
 
-class State(IntEnum):
+class ComponentState(IntEnum):
     """The state of a component."""
 
     STARTING = 0
@@ -36,6 +36,6 @@ def common_behavior() -> Interface:
             Operation("getParameterList", gives=(parameters,)),
             Operation("setParameterList", takes=(parameters,)),
             Operation("reloadConfig"),
-            Operation("getState", gives=(Enumeration(State),)),
+            Operation("getState", gives=(Enumeration(ComponentState),)),
         ),
     )

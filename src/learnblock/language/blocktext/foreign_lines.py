@@ -1,4 +1,4 @@
-"""Lines that pupils bring from Scratch, MakeCode, Python, C and Spanish, and their Block-Text.
+"""Lines that pupils bring from Scratch, MakeCode, C and other languages, and their Block-Text.
 
 Each rule is a pattern for a line, and the replacement for the group ``wrong``, or else for the
 whole line. A pattern sees a line without its comment, with spaces in place of the characters in
@@ -35,12 +35,12 @@ _COMMENTS = (
 )
 
 _ENDS = (
-    at_start(r"fin\s*(?:si|mientras|para|repetir|de\s+\w+)\s*$", "end"),
+    at_start(r"%end%\s*(?:%if%|%while%|%for%|%repeat%|%of%\s+\w+)\s*$", "end"),
     at_start(
-        r"end\s*(?:if|while|repeat|for|when|def|main|function|forever)\s*$|finsi\s*$|finmientras\s*$",
+        r"end\s*(?:if|while|repeat|for|when|def|main|function|forever)\s*$",
         "end",
     ),
-    at_start(r"(?:end|fin|fi|done|od|wend|next|fim)\s*[.;]?\s*$", "end"),
+    at_start(r"(?:end|%end%|fi|done|od|wend|next|fim)\s*[.;]?\s*$", "end"),
     Rule(r"\s*(?P<wrong>\}\s*else\s*if\b)", "elif"),
     Rule(r"\s*(?P<wrong>\}\s*else\s*\{)", "else:"),
     Rule(r"\s*(?P<wrong>\})\s*$", "end"),
@@ -79,34 +79,32 @@ _LOOPS = (
         r"\s*for\s*\(?\s*(?:int|let|var)?\s*(\w+)\s*=\s*(\w+)\s*;\s*\w+\s*<=\s*(\w+)\s*;.*$",
         r"for \1 from \2 to \3:",
     ),
+    Rule(r"\s*(?:repeat|%repeat%|for|loop)\s+(.+?)\s+(?:times|%times%)\s*:?\s*$", r"repeat \1:"),
     Rule(
-        r"\s*(?:repeat|repetir|for|loop|repite)\s+(.+?)\s+(?:times|veces)\s*:?\s*$", r"repeat \1:"
-    ),
-    Rule(
-        r"\s*(?:repeat|repetir|repite|loop)\s+(?:until|hasta\s+que|hasta)\s+" + REST,
+        r"\s*(?:repeat|%repeat%|loop)\s+(?:until|%until%)\s+" + REST,
         r"while not (\1):",
     ),
     Rule(r"\s*(?:repeat|loop)\s+while\s+" + REST, r"while \1:"),
     Rule(
-        r"\s*(?:wait|espera|esperar)\s+(?:unti?ll?|hasta\s+que|hasta)\s+" + REST,
+        r"\s*(?:wait|%wait%)\s+(?:unti?ll?|%until%)\s+" + REST,
         r"wait until \1",
     ),
-    Rule(r"\s*(?:until|hasta\s+que|hasta)\s+" + REST, r"while not (\1):"),
-    Rule(r"\s*(?:repeat|repetir|repite)\s*:?\s*$", "forever:", "blocktext-repeat-number"),
+    Rule(r"\s*(?:until|%until%)\s+" + REST, r"while not (\1):"),
+    Rule(r"\s*(?:repeat|%repeat%)\s*:?\s*$", "forever:", "blocktext-repeat-number"),
     Rule(
-        r"\s*(?:forever|repeat\s+forever|loop|por\s+siempre|siempre|do)\s*:?\s*$",
+        r"\s*(?:forever|repeat\s+forever|loop|%forever%|do)\s*:?\s*$",
         "forever:",
         "blocktext-endless",
     ),
     Rule(r"\s*for\s+(\d+)\s*:\s*$", r"repeat \1:"),
     Rule(r"\s*(?P<wrong>for\s*each)\b", "for"),
     Rule(
-        rf"\s*para\s+{NAME}\s+(?:desde|de)\s+(.+?)\s+(?:hasta|a)\s+" + REST,
+        rf"\s*%for%\s+{NAME}\s+%from%\s+(.+?)\s+%to%\s+" + REST,
         r"for \1 from \2 to \3:",
     ),
-    Rule(rf"\s*para\s+(?:cada\s+)?{NAME}\s+(?:en|in)\s+" + REST, r"for \1 in \2:"),
+    Rule(rf"\s*%for%\s+(?:%each%\s+)?{NAME}\s+(?:%in%|in)\s+" + REST, r"for \1 in \2:"),
     Rule(
-        rf"\s*for\s+{NAME}\s+(?:=|desde|de)\s*(.+?)\s+(?:to|hasta|a)\s+" + REST,
+        rf"\s*for\s+{NAME}\s+(?:=|%from%)\s*(.+?)\s+(?:to|%to%)\s+" + REST,
         r"for \1 from \2 to \3:",
     ),
 )
@@ -114,19 +112,19 @@ _LOOPS = (
 _EVENTS = (
     Rule(r"\s*when\s+(?:green\s+)?flag(?:\s+is)?\s*clicked\s*:?\s*$", "main:"),
     Rule(
-        r"\s*(?:on\s+start|al\s+iniciar|al\s+empezar|begin|start|inicio|program|programa)\s*:?\s*$",
+        r"\s*(?:on\s+start|begin|start|program|%start%)\s*:?\s*$",
         "main:",
     ),
-    Rule(r"\s*(?:al|cuando)\s+.*bandera.*$", "main:"),
-    Rule(rf"\s*(?:when\s+i\s+receive|cuando\s+reciba)\s+{NAME}\s*:?\s*$", r"when \1:"),
+    Rule(r"\s*(?:%at%|%when%)\s+.*%flag%.*$", "main:"),
+    Rule(rf"\s*(?:when\s+i\s+receive|%receive%)\s+{NAME}\s*:?\s*$", r"when \1:"),
     Rule(
-        rf"\s*(?:broadcast|enviar)\s+{NAME}\s*$",
+        rf"\s*(?:broadcast|%send%)\s+{NAME}\s*$",
         r"activate \1",
         "blocktext-broadcast",
         (("name", r"\1"),),
     ),
     Rule(
-        r"\s*(?:when|on|al)\s+(?:.*\s)?(?:key|button|tecla|bot[oó]n)\b.*$",
+        r"\s*(?:when|on|%at%)\s+(?:.*\s)?(?:key|button|%key%)\b.*$",
         "when pressed:",
         "blocktext-no-event",
     ),
@@ -140,15 +138,15 @@ _EVENTS = (
 
 _DEFINITIONS = (
     Rule(r"\s*(?:def\s+|void\s+|function\s+)?main\s*\(\s*\)\s*[:{]?\s*$", "main:"),
-    Rule(rf"\s*(?:def|define|definir|procedure|sub|to)\s+{NAME}\s*:\s*$", r"def \1():"),
-    at_start(r"(?:define|definir|funci[oó]n|procedure|func|fn|void)(?=\s+\w)", "def"),
+    Rule(rf"\s*(?:def|define|%define%|procedure|sub|to)\s+{NAME}\s*:\s*$", r"def \1():"),
+    at_start(r"(?:define|%define%|%function%|procedure|func|fn|void)(?=\s+\w)", "def"),
     Rule(
         rf"\s*(?P<wrong>function)\s+{NAME}\s*(\([^)]*\))\s*[:{{]",
         "def",
         "blocktext-function-for-def",
         (("header", r"def \2\3:"),),
     ),
-    Rule(rf"\s*(?:call|run|execute|llamar|ejecutar)\s+{NAME}\s*(?:\(\s*\))?\s*$", r"\1()"),
+    Rule(rf"\s*(?:call|run|execute|%call%)\s+{NAME}\s*(?:\(\s*\))?\s*$", r"\1()"),
 )
 
 #: A line that ends in a brace, once its words are right.
@@ -157,67 +155,67 @@ _BRACES = (Rule(r"(?P<wrong>\s*\{)\s*$", ":"), Rule(r".*?\S(?P<wrong>\s*:?\s*\{)
 KEYWORDS = tuple(
     at_start(words, instead)
     for words, instead in (
-        ("si\\s+no(?=\\s*:)|sino(?=\\s*:)|else(?=\\s*:)", "else"),
-        ("sino\\s+si|si\\s+no\\s+si|elseif|elsif|elif", "elif"),
-        ("si|if", "if"),
-        ("mientras(?:\\s+que)?|while", "while"),
-        ("principal|main", "main"),
-        ("repetir|repite|repeat", "repeat"),
-        ("para|for", "for"),
-        ("cuando|when", "when"),
-        ("importar|import", "import"),
-        ("activar|activate", "activate"),
-        ("desactivar|deactivate", "deactivate"),
-        ("romper|salir|break", "break"),
-        ("retornar|devolver|retorna|return", "return"),
-        ("continuar|continue", "continue"),
-        ("pasar|nada|pass", "pass"),
+        (r"(?:%else%|else)(?=\s*:)", "else"),
+        ("%elif%|elseif|elsif|elif", "elif"),
+        ("%if%|if", "if"),
+        ("%while%|while", "while"),
+        ("%main%|main", "main"),
+        ("%repeat%|repeat", "repeat"),
+        ("%for%|for", "for"),
+        ("%when%|when", "when"),
+        ("%import%|import", "import"),
+        ("%activate%|activate", "activate"),
+        ("%deactivate%|deactivate", "deactivate"),
+        ("%break%|break", "break"),
+        ("%return%|return", "return"),
+        ("%continue%|continue", "continue"),
+        ("%pass%|pass", "pass"),
         ("def", "def"),
     )
 )
 
 _ACTIONS = (
-    Rule(r"\s*(?:set|poner|fijar|dar\s+a)\s+(\w+)\s+(?:to|a|el\s+valor)\s+(.+?)\s*$", r"\1 = \2"),
-    Rule(r"\s*(?:change|cambiar|sumar\s+a)\s+(\w+)\s+(?:by|por|en)\s+(.+?)\s*$", r"\1 += \2"),
+    Rule(r"\s*(?:set|%set%)\s+(\w+)\s+(?:to|%set_to%)\s+(.+?)\s*$", r"\1 = \2"),
+    Rule(r"\s*(?:change|%change%)\s+(\w+)\s+(?:by|%change_by%)\s+(.+?)\s*$", r"\1 += \2"),
     Rule(
-        r"\s*(?:wait|sleep|pause|esperar?|pausa)\s+([\d.]+|\w+)\s*(?:s|secs?|seconds?|segundos?)?\s*$",
+        r"\s*(?:wait|sleep|pause|%wait%|%pause%)\s+([\d.]+|\w+)\s*(?:s|secs?|seconds?|%seconds%)?\s*$",
         r"function.sleep(\1)",
     ),
     Rule(
-        r"\s*(?:say|decir|di|speak)\s+((?P<quote>[\"'])[^\"']*(?P=quote)|\w+)\s*$",
+        r"\s*(?:say|%say%|speak)\s+((?P<quote>[\"'])[^\"']*(?P=quote)|\w+)\s*$",
         r"function.say_Text(\1)",
     ),
     Rule(
-        r"\s*(?:ask|preguntar)\s+((?P<quote>[\"'])[^\"']*(?P=quote))(?:\s+and\s+wait)?\s*$",
+        r"\s*(?:ask|%ask%)\s+((?P<quote>[\"'])[^\"']*(?P=quote))(?:\s+and\s+wait)?\s*$",
         r"answer = input(\1)",
     ),
-    Rule(r"\s*(?:print|imprimir|escribir|mostrar|echo|show)\s+(\S.*?)\s*$", r"print(\1)"),
+    Rule(r"\s*(?:print|%print%|echo|show)\s+(\S.*?)\s*$", r"print(\1)"),
     Rule(
-        r"\s*(?:go|move|drive|avanzar?|mover|adelante|forward)\s+[\d.]+\s+(?:steps?|pasos?)\s*$",
+        r"\s*(?:go|move|drive|%go%|forward)\s+[\d.]+\s+(?:steps?|%steps%)\s*$",
         "function.move_straight(40)",
         "blocktext-steps",
     ),
     Rule(
-        r"\s*(?:go|move|drive|avanzar?|mover|adelante|forward)(?:\s+(?:forwards?|straight|[\d.]+))*\s*$",
+        r"\s*(?:go|move|drive|%go%|forward)(?:\s+(?:forwards?|straight|[\d.]+))*\s*$",
         "function.move_straight(40)",
         "blocktext-drive",
     ),
     Rule(
-        r"\s*(?:turn|girar)\s+(?:right|(?:a\s+la\s+)?derecha)\s+([\d.]+)\s*(?:degrees?|grados|°)?\s*$",
+        r"\s*(?:turn|%turn%)\s+(?:right|%right%)\s+([\d.]+)\s*(?:degrees?|%degrees%|°)?\s*$",
         r"function.turn(\1)",
     ),
     Rule(
-        r"\s*(?:turn|girar)\s+(?:left|(?:a\s+la\s+)?izquierda)\s+([\d.]+)\s*(?:degrees?|grados|°)?\s*$",
+        r"\s*(?:turn|%turn%)\s+(?:left|%left%)\s+([\d.]+)\s*(?:degrees?|%degrees%|°)?\s*$",
         r"function.turn(-\1)",
     ),
-    Rule(r"\s*(?:turn|girar)\s+(right|left)\s*$", r"function.turn_\1()"),
-    Rule(r"\s*(?:turn|girar)\s+(-?[\d.]+)\s*(?:degrees?|grados|°)?\s*$", r"function.turn(\1)"),
+    Rule(r"\s*(?:turn|%turn%)\s+(right|left)\s*$", r"function.turn_\1()"),
+    Rule(r"\s*(?:turn|%turn%)\s+(-?[\d.]+)\s*(?:degrees?|%degrees%|°)?\s*$", r"function.turn(\1)"),
     Rule(
-        r"\s*(?:stop|parar|detener)\s+(?:all|everything|todo|this\s+script)\s*$",
+        r"\s*(?:stop|%stop%)\s+(?:all|everything|%everything%|this\s+script)\s*$",
         "function.stop_bot()",
         "blocktext-stop-all",
     ),
-    Rule(r"\s*(?:stop|parar|detener|alto)(?:\s+robot)?\s*$", "function.stop_bot()"),
+    Rule(r"\s*(?:stop|%stop%|%halt%)(?:\s+robot)?\s*$", "function.stop_bot()"),
 )
 
 _ASSIGNMENTS = (
@@ -281,7 +279,7 @@ _CALLS = (
     Rule(r"\s*(?P<wrong>function\.(\w+)\s+(-?[\d.]+|[\"'][^\"']*[\"']))\s*$", r"function.\2(\3)"),
     Rule(r".*\([^()]*?(?P<wrong>\b([^\W\d]\w*)\s*:)(?=[^()]*\))", r"\2="),
     Rule(
-        r".*?(?P<wrong>(?<![\w.])(\d+(?:\.\d+)?)\s*(?:°|º|%|mm|cm|m|ms|s|secs?|seconds?|segundos?|degrees?|grados|steps)(?=\s*[,)]))",
+        r".*?(?P<wrong>(?<![\w.])(\d+(?:\.\d+)?)\s*(?:°|º|%|mm|cm|m|ms|s|secs?|seconds?|%seconds%|degrees?|%degrees%|steps)(?=\s*[,)]))",
         r"\2",
         "blocktext-unit",
     ),
@@ -314,11 +312,11 @@ OPERATORS = (
         r"\3 \1 \4",
         "blocktext-name-again",
     ),
-    Rule(r"\s*(?:if|elif|while|when)\b.*?(?<=[\w)\"'])\s+(?P<wrong>y)\s+(?=[\w(\"'-])", "and"),
-    Rule(r"\s*(?:if|elif|while|when)\b.*?(?<=[\w)\"'])\s+(?P<wrong>[ou])\s+(?=[\w(\"'-])", "or"),
-    Rule(r".*?\b(?:if|elif|while|and|or|=|\()\s*(?P<wrong>no)\s+(?=[\w(])", "not"),
+    Rule(r"\s*(?:if|elif|while|when)\b.*?(?<=[\w)\"'])\s+(?P<wrong>%and%)\s+(?=[\w(\"'-])", "and"),
+    Rule(r"\s*(?:if|elif|while|when)\b.*?(?<=[\w)\"'])\s+(?P<wrong>%or%)\s+(?=[\w(\"'-])", "or"),
+    Rule(r".*?\b(?:if|elif|while|and|or|=|\()\s*(?P<wrong>%not%)\s+(?=[\w(])", "not"),
     Rule(
-        r"\s*(?:if|elif|while|repeat|for|when)\b.*?(?P<wrong>\s+(?:then|entonces|hacer|do)\s*:?)\s*$",
+        r"\s*(?:if|elif|while|repeat|for|when)\b.*?(?P<wrong>\s+(?:then|%then%|do)\s*:?)\s*$",
         ":",
     ),
 )

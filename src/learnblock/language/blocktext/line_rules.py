@@ -6,6 +6,7 @@ from functools import cache
 from typing import NamedTuple
 
 from learnblock.i18n import Phrase
+from learnblock.language.blocktext.foreign_words import foreign
 from learnblock.language.tree.identifiers import IDENTIFIER
 
 WRITE_INSTEAD = "blocktext-write-instead"
@@ -14,6 +15,8 @@ MAX_LENGTH = 200
 #: A condition or a value: everything up to the colon.
 REST = r"(\S.*?)\s*:?\s*$"
 NAME = rf"({IDENTIFIER})"
+#: Where a pattern has words in another language.
+_PLACE = re.compile(r"%(\w+)%")
 _TEXTS = re.compile(r"\"(?:[^\"\\]|\\.)*\"|'(?:[^'\\]|\\.)*'")
 
 
@@ -21,7 +24,8 @@ class Rule(NamedTuple):
     r"""A wrong line.
 
     Args:
-        pattern: matches the whole line, or its beginning.
+        pattern: matches the whole line, or its beginning; ``%repeat%`` matches the words for that
+            place in a language other than English.
         instead: what to write; ``\1`` is the first group. Or a function of the groups, of which
             the first is what was found.
         code: the code of the message, which has the values ``found`` and ``instead``.
@@ -40,7 +44,8 @@ class Rule(NamedTuple):
 @cache
 def _compiled(pattern: str) -> re.Pattern[str]:
     # On first use: most programs have no such line, and all the patterns take 20 ms.
-    return re.compile(pattern, re.IGNORECASE)
+    with_words = _PLACE.sub(lambda place: f"(?:{foreign(place[1])})", pattern)
+    return re.compile(with_words, re.IGNORECASE)
 
 
 def at_start(words: str, instead: str, code: str = WRITE_INSTEAD) -> Rule:

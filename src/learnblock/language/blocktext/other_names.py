@@ -1,7 +1,9 @@
-"""Names that pupils expect from Scratch, MakeCode, Python and Spanish, and ours for them."""
+"""Names that pupils expect from Scratch, MakeCode, Python and their language, and ours for them."""
 
 from collections.abc import Mapping
 from types import MappingProxyType
+
+from learnblock.language.blocktext.foreign_words import foreign_names
 
 #: The robot then drives until the next command.
 MOVE_STRAIGHT = "move_straight(40)"
@@ -25,7 +27,7 @@ SKILLS: Mapping[str, str] = MappingProxyType(
         **dict.fromkeys(("happy", "smile", "joy"), "expressJoy()"),
         **dict.fromkeys(("sad", "cry"), "expressSadness()"),
         **dict.fromkeys(("beep", "tone", "play_tone", "playTone"), "play_frequency(440, 500)"),
-        **dict.fromkeys(("note", "playNote", "play_notes", "tocar_nota"), 'play_note("C4", 1)'),
+        **dict.fromkeys(("note", "playNote", "play_notes"), 'play_note("C4", 1)'),
         **dict.fromkeys(("tempo", "setTempo", "change_tempo"), "set_tempo(120)"),
         **dict.fromkeys(
             ("key", "key_pressed", "is_key_down", "is_pressed", "pressed", "button_pressed"),
@@ -45,6 +47,7 @@ SKILLS: Mapping[str, str] = MappingProxyType(
         **dict.fromkeys(("distance", "get_distance", "ultrasonic"), "get_min_distance()"),
         **dict.fromkeys(("obstacle", "is_obstacle"), "is_front_obstacle()"),
         **dict.fromkeys(("tag", "is_any_tags", "sees_tag"), "is_any_tag()"),
+        **foreign_names("skills"),
     }
 )
 
@@ -54,14 +57,14 @@ SKILLS_WITH_VALUE: Mapping[str, str] = MappingProxyType(
         **dict.fromkeys(
             (
                 *("forward", "forwards", "go", "move", "straight", "advance", "move_forward"),
-                *("move_steps", "drive_forward", "driveDistance", "fd", "avanzar", "adelante"),
+                *("move_steps", "drive_forward", "driveDistance", "fd"),
             ),
             "drive_distance({0})",
         ),
         **dict.fromkeys(
             (
                 *("back", "backward", "backwards", "reverse", "move_backward", "drive_backward"),
-                *("bk", "retroceder", "atras"),
+                "bk",
             ),
             "drive_distance(-{0})",
         ),
@@ -75,8 +78,8 @@ SKILLS_WITH_VALUE: Mapping[str, str] = MappingProxyType(
         ),
         **dict.fromkeys(("rotate", "spin", "turn_degrees"), "turn({0})"),
         **dict.fromkeys(("point_in_direction", "set_heading", "turn_to"), "set_orientation({0})"),
-        **dict.fromkeys(("wait", "pause", "delay", "wait_seconds", "esperar"), "sleep({0})"),
-        **dict.fromkeys(("say", "speak", "talk", "tell", "decir", "hablar"), "say_Text({0})"),
+        **dict.fromkeys(("wait", "pause", "delay", "wait_seconds"), "sleep({0})"),
+        **dict.fromkeys(("say", "speak", "talk", "tell"), "say_Text({0})"),
         **dict.fromkeys(("broadcast", "publish", "send_message", "radio_send"), "send({0})"),
         **dict.fromkeys(("when_i_receive", "receive", "subscribe", "on_received"), "received({0})"),
         **dict.fromkeys(
@@ -91,18 +94,20 @@ SKILLS_WITH_VALUE: Mapping[str, str] = MappingProxyType(
             "is_key_pressed({0})",
         ),
         **dict.fromkeys(("setSpeed", "set_speed", "run"), "move_straight({0})"),
+        **foreign_names("skills_with_value"),
     }
 )
 
 #: What pupils name without brackets, and the question that answers it.
 QUESTIONS: Mapping[str, str] = MappingProxyType(
     {
-        **dict.fromkeys(("timer", "time", "stopwatch", "cronometro"), "get_timer()"),
-        **dict.fromkeys(("distance", "ultrasonic", "distancia"), "get_min_distance()"),
+        **dict.fromkeys(("timer", "time", "stopwatch"), "get_timer()"),
+        **dict.fromkeys(("distance", "ultrasonic"), "get_min_distance()"),
         **dict.fromkeys(("heading", "direction", "yaw", "gyro"), "get_heading()"),
-        **dict.fromkeys(("light", "brightness", "light_level", "luz"), "get_light()"),
+        **dict.fromkeys(("light", "brightness", "light_level"), "get_light()"),
         **dict.fromkeys(("touching", "bumped", "bumper", "touch"), "is_bumped()"),
-        **dict.fromkeys(("obstacle", "obstaculo"), "is_front_obstacle()"),
+        "obstacle": "is_front_obstacle()",
+        **foreign_names("questions"),
     }
 )
 
@@ -110,24 +115,23 @@ QUESTIONS: Mapping[str, str] = MappingProxyType(
 FUNCTIONS: Mapping[str, str] = MappingProxyType(
     {
         **dict.fromkeys(
-            ("imprimir", "escribir", "mostrar", "echo", "println", "printf", "write", "puts"),
+            ("echo", "println", "printf", "write", "puts"),
             "print",
         ),
-        **dict.fromkeys(("leer", "entrada", "preguntar", "ask", "readline", "prompt"), "input"),
-        **dict.fromkeys(("longitud", "length", "size", "largo"), "len"),
-        **dict.fromkeys(("entero", "toInt", "parseInt", "integer"), "int"),
+        **dict.fromkeys(("ask", "readline", "prompt"), "input"),
+        **dict.fromkeys(("length", "size"), "len"),
+        **dict.fromkeys(("toInt", "parseInt", "integer"), "int"),
         **dict.fromkeys(("decimal", "parseFloat", "toFloat", "number", "Number"), "float"),
-        **dict.fromkeys(("texto", "cadena", "string", "String", "toString"), "str"),
-        **dict.fromkeys(
-            ("aleatorio", "azar", "randint", "rand", "pick_random", "randrange"), "random"
-        ),
-        **dict.fromkeys(("raiz", "raiz_cuadrada", "squareroot"), "sqrt"),
-        **dict.fromkeys(("redondear", "rounded"), "round"),
-        **dict.fromkeys(("absoluto", "fabs"), "abs"),
-        **dict.fromkeys(("suma", "total_of"), "sum"),
-        **dict.fromkeys(("maximo", "máximo", "maximum"), "max"),
-        **dict.fromkeys(("minimo", "mínimo", "minimum"), "min"),
-        **dict.fromkeys(("agregar", "añadir", "push"), "append"),
+        **dict.fromkeys(("string", "String", "toString"), "str"),
+        **dict.fromkeys(("randint", "rand", "pick_random", "randrange"), "random"),
+        "squareroot": "sqrt",
+        "rounded": "round",
+        "fabs": "abs",
+        "total_of": "sum",
+        "maximum": "max",
+        "minimum": "min",
+        "push": "append",
+        **foreign_names("functions"),
     }
 )
 
@@ -135,17 +139,15 @@ FUNCTIONS: Mapping[str, str] = MappingProxyType(
 FUNCTIONS_AS_SKILLS: Mapping[str, str] = MappingProxyType(
     {
         **SKILLS,
-        **dict.fromkeys(("esperar", "espera", "pausa", "dormir"), "sleep(2)"),
-        **dict.fromkeys(("decir", "hablar"), 'say_Text("hello")'),
+        **foreign_names("functions_as_skills"),
     }
 )
 #: Values in other languages.
 VALUES: Mapping[str, str] = MappingProxyType(
     {
-        **dict.fromkeys(("true", "TRUE", "verdadero", "Verdadero", "cierto", "yes"), "True"),
-        **dict.fromkeys(("false", "FALSE", "falso", "Falso"), "False"),
-        **dict.fromkeys(
-            ("none", "NONE", "null", "NULL", "nil", "undefined", "nulo", "ninguno"), "None"
-        ),
+        **dict.fromkeys(("true", "TRUE", "yes"), "True"),
+        **dict.fromkeys(("false", "FALSE"), "False"),
+        **dict.fromkeys(("none", "NONE", "null", "NULL", "nil", "undefined"), "None"),
+        **foreign_names("values"),
     }
 )

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Sequence
 
+from learnblock.language.blocktext.foreign_words import foreign_names
 from learnblock.language.blocktext.line_rules import NAME, Rule
 from learnblock.language.blocktext.other_names import SKILLS_WITH_VALUE
 from learnblock.language.tree.builtins import FUNCTIONS, TEMPLATES
@@ -27,9 +28,8 @@ _PRESSED = r"when pressed = function.is_key_pressed("
 
 
 def _pressed(groups: Sequence[str]) -> str:
-    spanish = {"espacio": "space", "arriba": "up", "abajo": "down", "izquierda": "left"}
     key = groups[1].lower()
-    return f'{_PRESSED}"{spanish.get(key, "right" if key == "derecha" else key)}"):'
+    return f'{_PRESSED}"{foreign_names("keys").get(key, key)}"):'
 
 
 def _plain_parameters(groups: Sequence[str]) -> str:
@@ -61,8 +61,8 @@ EVENTS = (
         _pressed,
     ),
     Rule(
-        r"\s*(?:al|cuando)\s+(?:se\s+)?(?:presion\w+|puls\w+)\s+(?:la\s+)?(?:tecla\s+)?(?:flecha\s+)?"
-        r"(espacio|arriba|abajo|izquierda|derecha|[a-z0-9])\s*:?\s*$",
+        r"\s*(?:%at%|%when%)\s+(?:%itself%\s+)?%pressed%\w*\s+(?:%the_key%\s+)?"
+        r"(%keys%|[a-z0-9])\s*:?\s*$",
         _pressed,
     ),
     Rule(
@@ -74,7 +74,7 @@ EVENTS = (
 )
 
 LOOPS = (
-    Rule(r"\s*(?:do|haz|hacer)\s+(.+?)\s+(?:times|veces)\s*:?\s*$", r"repeat \1:"),
+    Rule(r"\s*(?:do|%do%)\s+(.+?)\s+(?:times|%times%)\s*:?\s*$", r"repeat \1:"),
     Rule(
         rf"\s*for\s+{NAME}\s+(?:in\s+)?({_VALUE})\s*(?:\.\.\.?|to)\s*({_VALUE})\s*:?\s*$",
         r"for \1 from \2 to \3:",
@@ -95,14 +95,14 @@ OPERATORS = (
             (r"(?:is\s+)?(?:less|smaller|lower|fewer)\s+(?:than\s+)?or\s+equal(?:\s+to)?", "<="),
             (r"(?:is\s+)?(?:greater|more|bigger|higher|larger)\s+than|is\s+above", ">"),
             (r"(?:is\s+)?(?:less|smaller|lower|fewer)\s+than|is\s+below", "<"),
-            (r"(?:es\s+)?mayor\s+que", ">"),
-            (r"(?:es\s+)?menor\s+que", "<"),
+            ("%more%", ">"),
+            ("%less%", "<"),
             (r"is\s+not\s+equal\s+to|(?:does\s+)?not\s+equals?|is\s+not(?!\s+in\b)", "!="),
-            (r"is\s+equal\s+to|equals?(?:\s+to)?|es\s+igual\s+a|is", "=="),
-            (r"plus|más", "+"),
-            (r"minus|menos", "-"),
-            (r"times|multiplied\s+by|por", "*"),
-            (r"divided\s+by|dividido\s+(?:por|entre)|over", "/"),
+            (r"is\s+equal\s+to|equals?(?:\s+to)?|%equal%|is", "=="),
+            ("plus|%plus%", "+"),
+            ("minus|%minus%", "-"),
+            (r"times|multiplied\s+by|%multiplied%", "*"),
+            (r"divided\s+by|%divided%|over", "/"),
         )
     ),
     Rule(
@@ -120,7 +120,7 @@ OPERATORS = (
         r"random(\2, \3)",
     ),
     Rule(
-        rf".*?\b(?P<wrong>aleatorio\s+(?:entre\s+|de\s+)?({_VALUE})\s+(?:a|y)\s+({_VALUE}))",
+        rf".*?\b(?P<wrong>%random%\s+({_VALUE})\s+%up_to%\s+({_VALUE}))",
         r"random(\2, \3)",
     ),
 )

@@ -1,4 +1,4 @@
-"""Lines that pupils bring from Block-Text, Scratch, C and Spanish, and their Python.
+"""Lines that pupils bring from Block-Text, Scratch, C and their language, and their Python.
 
 Like `learnblock.language.blocktext.foreign_lines`, but for a line that Python cannot read.
 """
@@ -14,16 +14,16 @@ from learnblock.language.blocktext.line_rules import NAME, REST, Rule, at_start
 
 _LOOPS = (
     Rule(
-        r"\s*(?:repeat|repetir|repite)\s+(.+?)(?:\s+(?:times|veces))?\s*:\s*$",
+        r"\s*(?:repeat|%repeat%)\s+(.+?)(?:\s+(?:times|%times%))?\s*:\s*$",
         r"for i in range(\1):",
     ),
-    Rule(r"\s*(?:repeat|repetir)\s+(?:until|hasta\s+que|hasta)\s+" + REST, r"while not (\1):"),
+    Rule(r"\s*(?:repeat|%repeat%)\s+(?:until|%until%)\s+" + REST, r"while not (\1):"),
     Rule(
-        r"\s*(?:wait|espera|esperar)\s+(?:unti?ll?|hasta\s+que|hasta)\s+" + REST,
+        r"\s*(?:wait|%wait%)\s+(?:unti?ll?|%until%)\s+" + REST,
         r"robot.wait_until(lambda: \1)",
     ),
     Rule(r"\s*until\s+" + REST, r"while not (\1):"),
-    Rule(r"\s*(?:forever|loop|repeat\s+forever|siempre|por\s+siempre)\s*:?\s*$", "while True:"),
+    Rule(r"\s*(?:forever|loop|repeat\s+forever|%forever%)\s*:?\s*$", "while True:"),
     Rule(rf"\s*for\s+{NAME}\s+from\s+(.+?)\s+to\s+" + REST, r"for \1 in range(\2, \3 + 1):"),
     Rule(
         rf"\s*for\s*\(?\s*(?:int|let|var)?\s*{NAME}\s*=\s*(\w+)\s*;\s*\w+\s*<\s*(\w+)\s*;.*$",
@@ -32,7 +32,7 @@ _LOOPS = (
     Rule(r"\s*for\s.*\bin\s+(?P<wrong>range\s+(\w+))\s*:", r"range(\2)"),
 )
 #: How `when` is written and misspelled.
-_WHEN = "(?:when|whem|wehn|whne|whn|wen|hwen|cuando)"
+_WHEN = "(?:when|whem|wehn|whne|whn|wen|hwen|%when%)"
 _BLOCK_TEXT = (
     *(
         Rule(pattern, "", "python-when", (("decorator", decorator), ("name", r"\1")))
@@ -47,7 +47,7 @@ _BLOCK_TEXT = (
     Rule(r"\s*when\s+\w.*:\s*$", "", "python-block-text"),
     Rule(rf"\s*(activate|deactivate)\s+{NAME}\s*$", r"\2.\1()"),
 )
-_DEFINE = "function|func|fn|define|definir|void|procedure"
+_DEFINE = "function|func|fn|define|%define%|void|procedure"
 _DEFINITIONS = (
     Rule(rf"\s*(?:{_DEFINE})\s+{NAME}\s*(\([^()]*\))\s*:?\s*\{{?\s*$", r"def \1\2:"),
     Rule(rf"\s*(?P<wrong>{_DEFINE})(?=\s+{NAME})", "def"),
@@ -55,7 +55,7 @@ _DEFINITIONS = (
 )
 _WORDS = (
     Rule(r"\s*(?P<wrong>\}?\s*else\s+if)\b", "elif"),
-    at_start(r"elseif|elsif|sino\s+si|si\s+no\s+si", "elif"),
+    at_start(r"elseif|elsif|%elif%", "elif"),
     Rule(r"\s*(?P<wrong>[^\W\d]\w*)\s*(?P<plus>\+\+|--)\s*$", "", "python-count"),
 )
 _BRACES = (

@@ -12,7 +12,7 @@ from learnblock.lessons.trying import Attempt
 from learnblock.simulator import WorldDescription, make_variant
 from learnblock.simulator.picture import plan
 from learnblock.simulator.picture.svg import element
-from learnblock.simulator.picture.view import HEADER, MARGIN, View, fitted
+from learnblock.simulator.picture.view import HEADER, MARGIN, PictureView, fitted
 
 #: Pixels of a picture on the page.
 WIDTH = 300
@@ -31,7 +31,7 @@ class Pictures:
     variants: tuple[int, ...]
 
     @cached_property
-    def view(self) -> View:
+    def view(self) -> PictureView:
         """The same for all variants: the whole floor."""
         return fitted(self.world.floor.size, np.empty((0, 2)), bar=False)
 

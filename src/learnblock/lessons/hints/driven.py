@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import accumulate, pairwise
 from typing import Any
 
-from learnblock.evidence.evidence import Placed
+from learnblock.evidence.evidence import TimedPose
 from learnblock.evidence.gaps import heading_between, turned_along
 from learnblock.language.tree.flow import condition_of, is_counted, is_loop, is_waiting
 from learnblock.language.tree.nodes import (
@@ -63,7 +63,7 @@ def places(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
         yield from _guess(situation, misdrive)
 
 
-def _misdrive(situation: Situation, verdict: Verdict, path: Sequence[Placed]) -> Misdrive | None:
+def _misdrive(situation: Situation, verdict: Verdict, path: Sequence[TimedPose]) -> Misdrive | None:
     match verdict.check:
         case EndsAt(x=x, y=y, radius=radius, heading=heading):
             return _ended(path, (x, y), radius, heading)
@@ -88,7 +88,7 @@ def _first_places(events: Sequence[Event]) -> Iterator[At]:
 
 
 def _ended(
-    path: Sequence[Placed], target: tuple[float, float], radius: float, heading: float | None
+    path: Sequence[TimedPose], target: tuple[float, float], radius: float, heading: float | None
 ) -> Misdrive | None:
     last = path[-1]
     if math.dist((last.x, last.y), target) > radius:
@@ -98,7 +98,7 @@ def _ended(
     return None
 
 
-def _goal(situation: Situation, check: Reaches, path: Sequence[Placed]) -> Misdrive | None:
+def _goal(situation: Situation, check: Reaches, path: Sequence[TimedPose]) -> Misdrive | None:
     goal = _first_missed(situation, check)
     match goal:
         case Tour(points=points, radius=radius):
@@ -126,7 +126,7 @@ def _first_missed(situation: Situation, check: Reaches) -> AnyGoal | None:
 
 
 def _tour(
-    path: Sequence[Placed], points: Sequence[tuple[float, float]], radius: float
+    path: Sequence[TimedPose], points: Sequence[tuple[float, float]], radius: float
 ) -> Misdrive | None:
     index, source = 0, path[0]
     for point in points:
@@ -138,7 +138,7 @@ def _tour(
 
 
 def _reached(
-    path: Sequence[Placed], start: int, point: tuple[float, float], radius: float
+    path: Sequence[TimedPose], start: int, point: tuple[float, float], radius: float
 ) -> int | None:
     """Where on its way the robot was closest to a place on its first visit."""
     best: int | None = None

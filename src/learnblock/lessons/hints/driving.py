@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from itertools import combinations, pairwise
 from typing import Literal
 
-from learnblock.evidence.evidence import Placed
+from learnblock.evidence.evidence import TimedPose
 from learnblock.evidence.gaps import heading_between
 
 #: In 0.1 s: mm from which a robot drives, and degrees from which it turns.
@@ -50,8 +50,8 @@ class Leg:
         turned_at: when that turn began, in seconds; the start of the leg if there was none.
     """
 
-    start: Placed
-    end: Placed
+    start: TimedPose
+    end: TimedPose
     length: float
     turn: float
     turned_at: float
@@ -80,12 +80,12 @@ class Misdrive:
     turned: bool = False
 
 
-def legs(path: Sequence[Placed]) -> tuple[tuple[Leg, ...], float, float]:
+def legs(path: Sequence[TimedPose]) -> tuple[tuple[Leg, ...], float, float]:
     """The straight parts of a way; the degrees turned after the last, and when that turn began."""
     parts: list[Leg] = []
     turn, turned_at = 0.0, math.nan
     stood = 0.0
-    current: list[Placed] = []
+    current: list[TimedPose] = []
     forwards = True
     for before, after in pairwise(path):
         dx, dy = after.x - before.x, after.y - before.y
@@ -116,12 +116,14 @@ def legs(path: Sequence[Placed]) -> tuple[tuple[Leg, ...], float, float]:
     return tuple(parts), turn, turned_at
 
 
-def _ahead(before: Placed, dx: float, dy: float) -> float:
+def _ahead(before: TimedPose, dx: float, dy: float) -> float:
     angle = math.radians(before.heading)
     return dx * math.cos(angle) - dy * math.sin(angle)
 
 
-def _leg(places: Sequence[Placed], turn: float, turned_at: float, *, forwards: bool) -> Leg | None:
+def _leg(
+    places: Sequence[TimedPose], turn: float, turned_at: float, *, forwards: bool
+) -> Leg | None:
     start, end = places[0], places[-1]
     length = math.hypot(end.x - start.x, end.y - start.y)
     if length < _SHORTEST:
@@ -131,7 +133,7 @@ def _leg(places: Sequence[Placed], turn: float, turned_at: float, *, forwards: b
 
 
 def toward(
-    path: Sequence[Placed], target: tuple[float, float], radius: float, source: Placed
+    path: Sequence[TimedPose], target: tuple[float, float], radius: float, source: TimedPose
 ) -> Misdrive | None:
     """Why a robot did not come from one place to the next; only the first leg counts.
 
@@ -166,7 +168,7 @@ def _continues(driven: Sequence[Leg], wanted: float) -> bool:
 
 
 def _only_turned(
-    wanted: float, turned: float, turned_at: float, path: Sequence[Placed]
+    wanted: float, turned: float, turned_at: float, path: Sequence[TimedPose]
 ) -> Misdrive:
     if abs(wanted) > _SAME and abs(turned) > _NO_TURN and abs(turned + wanted) < _SAME:
         return Misdrive("wrong-direction", turned_at, turned=True)
@@ -206,7 +208,9 @@ def _aside(leg: Leg, wanted: float, off: float) -> Misdrive:
     return Misdrive(slip, leg.turned_at, turned=True)
 
 
-def to_end(path: Sequence[Placed], target: tuple[float, float], radius: float) -> Misdrive | None:
+def to_end(
+    path: Sequence[TimedPose], target: tuple[float, float], radius: float
+) -> Misdrive | None:
     """Which single leg or turn, if it were another, would have led a robot to where it should end.
 
     Args:
@@ -228,7 +232,9 @@ def to_end(path: Sequence[Placed], target: tuple[float, float], radius: float) -
     )
 
 
-def through(path: Sequence[Placed], target: tuple[float, float], radius: float) -> Misdrive | None:
+def through(
+    path: Sequence[TimedPose], target: tuple[float, float], radius: float
+) -> Misdrive | None:
     """Which single leg or turn, if it were another, would have led a robot past a place.
 
     Args:
@@ -257,7 +263,9 @@ def _away(
     return math.dist(point, (start[0] + share * dx, start[1] + share * dy))
 
 
-def _straight(start: Placed, driven: Sequence[Leg], target: tuple[float, float]) -> Misdrive | None:
+def _straight(
+    start: TimedPose, driven: Sequence[Leg], target: tuple[float, float]
+) -> Misdrive | None:
     """Whether a robot never turned on a way with a corner."""
     wanted = _heading(target[0] - start.x, target[1] - start.y)
     is_aside = _SAME < abs(heading_between(start.heading, wanted)) < _OPPOSITE
@@ -297,13 +305,13 @@ def _backwards(leg: Leg) -> Leg:
     return replace(leg, length=-leg.length)
 
 
-def _end(start: Placed, driven: Sequence[Leg]) -> tuple[float, float]:
+def _end(start: TimedPose, driven: Sequence[Leg]) -> tuple[float, float]:
     """Where a robot ends that drives these legs and turns."""
     *_, end = _corners(start, driven)
     return end
 
 
-def _corners(start: Placed, driven: Sequence[Leg]) -> Iterator[tuple[float, float]]:
+def _corners(start: TimedPose, driven: Sequence[Leg]) -> Iterator[tuple[float, float]]:
     """Where a robot is that drives these legs and turns: at the start, and after each leg."""
     x, y, heading = start.x, start.y, start.heading
     yield x, y
@@ -316,7 +324,7 @@ def _corners(start: Placed, driven: Sequence[Leg]) -> Iterator[tuple[float, floa
 
 
 def _scaled(
-    start: Placed, driven: Sequence[Leg], target: tuple[float, float], radius: float
+    start: TimedPose, driven: Sequence[Leg], target: tuple[float, float], radius: float
 ) -> Misdrive | None:
     """The leg, or all of them, that had to be longer or shorter by the smallest factor."""
     end = _end(start, driven)
@@ -338,7 +346,7 @@ def _scaled(
 
 
 def _turned(
-    start: Placed,
+    start: TimedPose,
     driven: Sequence[Leg],
     target: tuple[float, float],
     radius: float,
@@ -362,7 +370,7 @@ def _turned(
     return None
 
 
-def facing(path: Sequence[Placed], wanted: float) -> Misdrive | None:
+def facing(path: Sequence[TimedPose], wanted: float) -> Misdrive | None:
     """Why a robot ends at the right place and faces the wrong way."""
     driven, turn, turned_at = legs(path)
     if not path or len(driven) > MOST_LEGS:
@@ -380,7 +388,7 @@ def facing(path: Sequence[Placed], wanted: float) -> Misdrive | None:
     return Misdrive(slip, turned_at, turned=True)
 
 
-def _left(path: Sequence[Placed], wanted: float, since: float) -> float:
+def _left(path: Sequence[TimedPose], wanted: float, since: float) -> float:
     """When a robot last stood and faced right before it turned on, in seconds."""
     for before, after in reversed(list(pairwise(path))):
         if before.moment.time <= since:

@@ -2,11 +2,11 @@
 
 Two are the paper's: Apriltag, which finds tags, and EmotionRecognition, which finds faces and their
 emotions. Their interfaces are the same in every `learnblock.ice.robocomp.Layout`, but the number
-that a picture's `width` means differs (`Order`).
+that a picture's `width` means differs (`PixelOrder`).
 """
 
 from learnblock.perception.robocomp.asking import Asked, AskedEmotions, AskedTags
-from learnblock.perception.robocomp.pictures import Order
+from learnblock.perception.robocomp.pictures import PixelOrder
 from learnblock.perception.robocomp.serving import COMPONENTS, serve
 
-__all__ = ["COMPONENTS", "Asked", "AskedEmotions", "AskedTags", "Order", "serve"]
+__all__ = ["COMPONENTS", "Asked", "AskedEmotions", "AskedTags", "PixelOrder", "serve"]

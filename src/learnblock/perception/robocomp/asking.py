@@ -16,7 +16,7 @@ from learnblock.ice.robocomp.recognition import FoundEmotion, FoundTag
 from learnblock.perception import Detections, Face, FaceEmotion, Sight, Tag
 from learnblock.perception.frames import Frame
 from learnblock.perception.robocomp.labels import emotion_of
-from learnblock.perception.robocomp.pictures import Order, packed
+from learnblock.perception.robocomp.pictures import PixelOrder, packed
 
 #: Findings in a picture beyond this number are left out.
 MOST_FOUND = 100
@@ -41,7 +41,7 @@ class Asked(Closing):
     identity: ClassVar[str]
 
     def __init__(
-        self, host: str, port: int, *, order: Order | None = None, timeout: float = 2.0
+        self, host: str, port: int, *, order: PixelOrder | None = None, timeout: float = 2.0
     ) -> None:
         interface = interfaces(Layout.TOOL)[self.identity]
         self._proxy = Proxy(interface, self.identity, Endpoint(host, port, timeout))
@@ -67,13 +67,13 @@ class Asked(Closing):
         """Close the connection; calling it twice is harmless."""
         self._proxy.close()
 
-    def find_order(self) -> Order:
+    def find_order(self) -> PixelOrder:
         """Find out which order the component reads, if its answers show that.
 
         Raises:
             IceError: it cannot be reached, or refuses the call.
         """
-        return Order.ROWS
+        return PixelOrder.ROWS
 
     @abstractmethod
     def _understood(self, found: list[Any], frame: Frame) -> Detections:
@@ -84,8 +84,8 @@ class Asked(Closing):
         self._order = self._order or self.find_order()
         self._is_known = True
 
-    def _ask(self, frame: Frame, order: Order | None = None) -> Any:
-        picture = packed(frame, order or self._order or Order.ROWS)
+    def _ask(self, frame: Frame, order: PixelOrder | None = None) -> Any:
+        picture = packed(frame, order or self._order or PixelOrder.ROWS)
         return self._proxy.call("processimage", picture)
 
     def _error(self, error: IceError) -> RobotConnectionError:
@@ -104,13 +104,13 @@ class AskedTags(Asked):
     name = "tags"
     identity = "apriltag"
 
-    def find_order(self) -> Order:
+    def find_order(self) -> PixelOrder:
         """Send it a tag, whose position it finds only if it reads the numbers as we do."""
         picture = _picture_of_a_tag()
-        fitting = (order for order in Order if self._finds_the_tag(picture, order))
-        return next(fitting, Order.ROWS)
+        fitting = (order for order in PixelOrder if self._finds_the_tag(picture, order))
+        return next(fitting, PixelOrder.ROWS)
 
-    def _finds_the_tag(self, picture: Frame, order: Order) -> bool:
+    def _finds_the_tag(self, picture: Frame, order: PixelOrder) -> bool:
         try:
             found = islice(self._ask(picture, order), MOST_FOUND)
         except IceRefusedError:

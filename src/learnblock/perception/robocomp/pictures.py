@@ -15,7 +15,7 @@ LONGEST_SIDE = 1920
 MOST_PIXELS = 1920 * 1200
 
 
-class Order(StrEnum):
+class PixelOrder(StrEnum):
     """The meaning of a picture's two numbers; the pixels are in rows in either case."""
 
     #: `width` is the number of rows, `height` the number of columns: RoboComp's components, and the
@@ -25,14 +25,14 @@ class Order(StrEnum):
     COLUMNS = "columns"
 
 
-def packed(frame: Frame, order: Order) -> Picture:
+def packed(frame: Frame, order: PixelOrder) -> Picture:
     """Convert a frame to a picture."""
     rows, columns, depth = frame.shape
-    width, height = (rows, columns) if order is Order.ROWS else (columns, rows)
+    width, height = (rows, columns) if order is PixelOrder.ROWS else (columns, rows)
     return Picture(width, height, depth, np.ascontiguousarray(frame).tobytes())
 
 
-def unpacked(picture: Picture, order: Order | None = None) -> Frame:
+def unpacked(picture: Picture, order: PixelOrder | None = None) -> Frame:
     """Convert a picture to a frame.
 
     Args:
@@ -44,10 +44,10 @@ def unpacked(picture: Picture, order: Order | None = None) -> Frame:
     """
     _check(picture)
     in_rows = _shaped(picture, picture.width, picture.height)
-    if order is Order.ROWS or picture.width == picture.height:
+    if order is PixelOrder.ROWS or picture.width == picture.height:
         return in_rows
     in_columns = _shaped(picture, picture.height, picture.width)
-    if order is Order.COLUMNS or _roughness(in_columns) < _roughness(in_rows):
+    if order is PixelOrder.COLUMNS or _roughness(in_columns) < _roughness(in_rows):
         return in_columns
     return in_rows
 

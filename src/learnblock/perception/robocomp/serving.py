@@ -10,7 +10,7 @@ from learnblock.ice.robocomp.recognition import FoundEmotion, FoundTag, Picture
 from learnblock.ice.server import Adapter, Servant
 from learnblock.perception import FaceEmotion, detect
 from learnblock.perception.robocomp.labels import label_of
-from learnblock.perception.robocomp.pictures import Order, unpacked
+from learnblock.perception.robocomp.pictures import PixelOrder, unpacked
 from learnblock.perception.settings import TABLE, WHY_EMOTIONS_ARE_OFF
 
 #: The address at which only programs on this computer can connect.
@@ -29,7 +29,7 @@ class Component:
     #: The usual port of such a component.
     port: ClassVar[int]
 
-    def __init__(self, order: Order | None) -> None:
+    def __init__(self, order: PixelOrder | None) -> None:
         self._order = order
 
     def _found(self, picture: Picture) -> Any:
@@ -68,7 +68,7 @@ def serve(
     *,
     port: int | None = None,
     host: str = LOOPBACK,
-    order: Order | None = None,
+    order: PixelOrder | None = None,
     drawn: bool = False,
 ) -> tuple[Adapter, int]:
     """Serve a component until the adapter is closed.

@@ -14,9 +14,9 @@ def chosen_components(settings: PerceptionSettings) -> "Mapping[str, Asked]":
     if not (settings.apriltag or settings.emotionrecognition):
         return {}
     # Few users choose any.
-    from learnblock.perception.robocomp import AskedEmotions, AskedTags, Order  # noqa: PLC0415
+    from learnblock.perception.robocomp import AskedEmotions, AskedTags, PixelOrder  # noqa: PLC0415
 
-    order = None if settings.layout == "auto" else Order(settings.layout)
+    order = None if settings.layout == "auto" else PixelOrder(settings.layout)
     places = {AskedTags: settings.apriltag, AskedEmotions: settings.emotionrecognition}
     return {
         kind.name: kind(*_place(place), order=order, timeout=settings.patience)

@@ -15,7 +15,7 @@ from learnblock.project.files.project_file import decode
 from learnblock.running import DEFAULT_ROBOT
 
 if TYPE_CHECKING:
-    from learnblock.importing import FindLibrary, Report
+    from learnblock.importing import FindLibrary, ImportReport
 
 Format = Literal["bt", "py", "learnblock"]
 
@@ -50,7 +50,7 @@ def project_of(filename: str, text: str) -> Project:
 
 def project_of_original(
     filename: str, data: bytes, find_library: "FindLibrary"
-) -> "tuple[Project, Report]":
+) -> "tuple[Project, ImportReport]":
     """Create a project from a file of the original LearnBlock; it is called as the file.
 
     Args:

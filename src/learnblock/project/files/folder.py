@@ -36,7 +36,7 @@ from learnblock.running import forbid_network, move_network
 from learnblock.storage.files import save
 
 if TYPE_CHECKING:
-    from learnblock.importing import FindLibrary, Report
+    from learnblock.importing import FindLibrary, ImportReport
 
 __all__ = ["FileState", "Project", "ProjectFolder"]
 
@@ -251,7 +251,7 @@ class ProjectFolder:
 
     def import_original(
         self, filename: str, data: bytes, find_library: "FindLibrary"
-    ) -> "tuple[Project, Report]":
+    ) -> "tuple[Project, ImportReport]":
         """Create a project from a file of the original LearnBlock, under a free name.
 
         Raises:

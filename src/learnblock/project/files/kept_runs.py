@@ -18,7 +18,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from learnblock.errors import LearnBlockError
-from learnblock.runtime.log.blocks import MAGIC, Block, Stream, stored
+from learnblock.runtime.log.blocks import MAGIC, EventBlock, EventStream, stored
 from learnblock.runtime.log.noting import TICK
 from learnblock.storage.files import save
 
@@ -121,7 +121,7 @@ class KeptRuns:
     def add(
         self,
         began: float,
-        blocks: Sequence[Block],
+        blocks: Sequence[EventBlock],
         *,
         name: str = "",
         version: str = "",
@@ -248,12 +248,12 @@ def _plain(name: str) -> str:
     return _CONTROL.sub(" ", name).strip()[:LONGEST_RUN_NAME].strip()
 
 
-def _summary(id_: str, began: float, blocks: Sequence[Block]) -> KeptRun:
+def _summary(id_: str, began: float, blocks: Sequence[EventBlock]) -> KeptRun:
     """What the list shows of a run; only its first and last blocks are read."""
     from learnblock.why.recorded import Recorded  # noqa: PLC0415 - the server answers before
 
-    few = [*_first(blocks, Stream.HEADER), *_first(blocks, Stream.WORLD)]
-    ending = [block for block in blocks if block.stream is Stream.ENDING]
+    few = [*_first(blocks, EventStream.HEADER), *_first(blocks, EventStream.WORLD)]
+    ending = [block for block in blocks if block.stream is EventStream.ENDING]
     last = max((block.last for block in blocks), default=0) * TICK
     try:
         recorded = Recorded.of([*few, *ending[:1]])
@@ -262,7 +262,7 @@ def _summary(id_: str, began: float, blocks: Sequence[Block]) -> KeptRun:
         return KeptRun(id_, began, damaged=True)
 
 
-def _first(blocks: Sequence[Block], stream: Stream) -> Iterator[Block]:
+def _first(blocks: Sequence[EventBlock], stream: EventStream) -> Iterator[EventBlock]:
     with suppress(StopIteration):
         yield next(block for block in blocks if block.stream is stream)
 

@@ -23,7 +23,7 @@ Value = TypeVar("Value")
 
 
 @dataclass(frozen=True)
-class Unpacked:
+class UnpackedProject:
     """A project whose things have been found here.
 
     Args:
@@ -49,7 +49,7 @@ class _Found:
     is_new: bool = False
 
 
-def unpacked(project: Project) -> Unpacked:
+def unpacked(project: Project) -> UnpackedProject:
     """Unpack what a project carries.
 
     In the folder where the project was saved, the user's things are newer than its copies.
@@ -61,18 +61,18 @@ def unpacked(project: Project) -> Unpacked:
     unpacked = replace(
         project, world=world.value, tags=tags.value, carried=Carried(offered=offered)
     )
-    return Unpacked(
+    return UnpackedProject(
         unpacked, (*world.remarks, *tags.remarks), (*world.notes, *tags.notes), world.is_new
     )
 
 
-def only_read(project: Project) -> Unpacked:
+def only_read(project: Project) -> UnpackedProject:
     """Unpack what a project carries, and add nothing to the user's things.
 
     A world of the user's with the name of the carried one is taken for it.
     """
     offered = Carried(offered=offered_code(project))
-    return Unpacked(replace(project, tags=dict(tags_used(project)), carried=offered))
+    return UnpackedProject(replace(project, tags=dict(tags_used(project)), carried=offered))
 
 
 def is_at_home(project: Project) -> bool:

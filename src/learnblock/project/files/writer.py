@@ -68,7 +68,7 @@ class Owner(msgspec.Struct, frozen=True):
 
 
 # Why: docs/decisions.md, "One server writes to a folder"
-class Writer:
+class FolderClaim:
     """A claim to a projects folder.
 
     The system releases a process's lock however the process ends, so a crash blocks nothing.
@@ -194,11 +194,11 @@ class Access:
         read_only: why the server only reads; None if it also writes.
     """
 
-    writer: Writer | None = None
+    writer: FolderClaim | None = None
     read_only: Phrase | None = None
 
     @classmethod
-    def reading(cls, writer: Writer) -> "Access":
+    def reading(cls, writer: FolderClaim) -> "Access":
         """Only read, while another server may write."""
         if writer.owner is None:
             return cls(read_only=Phrase("server-reading"))

@@ -19,10 +19,10 @@ from learnblock.robots.coppeliasim.heartbeat import Heartbeat
 from learnblock.robots.coppeliasim.named_parts import NamedParts
 from learnblock.robots.coppeliasim.paper_scene import PaperScene
 from learnblock.robots.coppeliasim.remote import Remote
-from learnblock.robots.coppeliasim.scene import Scene
+from learnblock.robots.coppeliasim.scene import RobotScene
 from learnblock.robots.coppeliasim.script_scene import ScriptScene
 from learnblock.robots.coppeliasim.settings import Settings
-from learnblock.robots.coppeliasim.simulation import Simulation
+from learnblock.robots.coppeliasim.simulation import SceneSimulation
 from learnblock.robots.guardian import Guardian
 from learnblock.robots.real import RealRobot
 from learnblock.storage.files import save
@@ -30,7 +30,7 @@ from learnblock.storage.home import home
 
 __all__ = ["Robot", "Settings"]
 
-_SCENES: Mapping[str, Callable[[Remote, Settings], Scene]] = {
+_SCENES: Mapping[str, Callable[[Remote, Settings], RobotScene]] = {
     "names": NamedParts,
     "paper": PaperScene,
     "script": ScriptScene,
@@ -72,7 +72,7 @@ class Robot(RealRobot[Settings]):
         remote = Remote(settings.address, settings.port, settings.patience, self.steady_clock)
         self._ending.callback(remote.close)
         remote.open()
-        simulation = Simulation(remote, settings.patience, self.steady_clock)
+        simulation = SceneSimulation(remote, settings.patience, self.steady_clock)
         self._ending.callback(simulation.end)
         simulation.start()
         scene = _SCENES[settings.scene](remote, settings)
@@ -112,7 +112,7 @@ class Robot(RealRobot[Settings]):
             self._guardian.check()
         self._heartbeat.check()
 
-    def _move(self, scene: Scene) -> Callable[[float, float], None]:
+    def _move(self, scene: RobotScene) -> Callable[[float, float], None]:
         def move(adv: float, rot: float) -> None:
             if self._guardian is not None and (adv or rot):
                 self._guardian.check()

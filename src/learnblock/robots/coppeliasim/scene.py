@@ -6,7 +6,7 @@ from typing import Protocol
 from learnblock.devices import Device
 
 
-class Scene(Protocol):
+class RobotScene(Protocol):
     """A robot in a scene of CoppeliaSim."""
 
     @property

@@ -46,7 +46,7 @@ class Description(msgspec.Struct, frozen=True):
     camera: int = -1
 
 
-class Senses(msgspec.Struct, frozen=True):
+class SceneReadings(msgspec.Struct, frozen=True):
     """All readings of the robot at one moment: mm, degrees clockwise, 0 to 100."""
 
     pose: tuple[float, float, float]
@@ -90,7 +90,7 @@ class ScriptScene:
             "LightSensor": LightSensor(lambda: self._sense().light),
         }
 
-    def _sense(self) -> Senses:
+    def _sense(self) -> SceneReadings:
         return self._script.ask(_senses, "sense")
 
     def _distances(self) -> Mapping[str, Sequence[float]]:
@@ -116,9 +116,9 @@ def _description(reply: Any) -> Description:
     return about
 
 
-def _senses(reply: Any) -> Senses:
-    senses: Senses = converted(reply, Senses)
-    return Senses(
+def _senses(reply: Any) -> SceneReadings:
+    senses: SceneReadings = converted(reply, SceneReadings)
+    return SceneReadings(
         pose=_pose(senses.pose),
         distances={side: _distances(seen) for side, seen in senses.distances.items()},
         ground={side: percent(seen) for side, seen in senses.ground.items()},

@@ -13,7 +13,7 @@ STOPPED, PAUSED = 0, 8
 MOVING = frozenset({16, 17, 20})
 
 
-class Simulation:
+class SceneSimulation:
     """The simulation of a scene; if LearnBlock has started it, LearnBlock also stops it.
 
     Args:

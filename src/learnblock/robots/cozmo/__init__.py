@@ -33,7 +33,7 @@ from learnblock.timing import SteadyClock
 from learnblock.wheels import Drivetrain
 
 if TYPE_CHECKING:
-    from learnblock.robots.cozmo.session import Session
+    from learnblock.robots.cozmo.session import CozmoSession
 
 __all__ = ["CozmoSettings", "Robot"]
 
@@ -82,7 +82,7 @@ class Robot(RealRobot[CozmoSettings]):
     battery_range = (3.4, 4.2)
     # Its guardian, and espeak-ng.
     rights = Rights(network=True, programs=True)
-    _session: "Session | None" = None
+    _session: "CozmoSession | None" = None
     _guardian: Guardian | None = None
     _use: Use | None = None
     #: The emotion that its screen shows when there is no text.
@@ -163,23 +163,23 @@ class Robot(RealRobot[CozmoSettings]):
     def status(self) -> RobotStatus:
         return self._session.status() if self._session else RobotStatus()
 
-    def _add_sensors(self, session: "Session") -> None:
+    def _add_sensors(self, session: "CozmoSession") -> None:
         odometry = session.odometry
         self.add(Gyroscope(read=odometry.turned, reset=odometry.reset), "Z_AXIS")
         self.add(Accelerometer(read=partial(self._acceleration, session)))
         self.add(GroundSensors(read=partial(self._ground, session)))
         self.add(Camera(read=session.frame))
 
-    def _acceleration(self, session: "Session") -> tuple[float, float, float]:
+    def _acceleration(self, session: "CozmoSession") -> tuple[float, float, float]:
         return units.acceleration(*session.accelerations)
 
-    def _ground(self, session: "Session") -> dict[str, float | None]:
+    def _ground(self, session: "CozmoSession") -> dict[str, float | None]:
         return _ground(on_cliff=session.on_cliff())
 
-    def _pose(self, session: "Session") -> Pose:
+    def _pose(self, session: "CozmoSession") -> Pose:
         return session.odometry.pose
 
-    def _add_joints(self, session: "Session") -> None:
+    def _add_joints(self, session: "CozmoSession") -> None:
         def lift(degrees: float) -> None:
             session.set_lift_height(units.lift_height(degrees))
 
@@ -189,7 +189,7 @@ class Robot(RealRobot[CozmoSettings]):
         self.add(JointMotor(move=lift, read=lambda: units.lift_angle(session.lift)), "ARM")
         self.add(JointMotor(move=head, read=lambda: session.head_angle.degrees), "CAMERA")
 
-    def _add_stage(self, session: "Session") -> None:
+    def _add_stage(self, session: "CozmoSession") -> None:
         # Both need pycozmo, like the session.
         from learnblock.robots.cozmo import face, sound  # noqa: PLC0415
         from learnblock.robots.cozmo.stage import Stage  # noqa: PLC0415
@@ -228,12 +228,12 @@ class Robot(RealRobot[CozmoSettings]):
         self.add(Animator(play=stage.act))
 
 
-def _session(address: str, port: int, timeout: float, clock: SteadyClock) -> "Session":
+def _session(address: str, port: int, timeout: float, clock: SteadyClock) -> "CozmoSession":
     require("pycozmo", "cozmo")
     # It needs pycozmo, which only owners of a Cozmo install.
-    from learnblock.robots.cozmo.session import Session  # noqa: PLC0415
+    from learnblock.robots.cozmo.session import CozmoSession  # noqa: PLC0415
 
-    return Session(address, port, timeout, clock)
+    return CozmoSession(address, port, timeout, clock)
 
 
 def _ground(*, on_cliff: bool) -> dict[str, float | None]:

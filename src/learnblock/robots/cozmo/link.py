@@ -152,7 +152,7 @@ class Receiver(ReceiveThread):  # type: ignore[misc] # pycozmo has no types
             self.handle_frame(frame)
 
 
-class Link(Connection):  # type: ignore[misc] # pycozmo has no types
+class CozmoLink(Connection):  # type: ignore[misc] # pycozmo has no types
     """A connection to a robot, from `start` to `hang_up`.
 
     Args:

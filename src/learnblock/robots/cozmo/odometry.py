@@ -7,7 +7,7 @@ from learnblock.devices import Pose
 FULL_TURN = 2 * math.pi
 
 
-class Odometry:
+class CozmoOdometry:
     """Tracks the pose that the robot reports.
 
     The robot counts mm ahead and to the left, and radians to the left from -pi to pi, from an

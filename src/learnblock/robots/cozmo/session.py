@@ -11,10 +11,10 @@ from pycozmo import protocol_encoder as packets
 from learnblock.client import RobotStatus
 from learnblock.errors import RobotConnectionError
 from learnblock.robots.cozmo import units
-from learnblock.robots.cozmo.camera import Frame, Picture
+from learnblock.robots.cozmo.camera import Frame, ReceivedPicture
 from learnblock.robots.cozmo.halt import resolved
-from learnblock.robots.cozmo.link import Link
-from learnblock.robots.cozmo.odometry import Odometry
+from learnblock.robots.cozmo.link import CozmoLink
+from learnblock.robots.cozmo.odometry import CozmoOdometry
 from learnblock.robots.cozmo.reception import Reception
 from learnblock.timing import MONOTONIC, Deadline, SteadyClock
 
@@ -30,7 +30,7 @@ LOUDEST = 65535
 logging.getLogger("pycozmo").addHandler(logging.NullHandler())
 
 
-class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
+class CozmoSession(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
     """A connection to a robot that is identified and calibrated.
 
     Args:
@@ -46,7 +46,7 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
         RobotConnectionError: no robot responds at this address.
     """
 
-    conn: Link
+    conn: CozmoLink
 
     def __init__(
         self, address: str, port: int, timeout: float, clock: SteadyClock = MONOTONIC
@@ -55,9 +55,9 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
         super().__init__(place, auto_initialize=False)
         # pycozmo's own connection was never started.
         self.conn.sock.close()
-        self.conn = Link(place, clock)
+        self.conn = CozmoLink(place, clock)
         self.conn.add_child_dispatcher(self)
-        self.odometry = Odometry()
+        self.odometry = CozmoOdometry()
         self._reception = Reception()
         self._place = f"{address}:{port}"
         self._timeout = timeout
@@ -65,8 +65,8 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
         self._reported = False
         self._calibrating: set[Any] = set()
         self._lights: dict[str, Any] = dict.fromkeys(units.LIGHTS, lights.off_light)
-        self._picture: Picture | None = None
-        self._seen: tuple[Picture | None, Frame | None] = (None, None)
+        self._picture: ReceivedPicture | None = None
+        self._seen: tuple[ReceivedPicture | None, Frame | None] = (None, None)
         self.start()
         try:
             self._introduce()
@@ -204,4 +204,4 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
         # Decoded only when a program reads it.
         data = bytes(self._partial_data[: self._partial_size])
         encoding, resolution = self._partial_image_encoding, self._partial_image_resolution
-        self._picture = Picture(data, encoding, resolution)
+        self._picture = ReceivedPicture(data, encoding, resolution)

@@ -9,7 +9,7 @@ from pycozmo.anim_controller import AnimationController
 
 from learnblock.errors import UnknownNameError
 from learnblock.robots.cozmo import face, sound, units
-from learnblock.robots.cozmo.behaviours import BEHAVIOURS, Step
+from learnblock.robots.cozmo.behaviours import BEHAVIOURS, BehaviourStep
 
 FRAMES_A_SECOND = 30
 
@@ -61,7 +61,7 @@ class Stage:
                 track.extend([None] * (longest - len(track)))
 
 
-def _frames(step: Step) -> list[tuple[Any, Any, Any]]:
+def _frames(step: BehaviourStep) -> list[tuple[Any, Any, Any]]:
     """The sound, picture and movements of each frame of a step."""
     count = max(1, round(step.seconds * FRAMES_A_SECOND))
     image = None if step.face is None else packets.DisplayImage(image=face.emotion(step.face))
@@ -69,12 +69,12 @@ def _frames(step: Step) -> list[tuple[Any, Any, Any]]:
     return list(zip_longest(notes, [image], [_moves(step)] + [None] * (count - 1)))
 
 
-def _melody(step: Step) -> sound.Samples:
+def _melody(step: BehaviourStep) -> sound.Samples:
     length = step.seconds / max(1, len(step.notes))
     return sound.joined([sound.tone(hertz, length) for hertz in step.notes])
 
 
-def _moves(step: Step) -> Sequence[Any]:
+def _moves(step: BehaviourStep) -> Sequence[Any]:
     moves: list[Any] = []
     if step.head is not None:
         moves.append(packets.SetHeadAngle(angle_rad=units.head_angle(step.head)))

@@ -19,7 +19,7 @@ from learnblock.errors import RobotConnectionError
 from learnblock.i18n import Phrase
 from learnblock.robots.calibration import Calibration
 from learnblock.robots.ev3.brick import Say, Show, State, Tone, Word
-from learnblock.robots.ev3.link import Link
+from learnblock.robots.ev3.link import BrickLink
 from learnblock.robots.ev3.settings import Settings
 from learnblock.robots.ev3.ways import open_link
 from learnblock.robots.ev3.wheels import WheelCounts, turns
@@ -61,7 +61,7 @@ class Robot(RealRobot[Settings]):
         )
 
     def connect(self) -> None:
-        self._link: Link | None = None
+        self._link: BrickLink | None = None
         self._counts = WheelCounts(self.settings.wheel_radius, self.settings.track)
         self._zero = 0.0
         link = self._link = open_link(self.settings, self._counts.follow, self.steady_clock)

@@ -5,13 +5,13 @@ from collections.abc import Callable
 from learnblock.errors import RobotNotFoundError
 from learnblock.robots.ev3 import lines
 from learnblock.robots.ev3.brick import State, Word
-from learnblock.robots.ev3.link import Link
+from learnblock.robots.ev3.link import BrickLink
 from learnblock.robots.ev3.network import dial, hang_up
 from learnblock.robots.ev3.settings import Settings
 from learnblock.timing import MONOTONIC, SteadyClock
 
 
-class AgentLink(Link):
+class AgentLink(BrickLink):
     """Lines of JSON over TCP, one for each command and each answer.
 
     Args:

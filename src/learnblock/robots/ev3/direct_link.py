@@ -7,7 +7,7 @@ from learnblock.errors import RobotConnectionError, RobotNotFoundError
 from learnblock.robots.ev3 import direct
 from learnblock.robots.ev3.brick import Drive, Say, Show, State, Tone, Word
 from learnblock.robots.ev3.direct import Question
-from learnblock.robots.ev3.link import Link
+from learnblock.robots.ev3.link import BrickLink
 from learnblock.robots.ev3.screen import laid_out
 from learnblock.robots.ev3.settings import Settings
 from learnblock.robots.ev3.wires import open_wire
@@ -29,7 +29,7 @@ MOTORS = (7, 8)
 FIRST_MOTOR = 16
 
 
-class DirectLink(Link):
+class DirectLink(BrickLink):
     """Direct commands; each one drives, plays sounds and reads all sensors at once.
 
     Args:
@@ -54,7 +54,7 @@ class DirectLink(Link):
         super().__init__(place, on_state, clock)
         self._timeout = settings.patience
         self._counter = 0
-        self._motors = [Motor("ABCD".index(port)) for port in (settings.left, settings.right)]
+        self._motors = [DirectMotor("ABCD".index(port)) for port in (settings.left, settings.right)]
         self._per_percent = settings.full_speed / 100
         self._factors: dict[str, float] = {}
         self._wire = open_wire(
@@ -138,7 +138,7 @@ class DirectLink(Link):
                 return results
 
 
-class Motor:
+class DirectMotor:
     """A motor whose speed is set in whole percents of its full speed.
 
     The next command makes up for the rounding, so that the average speed is correct: one percent is

@@ -16,7 +16,7 @@ PULSE = 0.1
 FRESH = 0.01
 
 
-class Link(ABC):
+class BrickLink(ABC):
     """Exchanges one command and its answer at a time, from any thread; a failure ends it.
 
     The last drive command is repeated ten times per second: the brick stops its motors if it

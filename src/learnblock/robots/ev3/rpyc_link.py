@@ -13,7 +13,7 @@ from typing import Any
 from learnblock.errors import RobotConnectionError, RobotNotFoundError
 from learnblock.robots.ev3 import lines
 from learnblock.robots.ev3.brick import State, Word
-from learnblock.robots.ev3.link import Link
+from learnblock.robots.ev3.link import BrickLink
 from learnblock.robots.ev3.network import dial, hang_up
 from learnblock.robots.ev3.settings import Settings
 from learnblock.robots.real import require
@@ -52,7 +52,7 @@ def end():
 """
 
 
-class RpycLink(Link):
+class RpycLink(BrickLink):
     """The agent's commands as calls over rpyc.
 
     Args:

@@ -8,7 +8,7 @@ from learnblock.errors import RobotBusyError, RobotNotFoundError
 from learnblock.robots.ev3.agent_link import AgentLink
 from learnblock.robots.ev3.brick import State
 from learnblock.robots.ev3.direct_link import DirectLink
-from learnblock.robots.ev3.link import Link
+from learnblock.robots.ev3.link import BrickLink
 from learnblock.robots.ev3.network import resolve
 from learnblock.robots.ev3.rpyc_link import RpycLink
 from learnblock.robots.ev3.settings import Settings
@@ -19,7 +19,7 @@ TIMEOUT = 1.8
 #: Seconds between two attempts.
 PAUSE = 0.2
 
-_LINKS: dict[str, Callable[[Settings, Callable[[State], None], SteadyClock], Link]] = {
+_LINKS: dict[str, Callable[[Settings, Callable[[State], None], SteadyClock], BrickLink]] = {
     "agent": AgentLink,
     "rpyc": RpycLink,
     "direct": DirectLink,
@@ -28,7 +28,7 @@ _LINKS: dict[str, Callable[[Settings, Callable[[State], None], SteadyClock], Lin
 
 def open_link(
     settings: Settings, on_state: Callable[[State], None], clock: SteadyClock = MONOTONIC
-) -> Link:
+) -> BrickLink:
     """Connect to the brick.
 
     Args:
@@ -46,7 +46,7 @@ def open_link(
     return when_free(lambda: link(settings, on_state, clock), clock)
 
 
-def when_free(attempt: Callable[[], Link], clock: SteadyClock) -> Link:
+def when_free(attempt: Callable[[], BrickLink], clock: SteadyClock) -> BrickLink:
     """Try again while the brick is still waiting for a program that is gone.
 
     Raises:
@@ -63,7 +63,9 @@ def when_free(attempt: Callable[[], Link], clock: SteadyClock) -> Link:
         clock.sleep(min(PAUSE, deadline.left))
 
 
-def _first_open(settings: Settings, on_state: Callable[[State], None], clock: SteadyClock) -> Link:
+def _first_open(
+    settings: Settings, on_state: Callable[[State], None], clock: SteadyClock
+) -> BrickLink:
     number = resolve(settings.address, settings.patience)
     # All attempts together must not take longer than the timeout.
     hasty = msgspec.structs.replace(

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 from learnblock.devices import Base, Camera, Display, DistanceSensors, JointMotor, Screen
 from learnblock.ice.robocomp import Image, Layout
-from learnblock.robots.rcis.camera import Pictures
+from learnblock.robots.rcis.camera import FrameConverter
 from learnblock.robots.robocomp import RoboCompRobot, RoboCompSettings, by_side, in_range
 from learnblock.robots.settings import Port
 
@@ -46,7 +46,7 @@ class Robot(RoboCompRobot[Settings]):
         super().connect()
         self._display = self.component("display", "screen", self.settings.display_port)
         self._camera = self.component("rgbd", "camera", self.settings.camera_port)
-        self._pictures = Pictures()
+        self._pictures = FrameConverter()
         self.add(Base(move=self.drive, read=self.pose))
         self.add(DistanceSensors(read=self._distances))
         self.add(Display(show_emotion=self._express))

@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from learnblock.devices import Frame
 
 
-class Pictures:
+class FrameConverter:
     """Converts packed RGB bytes to frames; the same picture twice gives the same frame."""
 
     def __init__(self) -> None:

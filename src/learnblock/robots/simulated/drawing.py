@@ -10,7 +10,7 @@ from learnblock.robots.simulated.robot import SimulatedRobot
 from learnblock.runtime.recorder import Recorder
 
 if TYPE_CHECKING:
-    from learnblock.simulator.picture import Drive
+    from learnblock.simulator.picture import DrivenRun
 
 
 def draw(drawn: Mapping[str, tuple[Client, Recorder]], path: Path, title: str) -> None:
@@ -24,7 +24,7 @@ def draw(drawn: Mapping[str, tuple[Client, Recorder]], path: Path, title: str) -
     Raises:
         LearnBlockError: there is no simulated robot.
     """
-    from learnblock.simulator.picture import Scene, draw_png, draw_svg  # noqa: PLC0415 - optional
+    from learnblock.simulator.picture import PictureScene, draw_png, draw_svg  # noqa: PLC0415 - optional
 
     twins = {
         name: (robot, recorder)
@@ -34,7 +34,7 @@ def draw(drawn: Mapping[str, tuple[Client, Recorder]], path: Path, title: str) -
     if not twins:
         raise LearnBlockError("world-not-drawable")
     named = len(drawn) > 1
-    scene = Scene(
+    scene = PictureScene(
         world=next(iter(twins.values()))[0].simulation.world.description,
         drives=tuple(_drive(name if named else "", *twin) for name, twin in twins.items()),
         title=title,
@@ -43,12 +43,12 @@ def draw(drawn: Mapping[str, tuple[Client, Recorder]], path: Path, title: str) -
     path.write_bytes(picture)
 
 
-def _drive(name: str, robot: SimulatedRobot, recorder: Recorder) -> "Drive":
-    from learnblock.simulator.picture import Drive  # noqa: PLC0415 - as above
+def _drive(name: str, robot: SimulatedRobot, recorder: Recorder) -> "DrivenRun":
+    from learnblock.simulator.picture import DrivenRun  # noqa: PLC0415 - as above
 
     drawing = robot.simulation.world.drawing
     strokes = tuple(stroke for stroke in drawing.strokes if stroke.robot == robot.name)
-    return Drive(
+    return DrivenRun(
         body=robot.body.description.body,
         path=tuple((time, *pose) for time, pose in recorder.path),
         marks=tuple(

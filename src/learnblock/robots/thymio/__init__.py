@@ -27,7 +27,7 @@ from learnblock.robots import settings as user_settings
 from learnblock.robots.calibration import Calibration
 from learnblock.robots.real import RealRobot
 from learnblock.robots.thymio import equipment, finding, opening, units
-from learnblock.robots.thymio.link import Link
+from learnblock.robots.thymio.link import ThymioLink
 from learnblock.robots.thymio.motors import Motors
 from learnblock.robots.thymio.settings import ThymioSettings
 from learnblock.wheels import Drivetrain
@@ -44,7 +44,7 @@ class Robot(RealRobot[ThymioSettings]):
     calibration = Calibration(distance="speed_unit", angle="track")
     # Thymio Suite and simulators; the cable and the radio's dongle.
     rights = Rights(network=True, devices=("/dev/ttyACM*", "/dev/ttyUSB*"))
-    _link: Link | None = None
+    _link: ThymioLink | None = None
     _motors: Motors | None = None
 
     @classmethod
@@ -100,11 +100,11 @@ class Robot(RealRobot[ThymioSettings]):
         track, unit = self.settings.track, self.settings.speed_unit
         motors.drive(*units.wheels(adv, rot, track=track, unit=unit))
 
-    def _distances(self, link: Link) -> dict[str, list[float]]:
+    def _distances(self, link: ThymioLink) -> dict[str, list[float]]:
         return units.distances(link.read("prox.horizontal"))
 
-    def _ground(self, link: Link) -> dict[str, float | None]:
+    def _ground(self, link: ThymioLink) -> dict[str, float | None]:
         return units.ground(link.read("prox.ground.delta"))
 
-    def _acceleration(self, link: Link) -> tuple[float, float, float]:
+    def _acceleration(self, link: ThymioLink) -> tuple[float, float, float]:
         return units.acceleration(link.read("acc"))

@@ -13,8 +13,8 @@ from thymiodirect.message import Message
 from learnblock.errors import RobotConnectionError
 from learnblock.i18n import Phrase
 from learnblock.robots.thymio.frames import Frames, encoded, signed
-from learnblock.robots.thymio.link import Link
-from learnblock.robots.thymio.node import Node
+from learnblock.robots.thymio.link import ThymioLink
+from learnblock.robots.thymio.node import AsebaNode
 from learnblock.robots.thymio.program import READY, Event
 from learnblock.robots.thymio.wires import Wire
 from learnblock.timing import MONOTONIC, Deadline, SteadyClock
@@ -29,7 +29,7 @@ CHUNK = 200
 PROTOCOL = 5
 
 
-class AsebaLink(Link):
+class AsebaLink(ThymioLink):
     """A connection in Aseba's binary protocol.
 
     Raises:
@@ -39,7 +39,7 @@ class AsebaLink(Link):
     def __init__(self, wire: Wire, timeout: float, clock: SteadyClock = MONOTONIC) -> None:
         super().__init__(wire, timeout, clock)
         self._frames = Frames()
-        self._node: Node | None = None
+        self._node: AsebaNode | None = None
         self._values: tuple[int, ...] = ()
         self._begin = 0
         self._token = secrets.randbelow(2000)
@@ -82,13 +82,13 @@ class AsebaLink(Link):
         self._ask()
         self._expect(lambda: bool(self._values), "thymio-not-ready")
 
-    def _require_thymio(self, node: Node) -> None:
+    def _require_thymio(self, node: AsebaNode) -> None:
         if not node.name.startswith("thymio"):
             raise RobotConnectionError("thymio-other-robot", place=self.place, name=node.name)
         if node.lacking:
             raise RobotConnectionError("thymio-too-old", place=self.place)
 
-    def _upload(self, node: Node) -> None:
+    def _upload(self, node: AsebaNode) -> None:
         try:
             code = node.bytecode(self._token)
         except LookupError as error:
@@ -98,7 +98,7 @@ class AsebaLink(Link):
             self._send(encoded(Message.ID_SET_BYTECODE, node.number, begin, *words))
         self._send(encoded(Message.ID_RUN, node.number))
 
-    def _known(self) -> Node:
+    def _known(self) -> AsebaNode:
         assert self._node is not None  # noqa: S101 - `_prepare` waits for it
         return self._node
 
@@ -108,11 +108,11 @@ class AsebaLink(Link):
         for message in self._frames.feed(data):
             self._heard = self._clock.now()
             if message.id == Message.ID_NODE_PRESENT and self._node is None:
-                self._node = Node(message.source_node)
+                self._node = AsebaNode(message.source_node)
             if self._node is not None and message.source_node == self._node.number:
                 self._understand(self._node, message)
 
-    def _understand(self, node: Node, message: Message) -> None:
+    def _understand(self, node: AsebaNode, message: Message) -> None:
         if message.id == Message.ID_VARIABLES:
             self._note(node, message)
         elif message.id == READY.number:
@@ -127,7 +127,7 @@ class AsebaLink(Link):
         elif self._ready:
             self._lose(Phrase("thymio-taken", place=self.place))
 
-    def _note(self, node: Node, message: Message) -> None:
+    def _note(self, node: AsebaNode, message: Message) -> None:
         """Store an answer to our own request; a hub also forwards the answers to others."""
         if not node.complete or node.lacking:
             return

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping
 
 from learnblock.devices import Emotion
 from learnblock.robots.thymio import units
-from learnblock.robots.thymio.link import Link
+from learnblock.robots.thymio.link import ThymioLink
 from learnblock.robots.thymio.program import LEFT, PLAY, RIGHT, SOUND, TONE, TOP, Event
 
 #: The coloured lamps, by their names in programs.
@@ -39,7 +39,7 @@ class Lamp:
         event: the event that sets its colour.
     """
 
-    def __init__(self, link: Link, event: Event) -> None:
+    def __init__(self, link: ThymioLink, event: Event) -> None:
         self._link, self._event = link, event
         self._shown: tuple[int, ...] | None = None
 
@@ -59,12 +59,12 @@ def show(lamps: Iterable[Lamp], emotion: str) -> None:
         lamp.light(*EMOTIONS[emotion])
 
 
-def tone(link: Link, hertz: float, milliseconds: float) -> None:
+def tone(link: ThymioLink, hertz: float, milliseconds: float) -> None:
     """Play a tone; 0 milliseconds stops the current one."""
     link.tell(TONE, *units.tone(hertz, milliseconds))
 
 
-def play(link: Link, name: str) -> None:
+def play(link: ThymioLink, name: str) -> None:
     """Play one of the robot's sounds by name, or a file on its memory card by number.
 
     Raises:
@@ -76,7 +76,7 @@ def play(link: Link, name: str) -> None:
         link.tell(SOUND, units.sound(name))
 
 
-def buttons(link: Link) -> dict[str, bool]:
+def buttons(link: ThymioLink) -> dict[str, bool]:
     """The pressed buttons of a controller."""
     pressed = {button: link.read(variable) == (1,) for button, variable in ARROWS.items()}
     return pressed | dict.fromkeys(LACKING, False)

@@ -17,7 +17,7 @@ class GarbledError(Exception):
     """The received data is not a message."""
 
 
-class Link:
+class ThymioLink:
     """A connection to one Thymio: it reads the robot's variables and sends it events.
 
     Args:

@@ -5,7 +5,7 @@ from contextlib import suppress
 
 from learnblock.devices import Pose
 from learnblock.errors import RobotConnectionError
-from learnblock.robots.thymio.link import Link
+from learnblock.robots.thymio.link import ThymioLink
 from learnblock.robots.thymio.program import DRIVE
 from learnblock.timing import MONOTONIC, Deadline, SteadyClock
 from learnblock.wheels import Odometry, Wheels
@@ -31,7 +31,7 @@ class Motors:
     """
 
     def __init__(
-        self, link: Link, track: float, unit: float, clock: SteadyClock = MONOTONIC
+        self, link: ThymioLink, track: float, unit: float, clock: SteadyClock = MONOTONIC
     ) -> None:
         self._link = link
         self._clock = clock

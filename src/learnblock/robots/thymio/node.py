@@ -27,7 +27,7 @@ READ: Mapping[str, int] = {
 }
 
 
-class Node:
+class AsebaNode:
     """A node of Aseba's network, described by a sequence of messages.
 
     Args:

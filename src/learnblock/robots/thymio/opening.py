@@ -3,13 +3,13 @@
 from learnblock.errors import RobotConnectionError
 from learnblock.robots.real import require
 from learnblock.robots.thymio import finding
-from learnblock.robots.thymio.link import Link
+from learnblock.robots.thymio.link import ThymioLink
 from learnblock.robots.thymio.settings import ThymioSettings
 from learnblock.robots.thymio.wires import SerialWire, TcpWire, Wire
 from learnblock.timing import MONOTONIC, SteadyClock
 
 
-def open_link(settings: ThymioSettings, clock: SteadyClock = MONOTONIC) -> Link:
+def open_link(settings: ThymioSettings, clock: SteadyClock = MONOTONIC) -> ThymioLink:
     """Connect to the robot.
 
     Raises:
@@ -40,14 +40,14 @@ def _first_device() -> str:
     return devices[0]
 
 
-def _direct_link() -> type[Link]:
+def _direct_link() -> type[ThymioLink]:
     require("thymiodirect", "thymio")
     from learnblock.robots.thymio.aseba import AsebaLink  # noqa: PLC0415 - it imports the library
 
     return AsebaLink
 
 
-def _suite_link() -> type[Link]:
+def _suite_link() -> type[ThymioLink]:
     require("tdmclient", "thymio")
     from learnblock.robots.thymio.suite import SuiteLink  # noqa: PLC0415 - as above
 

@@ -12,7 +12,7 @@ from typing import Any
 import tdmclient
 
 from learnblock.errors import RobotConnectionError
-from learnblock.robots.thymio.link import GarbledError, Link
+from learnblock.robots.thymio.link import GarbledError, ThymioLink
 from learnblock.robots.thymio.node import READ
 from learnblock.robots.thymio.program import EVENTS, Event, source
 from learnblock.robots.thymio.wires import Wire
@@ -63,7 +63,7 @@ class Packets:
             yield packet
 
 
-class SuiteLink(Link):
+class SuiteLink(ThymioLink):
     """A connection to the first free Thymio of Thymio Suite.
 
     Raises:

@@ -71,7 +71,7 @@ for code, attempt in {attempts}.items():
 _OF_LANDLOCK = frozenset({"doctor-read", "doctor-write", "doctor-driver-write"})
 
 
-class Finding(Struct, frozen=True):
+class AttemptResult(Struct, frozen=True):
     """The result of one attempt.
 
     Args:
@@ -85,11 +85,11 @@ class Finding(Struct, frozen=True):
     reason: Phrase
 
 
-def survey() -> tuple[Finding, ...]:
+def survey() -> tuple[AttemptResult, ...]:
     """Try out what contains programs on this computer."""
     refused = _refused() | in_own_thread(_refused_to_driver)
     return tuple(
-        Finding(Phrase(code), code in refused, _reason(code, contained=code in refused))
+        AttemptResult(Phrase(code), code in refused, _reason(code, contained=code in refused))
         for code in (*_ATTEMPTS, *_DRIVERS_ATTEMPTS)
     )
 

@@ -16,7 +16,7 @@ LARGEST = 64 * 1024 * 1024
 _EFFORT = 1
 
 
-class Stream(IntEnum):
+class EventStream(IntEnum):
     """What a block contains."""
 
     #: The program: one msgpack map.
@@ -34,11 +34,11 @@ class Stream(IntEnum):
 
 
 #: The streams whose oldest blocks are given up when the log is full.
-DETAIL = frozenset({Stream.PROGRAM, Stream.STEPS})
+DETAIL = frozenset({EventStream.PROGRAM, EventStream.STEPS})
 
 
 @dataclass(frozen=True, slots=True)
-class Block:
+class EventBlock:
     """Some consecutive events of one stream.
 
     Args:
@@ -48,13 +48,13 @@ class Block:
         packed: the events, compressed.
     """
 
-    stream: Stream
+    stream: EventStream
     first: int
     last: int
     packed: bytes
 
     @classmethod
-    def of(cls, stream: Stream, first: int, last: int, data: bytes) -> "Block":
+    def of(cls, stream: EventStream, first: int, last: int, data: bytes) -> "EventBlock":
         """Compress `data`."""
         return cls(stream, first, last, zlib.compress(data, _EFFORT))
 
@@ -88,7 +88,7 @@ class Block:
         return _HEAD.pack(self.stream, self.first, self.last, length, check) + self.packed
 
 
-def stored(data: bytes) -> Iterator[Block]:
+def stored(data: bytes) -> Iterator[EventBlock]:
     """The blocks of a file, up to where it is whole: its writer may have been killed.
 
     Args:
@@ -101,8 +101,8 @@ def stored(data: bytes) -> Iterator[Block]:
         if len(packed) < length or _check(kind, first, last, packed) != check:
             return
         at += _HEAD.size + length
-        if kind in Stream.__members__.values():
-            yield Block(Stream(kind), first, last, packed)
+        if kind in EventStream.__members__.values():
+            yield EventBlock(EventStream(kind), first, last, packed)
 
 
 def _check(kind: int, first: int, last: int, packed: bytes) -> int:

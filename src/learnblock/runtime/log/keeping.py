@@ -10,7 +10,7 @@ from typing import Any, BinaryIO
 import msgspec
 
 from learnblock.installation import version
-from learnblock.runtime.log.blocks import DETAIL, MAGIC, Block, Stream
+from learnblock.runtime.log.blocks import DETAIL, MAGIC, EventBlock, EventStream
 from learnblock.runtime.log.instrumenting import instrument
 from learnblock.runtime.log.noting import TICK
 from learnblock.runtime.program import Program
@@ -21,7 +21,7 @@ MOST_BYTES, MOST_UNPACKED = 32 * 1024 * 1024, 32 * 1024 * 1024
 #: The bytes and the seconds after which a block is closed.
 BLOCK, LONGEST_WAIT = 64 * 1024, 1.0
 #: What is given up in the end: also the world, which can then be shown only as it was recorded.
-_WORLDS = frozenset({Stream.WORLD, Stream.TEAM})
+_WORLDS = frozenset({EventStream.WORLD, EventStream.TEAM})
 _GIVEN_UP = DETAIL | _WORLDS
 
 _encode = msgspec.msgpack.Encoder().encode
@@ -42,7 +42,7 @@ class RunLog:
         self.program = program
         self._blocks: list[_Kept] = []
         #: The streams that have blocks.
-        self._begun: set[Stream] = set()
+        self._begun: set[EventStream] = set()
         #: Whether it says that some of what happened in the world has been given up.
         self._says_lost = False
         #: What the robots of a run share, if there are several.
@@ -52,26 +52,26 @@ class RunLog:
         self.complete_since = 0
         #: Why the file could not be written to its end; "" if it could.
         self.failure = ""
-        self._open = {stream: _Open(stream) for stream in (Stream.STEPS, Stream.WORLD)}
+        self._open = {stream: _Open(stream) for stream in (EventStream.STEPS, EventStream.WORLD)}
         self._lock = threading.Lock()
         self._file: BinaryIO | None = None
         if path:
             self._file = path.open("wb")
             self._file.write(MAGIC)
-        self._add(Block.of(Stream.HEADER, 0, 0, _encode(_header(program))))
+        self._add(EventBlock.of(EventStream.HEADER, 0, 0, _encode(_header(program))))
 
     def noted(self, first: int, last: int, events: bytes) -> None:
         """Keep a batch of the program's events."""
         with self._lock:
-            self._add(Block.of(Stream.PROGRAM, first, last, events), len(events))
+            self._add(EventBlock.of(EventStream.PROGRAM, first, last, events), len(events))
 
     def stepped(self, time: float, lines: bytes) -> None:
         """Keep lines of the trace about the program's steps."""
-        self._keep(Stream.STEPS, time, lines)
+        self._keep(EventStream.STEPS, time, lines)
 
     def happened(self, time: float, lines: bytes) -> None:
         """Keep other lines of the trace."""
-        self._keep(Stream.WORLD, time, lines)
+        self._keep(EventStream.WORLD, time, lines)
 
     def began(self, robot: Mapping[str, object]) -> None:
         """Keep what is known of the robot once it is connected.
@@ -80,13 +80,13 @@ class RunLog:
             robot: the driver's own function behind each function of its devices, and the world it
                 is in, if that is simulated.
         """
-        self._keep(Stream.WORLD, 0.0, msgspec.json.encode({"robot": robot}) + b"\n")
+        self._keep(EventStream.WORLD, 0.0, msgspec.json.encode({"robot": robot}) + b"\n")
 
     def join(self, team: "TeamLog") -> None:
         """Also keep what all robots of a world do to it; called once, at the beginning."""
         self._team = team
 
-    def shared(self, block: Block, unpacked: int) -> None:
+    def shared(self, block: EventBlock, unpacked: int) -> None:
         """Keep a block of what the robots of a run share."""
         with self._lock:
             self._add(block, unpacked)
@@ -94,33 +94,33 @@ class RunLog:
     def collided(self, time: float, thing: str) -> None:
         """Keep that the robot bumped into a thing of its world."""
         line = msgspec.json.encode({"t": round(time, 6), "bump": thing})
-        self._keep(Stream.WORLD, time, line + b"\n")
+        self._keep(EventStream.WORLD, time, line + b"\n")
 
     def sensed(self, time: float, what: str, value: object) -> None:
         """Keep what a real robot has measured: its ``odometry``, or the reading of a device."""
         if what == "odometry":
             line = {"t": round(time, 6), what: value}
-            self._keep(Stream.WORLD, time, msgspec.json.encode(line) + b"\n")
+            self._keep(EventStream.WORLD, time, msgspec.json.encode(line) + b"\n")
         else:
             line = {"t": round(time, 6), "sensed": what, "value": value}
-            self._keep(Stream.STEPS, time, msgspec.json.encode(line) + b"\n")
+            self._keep(EventStream.STEPS, time, msgspec.json.encode(line) + b"\n")
 
     def operated(self, time: float, of: str, operation: str) -> None:
         """Keep that a function of a device has made the driver call an operation of the robot."""
         line = msgspec.json.encode({"t": round(time, 6), "operation": operation, "of": of})
-        self._keep(Stream.WORLD, time, line + b"\n")
+        self._keep(EventStream.WORLD, time, line + b"\n")
 
     def end(self, ending: Mapping[str, Any]) -> None:
         """Keep how the run ended; this is the last call."""
         self.flush()
         with self._lock:
-            self._add(Block.of(Stream.ENDING, 0, 0, _encode(ending)))
+            self._add(EventBlock.of(EventStream.ENDING, 0, 0, _encode(ending)))
             if self._file:
                 self._file.close()
                 self._file = None
 
     @property
-    def blocks(self) -> tuple[Block, ...]:
+    def blocks(self) -> tuple[EventBlock, ...]:
         """What is kept now, oldest first."""
         self.flush()
         with self._lock:
@@ -134,7 +134,7 @@ class RunLog:
             for stream in self._open.values():
                 self._close(stream)
 
-    def _keep(self, stream: Stream, time: float, lines: bytes) -> None:
+    def _keep(self, stream: EventStream, time: float, lines: bytes) -> None:
         with self._lock:
             if self._open[stream].add(time, lines):
                 self._close(self._open[stream])
@@ -146,7 +146,7 @@ class RunLog:
         if block := stream.close():
             self._add(block, unpacked)
 
-    def _add(self, block: Block, unpacked: int = 0) -> None:
+    def _add(self, block: EventBlock, unpacked: int = 0) -> None:
         """Keep a block with its length in bytes, unpacked."""
         # The first lines of the world say what run it is.
         is_first = block.stream in _WORLDS - self._begun
@@ -165,7 +165,7 @@ class RunLog:
         if self._is_half_full and self._drop(_WORLDS) and not self._says_lost:
             self._says_lost = True
             line = msgspec.json.encode({"t": 0.0, "lost": True}) + b"\n"
-            lost = Block.of(Stream.WORLD, 0, 0, line)
+            lost = EventBlock.of(EventStream.WORLD, 0, 0, line)
             self._blocks.append(_Kept(lost, len(line), is_needed=True))
         if self._file:
             self._rewrite(self._file)
@@ -174,7 +174,7 @@ class RunLog:
     def _is_half_full(self) -> bool:
         return 2 * self._bytes > MOST_BYTES or 2 * self._unpacked > MOST_UNPACKED
 
-    def _drop(self, streams: Collection[Stream]) -> bool:
+    def _drop(self, streams: Collection[EventStream]) -> bool:
         """Drop the oldest blocks of some streams; return whether there were any."""
         remaining: list[_Kept] = []
         for entry in self._blocks:
@@ -232,7 +232,7 @@ class TeamLog:
     def __init__(self, logs: Sequence[RunLog], roster: Sequence[Mapping[str, object]]) -> None:
         self._logs = logs
         self._lock = threading.Lock()
-        self._open = _Open(Stream.TEAM)
+        self._open = _Open(EventStream.TEAM)
         for log in logs:
             log.join(self)
         self.happened(0.0, msgspec.json.encode({"team": roster}) + b"\n")
@@ -265,7 +265,7 @@ class _Kept:
         is_needed: whether it is never given up.
     """
 
-    block: Block
+    block: EventBlock
     unpacked: int
     is_needed: bool
 
@@ -273,7 +273,7 @@ class _Kept:
 class _Open:
     """A block to which lines are still added."""
 
-    def __init__(self, stream: Stream) -> None:
+    def __init__(self, stream: EventStream) -> None:
         self._stream = stream
         self._first = self._last = 0.0
         self._lines: list[bytes] = []
@@ -289,12 +289,12 @@ class _Open:
         self.bytes += len(lines)
         return self.bytes > BLOCK or monotonic() - self._since > LONGEST_WAIT
 
-    def close(self) -> Block | None:
+    def close(self) -> EventBlock | None:
         """The block, which is then empty; None if it already is."""
         if not self._lines:
             return None
         first, last = round(self._first / TICK), round(self._last / TICK)
-        block = Block.of(self._stream, first, last, b"".join(self._lines))
+        block = EventBlock.of(self._stream, first, last, b"".join(self._lines))
         self._lines.clear()
         self.bytes = 0
         return block

@@ -15,7 +15,7 @@ from learnblock.robots.settings import table as robot_table
 from learnblock.server.messages import Setting
 from learnblock.storage import struct_types
 from learnblock.storage.home import home
-from learnblock.storage.settings import Table
+from learnblock.storage.settings import SettingsSection
 
 Sort = Literal["text", "number", "whole", "choice", "boolean", "list"]
 
@@ -23,7 +23,7 @@ _SECRET = ("password", "token")
 _DEVICE = re.compile(r"(?:/dev/[\w-]+(?:/[\w-]+)*|COM\d{1,3})?")
 
 
-def table(robot: str) -> Table[Any]:
+def table(robot: str) -> SettingsSection[Any]:
     """The settings for a real robot; for an empty name, those for camera recognition.
 
     Raises:
@@ -39,7 +39,7 @@ def table(robot: str) -> Table[Any]:
     return robot_table(robot_type.name(), robot_type.settings_type)
 
 
-def described(settings: Table[Any]) -> Iterator[Setting]:
+def described(settings: SettingsSection[Any]) -> Iterator[Setting]:
     """Describe every setting in a table with its current value.
 
     Raises:
@@ -62,7 +62,7 @@ def described(settings: Table[Any]) -> Iterator[Setting]:
         )
 
 
-def chosen(settings: Table[Any], values: Mapping[str, Any]) -> dict[str, Any]:
+def chosen(settings: SettingsSection[Any], values: Mapping[str, Any]) -> dict[str, Any]:
     """Check the values from a page; None means the default.
 
     Raises:

@@ -41,24 +41,24 @@ class Connections:
     def __init__(self, most: int = MOST, now: Callable[[], float] = time.monotonic) -> None:
         self._most = most
         self._now = now
-        self._open: dict[int, Connection] = {}
-        self._waiting: defaultdict[str, dict[int, Connection]] = defaultdict(dict)
+        self._open: dict[int, OpenConnection] = {}
+        self._waiting: defaultdict[str, dict[int, OpenConnection]] = defaultdict(dict)
 
     def __len__(self) -> int:
         return len(self._open)
 
-    def find(self, number: int) -> "Connection | None":
+    def find(self, number: int) -> "OpenConnection | None":
         """The connection with this descriptor."""
         return self._open.get(number)
 
-    def opened(self, connection: "Connection") -> None:
+    def opened(self, connection: "OpenConnection") -> None:
         """A browser has connected; make room for it."""
         self._open[connection.number] = connection
         self.waits(connection)
         if len(self._open) > self._most:
             self._close_oldest(max(self._waiting.values(), key=len), 0.0)
 
-    def waits(self, connection: "Connection") -> None:
+    def waits(self, connection: "OpenConnection") -> None:
         """A connection waits for its browser from now on."""
         self.works(connection)
         connection.since = self._now()
@@ -67,25 +67,25 @@ class Connections:
         if len(waiting) > (MOST_KNOWN if connection.is_known else MOST_UNKNOWN):
             self._close_oldest(waiting, _GRACE if len(waiting) <= MOST_YOUNG else 0.0)
 
-    def works(self, connection: "Connection") -> None:
+    def works(self, connection: "OpenConnection") -> None:
         """A connection no longer waits for its browser."""
         waiting = self._waiting[connection.owner]
         waiting.pop(connection.number, None)
         if not waiting:
             del self._waiting[connection.owner]
 
-    def belongs(self, connection: "Connection", person: str) -> None:
+    def belongs(self, connection: "OpenConnection", person: str) -> None:
         """A request has identified the owner of a connection."""
         self.works(connection)
         connection.owner, connection.is_known = f"person {person}", True
 
-    def closed(self, connection: "Connection") -> None:
+    def closed(self, connection: "OpenConnection") -> None:
         """A connection is closed."""
         if self._open.get(connection.number) is connection:
             self.works(connection)
             del self._open[connection.number]
 
-    def _close_oldest(self, waiting: "dict[int, Connection]", age: float) -> None:
+    def _close_oldest(self, waiting: "dict[int, OpenConnection]", age: float) -> None:
         """Close the one that has waited longest, if it has waited this many seconds."""
         latest = self._now() - age
         for connection in waiting.values():
@@ -97,7 +97,7 @@ class Connections:
                 return
 
 
-class Connection(socket.socket):
+class OpenConnection(socket.socket):
     """A connection, known to `Connections` until it is closed.
 
     Args:
@@ -149,7 +149,7 @@ class Listening(socket.socket):
     def accept(self) -> tuple[socket.socket, Any]:
         """The next connection and its address."""
         accepted, address = super().accept()
-        return Connection(self._connections, accepted, str(address[0])), address
+        return OpenConnection(self._connections, accepted, str(address[0])), address
 
 
 def network_of(address: str) -> str:

@@ -1,7 +1,7 @@
 """Messages about what programs may do on the server's computer."""
 
 from learnblock.i18n import Phrase
-from learnblock.runtime.containment.survey import Finding
+from learnblock.runtime.containment.survey import AttemptResult
 from learnblock.server.messages.base import Computer, Look, ShortText, ToPage
 
 # From the page.
@@ -35,7 +35,7 @@ class AllowNetwork(Computer, frozen=True):
 class Containment(ToPage, frozen=True):
     """The attempts to do what programs must not do on the server's computer, and their results."""
 
-    findings: tuple[Finding, ...]
+    findings: tuple[AttemptResult, ...]
 
 
 class Network(ToPage, frozen=True):

@@ -79,7 +79,7 @@ class WhyQuestion(Struct, frozen=True):
     """A question about a run.
 
     Args:
-        ask: its kind, as in `learnblock.why.questions.Ask`.
+        ask: its kind, as in `learnblock.why.questions.QuestionKind`.
         subject: what it is about.
         time: the moment, in s; None for the whole run.
     """

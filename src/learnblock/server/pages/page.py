@@ -19,7 +19,7 @@ from learnblock.server.catalog.classes import ClassShelf
 from learnblock.server.pages.boxes import Inbox, Outbox, OutboxFullError
 from learnblock.server.pages.seat import PageSeat, with_languages
 from learnblock.server.runs.player import Player
-from learnblock.server.runs.shown import Shown
+from learnblock.server.runs.shown import ShownProgram
 from learnblock.server.sessions.lesson_trials import LessonTrial
 from learnblock.server.sessions.part import Part
 from learnblock.server.sessions.quota import new_projects
@@ -95,7 +95,7 @@ class Page:
         self.browser = "" if is_local or is_alone else secrets.token_hex(16)
         #: What this page needs to allow its project the network; empty if it can't.
         self.network_key = ""
-        self.shown = Shown()
+        self.shown = ShownProgram()
         self.watching = False
         #: All pages of one person share theirs.
         self.new_projects = sessions.new_projects if is_alone else new_projects()
@@ -175,7 +175,7 @@ class Page:
     def join(self, session: Session, tab: str = "") -> None:
         """Show a robot of a project, instead of the previous project."""
         self.leave()
-        self.shown = Shown()
+        self.shown = ShownProgram()
         self.network_key = ""
         self._session = session
         session.join(self, tab)

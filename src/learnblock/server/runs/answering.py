@@ -3,7 +3,7 @@
 from learnblock.server import messages
 from learnblock.server.runs.reading import Reading
 from learnblock.why import questions as why
-from learnblock.why.questions import Ask, Question
+from learnblock.why.questions import Question, QuestionKind
 from learnblock.why.sentences import Sentence
 
 
@@ -22,7 +22,7 @@ def questions(reading: Reading, block: str, time: float | None) -> messages.Ques
 
 def answer(reading: Reading, question: messages.WhyQuestion) -> messages.WhyAnswer:
     """The answer to a question."""
-    asked = Question(Ask(question.ask), question.subject, question.time)
+    asked = Question(QuestionKind(question.ask), question.subject, question.time)
     answered = reading.answers.answer(asked)
     return messages.WhyAnswer(
         _asked(reading, why.with_values(reading.history, asked)),

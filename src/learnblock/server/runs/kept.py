@@ -14,7 +14,7 @@ from learnblock.server.runs.console import MOST_KEPT
 from learnblock.server.runs.looking import Looking, call_graph, way
 
 if TYPE_CHECKING:
-    from learnblock.why import History
+    from learnblock.why import EventHistory
     from learnblock.why.recorded import Recorded
     from learnblock.why.sentences import Sentence
 
@@ -138,6 +138,6 @@ def calls_beside(first: bytes, second: bytes) -> messages.CallsBeside:
     return messages.CallsBeside(call_graph(both.first), call_graph(both.second))
 
 
-def _run(id_: str, history: "History", did: "Sentence | None") -> messages.ComparedRun:
+def _run(id_: str, history: "EventHistory", did: "Sentence | None") -> messages.ComparedRun:
     step = messages.RunStep(did.phrase, did.time) if did else None
     return messages.ComparedRun(id_, way(history.recorded), step)

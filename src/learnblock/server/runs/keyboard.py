@@ -7,7 +7,7 @@ from learnblock.server import messages
 from learnblock.server.runs.viewers import Viewer, Viewers
 
 
-class Keyboard:
+class SharedKeyboard:
     """The keys that users hold down, and those that running programs ask for.
 
     Its methods run in the event loop, except `held`.

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from learnblock.runtime.log.blocks import Block, Stream
+from learnblock.runtime.log.blocks import EventBlock, EventStream
 from learnblock.runtime.log.noting import TICK
 from learnblock.server import messages
 from learnblock.server.messages.looking import MOST_MARKS
@@ -25,7 +25,7 @@ class LiveTimeline:
         self._marks: list[messages.TimeMark] = []
         self._way: list[tuple[float, float, float]] = []
 
-    def read(self, blocks: Sequence[Block]) -> messages.Timeline:
+    def read(self, blocks: Sequence[EventBlock]) -> messages.Timeline:
         """The run so far.
 
         Args:
@@ -33,7 +33,7 @@ class LiveTimeline:
         """
         from learnblock.why.recorded import lines_in  # noqa: PLC0415 - the page opens before it is needed
 
-        world = [block for block in blocks if block.stream is Stream.WORLD]
+        world = [block for block in blocks if block.stream is EventStream.WORLD]
         self._take(lines_in([block.data for block in world[self._seen :]]))
         self._seen = len(world)
         self._end = max([self._end, *(block.last * TICK for block in blocks)])

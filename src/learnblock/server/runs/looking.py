@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from msgspec.structs import replace
 
-from learnblock.runtime.log.blocks import Block, Stream
+from learnblock.runtime.log.blocks import EventBlock, EventStream
 from learnblock.runtime.log.noting import TICK
 from learnblock.server import messages
 from learnblock.server.messages.looking import MOST_MARKS, MOST_POINTS
@@ -33,7 +33,7 @@ class Log(Protocol):
     """The log of a run in progress, or of a kept one."""
 
     @property
-    def blocks(self) -> tuple[Block, ...]:
+    def blocks(self) -> tuple[EventBlock, ...]:
         """Its current content, oldest first."""
 
     @property
@@ -160,7 +160,7 @@ class Looking:
             # What has happened by then no longer changes.
             return True
         blocks = self.log.blocks
-        if time is not None and blocks[-1].stream is not Stream.ENDING:
+        if time is not None and blocks[-1].stream is not EventStream.ENDING:
             is_early = monotonic() - reading.read_at < PATIENCE * reading.cost
             return reading.cost > LONG and is_early
         return len(blocks) == reading.size

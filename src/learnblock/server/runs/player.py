@@ -19,7 +19,7 @@ from learnblock.server import messages
 from learnblock.server.runs import telemetry
 from learnblock.server.runs.console import Console, Voice, message_of
 from learnblock.server.runs.kept import OpenedRun
-from learnblock.server.runs.keyboard import Keyboard
+from learnblock.server.runs.keyboard import SharedKeyboard
 from learnblock.server.runs.playing import Playing
 from learnblock.server.runs.reporter import Reporter
 from learnblock.server.runs.shown_run import ShownRun
@@ -56,7 +56,7 @@ class Player:
         self,
         console: Console,
         readers: Viewers,
-        keyboard: Keyboard,
+        keyboard: SharedKeyboard,
         on_run_ended: Callable[[messages.Ended], object],
         on_state: Callable[[], object],
     ) -> None:

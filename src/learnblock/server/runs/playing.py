@@ -13,7 +13,7 @@ from learnblock.project.document.document import Document
 from learnblock.running import ProgramRun, Report
 from learnblock.running.job import Job
 from learnblock.runtime.debugger import Debugger, HeldBy
-from learnblock.runtime.escalation import PATIENCE, Patience
+from learnblock.runtime.escalation import PATIENCE, EndTimeouts
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.program import Program
 from learnblock.runtime.recorder import Recorder
@@ -95,7 +95,7 @@ class Playing:
         run: Controlled,
         watcher: RunWatcher,
         looking: Looking | None = None,
-        patience: Patience = PATIENCE,
+        patience: EndTimeouts = PATIENCE,
     ) -> None:
         self.played = played
         self.run = run

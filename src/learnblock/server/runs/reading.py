@@ -8,14 +8,14 @@ from time import monotonic
 from learnblock.errors import LearnBlockError
 from learnblock.monitor.monitor import Picture
 from learnblock.monitor.world_monitor import WorldMonitor
-from learnblock.runtime.log.blocks import Block
+from learnblock.runtime.log.blocks import EventBlock
 from learnblock.runtime.log.noting import TICK
 from learnblock.server import messages
 from learnblock.server.runs import telemetry
 from learnblock.server.runs.line_blocks import LineBlocks
 from learnblock.server.runs.reported import Reported
 from learnblock.server.runs.telemetry import Drawn
-from learnblock.why import History
+from learnblock.why import EventHistory
 from learnblock.why.answers import Answers
 from learnblock.why.moments import Moments
 from learnblock.why.recorded import Recorded
@@ -41,7 +41,7 @@ class Reading:
         cost: how long that took, in s.
     """
 
-    history: History
+    history: EventHistory
     moments: Moments
     steps: Steps
     reported: Reported
@@ -52,7 +52,9 @@ class Reading:
     cost: float
 
     @classmethod
-    def of(cls, log: Sequence[Block], blocks: LineBlocks, before: "Reading | None") -> "Reading":
+    def of(
+        cls, log: Sequence[EventBlock], blocks: LineBlocks, before: "Reading | None"
+    ) -> "Reading":
         """Read a log.
 
         Args:
@@ -62,7 +64,7 @@ class Reading:
         """
         began = monotonic()
         recorded = Recorded.of(log)
-        history = History(recorded)
+        history = EventHistory(recorded)
         moments = Moments(history)
         steps, reported = Steps(history, moments), Reported(recorded)
         world = before.extended_world(recorded) if before else None

@@ -15,7 +15,7 @@ Content = TypeVar("Content")
 MOST_PROBLEMS = 200
 
 
-class Shown:
+class ShownProgram:
     """The program as shown by a page: what it has sent and received.
 
     Args:

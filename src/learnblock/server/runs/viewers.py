@@ -4,14 +4,14 @@ from collections.abc import Iterator
 from typing import Protocol
 
 from learnblock.server.messages import ToPage
-from learnblock.server.runs.shown import Shown
+from learnblock.server.runs.shown import ShownProgram
 
 
 class Viewer(Protocol):
     """A page that shows a project."""
 
     #: The program as this page shows it.
-    shown: Shown
+    shown: ShownProgram
     #: Whether it has requested camera frames.
     watching: bool
 

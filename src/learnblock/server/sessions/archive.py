@@ -15,7 +15,7 @@ from learnblock.project.files.folder import FileChangedError, FileState, Project
 from learnblock.project.files.history import PastRun, Reason
 from learnblock.project.files.kept_runs import KeptRun
 from learnblock.project.files.project import Project
-from learnblock.runtime.log.blocks import Block
+from learnblock.runtime.log.blocks import EventBlock
 from learnblock.server.sessions.periods import Periods
 
 #: Seconds of changes after which a version is saved.
@@ -165,7 +165,7 @@ class Archive:
         if not self._folder.read_only:
             self._later(self._tried(self._folder.add_run, self._project.name, run))
 
-    def keep_logs(self, began: float, version: str, logs: Sequence[tuple[Block, ...]]) -> None:
+    def keep_logs(self, began: float, version: str, logs: Sequence[tuple[EventBlock, ...]]) -> None:
         """Keep the logs of a run's programs, and report it.
 
         Args:
@@ -177,7 +177,7 @@ class Archive:
             self._later(self._keep_logs(began, version, logs))
 
     async def _keep_logs(
-        self, began: float, version: str, logs: Sequence[tuple[Block, ...]]
+        self, began: float, version: str, logs: Sequence[tuple[EventBlock, ...]]
     ) -> None:
         kept_runs = self._folder.kept_runs(self._project.name)
         for blocks in logs:

@@ -17,7 +17,7 @@ from learnblock.server.runs.viewers import Viewer
 _PATIENCE, _LAST_PATIENCE = 20.0, 3.0
 
 
-class Connections:
+class RobotConnections:
     """The robots that pages are connected to without a program.
 
     Args:

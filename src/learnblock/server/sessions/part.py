@@ -14,7 +14,7 @@ from learnblock.project.files.project import ProjectPart
 from learnblock.robots import RobotEntry
 from learnblock.server import messages
 from learnblock.server.runs.console import Console
-from learnblock.server.runs.keyboard import Keyboard
+from learnblock.server.runs.keyboard import SharedKeyboard
 from learnblock.server.runs.player import Player
 from learnblock.server.runs.viewers import Viewer, Viewers
 from learnblock.server.sessions.prepared import PreparedPart
@@ -37,7 +37,7 @@ class PartHome(Protocol):
     """The project that a part belongs to."""
 
     @property
-    def keyboard(self) -> Keyboard:
+    def keyboard(self) -> SharedKeyboard:
         """The keyboard of the project."""
 
     def part_changed(self) -> None:

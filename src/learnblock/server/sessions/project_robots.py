@@ -13,7 +13,7 @@ from learnblock.robots import RobotEntry
 from learnblock.running import MOST_ROBOTS
 from learnblock.server import catalog, messages
 from learnblock.server.runs.player import Player
-from learnblock.server.runs.shown import Shown
+from learnblock.server.runs.shown import ShownProgram
 from learnblock.server.runs.viewers import Viewer
 from learnblock.server.sessions.archive import Archive
 from learnblock.server.sessions.part import Part, PartHome
@@ -257,7 +257,7 @@ class ProjectRobots:
         self._show(page, self.parts.named(tab) or before, robot)
 
     def _show(self, page: Viewer, part: Part, robot: str = "") -> None:
-        page.shown = Shown(page.shown.number + 1)
+        page.shown = ShownProgram(page.shown.number + 1)
         player = part.player_named(robot)
         page.send(
             messages.TabOpened(

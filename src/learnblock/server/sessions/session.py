@@ -19,7 +19,7 @@ from learnblock.project.files.lesson_folder import Progress
 from learnblock.project.files.project import Project
 from learnblock.project.files.unpacking import without
 from learnblock.server import catalog, messages
-from learnblock.server.runs.keyboard import Keyboard
+from learnblock.server.runs.keyboard import SharedKeyboard
 from learnblock.server.runs.viewers import Viewer, Viewers
 from learnblock.server.sessions.archive import Archive
 from learnblock.server.sessions.coach import Coach
@@ -57,7 +57,7 @@ class Session:
         self._notes = prepared.notes
         self._new_worlds = prepared.worlds
         self.viewers = Viewers()
-        self.keyboard = Keyboard(self.viewers)
+        self.keyboard = SharedKeyboard(self.viewers)
         self.robots = ProjectRobots(self, prepared)
         self._saved = self.project
         self.archive = Archive(folder, self, periods)

@@ -15,9 +15,9 @@ from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.project.files.folder import ProjectFolder
 from learnblock.project.files.project import Project, checked_name, is_same_program
-from learnblock.runtime.containment.survey import Finding, survey
+from learnblock.runtime.containment.survey import AttemptResult, survey
 from learnblock.server.messages import PaletteChanged, ToPage
-from learnblock.server.sessions.connections import Connections
+from learnblock.server.sessions.connections import RobotConnections
 from learnblock.server.sessions.periods import Periods
 from learnblock.server.sessions.prepared import prepare
 from learnblock.server.sessions.quota import new_projects
@@ -50,10 +50,10 @@ class Sessions:
         self._renewing: set[asyncio.Task[None]] = set()
         #: Notices changes that the user makes by hand.
         self.block_files = BlockFiles()
-        self._findings: tuple[Finding, ...] = ()
+        self._findings: tuple[AttemptResult, ...] = ()
         self._surveying = asyncio.Lock()
         #: The robots that pages are connected to without a program.
-        self.connections = Connections(self._running_robots)
+        self.connections = RobotConnections(self._running_robots)
         #: Lets two pages that open the same project at once share it.
         self._opening = asyncio.Lock()
 
@@ -140,7 +140,7 @@ class Sessions:
         if not session.viewers and session.name not in self._ending:
             self._ending[session.name] = asyncio.create_task(self._end_later(session))
 
-    async def contained(self) -> tuple[Finding, ...]:
+    async def contained(self) -> tuple[AttemptResult, ...]:
         """How programs are contained on this computer, tried out for the first page that asks."""
         async with self._surveying:
             self._findings = self._findings or await to_thread.run_sync(survey)

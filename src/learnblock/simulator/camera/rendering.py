@@ -18,7 +18,7 @@ QUANTILES = np.array([NormalDist().inv_cdf((step + 0.5) / 256) for step in range
 
 
 @dataclass(frozen=True, slots=True)
-class View:
+class CameraView:
     """A picture about to be drawn: see `render`."""
 
     surfaces: tuple[Surface, ...]

@@ -6,10 +6,10 @@ from types import MappingProxyType
 from learnblock.simulator.colours import RGB
 from learnblock.simulator.geometry import Pose, forward
 from learnblock.simulator.goal_description import Follow, Reach, Show, Stop, Tour, Visit
-from learnblock.simulator.picture.marks import Name
+from learnblock.simulator.picture.marks import ObjectName
 from learnblock.simulator.picture.palette import GREEN, ORANGE, RED
 from learnblock.simulator.picture.svg import Circle, Paint, Point, Polygon, Polyline, Shape
-from learnblock.simulator.picture.view import View
+from learnblock.simulator.picture.view import PictureView
 from learnblock.simulator.world_description import Tag, WorldDescription
 
 _COLOURS = MappingProxyType({"reached": GREEN, "failed": RED})
@@ -17,7 +17,7 @@ Outcomes = Mapping[str, str]
 """What became of goals, by name: "reached" or "failed"; the others are still open."""
 
 
-def regions(world: WorldDescription, view: View, outcomes: Outcomes) -> Iterator[Shape]:
+def regions(world: WorldDescription, view: PictureView, outcomes: Outcomes) -> Iterator[Shape]:
     """What goals fill, drawn under the lines."""
     for name, place, radius in _discs(world):
         paint = Paint(_colour(name, outcomes), opacity=0.16)
@@ -30,38 +30,38 @@ def regions(world: WorldDescription, view: View, outcomes: Outcomes) -> Iterator
         yield from _toured(tour, view, _colour(tour.name, outcomes))
 
 
-def outlines(world: WorldDescription, view: View, outcomes: Outcomes) -> Iterator[Shape]:
+def outlines(world: WorldDescription, view: PictureView, outcomes: Outcomes) -> Iterator[Shape]:
     """The edges of round regions, drawn over the lines, which may fill a region."""
     for name, place, radius in _discs(world):
         ring = Paint(stroke=_colour(name, outcomes), width=2.5, dash=(9.0, 6.0))
         yield Circle(view.at(*place), radius * view.scale, ring)
 
 
-def names(world: WorldDescription, view: View) -> Iterator[Name]:
+def names(world: WorldDescription, view: PictureView) -> Iterator[ObjectName]:
     """The names of the goals."""
     for reach in world.goal.reach:
-        yield Name(reach.name, view.at(reach.x, reach.y), is_goal=True)
+        yield ObjectName(reach.name, view.at(reach.x, reach.y), is_goal=True)
     lines = {line.name: line for line in world.line}
     for follow in world.goal.follow:
         line = lines[follow.line]
         points = line.polyline().points
         x, y = points[len(points) // 2].tolist()
         clear = line.width * view.scale / 2 + 10
-        yield Name(follow.name, view.at(x, y), clear, is_goal=True)
+        yield ObjectName(follow.name, view.at(x, y), clear, is_goal=True)
     tags = {tag.id: tag for tag in world.tag}
     for visit in world.goal.visit:
         tag = tags[visit.id]
         before = Pose(tag.x, tag.y, tag.heading).ahead(0.55 * visit.distance)
-        yield Name(visit.name, view.at(before.x, before.y), is_goal=True)
+        yield ObjectName(visit.name, view.at(before.x, before.y), is_goal=True)
     for tour in world.goal.tour:
-        yield Name(tour.name, view.at(*tour.points[-1]), is_goal=True)
+        yield ObjectName(tour.name, view.at(*tour.points[-1]), is_goal=True)
     for stop in world.goal.stop:
-        yield Name(stop.name, view.at(stop.x, stop.y), is_goal=True)
+        yield ObjectName(stop.name, view.at(stop.x, stop.y), is_goal=True)
     for show in world.goal.show:
         place = (show.x, show.y) if show.radius is not None else _entrance(world)
-        yield Name(show.name, view.at(*place), is_goal=True)
+        yield ObjectName(show.name, view.at(*place), is_goal=True)
     for avoid in world.goal.avoid:
-        yield Name(avoid.name, view.at(*_entrance(world)), is_goal=True)
+        yield ObjectName(avoid.name, view.at(*_entrance(world)), is_goal=True)
 
 
 def _entrance(world: WorldDescription) -> Point:
@@ -84,7 +84,9 @@ def _discs(world: WorldDescription) -> Iterator[tuple[str, Point, float]]:
             yield tour.name, place, tour.radius
 
 
-def _followed(goal: Follow, world: WorldDescription, view: View, colour: RGB) -> Iterator[Shape]:
+def _followed(
+    goal: Follow, world: WorldDescription, view: PictureView, colour: RGB
+) -> Iterator[Shape]:
     """A glow under the line."""
     for line in world.line:
         if line.name == goal.line:
@@ -92,7 +94,9 @@ def _followed(goal: Follow, world: WorldDescription, view: View, colour: RGB) ->
             yield Polyline(points, colour, line.width * view.scale + 18, 0.22)
 
 
-def _visited(goal: Visit, world: WorldDescription, view: View, colour: RGB) -> Iterator[Shape]:
+def _visited(
+    goal: Visit, world: WorldDescription, view: PictureView, colour: RGB
+) -> Iterator[Shape]:
     """The half disc in front of the tag within which it is near enough."""
     for tag in world.tag:
         if tag.id == goal.id:
@@ -107,6 +111,6 @@ def _half_disc(tag: Tag, radius: float) -> list[Point]:
     return [(tag.x + radius * x, tag.y + radius * y) for x, y in units]
 
 
-def _toured(goal: Tour, view: View, colour: RGB) -> Iterator[Shape]:
+def _toured(goal: Tour, view: PictureView, colour: RGB) -> Iterator[Shape]:
     """A thin line from each place to the next."""
     yield Polyline(view.all(list(goal.points)), colour, 4.0, 0.3)

@@ -14,10 +14,10 @@ from learnblock.simulator.picture.svg import (
     Polygon,
     Polyline,
     Shape,
-    Text,
+    SvgText,
     rectangle,
 )
-from learnblock.simulator.picture.view import View
+from learnblock.simulator.picture.view import PictureView
 from learnblock.simulator.robot_description import Body
 
 SHADOW = (3.0, 4.0)
@@ -143,11 +143,11 @@ def compass(center: Point, radius: float) -> Iterator[Shape]:
     right = [(0.0, -1.0), (0.5, 0.75), (0.0, 0.4)]
     yield Polygon(_scaled(left, center, radius), Paint(INK, INK, 1.2))
     yield Polygon(_scaled(right, center, radius), Paint(WHITE, INK, 1.2))
-    yield Text((center[0], center[1] - radius - 6), "N", 15, INK, bold=True, anchor="middle")
+    yield SvgText((center[0], center[1] - radius - 6), "N", 15, INK, bold=True, anchor="middle")
 
 
 def robot(
-    body: Body, view: View, pose: tuple[float, float, float], *, faint: bool = False
+    body: Body, view: PictureView, pose: tuple[float, float, float], *, faint: bool = False
 ) -> Iterator[Shape]:
     """A robot from above at a pose (x, y, heading), with an arrow pointing ahead."""
     opacity = 0.38 if faint else 0.92
@@ -165,7 +165,11 @@ def robot(
 
 
 def _hull(
-    body: Body, view: View, pose: tuple[float, float, float], paint: Paint, moved: Point = (0, 0)
+    body: Body,
+    view: PictureView,
+    pose: tuple[float, float, float],
+    paint: Paint,
+    moved: Point = (0, 0),
 ) -> Shape:
     if body.radius is not None and body.shape == "disc":
         x, y = view.at(*pose[:2])

@@ -27,7 +27,7 @@ _NO_POINTS = np.empty((0, 2))
 
 
 @dataclass(frozen=True, slots=True)
-class Box:
+class Rectangle:
     """A rectangle on the page."""
 
     left: float
@@ -35,7 +35,7 @@ class Box:
     right: float
     bottom: float
 
-    def overlaps(self, other: "Box") -> bool:
+    def overlaps(self, other: "Rectangle") -> bool:
         """Whether the boxes are closer together than `GAP`."""
         return (
             self.left < other.right + GAP
@@ -44,7 +44,7 @@ class Box:
             and other.top < self.bottom + GAP
         )
 
-    def holds(self, other: "Box") -> bool:
+    def holds(self, other: "Rectangle") -> bool:
         return (
             self.left <= other.left
             and self.top <= other.top
@@ -52,11 +52,13 @@ class Box:
             and other.bottom <= self.bottom
         )
 
-    def grown(self, margin: float) -> "Box":
-        return Box(self.left - margin, self.top - margin, self.right + margin, self.bottom + margin)
+    def grown(self, margin: float) -> "Rectangle":
+        return Rectangle(
+            self.left - margin, self.top - margin, self.right + margin, self.bottom + margin
+        )
 
     @classmethod
-    def around(cls, center: Point, radius: float) -> "Box":
+    def around(cls, center: Point, radius: float) -> "Rectangle":
         x, y = center
         return cls(x - radius, y - radius, x + radius, y + radius)
 
@@ -73,10 +75,10 @@ class Spot:
 
     head: Point
     side: int
-    box: Box
+    box: Rectangle
 
 
-class Room:
+class LabelSpace:
     """The page while labels are placed on it.
 
     Args:
@@ -84,12 +86,12 @@ class Room:
         busy: shape (n, 2), pixels that labels should not cover.
     """
 
-    def __init__(self, bounds: Box, busy: NDArray[np.float64]) -> None:
+    def __init__(self, bounds: Rectangle, busy: NDArray[np.float64]) -> None:
         self._bounds = bounds
         self._busy = busy
-        self._taken: list[Box] = []
+        self._taken: list[Rectangle] = []
 
-    def take(self, box: Box) -> None:
+    def take(self, box: Rectangle) -> None:
         """Keep all later labels off a box."""
         self._taken.append(box)
 
@@ -120,11 +122,13 @@ class Room:
             self._busy = np.vstack([self._busy, *[_leader(anchor, best)] * LEADER_WEIGHT])
         return best
 
-    def _cost(self, anchor: Point, leader: NDArray[np.float64], box: Box) -> float:
+    def _cost(self, anchor: Point, leader: NDArray[np.float64], box: Rectangle) -> float:
         if not self._bounds.holds(box) or any(box.overlaps(other) for other in self._taken):
             return math.inf
         # Every leader crosses the boxes that contain the anchor.
-        crossed = sum(_count(leader, b) for b in self._taken if not b.holds(Box.around(anchor, 0)))
+        crossed = sum(
+            _count(leader, b) for b in self._taken if not b.holds(Rectangle.around(anchor, 0))
+        )
         return _count(self._busy, box.grown(BUSY_MARGIN)) + LEADER_WEIGHT * crossed
 
 
@@ -134,7 +138,7 @@ def _leader(anchor: Point, spot: Spot) -> NDArray[np.float64]:
     return np.linspace(anchor, spot.head, count)
 
 
-def _count(points: NDArray[np.float64], box: Box) -> int:
+def _count(points: NDArray[np.float64], box: Rectangle) -> int:
     x, y = points[:, 0], points[:, 1]
     within = (x > box.left) & (x < box.right) & (y > box.top) & (y < box.bottom)
     return int(np.count_nonzero(within))
@@ -147,4 +151,4 @@ def _spot(anchor: Point, distance: float, angle: float, icon: float, text: float
     far = x + side * (icon + text)
     near = x - side * icon
     half = max(icon, 10.0)
-    return Spot((x, y), side, Box(min(near, far), y - half, max(near, far), y + half))
+    return Spot((x, y), side, Rectangle(min(near, far), y - half, max(near, far), y + half))

@@ -7,7 +7,7 @@ from typing import Literal
 
 from learnblock.simulator.colours import RGB
 from learnblock.simulator.picture import icons
-from learnblock.simulator.picture.labels import Room, Spot
+from learnblock.simulator.picture.labels import LabelSpace, Spot
 from learnblock.simulator.picture.palette import GREEN, INK, PALE, RED, STAR_EDGE, WHITE
 from learnblock.simulator.picture.svg import (
     Circle,
@@ -15,7 +15,7 @@ from learnblock.simulator.picture.svg import (
     Point,
     Polyline,
     Shape,
-    Text,
+    SvgText,
     shortened,
     text_width,
 )
@@ -36,7 +36,7 @@ Icon = Callable[[Point, float], Iterator[Shape]]
 
 
 @dataclass(frozen=True, slots=True)
-class Event:
+class PictureEvent:
     """An event at a position.
 
     Args:
@@ -76,7 +76,7 @@ class Event:
         return icons.finish if self.kind == "end" else None
 
 
-def events_drawn(events: Sequence[Event], room: Room, clear: float) -> Iterator[Shape]:
+def events_drawn(events: Sequence[PictureEvent], room: LabelSpace, clear: float) -> Iterator[Shape]:
     """The dots of all events, and labels for those with enough room.
 
     Args:
@@ -100,7 +100,7 @@ def events_drawn(events: Sequence[Event], room: Room, clear: float) -> Iterator[
 
 
 @dataclass(frozen=True, slots=True)
-class Name:
+class ObjectName:
     """The name of an object of the world.
 
     Args:
@@ -116,7 +116,7 @@ class Name:
     is_goal: bool = False
 
 
-def name_drawn(name: Name, room: Room) -> Iterator[Shape]:
+def name_drawn(name: ObjectName, room: LabelSpace) -> Iterator[Shape]:
     """The name next to its object, if there is room."""
     label = shortened(name.text, LONGEST_LABEL)
     radius = STAR if name.is_goal else 0.0
@@ -128,7 +128,7 @@ def name_drawn(name: Name, room: Room) -> Iterator[Shape]:
         yield _caption(spot, 0.0, label, PALE)
 
 
-def _chosen(events: Sequence[Event]) -> list[Event]:
+def _chosen(events: Sequence[PictureEvent]) -> list[PictureEvent]:
     """The events to label, the most important first, spread evenly over time if there are many."""
     ranked = sorted(events, key=lambda event: _RANK.get(event.kind, 2))
     first = [event for event in ranked if event.kind in _RANK][:MOST_LABELS]
@@ -145,7 +145,7 @@ def _leader(place: Point, spot: Spot, colour: RGB) -> Iterator[Shape]:
     yield icons.dot(place, colour)
 
 
-def _labelled(spot: Spot, event: Event) -> Iterator[Shape]:
+def _labelled(spot: Spot, event: PictureEvent) -> Iterator[Shape]:
     if event.icon is None:
         yield _caption(spot, 0.0, event.label, INK)
         return
@@ -154,11 +154,11 @@ def _labelled(spot: Spot, event: Event) -> Iterator[Shape]:
     yield _caption(spot, ICON, event.label, INK)
 
 
-def _caption(spot: Spot, icon: float, text: str, colour: RGB) -> Text:
+def _caption(spot: Spot, icon: float, text: str, colour: RGB) -> SvgText:
     x, y = spot.head
     place = (x + spot.side * (icon + 6), y + SIZE * 0.36)
     anchor: Literal["start", "end"] = "start" if spot.side > 0 else "end"
-    return Text(place, text, SIZE, colour, bold=True, anchor=anchor, halo=WHITE)
+    return SvgText(place, text, SIZE, colour, bold=True, anchor=anchor, halo=WHITE)
 
 
 def _width(text: str) -> float:

@@ -14,21 +14,21 @@ from learnblock.simulator.colours import RGB
 from learnblock.simulator.floor import Floor
 from learnblock.simulator.geometry import forward
 from learnblock.simulator.picture import goals, icons
-from learnblock.simulator.picture.labels import Box as LabelBox
+from learnblock.simulator.picture.labels import Rectangle as LabelBox
 from learnblock.simulator.picture.palette import BLACK, INK, PALE, WHITE, is_dark
 from learnblock.simulator.picture.svg import (
     Circle,
-    Image,
     Paint,
     Point,
     Polygon,
     Polyline,
     Shape,
-    Text,
+    SvgImage,
+    SvgText,
     rectangle,
 )
 from learnblock.simulator.picture.themes import look_of, shown
-from learnblock.simulator.picture.view import View, round_step
+from learnblock.simulator.picture.view import PictureView, round_step
 from learnblock.simulator.props import body_of
 from learnblock.simulator.world_description import (
     Box,
@@ -46,7 +46,9 @@ BOARD = (34.0, 84.0)
 """The smallest and largest side of a tag's or a face's picture, pixels."""
 
 
-def drawn(world: WorldDescription, view: View, outcomes: goals.Outcomes = NONE) -> Iterator[Shape]:
+def drawn(
+    world: WorldDescription, view: PictureView, outcomes: goals.Outcomes = NONE
+) -> Iterator[Shape]:
     """Everything in the world except the robots.
 
     Args:
@@ -65,7 +67,7 @@ def drawn(world: WorldDescription, view: View, outcomes: goals.Outcomes = NONE) 
         yield from icons.sun(view.at(lamp.x, lamp.y), 15.0)
 
 
-def board_picture(board: Tag | Face, view: View) -> tuple[Point, float]:
+def board_picture(board: Tag | Face, view: PictureView) -> tuple[Point, float]:
     """The middle and the side, in pixels, of a board's picture, which is drawn behind the board."""
     side = min(max(board.size * view.scale * 0.8, BOARD[0]), BOARD[1])
     x, y = forward(board.heading)
@@ -85,7 +87,7 @@ def things(world: WorldDescription) -> tuple[Box | Cylinder, ...]:
     return (*world.box, *world.cylinder)
 
 
-def outline(thing: Box | Cylinder, view: View) -> list[Point]:
+def outline(thing: Box | Cylinder, view: PictureView) -> list[Point]:
     """The corners of a box, or of sixteen on a cylinder, in pixels."""
     if isinstance(thing, Cylinder):
         angles = [k * math.pi / 8 for k in range(16)]
@@ -97,7 +99,7 @@ def outline(thing: Box | Cylinder, view: View) -> list[Point]:
     return view.placed(corners, thing.x, thing.y, thing.heading)
 
 
-def tag_number_box(tag: Tag, view: View) -> LabelBox:
+def tag_number_box(tag: Tag, view: PictureView) -> LabelBox:
     """The position of a tag's number: beyond its picture, away from the board."""
     (x, y), side = board_picture(tag, view)
     away = -1 if forward(tag.heading)[1] < 0 else 1
@@ -110,7 +112,7 @@ def grid_step(world: WorldDescription) -> float:
     return round_step(max(world.floor.size) / 10)
 
 
-def _ground(world: WorldDescription, view: View) -> Iterator[Shape]:
+def _ground(world: WorldDescription, view: PictureView) -> Iterator[Shape]:
     east, north = world.floor.size[0] / 2, world.floor.size[1] / 2
     corners = view.all([(-east, -north), (east, -north), (east, north), (-east, north)])
     look = look_of(world.theme)
@@ -127,7 +129,7 @@ def _ground(world: WorldDescription, view: View) -> Iterator[Shape]:
         yield from _grid(world, view)
 
 
-def _squares(world: WorldDescription, view: View, colour: RGB) -> Iterator[Shape]:
+def _squares(world: WorldDescription, view: PictureView, colour: RGB) -> Iterator[Shape]:
     """Every second square of the floor; each row of them is a dashed line."""
     step = grid_step(world) / 2
     east, north = (size / 2 for size in world.floor.size)
@@ -144,11 +146,11 @@ def _squares(world: WorldDescription, view: View, colour: RGB) -> Iterator[Shape
         yield Polyline(ends, colour, (upper - south) * view.scale, dash=dash, cap="butt")
 
 
-def _floor_picture(world: WorldDescription, view: View) -> Image:
+def _floor_picture(world: WorldDescription, view: PictureView) -> SvgImage:
     pixels = Floor(world).image
     width, height = (side * view.scale for side in world.floor.size)
     x, y = view.at(0, 0)
-    return Image((x - width / 2, y - height / 2), (width, height), _at_most(pixels, width))
+    return SvgImage((x - width / 2, y - height / 2), (width, height), _at_most(pixels, width))
 
 
 def _at_most(pixels: textures.Image, width: float) -> textures.Image:
@@ -160,7 +162,7 @@ def _at_most(pixels: textures.Image, width: float) -> textures.Image:
     return np.asarray(smaller, np.uint8)
 
 
-def _grid(world: WorldDescription, view: View) -> Iterator[Shape]:
+def _grid(world: WorldDescription, view: PictureView) -> Iterator[Shape]:
     step = grid_step(world)
     east, north = world.floor.size[0] / 2, world.floor.size[1] / 2
     even, _ = look_of(world.theme).floor(world.floor.colour)
@@ -176,7 +178,7 @@ def _multiples(step: float, limit: float) -> list[float]:
     return [k * step for k in range(-count, count + 1)]
 
 
-def start(start: Start, view: View) -> Iterator[Shape]:
+def start(start: Start, view: PictureView) -> Iterator[Shape]:
     """A start that no robot took: a ring with an arrow along the heading."""
     x, y = view.at(start.x, start.y)
     yield Circle((x, y), 13.0, Paint(WHITE, PALE, 1.6, 0.85))
@@ -186,7 +188,7 @@ def start(start: Start, view: View) -> Iterator[Shape]:
     yield Polygon(arrow, Paint(PALE))
 
 
-def _things(world: WorldDescription, view: View) -> Iterator[Shape]:
+def _things(world: WorldDescription, view: PictureView) -> Iterator[Shape]:
     look = look_of(world.theme)
     for index, wall in enumerate(world.wall):
         yield from _wall(wall, look.wall(wall.colour, index), view)
@@ -204,7 +206,7 @@ def _things(world: WorldDescription, view: View) -> Iterator[Shape]:
         yield from _board(face, view, textures.face(face.emotion, 160))
 
 
-def _wall(wall: Wall, colour: RGB, view: View) -> Iterator[Shape]:
+def _wall(wall: Wall, colour: RGB, view: PictureView) -> Iterator[Shape]:
     points = view.all(wall.points)
     width = max(wall.thickness * view.scale, 4.0)
     yield Polyline(_shadow(points), BLACK, width, 0.16, cap="square")
@@ -213,13 +215,13 @@ def _wall(wall: Wall, colour: RGB, view: View) -> Iterator[Shape]:
     yield Polyline(points, colour, width, cap="square")
 
 
-def _box(box: Box, view: View) -> Iterator[Shape]:
+def _box(box: Box, view: PictureView) -> Iterator[Shape]:
     corners = outline(box, view)
     yield Polygon(_shadow(corners), Paint(BLACK, opacity=0.16))
     yield Polygon(corners, _sides(box))
 
 
-def _cylinder(cylinder: Cylinder, view: View) -> Iterator[Shape]:
+def _cylinder(cylinder: Cylinder, view: PictureView) -> Iterator[Shape]:
     center = view.at(cylinder.x, cylinder.y)
     radius = cylinder.radius * view.scale
     yield Circle(_shadow([center])[0], radius, Paint(BLACK, opacity=0.16))
@@ -233,17 +235,17 @@ def _sides(thing: Box | Cylinder) -> Paint:
     return Paint(colour, _darker(colour), 2.4, dash=dash)
 
 
-def _board(board: Tag | Face, view: View, picture: textures.Image) -> Iterator[Shape]:
+def _board(board: Tag | Face, view: PictureView, picture: textures.Image) -> Iterator[Shape]:
     (x, y), side = board_picture(board, view)
     corner = (x - side / 2, y - side / 2)
     frame = rectangle(*corner, side, side)
     yield Polygon(_shadow(frame), Paint(BLACK, opacity=0.13))
-    yield Image(corner, (side, side), picture)
+    yield SvgImage(corner, (side, side), picture)
     yield Polygon(frame, Paint(stroke=EDGE, width=1.4))
     yield from _edge(board, view)
 
 
-def _edge(board: Tag | Face, view: View) -> Iterator[Shape]:
+def _edge(board: Tag | Face, view: PictureView) -> Iterator[Shape]:
     """The board itself, a line when seen from above, and the direction that it faces."""
     half = board.size / 2
     ends = view.placed([(0, half), (0, -half)], board.x, board.y, board.heading)
@@ -255,10 +257,10 @@ def _edge(board: Tag | Face, view: View) -> Iterator[Shape]:
     yield Polygon(nose, Paint(INK))
 
 
-def _number(tag: Tag, view: View) -> Iterator[Shape]:
+def _number(tag: Tag, view: PictureView) -> Iterator[Shape]:
     box = tag_number_box(tag, view)
     place = ((box.left + box.right) / 2, box.bottom - 6)
-    yield Text(place, f"tag {tag.id}", 15, INK, bold=True, anchor="middle", halo=WHITE)
+    yield SvgText(place, f"tag {tag.id}", 15, INK, bold=True, anchor="middle", halo=WHITE)
 
 
 def _shadow(points: Iterable[Point]) -> list[Point]:

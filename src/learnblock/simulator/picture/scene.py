@@ -9,9 +9,9 @@ from operator import itemgetter
 import numpy as np
 from numpy.typing import NDArray
 
-from learnblock.simulator.drawing import Stroke
+from learnblock.simulator.drawing import PenStroke
 from learnblock.simulator.picture import goals, icons, marks, plan, svg, time_bar
-from learnblock.simulator.picture.labels import Box, Room
+from learnblock.simulator.picture.labels import LabelSpace, Rectangle
 from learnblock.simulator.picture.palette import INK, PALE, PAPER
 from learnblock.simulator.picture.svg import (
     Paint,
@@ -19,7 +19,7 @@ from learnblock.simulator.picture.svg import (
     Polygon,
     Polyline,
     Shape,
-    Text,
+    SvgText,
     rectangle,
     shortened,
     text_width,
@@ -31,7 +31,7 @@ from learnblock.simulator.picture.view import (
     HEADER,
     MARGIN,
     WIDTH,
-    View,
+    PictureView,
     fitted,
 )
 from learnblock.simulator.robot_description import Body
@@ -51,7 +51,7 @@ START_SLACK = 30.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Drive:
+class DrivenRun:
     """What a robot did in a run.
 
     Args:
@@ -67,11 +67,11 @@ class Drive:
     body: Body
     path: tuple[tuple[float, float, float, float], ...] = ()
     marks: tuple[tuple[float, str, str, float, float], ...] = ()
-    strokes: tuple[Stroke, ...] = ()
+    strokes: tuple[PenStroke, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Scene:
+class PictureScene:
     """The contents of a picture of a run.
 
     Args:
@@ -81,11 +81,11 @@ class Scene:
     """
 
     world: WorldDescription
-    drives: tuple[Drive, ...] = ()
+    drives: tuple[DrivenRun, ...] = ()
     title: str = ""
 
     @property
-    def moves(self) -> tuple[Drive, ...]:
+    def moves(self) -> tuple[DrivenRun, ...]:
         """The drives with a path."""
         return tuple(drive for drive in self.drives if drive.path)
 
@@ -103,25 +103,25 @@ class Scene:
         )
 
 
-def draw_svg(scene: Scene) -> str:
+def draw_svg(scene: PictureScene) -> str:
     """The scene as a self-contained SVG document 1200 pixels wide."""
     view = _view(scene)
     shapes = _layers(scene, view)
     return svg.document(shapes, WIDTH, view.page_height, scene.title or scene.world.title)
 
 
-def draw_png(scene: Scene) -> bytes:
+def draw_png(scene: PictureScene) -> bytes:
     """The scene as a PNG file 1200 pixels wide."""
     return svg.png(draw_svg(scene))
 
 
-def _view(scene: Scene) -> View:
+def _view(scene: PictureScene) -> PictureView:
     places = [(x, y) for drive in scene.drives for _, x, y, _ in drive.path]
     places += [(x, y) for drive in scene.drives for *_, x, y in drive.marks]
     return fitted(scene.world.floor.size, np.array(places).reshape(-1, 2), bar=scene.shows_time)
 
 
-def _layers(scene: Scene, view: View) -> Iterator[Shape]:
+def _layers(scene: PictureScene, view: PictureView) -> Iterator[Shape]:
     tracks = [Track.of(drive.path, view, scene.times) for drive in scene.moves]
     yield Polygon(rectangle(0, 0, WIDTH, view.page_height), Paint(PAPER))
     yield from _heading(scene)
@@ -143,18 +143,18 @@ def _layers(scene: Scene, view: View) -> Iterator[Shape]:
     yield from _footer(scene, view)
 
 
-def _stroke(stroke: Stroke, view: View) -> Shape:
+def _stroke(stroke: PenStroke, view: PictureView) -> Shape:
     # A dot is a line that ends where it begins: its round ends remain.
     points = stroke.points if len(stroke.points) > 1 else stroke.points * 2
     width = max(stroke.width * view.scale, THINNEST_STROKE)
     return Polyline(view.all(points), stroke.colour, width)
 
 
-def _heading(scene: Scene) -> Iterator[Shape]:
+def _heading(scene: PictureScene) -> Iterator[Shape]:
     title = shortened(scene.title or scene.world.title or scene.world.name, LONGEST_TITLE)
-    yield Text((MARGIN, 60), title, _fitting(title, 30), INK, bold=True)
+    yield SvgText((MARGIN, 60), title, _fitting(title, 30), INK, bold=True)
     facts = shortened(" · ".join(_facts(scene)), LONGEST_TITLE)
-    yield Text((MARGIN, 93), facts, _fitting(facts, 18), PALE)
+    yield SvgText((MARGIN, 93), facts, _fitting(facts, 18), PALE)
 
 
 def _fitting(text: str, size: float) -> float:
@@ -162,7 +162,7 @@ def _fitting(text: str, size: float) -> float:
     return min(size, size * (WIDTH - 2 * MARGIN) / max(text_width(text, size), 1.0))
 
 
-def _facts(scene: Scene) -> Iterator[str]:
+def _facts(scene: PictureScene) -> Iterator[str]:
     if scene.title and scene.world.title:
         yield scene.world.title
     if scene.moves:
@@ -171,27 +171,27 @@ def _facts(scene: Scene) -> Iterator[str]:
         yield f"{metres:.2f} m in {end - begin:.1f} s"
 
 
-def _length(drive: Drive) -> float:
+def _length(drive: DrivenRun) -> float:
     """The mm driven."""
     places = np.array(drive.path)[:, 1:3]
     return float(np.hypot(*np.diff(places, axis=0).T).sum())
 
 
-def _time_bar(scene: Scene, view: View) -> Iterator[Shape]:
+def _time_bar(scene: PictureScene, view: PictureView) -> Iterator[Shape]:
     corner = (WIDTH - MARGIN - BAR_COLUMN + 34, HEADER + 50)
     height = min(view.plot[1] - 60, TALLEST_BAR)
     yield from time_bar.drawn(*scene.times, corner, height)
 
 
-def _labels(scene: Scene, view: View, tracks: Sequence[Track]) -> Iterator[Shape]:
-    room = Room(_bounds(view), _busy(scene, view, tracks))
+def _labels(scene: PictureScene, view: PictureView, tracks: Sequence[Track]) -> Iterator[Shape]:
+    room = LabelSpace(_bounds(view), _busy(scene, view, tracks))
     for board in plan.boards(scene.world):
         center, side = plan.board_picture(board, view)
-        room.take(Box.around(center, side / 2 + 4))
+        room.take(Rectangle.around(center, side / 2 + 4))
     for tag in scene.world.tag:
         room.take(plan.tag_number_box(tag, view))
     for drive in scene.moves:
-        room.take(Box.around(view.at(*drive.path[-1][1:3]), _reach(drive, view) * 0.8))
+        room.take(Rectangle.around(view.at(*drive.path[-1][1:3]), _reach(drive, view) * 0.8))
     # Labels of events matter more than names of objects, so they are placed first, and on top.
     happened = list(marks.events_drawn(_events(scene, view), room, _widest(scene, view)))
     for name in _names(scene, view):
@@ -199,28 +199,28 @@ def _labels(scene: Scene, view: View, tracks: Sequence[Track]) -> Iterator[Shape
     yield from happened
 
 
-def _events(scene: Scene, view: View) -> list[marks.Event]:
+def _events(scene: PictureScene, view: PictureView) -> list[marks.PictureEvent]:
     marked = sorted((mark for drive in scene.drives for mark in drive.marks), key=itemgetter(0))
-    return [marks.Event(t, kind, text, view.at(x, y)) for t, kind, text, x, y in marked]
+    return [marks.PictureEvent(t, kind, text, view.at(x, y)) for t, kind, text, x, y in marked]
 
 
-def _outcomes(scene: Scene) -> dict[str, str]:
+def _outcomes(scene: PictureScene) -> dict[str, str]:
     """What became of the goals, by name."""
     marked = (mark for drive in scene.drives for mark in drive.marks)
     parts = (text.rpartition(": ") for _, kind, text, _, _ in marked if kind == "goal")
     return {name: outcome for name, _, outcome in parts}
 
 
-def _reach(drive: Drive, view: View) -> float:
+def _reach(drive: DrivenRun, view: PictureView) -> float:
     """The radius of a robot in pixels."""
     return drive.body.reach * view.scale
 
 
-def _widest(scene: Scene, view: View) -> float:
+def _widest(scene: PictureScene, view: PictureView) -> float:
     return max((_reach(drive, view) for drive in scene.drives), default=0.0)
 
 
-def _names(scene: Scene, view: View) -> Iterator[marks.Name]:
+def _names(scene: PictureScene, view: PictureView) -> Iterator[marks.ObjectName]:
     """The names of the world's goals, named objects and starts."""
     marked = [mark for drive in scene.drives for mark in drive.marks]
     told = [text for _, kind, text, _, _ in marked if kind == "goal"]
@@ -230,14 +230,14 @@ def _names(scene: Scene, view: View) -> Iterator[marks.Name]:
     for thing in plan.things(scene.world):
         if thing.name not in ("box", "cylinder"):
             clear = _radius(thing) * view.scale + 4
-            yield marks.Name(thing.name, view.at(thing.x, thing.y), clear)
+            yield marks.ObjectName(thing.name, view.at(thing.x, thing.y), clear)
     for start in scene.world.start:
         starter = _starter(start, scene)
         clear = _reach(starter, view) if starter else 18.0
-        yield marks.Name(start.name, view.at(start.x, start.y), clear)
+        yield marks.ObjectName(start.name, view.at(start.x, start.y), clear)
 
 
-def _starter(start: Start, scene: Scene) -> Drive | None:
+def _starter(start: Start, scene: PictureScene) -> DrivenRun | None:
     """The robot whose path begins at a start."""
     place = (start.x, start.y)
     near = (drive for drive in scene.moves if math.dist(place, drive.path[0][1:3]) < START_SLACK)
@@ -250,12 +250,12 @@ def _radius(thing: WorldBox | Cylinder) -> float:
     return math.hypot(thing.length, thing.width) / 2
 
 
-def _bounds(view: View) -> Box:
+def _bounds(view: PictureView) -> Rectangle:
     width, height = view.plot
-    return Box(MARGIN - 12, HEADER - 6, MARGIN + width - 14, HEADER + height - 10)
+    return Rectangle(MARGIN - 12, HEADER - 6, MARGIN + width - 14, HEADER + height - 10)
 
 
-def _busy(scene: Scene, view: View, tracks: Sequence[Track]) -> NDArray[np.float64]:
+def _busy(scene: PictureScene, view: PictureView, tracks: Sequence[Track]) -> NDArray[np.float64]:
     """The shapes that labels should not cover: lines, walls, objects, path and start."""
     parts = [_within(plan.outline(thing, view)) for thing in plan.things(scene.world)]
     lines = [line.polyline().points.tolist() for line in scene.world.line]
@@ -279,12 +279,12 @@ def _within(outline: list[Point]) -> NDArray[np.float64]:
     return np.vstack([middle + part * (edge - middle) for part in (0.25, 0.5, 0.75, 1.0)])
 
 
-def _footer(scene: Scene, view: View) -> Iterator[Shape]:
+def _footer(scene: PictureScene, view: PictureView) -> Iterator[Shape]:
     base = HEADER + view.plot[1] + FOOTER - 30
     step = plan.grid_step(scene.world)
     left, right = MARGIN + 2, MARGIN + 2 + step * view.scale
     bar = [(left, base - 7), (left, base), (right, base), (right, base - 7)]
     yield Polyline(bar, INK, 2.0, cap="butt")
-    yield Text((right + 12, base + 3), f"{step:g} mm", 16, INK, bold=True)
+    yield SvgText((right + 12, base + 3), f"{step:g} mm", 16, INK, bold=True)
     yield from icons.compass((WIDTH - MARGIN - 14, base - 8), 14.0)
-    yield Text((WIDTH - MARGIN - 44, base + 3), "LearnBlock", 15, PALE, anchor="end")
+    yield SvgText((WIDTH - MARGIN - 44, base + 3), "LearnBlock", 15, PALE, anchor="end")

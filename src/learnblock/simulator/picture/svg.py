@@ -71,7 +71,7 @@ class Circle:
 
 
 @dataclass(frozen=True, slots=True)
-class Text:
+class SvgText:
     """One line of text.
 
     Args:
@@ -91,7 +91,7 @@ class Text:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Image:
+class SvgImage:
     """A picture, RGB uint8 of shape (height, width, 3), stretched over a rectangle."""
 
     corner: Point
@@ -99,7 +99,7 @@ class Image:
     pixels: NDArray[np.uint8]
 
 
-Shape = Polygon | Polyline | Circle | Text | Image
+Shape = Polygon | Polyline | Circle | SvgText | SvgImage
 
 
 def document(shapes: Iterable[Shape], width: float, height: float, title: str) -> str:
@@ -153,9 +153,9 @@ def element(shape: Shape) -> str:
         case Circle((x, y), radius, paint):
             place = f'cx="{_number(x)}" cy="{_number(y)}" r="{_number(radius)}"'
             return f"<circle {place}{_paint(paint)}/>"
-        case Text():
+        case SvgText():
             return _text(shape)
-        case Image():
+        case SvgImage():
             return _image(shape)
 
 
@@ -179,7 +179,7 @@ def _stroke(line: Polyline) -> str:
     )
 
 
-def _text(text: Text) -> str:
+def _text(text: SvgText) -> str:
     x, y = text.place
     parts = [f'<text x="{_number(x)}" y="{_number(y)}" font-size="{_number(text.size)}"']
     parts.append(f' fill="{_hex(text.colour)}" text-anchor="{text.anchor}"')
@@ -193,7 +193,7 @@ def _text(text: Text) -> str:
     return "".join(parts) + f">{_escaped(text.text)}</text>"
 
 
-def _image(image: Image) -> str:
+def _image(image: SvgImage) -> str:
     (x, y), (width, height) = image.corner, image.size
     _, encoded = cv2.imencode(".png", cv2.cvtColor(image.pixels, cv2.COLOR_RGB2BGR))
     data = base64.b64encode(encoded.tobytes()).decode()

@@ -15,7 +15,7 @@ _SHADED = 0.92
 
 
 @dataclass(frozen=True, slots=True)
-class Look:
+class ThemeColours:
     """The colours that a world's file leaves to its theme.
 
     Args:
@@ -41,7 +41,7 @@ class Look:
         return self.walls[index % len(self.walls)] if is_plain else shown(colour)
 
 
-def look_of(theme: Theme) -> Look:
+def look_of(theme: Theme) -> ThemeColours:
     """The colours of a theme; a dark floor is lighter than on the page, since paths are dark."""
     return _LOOKS[theme]
 
@@ -69,26 +69,26 @@ _FRIENDLY: MappingProxyType[ColourName, RGB] = MappingProxyType(
 _WALLS = ((130, 87, 230), (109, 124, 255), (56, 163, 255), (18, 165, 148))
 _MOONLIT = ((148, 158, 210), (138, 148, 202))
 
-_LOOKS: MappingProxyType[Theme, Look] = MappingProxyType(
+_LOOKS: MappingProxyType[Theme, ThemeColours] = MappingProxyType(
     {
-        "playground": Look(((253, 246, 230), (245, 236, 216)), (79, 107, 237), _WALLS),
-        "city": Look(
+        "playground": ThemeColours(((253, 246, 230), (245, 236, 216)), (79, 107, 237), _WALLS),
+        "city": ThemeColours(
             ((236, 239, 244), (226, 230, 238)),
             (71, 85, 105),
             ((100, 116, 139), (37, 99, 235), (15, 118, 110), (180, 83, 9)),
         ),
-        "space": Look(_MOONLIT, (180, 140, 255), _WALLS),
-        "warehouse": Look(
+        "space": ThemeColours(_MOONLIT, (180, 140, 255), _WALLS),
+        "warehouse": ThemeColours(
             ((238, 235, 228), (229, 225, 216)),
             (240, 162, 2),
             ((232, 135, 30), (201, 152, 47), (95, 113, 135), (160, 100, 60)),
         ),
-        "garden": Look(
+        "garden": ThemeColours(
             ((240, 247, 227), (228, 239, 211)),
             (169, 113, 58),
             ((176, 121, 62), (107, 179, 74), (143, 98, 52), (47, 143, 131)),
         ),
-        "night": Look(_MOONLIT, (124, 140, 255), _WALLS),
-        "maze": Look(((250, 246, 255), (240, 234, 251)), (124, 92, 224), _WALLS),
+        "night": ThemeColours(_MOONLIT, (124, 140, 255), _WALLS),
+        "maze": ThemeColours(((250, 246, 255), (240, 234, 251)), (124, 92, 224), _WALLS),
     }
 )

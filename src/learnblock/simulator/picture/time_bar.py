@@ -10,7 +10,7 @@ from learnblock.simulator.picture.svg import (
     Polygon,
     Polyline,
     Shape,
-    Text,
+    SvgText,
     rectangle,
 )
 from learnblock.simulator.picture.view import round_step
@@ -37,12 +37,12 @@ def drawn(start: float, end: float, corner: Point, height: float) -> Iterator[Sh
         piece = rectangle(left, top, WIDTH, height * (1 - k / PIECES))
         yield Polygon(piece, Paint(time_colour((k + 0.5) / PIECES)))
     yield Polygon(rectangle(left, top, WIDTH, height), Paint(stroke=WHITE, width=1.5))
-    yield Text((left - 2, top - 16), "time", 15, PALE, bold=True)
+    yield SvgText((left - 2, top - 16), "time", 15, PALE, bold=True)
     right = left + WIDTH
     for time in ticks(start, end):
         y = top + height * (1 - (time - start) / max(end - start, 1e-9))
         yield Polyline([(right + 3, y), (right + 9, y)], PALE, 1.5, cap="butt")
-        yield Text((right + 14, y + 5), f"{time:g} s", 15, INK)
+        yield SvgText((right + 14, y + 5), f"{time:g} s", 15, INK)
 
 
 def ticks(start: float, end: float) -> list[float]:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from learnblock.simulator.colours import RGB
 from learnblock.simulator.picture.palette import PALE, WHITE, time_colour
 from learnblock.simulator.picture.svg import Paint, Point, Polygon, Polyline, Shape
-from learnblock.simulator.picture.view import View
+from learnblock.simulator.picture.view import PictureView
 
 STEPS = 96
 """The number of colours along the path."""
@@ -48,7 +48,7 @@ class Track:
     def of(
         cls,
         path: Sequence[tuple[float, float, float, float]],
-        view: View,
+        view: PictureView,
         span: tuple[float, float] | None = None,
     ) -> "Track":
         """The track of a path of (time in s, x in mm, y in mm, heading); it has at least one.

@@ -24,7 +24,7 @@ AROUND = 25.0
 
 
 @dataclass(frozen=True, slots=True)
-class View:
+class PictureView:
     """The world on the page.
 
     Args:
@@ -62,7 +62,7 @@ class View:
         return HEADER + self.plot[1] + FOOTER
 
 
-def fitted(floor: tuple[float, float], places: NDArray[np.float64], *, bar: bool) -> View:
+def fitted(floor: tuple[float, float], places: NDArray[np.float64], *, bar: bool) -> PictureView:
     """The largest view of the floor that also contains all positions.
 
     Args:
@@ -78,7 +78,7 @@ def fitted(floor: tuple[float, float], places: NDArray[np.float64], *, bar: bool
     scale = min(width / east_west, TALLEST / north_south)
     height = max(LOWEST, north_south * scale)
     x, y = ((low + high) / 2).tolist()
-    return View(scale, (MARGIN + width / 2, HEADER + height / 2), x, y, (width, height))
+    return PictureView(scale, (MARGIN + width / 2, HEADER + height / 2), x, y, (width, height))
 
 
 def round_step(least: float) -> float:

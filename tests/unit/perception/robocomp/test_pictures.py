@@ -10,7 +10,7 @@ from learnblock.errors import PictureError
 from learnblock.ice.robocomp.recognition import Picture
 from learnblock.perception.robocomp.pictures import (
     LONGEST_SIDE,
-    Order,
+    PixelOrder,
     packed,
     unpacked,
 )
@@ -19,18 +19,18 @@ SIDES = st.integers(1, 12)
 FRAMES = st.tuples(SIDES, SIDES, st.just(3)).flatmap(lambda shape: arrays(np.uint8, shape))
 
 
-@given(FRAMES, st.sampled_from(Order))
+@given(FRAMES, st.sampled_from(PixelOrder))
 def test_a_frame_comes_back_from_its_picture(frame, order):
     assert np.array_equal(frame, unpacked(packed(frame, order), order))
 
 
 def test_width_is_the_number_of_rows_as_in_robocomps_components():
-    picture = packed(np.zeros((240, 320, 3), np.uint8), Order.ROWS)
+    picture = packed(np.zeros((240, 320, 3), np.uint8), PixelOrder.ROWS)
     assert (picture.width, picture.height, picture.depth) == (240, 320, 3)
 
 
 @pytest.mark.parametrize("shape", [(240, 320, 3), (320, 240, 3), (48, 64, 3)])
-@pytest.mark.parametrize("order", Order)
+@pytest.mark.parametrize("order", PixelOrder)
 def test_the_order_is_detected_by_comparing_neighbouring_rows(shape, order):
     rows, columns = np.indices(shape[:2])
     shade = ((rows - 20) ** 2 + (columns - 30) ** 2 < 300) * 150 + columns // 4
@@ -40,7 +40,7 @@ def test_the_order_is_detected_by_comparing_neighbouring_rows(shape, order):
 
 def test_robocomps_order_is_used_if_every_order_fits():
     plain = np.full((240, 320, 3), 9, np.uint8)
-    assert unpacked(packed(plain, Order.ROWS)).shape == (240, 320, 3)
+    assert unpacked(packed(plain, PixelOrder.ROWS)).shape == (240, 320, 3)
 
 
 @pytest.mark.parametrize(
@@ -64,7 +64,7 @@ def test_robocomps_order_is_used_if_every_order_fits():
     ],
 )
 def test_anything_but_a_picture_is_refused(width, height, depth, size, code):
-    for order in (None, *Order):
+    for order in (None, *PixelOrder):
         with pytest.raises(PictureError) as refused:
             unpacked(Picture(width, height, depth, bytes(size)), order)
         assert refused.value.phrase.code == code
@@ -86,4 +86,4 @@ def test_any_picture_becomes_a_frame_with_its_bytes_or_is_refused(width, height,
 @pytest.mark.parametrize("shape", [(1, 7, 3), (7, 1, 3), (1, 1, 3)])
 def test_pictures_of_one_row_or_column_are_read(shape):
     frame = np.arange(np.prod(shape), dtype=np.uint8).reshape(shape)
-    assert unpacked(packed(frame, Order.ROWS)).size == frame.size
+    assert unpacked(packed(frame, PixelOrder.ROWS)).size == frame.size

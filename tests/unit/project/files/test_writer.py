@@ -9,7 +9,7 @@ import sys
 import msgspec
 import pytest
 
-from learnblock.project.files.writer import Access, Owner, Writer
+from learnblock.project.files.writer import Access, FolderClaim, Owner
 
 pytestmark = [pytest.mark.realtime, pytest.mark.certain]
 
@@ -39,19 +39,19 @@ def holder(tmp_path):
 
 
 def test_one_process_at_a_time_has_the_right_to_write(tmp_path, holder):
-    with Writer(tmp_path) as writer:
+    with FolderClaim(tmp_path) as writer:
         assert not writer.claim()
 
 
 def test_the_others_learn_who_has_it(tmp_path, holder):
-    owner = Writer(tmp_path).owner
+    owner = FolderClaim(tmp_path).owner
     assert (owner.process, owner.computer) == (holder.pid, socket.gethostname())
     assert owner.address == "http://127.0.0.1:8421/"
     assert str(holder.pid) in str(owner.phrase)
 
 
 def test_only_who_knows_the_token_can_tell_that_the_server_knows_it(tmp_path, holder):
-    owner = Writer(tmp_path).owner
+    owner = FolderClaim(tmp_path).owner
     assert owner.knows("the-token")
     assert not owner.knows("another")
     assert not msgspec.structs.replace(owner, address="http://127.0.0.1:1/").knows("the-token")
@@ -61,27 +61,27 @@ def test_only_who_knows_the_token_can_tell_that_the_server_knows_it(tmp_path, ho
 def test_a_killed_process_is_no_obstacle(tmp_path, holder):
     holder.kill()
     holder.wait()
-    with Writer(tmp_path) as writer:
+    with FolderClaim(tmp_path) as writer:
         assert writer.claim()
         assert writer.owner is None
 
 
 def test_taking_over_asks_the_other_process_to_end_and_waits_for_it(tmp_path, holder):
-    with Writer(tmp_path) as writer:
+    with FolderClaim(tmp_path) as writer:
         assert writer.take_over(20.0)
         assert holder.wait(20.0) == 0
         assert not writer.is_asked_to_end
 
 
 def test_taking_over_ends_after_a_time_and_withdraws_its_request(tmp_path):
-    with Writer(tmp_path) as deaf, Writer(tmp_path) as writer:
+    with FolderClaim(tmp_path) as deaf, FolderClaim(tmp_path) as writer:
         assert deaf.claim()
         assert not writer.take_over(0.2)
         assert not deaf.is_asked_to_end
 
 
 def test_a_released_folder_can_be_claimed_again(tmp_path):
-    with Writer(tmp_path) as one, Writer(tmp_path) as two:
+    with FolderClaim(tmp_path) as one, FolderClaim(tmp_path) as two:
         assert one.claim()
         one.release()
         one.release()
@@ -90,7 +90,7 @@ def test_a_released_folder_can_be_claimed_again(tmp_path):
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no such rights")
 def test_every_user_of_a_shared_folder_may_lock_it(tmp_path):
-    with Writer(tmp_path) as writer:
+    with FolderClaim(tmp_path) as writer:
         assert writer.claim()
         assert (tmp_path / ".writer.lock").stat().st_mode & 0o777 == 0o666
 
@@ -102,7 +102,7 @@ def test_a_folder_without_locks_is_reported_as_such(tmp_path, monkeypatch):
         raise OSError(errno.ENOSYS, "Function not implemented")
 
     monkeypatch.setattr(fcntl, "flock", refused)
-    with Writer(tmp_path) as writer, pytest.raises(OSError, match="not implemented"):
+    with FolderClaim(tmp_path) as writer, pytest.raises(OSError, match="not implemented"):
         writer.claim()
 
 
@@ -119,7 +119,7 @@ def test_a_folder_without_locks_is_reported_as_such(tmp_path, monkeypatch):
 )
 def test_a_damaged_description_says_nothing_about_the_owner(tmp_path, wrong):
     (tmp_path / ".writer.json").write_bytes(wrong)
-    assert Writer(tmp_path).owner is None
+    assert FolderClaim(tmp_path).owner is None
 
 
 def test_the_owner_on_another_computer_is_named_with_it():
@@ -127,8 +127,8 @@ def test_the_owner_on_another_computer_is_named_with_it():
 
 
 def test_reading_names_the_server_that_writes(tmp_path, holder):
-    assert str(holder.pid) in str(Access.reading(Writer(tmp_path)).read_only)
+    assert str(holder.pid) in str(Access.reading(FolderClaim(tmp_path)).read_only)
 
 
 def test_reading_alone_names_none(tmp_path):
-    assert "process" not in str(Access.reading(Writer(tmp_path)).read_only)
+    assert "process" not in str(Access.reading(FolderClaim(tmp_path)).read_only)

@@ -6,7 +6,7 @@ import msgspec
 import pytest
 
 from learnblock.runtime.log import keeping
-from learnblock.runtime.log.blocks import MAGIC, Block, Stream, stored
+from learnblock.runtime.log.blocks import MAGIC, EventBlock, EventStream, stored
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.program import Program
@@ -91,4 +91,4 @@ def test_a_full_disk_does_not_stop_the_run(tmp_path, monkeypatch):
 def test_a_block_that_unpacks_to_too_much_is_refused(monkeypatch):
     monkeypatch.setattr("learnblock.runtime.log.blocks.LARGEST", 1000)
     with pytest.raises(ValueError, match="too large"):
-        assert Block.of(Stream.WORLD, 0, 0, b"x" * 2000).data
+        assert EventBlock.of(EventStream.WORLD, 0, 0, b"x" * 2000).data

@@ -14,10 +14,10 @@ import pytest
 from learnblock.cli.console import ExitCode
 from learnblock.errors import LearnBlockError
 from learnblock.runtime.log import keeping
-from learnblock.runtime.log.blocks import MAGIC, Block, Stream, stored
+from learnblock.runtime.log.blocks import MAGIC, EventBlock, EventStream, stored
 from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.program import Program
-from learnblock.why import History, read
+from learnblock.why import EventHistory, read
 from learnblock.why.moments import Moments
 from learnblock.why.questions import questions
 from learnblock.why.recorded import Recorded
@@ -33,9 +33,9 @@ DRIVING = (
 COMMAND = [sys.executable, "-m", "learnblock", "run"]
 
 
-def look_at(log: Recorded) -> History:
+def look_at(log: Recorded) -> EventHistory:
     """Read a log as the page does."""
-    history = History(log)
+    history = EventHistory(log)
     moments = Moments(history)
     for part in range(5):
         moments.at(history.end * part / 4)
@@ -62,7 +62,7 @@ def test_a_killed_host_leaves_a_file_that_opens(tmp_path):
     run = subprocess.Popen(command, stdout=subprocess.DEVNULL)
     try:
         # Two blocks of what happened in the world: it drives.
-        while not (log.exists() and len(_blocks(log, Stream.WORLD)) >= 2):
+        while not (log.exists() and len(_blocks(log, EventStream.WORLD)) >= 2):
             assert run.poll() is None
     finally:
         run.send_signal(signal.SIGKILL)
@@ -72,7 +72,7 @@ def test_a_killed_host_leaves_a_file_that_opens(tmp_path):
     assert history.recorded.ending == {}
 
 
-def _blocks(log: Path, stream: Stream) -> list[Block]:
+def _blocks(log: Path, stream: EventStream) -> list[EventBlock]:
     return [one for one in stored(log.read_bytes()[len(MAGIC) :]) if one.stream is stream]
 
 
@@ -116,7 +116,7 @@ def test_events_that_make_no_sense_are_refused_or_read(whole):
         for _ in range(rng.randint(1, 5)):
             event = rng.choice(events)
             event[rng.randrange(len(event))] = rng.choice((-1, 7, 99999, None, "x", [], True, 1.5))
-        block = Block.of(Stream.PROGRAM, 0, 0, msgspec.msgpack.encode(events))
+        block = EventBlock.of(EventStream.PROGRAM, 0, 0, msgspec.msgpack.encode(events))
         try:
             look_at(Recorded.of([*blocks[:1], block]))
         except LearnBlockError:

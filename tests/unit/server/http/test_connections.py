@@ -10,8 +10,8 @@ from learnblock.server.http.connections import (
     MOST_KNOWN,
     MOST_UNKNOWN,
     MOST_YOUNG,
-    Connection,
     Connections,
+    OpenConnection,
     network_of,
 )
 
@@ -35,7 +35,7 @@ def arrive(connections):
             ours, theirs = socket.socketpair()
             theirs.settimeout(5)
             stack.enter_context(theirs)
-            return stack.enter_context(Connection(connections, ours, address)), theirs
+            return stack.enter_context(OpenConnection(connections, ours, address)), theirs
 
         yield arrived
 

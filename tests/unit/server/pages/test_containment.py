@@ -5,13 +5,15 @@ import tomllib
 import pytest
 
 from learnblock.i18n import Phrase
-from learnblock.runtime.containment.survey import Finding
+from learnblock.runtime.containment.survey import AttemptResult
 from pages import english, serving
 
 pytestmark = [pytest.mark.realtime, pytest.mark.certain]
 
 WAITS = "from learnblock.robots.sim_ebo import Robot\n\nrobot = Robot()\nrobot.sleep(600)\n"
-FREE = Finding(Phrase("doctor-network"), False, Phrase("doctor-other-system", system="Darwin"))
+FREE = AttemptResult(
+    Phrase("doctor-network"), False, Phrase("doctor-other-system", system="Darwin")
+)
 
 
 @pytest.fixture(autouse=True)

@@ -2,7 +2,7 @@
 
 import asyncio
 
-from learnblock.runtime.escalation import Patience
+from learnblock.runtime.escalation import EndTimeouts
 from learnblock.server.runs.escalation import escalate_async
 
 
@@ -10,7 +10,7 @@ def test_the_event_loop_escalates_in_the_same_way():
     async def end(kills):
         ended, taken = asyncio.Event(), []
         kill = ended.set if kills else bool
-        measures = Patience(0.01, 0.01).measures(
+        measures = EndTimeouts(0.01, 0.01).measures(
             lambda: taken.append("stop"), lambda: (taken.append("kill"), kill())
         )
         return await escalate_async(measures, ended), taken

@@ -3,7 +3,7 @@
 import pytest
 
 from learnblock.server.messages import KeysWanted
-from learnblock.server.runs.keyboard import Keyboard
+from learnblock.server.runs.keyboard import SharedKeyboard
 from learnblock.server.runs.viewers import Viewers
 
 
@@ -27,7 +27,7 @@ def page():
 def keyboard(page):
     viewers = Viewers()
     viewers.add(page)
-    return Keyboard(viewers)
+    return SharedKeyboard(viewers)
 
 
 def test_pages_learn_which_keys_all_programs_ask_for(keyboard, page):

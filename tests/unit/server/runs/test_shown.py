@@ -6,14 +6,14 @@ from learnblock.blocks import builtin
 from learnblock.i18n import Phrase
 from learnblock.project.document.document import Document
 from learnblock.project.document.shared import SharedProgram
-from learnblock.server.runs.shown import MOST_PROBLEMS, Shown
+from learnblock.server.runs.shown import MOST_PROBLEMS, ShownProgram
 
 EBO = "learnblock.robots.sim_ebo"
 
 
 def shown(text):
     document = Document.from_text(text, EBO, builtin())
-    return Shown().update(SharedProgram(document)).problems
+    return ShownProgram().update(SharedProgram(document)).problems
 
 
 def test_all_problems_of_an_ordinary_program_are_listed():
@@ -45,5 +45,5 @@ def test_a_page_learns_what_answers_the_questions_of_the_program():
     document = Document.from_text(
         text, EBO, builtin(), equipment=frozenset({"DistanceSensors:left"})
     )
-    shown = Shown().update(SharedProgram(document))
+    shown = ShownProgram().update(SharedProgram(document))
     assert shown.asked == ("DistanceSensors:left",)

@@ -3,7 +3,7 @@
 import pytest
 
 from learnblock.server.runs.telemetry import Drawn
-from learnblock.simulator import Stroke
+from learnblock.simulator import PenStroke
 
 RED = (200, 0, 0)
 
@@ -14,7 +14,7 @@ def drawn():
 
 
 def stroke(*points):
-    return Stroke("robot", RED, 6.0, list(points))
+    return PenStroke("robot", RED, 6.0, list(points))
 
 
 def parts(message):

@@ -6,7 +6,7 @@ import pytest
 
 from learnblock.simulator.goal_description import Goals, Reach, Show, Stop, Tour
 from learnblock.simulator.picture import plan
-from learnblock.simulator.picture.svg import Circle, Image, Polygon, Polyline, Text
+from learnblock.simulator.picture.svg import Circle, Polygon, Polyline, SvgImage, SvgText
 from learnblock.simulator.picture.view import fitted
 from learnblock.simulator.world_description import (
     Box,
@@ -29,8 +29,8 @@ def shapes(**parts):
 
 def test_a_tag_is_shown_with_its_picture_and_its_number():
     drawn = shapes(tag=[Tag(id=7, x=0, y=0, heading=0)])
-    assert 1 == len([shape for shape in drawn if isinstance(shape, Image)])
-    assert ["tag 7"] == [shape.text for shape in drawn if isinstance(shape, Text)]
+    assert 1 == len([shape for shape in drawn if isinstance(shape, SvgImage)])
+    assert ["tag 7"] == [shape.text for shape in drawn if isinstance(shape, SvgText)]
 
 
 @pytest.mark.parametrize("heading", range(-180, 180, 30))
@@ -93,7 +93,7 @@ def test_a_floors_picture_is_shown_no_larger_than_needed(tmp_path):
     floor = Floor(size=(3000, 2000), picture="floor.png")
     world = WorldDescription(floor=floor, folder=str(tmp_path))
     view = fitted(floor.size, NOWHERE, bar=True)
-    [image] = [shape for shape in plan.drawn(world, view) if isinstance(shape, Image)]
+    [image] = [shape for shape in plan.drawn(world, view) if isinstance(shape, SvgImage)]
     assert image.size == pytest.approx((3000 * view.scale, 2000 * view.scale))
     assert image.pixels.shape[1] <= 2 * image.size[0] + 1
 

@@ -5,9 +5,9 @@ import cv2
 import numpy as np
 import pytest
 
-from learnblock.simulator.drawing import Stroke
+from learnblock.simulator.drawing import PenStroke
 from learnblock.simulator.goal_description import Goals, Reach
-from learnblock.simulator.picture import Drive, Scene, draw_png, draw_svg
+from learnblock.simulator.picture import DrivenRun, PictureScene, draw_png, draw_svg
 from learnblock.simulator.picture.palette import GREEN, ORANGE, RED
 from learnblock.simulator.robot_description import load_robot
 from learnblock.simulator.world_description import WorldDescription
@@ -26,15 +26,15 @@ def spiral(points: int = 400) -> tuple[tuple[float, float, float, float], ...]:
     )
 
 
-def scene(world: str = "line", title: str = "square.bt", **changes: object) -> Scene:
+def scene(world: str = "line", title: str = "square.bt", **changes: object) -> PictureScene:
     marks = (
         (0.0, "emotion", "joy", 0.0, 0.0),
         (10.0, "goal", "a lap: reached", 200.0, 100.0),
         (20.0, "end", "completed", 565.0, 0.0),
     )
     values: dict[str, object] = {"path": spiral(), "marks": marks}
-    drive = Drive(body=BODY, **(values | changes))
-    return Scene(world=load_world(world), drives=(drive,), title=title)
+    drive = DrivenRun(body=BODY, **(values | changes))
+    return PictureScene(world=load_world(world), drives=(drive,), title=title)
 
 
 def parsed(svg: str) -> ElementTree.Element:
@@ -50,7 +50,7 @@ def pixels(data: bytes) -> np.ndarray:
 
 
 def test_a_drawing_is_shown_in_its_colours_and_the_path_is_thin():
-    stroke = Stroke("robot", (1, 200, 3), 8.0, [(0.0, 0.0), (200.0, 0.0)])
+    stroke = PenStroke("robot", (1, 200, 3), 8.0, [(0.0, 0.0), (200.0, 0.0)])
     lines = list(parsed(draw_svg(scene(strokes=(stroke,)))).iter(f"{SVG}polyline"))
     drawn = [line for line in lines if line.get("stroke") == "#01c803"]
     assert len(drawn) == 1
@@ -58,7 +58,7 @@ def test_a_drawing_is_shown_in_its_colours_and_the_path_is_thin():
 
 
 def test_a_dot_of_a_pen_is_drawn():
-    dot = Stroke("robot", (1, 200, 3), 8.0, [(0.0, 0.0)])
+    dot = PenStroke("robot", (1, 200, 3), 8.0, [(0.0, 0.0)])
     assert "#01c803" in draw_svg(scene(strokes=(dot,)))
 
 
@@ -122,8 +122,8 @@ def test_a_goal_is_named_until_a_mark_shows_it():
 def test_the_ring_of_a_goal_has_the_colour_of_its_outcome(marks, ring):
     goal = Reach(name="home: 1", x=500, y=0, radius=100)
     world = WorldDescription(goal=Goals(reach=[goal]))
-    drive = Drive(body=load_robot("thymio").body, marks=marks)
-    drawn = parsed(draw_svg(Scene(world=world, drives=(drive,)))).iter(f"{SVG}circle")
+    drive = DrivenRun(body=load_robot("thymio").body, marks=marks)
+    drawn = parsed(draw_svg(PictureScene(world=world, drives=(drive,)))).iter(f"{SVG}circle")
     [edge] = [one.get("stroke") for one in drawn if one.get("stroke-dasharray")]
     assert edge == "#{:02x}{:02x}{:02x}".format(*ring)
 
@@ -153,7 +153,7 @@ def test_hundreds_of_marks_leave_the_picture_readable():
 
 
 def test_a_world_without_a_path_can_be_drawn():
-    svg = draw_svg(Scene(world=load_world("obstacles")))
+    svg = draw_svg(PictureScene(world=load_world("obstacles")))
     assert "Boxes and cylinders; some can be pushed" == texts(svg)[0]
     assert "time" not in texts(svg)
 

@@ -9,11 +9,11 @@ from hypothesis import strategies as st
 
 from learnblock.simulator.picture.svg import (
     Circle,
-    Image,
     Paint,
     Polygon,
     Polyline,
-    Text,
+    SvgImage,
+    SvgText,
     document,
     element,
     png,
@@ -38,7 +38,7 @@ def test_a_document_shows_its_shapes_in_order():
         Polygon(rectangle(0, 0, 10, 5), Paint((255, 0, 0))),
         Polyline([(0, 0), (1.256, 2)], (0, 0, 255), 3.0, 0.5, dash=(4, 2)),
         Circle((5, 5), 2.5, Paint(stroke=(0, 0, 0))),
-        Text((1, 2), "a < b", 16, INK, bold=True, anchor="middle"),
+        SvgText((1, 2), "a < b", 16, INK, bold=True, anchor="middle"),
     ]
     expected = """\
 <svg xmlns="http://www.w3.org/2000/svg" width="20" height="10" viewBox="0 0 20 10" role="img" \
@@ -58,19 +58,19 @@ a &lt; b</text>
 
 @given(st.text(xml_characters))
 def test_any_text_survives_a_round_trip(text: str):
-    assert text == (parsed(element(Text((0, 0), text, 12, INK))).text or "")
+    assert text == (parsed(element(SvgText((0, 0), text, 12, INK))).text or "")
 
 
 @given(st.text(st.characters(exclude_categories=())))
 def test_characters_that_xml_cannot_contain_are_replaced(text: str):
-    svg = document([Text((0, 0), text, 12, INK)], 10, 10, text)
+    svg = document([SvgText((0, 0), text, 12, INK)], 10, 10, text)
     assert "svg" in parsed(svg).tag
 
 
 def test_a_picture_is_embedded_without_loss():
     pixels = np.arange(48, dtype=np.uint8).reshape(4, 4, 3)
     found = re.search(
-        r'href="data:image/png;base64,([^"]+)"', element(Image((0, 0), (9, 9), pixels))
+        r'href="data:image/png;base64,([^"]+)"', element(SvgImage((0, 0), (9, 9), pixels))
     )
     assert found
     np.testing.assert_array_equal(pixels, decoded(base64.b64decode(found[1])))
@@ -86,7 +86,7 @@ def test_a_png_has_one_pixel_per_unit():
 def test_a_png_shows_text_without_system_fonts():
     shapes = [
         Polygon(rectangle(0, 0, 60, 30), Paint((255, 255, 255))),
-        Text((5, 22), "Größe Ж", 16, (0, 0, 0)),
+        SvgText((5, 22), "Größe Ж", 16, (0, 0, 0)),
     ]
     image = decoded(png(document(shapes, 60, 30, "")))
     assert image.min() < 60
@@ -95,7 +95,7 @@ def test_a_png_shows_text_without_system_fonts():
 def test_bold_text_is_drawn_heavier():
     def ink(bold: bool) -> float:
         page = Polygon(rectangle(0, 0, 100, 30), Paint((255, 255, 255)))
-        text = Text((5, 22), "learning", 20, (0, 0, 0), bold=bold)
+        text = SvgText((5, 22), "learning", 20, (0, 0, 0), bold=bold)
         return float((255 - decoded(png(document([page, text], 100, 30, "")))).sum())
 
     assert ink(bold=True) > 1.08 * ink(bold=False)

@@ -9,7 +9,7 @@ from learnblock.ice.robocomp import Layout, interfaces
 from learnblock.ice.robocomp.recognition import FoundEmotion, FoundTag
 from learnblock.ice.server import Adapter, Servant
 from learnblock.perception import Face, FaceEmotion, Sight
-from learnblock.perception.robocomp import AskedEmotions, AskedTags, Order, serve
+from learnblock.perception.robocomp import AskedEmotions, AskedTags, PixelOrder, serve
 from learnblock.perception.robocomp.asking import MOST_FOUND
 from learnblock.testing import Fault, Relay
 from shown_pictures import TAG_AT, a_face, a_tag, blank
@@ -36,7 +36,7 @@ def answering(identity, *found):
 
 
 @pytest.mark.parametrize("layout", Layout)
-@pytest.mark.parametrize("order", Order)
+@pytest.mark.parametrize("order", PixelOrder)
 def test_a_foreign_component_finds_our_tags_whichever_number_it_reads_as_the_rows(
     tmp_path, layout, order
 ):
@@ -64,7 +64,7 @@ def test_robocomps_rows_are_sent_to_a_component_that_shows_nothing(tmp_path):
 def test_a_chosen_order_is_not_detected(tmp_path):
     with components(tmp_path, Layout.TOOL, "apriltag") as running:
         place = "127.0.0.1", running.ports[0]
-        with AskedTags(*place, order=Order.COLUMNS, timeout=10) as asked:
+        with AskedTags(*place, order=PixelOrder.COLUMNS, timeout=10) as asked:
             asked.detect(Sight(blank()))
         assert running.told() == ["processimage", 320, 240, 3, 230_400]
 
@@ -94,7 +94,7 @@ def test_our_component_finds_the_same_as_our_detector():
         assert (tag.id, tag.center) == (3, TAG_AT)
 
 
-@pytest.mark.parametrize("order", Order)
+@pytest.mark.parametrize("order", PixelOrder)
 def test_our_component_shows_the_order_it_was_given(order):
     adapter, port = serve("apriltag", port=0, order=order)
     with adapter, AskedTags("127.0.0.1", port) as asked:
@@ -111,7 +111,7 @@ def test_a_component_that_refuses_the_other_order_shows_its_own():
     with Adapter() as adapter:
         servant = Servant(interfaces(Layout.TOOL)["apriltag"], Strict())
         with AskedTags("127.0.0.1", adapter.serve({"apriltag": servant})) as asked:
-            assert asked.find_order() is Order.COLUMNS
+            assert asked.find_order() is PixelOrder.COLUMNS
 
 
 def test_tags_that_cannot_be_in_the_picture_are_left_out():

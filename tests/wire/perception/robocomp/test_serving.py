@@ -8,7 +8,7 @@ import pytest
 from ice_runtime import PYTHON, require_ice, written
 from learnblock.errors import LearnBlockError, SettingsError, UnknownNameError
 from learnblock.ice.robocomp import Layout
-from learnblock.perception.robocomp import COMPONENTS, Order, serve
+from learnblock.perception.robocomp import COMPONENTS, PixelOrder, serve
 from learnblock.perception.sources import TABLE
 from learnblock.storage.settings import file
 from places import TESTS
@@ -44,7 +44,7 @@ def said(folder, number, picture, *numbers):
     else:
         path.write_bytes(picture.tobytes())
         rows, columns, depth = picture.shape
-        width, height = (rows, columns) if numbers[0] is Order.ROWS else (columns, rows)
+        width, height = (rows, columns) if numbers[0] is PixelOrder.ROWS else (columns, rows)
     return {"file": str(path), "width": width, "height": height, "depth": depth}
 
 
@@ -66,30 +66,30 @@ def emotions():
 @pytest.mark.parametrize("encoding", ["1.0", "1.1"])
 def test_another_process_asks_for_tags(tags, tmp_path, layout, encoding):
     found = shown(
-        tmp_path, "apriltag", tags, (a_tag(), Order.ROWS), (blank(), Order.ROWS),
+        tmp_path, "apriltag", tags, (a_tag(), PixelOrder.ROWS), (blank(), PixelOrder.ROWS),
         layout=layout, encoding=encoding,
     )  # fmt: skip
     assert found == [[TAG], []]
 
 
-@pytest.mark.parametrize("order", Order)
+@pytest.mark.parametrize("order", PixelOrder)
 def test_whichever_number_carries_the_rows_the_picture_is_understood(tags, tmp_path, order):
     upright = a_tag(height=320, width=300)
     assert shown(tmp_path, "apriltag", tags, (a_tag(), order), (upright, order)) == [[TAG], [TAG]]
 
 
-@pytest.mark.parametrize("order", Order)
+@pytest.mark.parametrize("order", PixelOrder)
 def test_a_chosen_order_is_kept(tmp_path, order):
     adapter, port = serve("apriltag", port=0, order=order)
     with adapter:
-        found = shown(tmp_path, "apriltag", port, *[(a_tag(), one) for one in Order])
-    assert found == [[TAG] if one is order else [] for one in Order]
+        found = shown(tmp_path, "apriltag", port, *[(a_tag(), one) for one in PixelOrder])
+    assert found == [[TAG] if one is order else [] for one in PixelOrder]
 
 
 @pytest.mark.parametrize("layout", Layout)
 def test_another_process_asks_for_emotions(emotions, tmp_path, layout):
     (found,) = shown(
-        tmp_path, "emotionrecognition", emotions, (a_face("joy"), Order.ROWS), layout=layout
+        tmp_path, "emotionrecognition", emotions, (a_face("joy"), PixelOrder.ROWS), layout=layout
     )
     (seen,) = found
     assert seen["emotion"] == "Happy"
@@ -101,7 +101,7 @@ def test_wrong_picture_sizes_are_rejected_and_the_next_picture_is_searched(tags,
     *refused, found = shown(
         tmp_path, "apriltag", tags,
         (b"", 240, 320, 3), (b"abc", -1, -1, 3), (b"abc", 2**31 - 1, 2**31 - 1, 3),
-        (b"abc", 0, 0, 0), (b"abcd", 1, 1, 4), (a_tag(), Order.ROWS),
+        (b"abc", 0, 0, 0), (b"abcd", 1, 1, 4), (a_tag(), PixelOrder.ROWS),
     )  # fmt: skip
     beginnings = ("PictureError: A picture of", "PictureError: The image sent")
     assert all(one.startswith(beginnings) for one in refused)
