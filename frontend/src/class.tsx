@@ -8,6 +8,8 @@ import { Joining } from "./features/class-page/joining";
 import { ProjectorPage } from "./features/class-page/projector";
 import { ClassStream } from "./features/class-page/stream";
 import { WallPage } from "./features/class-page/wall";
+import { HandInsPage } from "./features/hand-ins/page";
+import { HandInStream } from "./features/hand-ins/stream";
 import { language, startLanguage } from "./i18n";
 import { preferredLanguage, theme } from "./model/preferences";
 import "./ui/fonts.css";
@@ -17,6 +19,7 @@ import "./features/class-page/class-page.css";
 
 function pageAt(path: string) {
   if (path.endsWith("/teacher")) return <WallPage stream={new ClassStream("wall")} />;
+  if (path.endsWith("/hand-ins")) return <HandInsPage stream={new HandInStream()} />;
   if (path.endsWith("/projector")) return <ProjectorPage stream={new ClassStream("projected")} />;
   return <JoinPage joining={new Joining()} />;
 }

@@ -5,6 +5,7 @@ import { computed } from "@preact/signals";
 import { BlockSets } from "../features/block-sets/block-sets";
 import { Containment } from "../features/containment/containment";
 import { CustomBlocks } from "../features/custom-blocks/custom-blocks";
+import { HandInNews } from "../features/in-class/hand-ins";
 import { ClassNews } from "../features/in-class/in-class";
 import { Lessons } from "../features/lessons/lessons";
 import { LessonMaking } from "../features/lessons/making";
@@ -86,6 +87,7 @@ function makeStores(connection: Connection, toasts: Toasts, dialogs: Dialogs) {
     connect: new Connect(connection),
     containment: new Containment(connection, toasts, () => dialogs.show("containment")),
     customBlocks: new CustomBlocks(connection),
+    handIns: new HandInNews(connection),
     libraries: new Libraries(connection),
     robotMaker: new RobotMaker(connection),
     robotSettings: new RobotSettings(connection),

@@ -28,11 +28,13 @@ from learnblock.classroom.relay import Relay
 from learnblock.classroom.room import Room
 from learnblock.classroom.roster import AsksTeacherError, Pupil, checked_name
 from learnblock.classroom.servers import ServerAddress
-from learnblock.classroom.wall import Board, ProjectorView, View, WallView
+from learnblock.classroom.tables import Tables
+from learnblock.classroom.wall import Board, MarkingView, ProjectorView, View, WallView
 from learnblock.errors import LearnBlockError, phrase_of
 from learnblock.i18n import Phrase
 from learnblock.server.http import static_files
 from learnblock.server.http.connections import network_of
+from learnblock.server.http.palette import palette
 from learnblock.server.http.protection import SUBPROTOCOL, Guard, Protection
 from learnblock.server.messages import Failed
 
@@ -71,6 +73,7 @@ def create_app(
         static: the folder of the built page.
     """
     door = _Door(room, visitors, tls=tls)
+    tables = Tables(room, visitors)
     # The page's own guard, against pages of other servers; badges take the token's place.
     protection = Protection.of("", ("*", *hosts))
     files = static_files.PageFiles(directory=static, check_dir=False)
@@ -80,11 +83,17 @@ def create_app(
             Route("/", page),
             Route("/teacher", door.teacher(page)),
             Route("/projector", page),
+            Route("/hand-ins", door.teacher(page)),
+            Route("/palette/{language}.json", door.teacher(palette), middleware=[_GZIP]),
             Route("/about.json", door.about),
             Route("/join", door.join, methods=["POST"]),
             Route("/leave", door.leave, methods=["POST"]),
             Route("/export.zip", door.export),
+            Route("/results.csv", tables.results),
+            Route("/results.html", tables.page),
+            Route("/marks.csv", tables.marks),
             WebSocketRoute("/wall", partial(door.board, WallView)),
+            WebSocketRoute("/marking", partial(door.board, MarkingView)),
             WebSocketRoute("/projected", partial(door.board, ProjectorView)),
             WebSocketRoute("/p/{pupil}/ws", door.websocket),
             # Files of the page are everybody's.

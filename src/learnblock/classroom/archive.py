@@ -7,16 +7,18 @@ from pathlib import Path
 
 import msgspec
 
+from learnblock.classroom.hand_ins import FOLDER, HandInShelf
 from learnblock.classroom.roster import Pupil, Roster
 
 
 def export(roster: Roster, pupils: Iterable[Pupil]) -> bytes:
-    """A zip file with the folder of each pupil and their entries in the class's file.
+    """A zip file with each pupil's folder, hand-ins, and entry in the class's file.
 
     Raises:
         OSError: a file can't be read.
     """
     packed = io.BytesIO()
+    hand_ins = HandInShelf(roster.folder)
     with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
         for pupil in pupils:
             top = f"{pupil.name}-{pupil.id}"
@@ -25,6 +27,8 @@ def export(roster: Roster, pupils: Iterable[Pupil]) -> bytes:
             archive.writestr(f"{top}/pupil.json", msgspec.json.encode(about))
             for path, name in files_in(roster.folder_of(pupil)):
                 archive.write(path, f"{top}/{name}")
+            for path, name in files_in(hand_ins.folder_of(pupil.id)):
+                archive.write(path, f"{top}/{FOLDER}/{name}")
     return packed.getvalue()
 
 

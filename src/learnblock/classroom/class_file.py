@@ -6,16 +6,22 @@ import zipfile
 from pathlib import Path
 from typing import BinaryIO
 
-from learnblock.classroom import limits
+from learnblock.classroom import hand_ins, limits
 from learnblock.classroom.archive import files_in
 from learnblock.classroom.pupil_folder import HOME, PROJECTS
 from learnblock.classroom.roster import FILE, class_folder, classes_folder, read_class
 from learnblock.errors import FileError, LearnBlockError
 from learnblock.i18n import Phrase
+from learnblock.lessons.grading import journal
 from learnblock.storage.archive import RefusedError, Rules, ZipRule, read_files, refusing
 
-#: What belongs to a class: its file, and what its pupils have made.
-_PUPILS = re.compile(rf"pupils/[a-z0-9]{{10}}/(?:{HOME}|{PROJECTS})/.+")
+#: What belongs to a class, besides its file: what its pupils have made and handed in, and the runs
+#: of its checks.
+_PARTS = (
+    re.compile(rf"pupils/[a-z0-9]{{10}}/(?:{HOME}|{PROJECTS})/.+"),
+    hand_ins.PATH,
+    re.compile(rf"{hand_ins.RUNS}/\w[\w .-]{{0,78}}\w\.[0-9]{{1,2}}/{journal.NAME}"),
+)
 #: What file managers add; the history of a project is in a hidden folder, and is kept.
 _IGNORED = re.compile(r"(?:^|/)(?:__MACOSX(?:/|$)|\.DS_Store$|Thumbs\.db$|desktop\.ini$)")
 #: The most files, and bytes of all of them.
@@ -46,7 +52,7 @@ def pack(folder: Path, target: Path) -> None:
     with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as archive:
         archive.write(folder / FILE, FILE)
         for path, name in files_in(folder):
-            if _PUPILS.fullmatch(name):
+            if _belongs(name):
                 archive.write(path, name)
 
 
@@ -68,7 +74,7 @@ def _unpacked(opened: BinaryIO) -> str:
     with tempfile.TemporaryDirectory(prefix=".", dir=classes_folder()) as temporary:
         folder = Path(temporary) / "class"
         for path, content in read_files(opened, _RULES, _IGNORED):
-            if path != FILE and not _PUPILS.fullmatch(path):
+            if path != FILE and not _belongs(path):
                 raise RefusedError(ZipRule.UNKNOWN_FILE, path)
             _write(folder / path, content)
         file = read_class(folder)
@@ -79,6 +85,10 @@ def _unpacked(opened: BinaryIO) -> str:
             raise LearnBlockError("class-exists", title=file.title)
         folder.rename(target)
     return file.title
+
+
+def _belongs(path: str) -> bool:
+    return any(part.fullmatch(path) for part in _PARTS)
 
 
 def _write(file: Path, content: bytes) -> None:

@@ -1,12 +1,16 @@
 """A pupil's desk: the pages that show the program, and what the teacher sees of it."""
 
+import asyncio
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Protocol, assert_never
 
 import msgspec
+from msgspec.structs import replace
 
 from learnblock.classroom import messages as ours
+from learnblock.classroom.hand_in_messages import ImproveHandIn, OwnHandIns, own_hand_in
+from learnblock.classroom.hand_ins import HandInShelf
 from learnblock.classroom.limits import OPEN_PAGES
 from learnblock.classroom.messages import InClass, Seat, Writing
 from learnblock.classroom.progress import Progress
@@ -47,10 +51,12 @@ class Desk:
     Args:
         pupil: the pupil.
         changed: called when the wall should show something else.
+        shelf: the hand-ins of the class.
     """
 
-    def __init__(self, pupil: Pupil, changed: Callable[[], object]) -> None:
+    def __init__(self, pupil: Pupil, changed: Callable[[], object], shelf: HandInShelf) -> None:
         self.pupil = pupil
+        self._shelf = shelf
         self.progress = Progress()
         self.writing: Writing = "no"
         self.hand = False
@@ -69,12 +75,14 @@ class Desk:
 
     def seat(self) -> Seat:
         """What the wall shows."""
-        return self.progress.seat(
+        seat = self.progress.seat(
             self.pupil,
             here=bool(self.own_pages),
             hand=self.hand,
             writing=self.writing,
         )
+        file = self._shelf.of_pupil(self.pupil.id).get((seat.lesson_name, seat.step))
+        return replace(seat, hand_in=file.state) if file else seat
 
     @contextmanager
     def opening(self) -> Iterator[None]:
@@ -111,6 +119,8 @@ class Desk:
         self.pages.append(page)
         self._look()
         page.tell(self._news(page))
+        if not page.is_teacher:
+            page.tell(self._own_hand_ins())
         self._changed()
 
     def left(self, page: DeskPage) -> None:
@@ -131,9 +141,28 @@ class Desk:
     def _look(self) -> None:
         self.progress.look_at(next(iter(self.own_pages or self.pages), None))
 
-    def heard(self, message: ours.FromPupil) -> None:
-        """Do what a page asks the classroom for; its rights have been checked."""
+    async def hand_in(self, work: messages.GivenWork) -> None:
+        """Hand in what the pupil's server has given.
+
+        Raises:
+            LearnBlockError: the pupil has handed in too much.
+            OSError: it can't be saved.
+            ValueError: the program is too large.
+        """
+        await asyncio.to_thread(self._shelf.add, self.pupil.id, work)
+        self.tell_hand_ins()
+
+    async def heard(self, message: ours.FromPupil) -> None:
+        """Do what a page asks the classroom for; its rights have been checked.
+
+        Raises:
+            LearnBlockError: it can't be done.
+            OSError: it can't be saved.
+        """
         match message:
+            case ImproveHandIn(lesson=lesson, step=step):
+                await asyncio.to_thread(self._shelf.improve, self.pupil.id, lesson, step)
+                self.tell_hand_ins()
             case ours.AskForHelp(on=on):
                 self.hand = on
             case ours.LetTeacherWrite(on=on):
@@ -169,6 +198,16 @@ class Desk:
         for page in self.pages:
             page.tell(self._news(page))
         self._changed()
+
+    def tell_hand_ins(self) -> None:
+        """Tell the pupil's pages what is handed in, and what is back."""
+        for page in self.own_pages:
+            page.tell(self._own_hand_ins())
+        self._changed()
+
+    def _own_hand_ins(self) -> OwnHandIns:
+        files = sorted(self._shelf.of_pupil(self.pupil.id).values(), key=lambda file: file.at)
+        return OwnHandIns(tuple(map(own_hand_in, files)))
 
     def _news(self, page: DeskPage) -> InClass:
         return InClass(

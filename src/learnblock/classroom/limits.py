@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import Literal, NamedTuple, get_args
 
 from learnblock import names
+from learnblock.classroom.hand_ins import MOST_HAND_INS
 from learnblock.classroom.roster import EXPECTED, MOST_ALIKE, MOST_PUPILS
 from learnblock.server import messages
 from learnblock.server.http.connections import MOST_KNOWN, MOST_UNKNOWN
@@ -67,6 +68,8 @@ LIMITS: tuple[Limit, ...] = (
     Limit("projects whose programs run", f"{MOST_RUNS}", "pupil", _REFUSED),
     Limit("started runs", _pace(PACES["Run"]), "pupil", _REFUSED),
     Limit("checks of a lesson's step", _pace(PACES["CheckStep"]), "pupil", _REFUSED),
+    Limit("hand-ins", _pace(PACES["HandIn"]), "pupil", _REFUSED),
+    Limit("steps handed in", f"{MOST_HAND_INS}", "pupil", _REFUSED),
     Limit("tries of a custom block", _pace(PACES["TryCustomBlock"]), "pupil", _REFUSED),
     Limit("new projects", f"{MOST_PROJECTS} a minute", "pupil", _REFUSED),
     Limit("messages, in units of 64 kB", _pace(PACE), "pupil", _WAITS),

@@ -7,8 +7,16 @@ from typing import Annotated, Any, Literal
 
 from msgspec import Meta, Struct
 
+from learnblock.classroom.hand_in_messages import (
+    FromHandInPages,
+    ImproveHandIn,
+    OwnHandIns,
+    Pupils,
+    ToHandInPages,
+)
+from learnblock.classroom.hand_ins import State
 from learnblock.classroom.pins import Picture, Pictures
-from learnblock.classroom.roster import MOST_PUPILS, PupilId
+from learnblock.classroom.roster import PupilId
 from learnblock.i18n import Phrase
 from learnblock.lessons.lesson import LessonText
 from learnblock.project.files.lesson_folder import LessonName
@@ -136,15 +144,19 @@ class SendHint(Message, frozen=True):
 
 
 class HandOut(Message, frozen=True):
-    """Open a lesson on every pupil's page.
+    """Open a lesson on pupils' pages.
 
     Args:
         lesson: its name.
         project: the name of the projects that are made for it.
+        pupils: on whose pages; None for all.
+        step: the step to go to; 0 for where each pupil is in the lesson.
     """
 
     lesson: LessonName
     project: Name
+    pupils: Pupils | None = None
+    step: Annotated[int, Meta(ge=0, le=30)] = 0
 
 
 class RenewPin(Message, frozen=True):
@@ -156,7 +168,7 @@ class RenewPin(Message, frozen=True):
 class RemovePupils(Message, frozen=True):
     """Delete pupils with everything that they have made."""
 
-    pupils: Annotated[tuple[PupilId, ...], Meta(max_length=MOST_PUPILS)]
+    pupils: Pupils
 
 
 class LetJoin(Message, frozen=True):
@@ -196,6 +208,7 @@ class Seat(Work, frozen=True, omit_defaults=True, kw_only=True):
         quiet: seconds since the pupil last did something.
         stuck: seconds for which the pupil has worked without a new star or a run that ended well.
         writing: whether the teacher may write.
+        hand_in: what is to be done with the pupil's hand-in in the open step; empty without one.
     """
 
     id: str
@@ -206,6 +219,7 @@ class Seat(Work, frozen=True, omit_defaults=True, kw_only=True):
     quiet: int = 0
     stuck: int = 0
     writing: Writing = "no"
+    hand_in: State | Literal[""] = ""
 
 
 class Plan(Message, frozen=True):
@@ -293,8 +307,8 @@ class Projected(Message, frozen=True):
     names: tuple[str, ...] = ()
 
 
-FromPupil = AskForHelp | LetTeacherWrite | AskToWrite
-ToPupil = InClass
+FromPupil = AskForHelp | LetTeacherWrite | AskToWrite | ImproveHandIn
+ToPupil = InClass | OwnHandIns
 FromTeacher = (
     EyesUp
     | StopAll
@@ -306,5 +320,6 @@ FromTeacher = (
     | AnswerKnocking
     | RenewWord
     | ShowOnProjector
+    | FromHandInPages
 )
-ToTeacher = Wall | Seats | Plan | NewPin | Refused | Projected
+ToTeacher = Wall | Seats | Plan | NewPin | Refused | Projected | ToHandInPages

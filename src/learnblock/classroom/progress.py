@@ -86,6 +86,11 @@ class Progress:
         """A page has gone."""
         self._pages.pop(page, None)
 
+    @property
+    def lesson_name(self) -> str:
+        """The name of the lesson that is shown; empty without one."""
+        return self._shown.now.work.lesson_name
+
     def seat(self, pupil: Pupil, *, here: bool, hand: bool, writing: Writing) -> Seat:
         """What the wall shows.
 

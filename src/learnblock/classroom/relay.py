@@ -14,6 +14,7 @@ from learnblock.classroom.desk import Desk
 from learnblock.classroom.limits import WEIGHT
 from learnblock.classroom.quota import Paces
 from learnblock.classroom.rights import may
+from learnblock.errors import LearnBlockError, phrase_of
 from learnblock.i18n import Phrase
 from learnblock.server import messages
 from learnblock.server.http.protection import SEAT, SUBPROTOCOL
@@ -32,8 +33,10 @@ _PATIENCE = 10.0
 
 _from_pupil = msgspec.json.Decoder(ours.FromPupil)
 _at_seat = msgspec.json.Decoder(messages.AtSeat)
+_work_given = msgspec.json.Decoder(messages.WorkGiven)
 #: Our servers put the kind first.
 _AT_SEAT = f'{{"kind":"{messages.AtSeat.__name__}"'
+_WORK_GIVEN = f'{{"kind":"{messages.WorkGiven.__name__}"'
 _OURS = frozenset(kind.__name__ for kind in get_args(ours.FromPupil))
 
 
@@ -126,20 +129,27 @@ class Relay:
                 if refusal := self._refusal(head.kind):
                     self.tell(messages.Failed(refusal, head.kind, head.request))
                 elif head.kind in _OURS:
-                    self._hear(text, head.kind)
+                    await self._hear(text, head.kind)
                 else:
                     if not self.is_teacher:
                         self._desk.progress.acted(head.kind)
                     await server.send(text)
 
-    def _hear(self, text: str, kind: str) -> None:
+    async def _hear(self, text: str, kind: str) -> None:
         try:
-            message = _from_pupil.decode(text)
+            await self._desk.heard(_from_pupil.decode(text))
         except msgspec.MsgspecError as error:
             phrase = Phrase("server-message-unknown", reason=str(error))
             self.tell(messages.Failed(phrase, kind))
-        else:
-            self._desk.heard(message)
+        except (LearnBlockError, OSError) as error:
+            self.tell(messages.Failed(phrase_of(error), kind))
+
+    async def _hand_in(self, text: str) -> None:
+        """Keep what the pupil's server gives, which a pupil might have taken over."""
+        try:
+            await self._desk.hand_in(_work_given.decode(text).work)
+        except (LearnBlockError, OSError, ValueError) as error:
+            self.tell(messages.Failed(phrase_of(error), messages.HandIn.__name__))
 
     def _refusal(self, kind: str) -> Phrase | None:
         if not may(self.role, kind):
@@ -155,6 +165,8 @@ class Relay:
                     continue
                 if received.startswith(_AT_SEAT):
                     self._desk.see(self, _at_seat.decode(received))
+                elif received.startswith(_WORK_GIVEN):
+                    await self._hand_in(received)
                 else:
                     await self._page.send_text(received)
             await self._page.close(_BACK_SOON)

@@ -5,6 +5,8 @@ from collections.abc import Iterable
 from typing import Protocol
 
 from learnblock.classroom.desk import Desk
+from learnblock.classroom.hand_ins import HandInShelf
+from learnblock.classroom.marking import Marking
 from learnblock.classroom.pins import Picture
 from learnblock.classroom.pupil_folder import PROJECTS
 from learnblock.classroom.roster import Pupil, Roster
@@ -40,6 +42,8 @@ class Room:
         self, roster: Roster, address: str, lessons: Iterable[tuple[str, LessonText]] = ()
     ) -> None:
         self.roster = roster
+        self.hand_ins = HandInShelf(roster.folder)
+        self.marking = Marking(roster, self.hand_ins, self.changed)
         self.address = address
         self.lessons = tuple(lessons)
         self.eyes_up = False
@@ -71,6 +75,7 @@ class Room:
         """Have every server save everything and end."""
         for task in self._ending.values():
             task.cancel()
+        await self.marking.checking.close()
         await self._servers.close()
 
     def hurry(self) -> None:
@@ -131,9 +136,16 @@ class Room:
         for desk in self.desks.values():
             desk.rest(eyes_up=eyes_up)
 
-    async def order(self, message: messages.Message) -> None:
-        """Send every pupil's server a message on behalf of the pupil's page."""
-        await asyncio.gather(*(desk.order(message) for desk in self.desks.values()))
+    @property
+    def taught(self) -> tuple[str, ...]:
+        """The names of the lessons on which the class works."""
+        works = (desk.progress.lesson_name for desk in self.desks.values())
+        return tuple(sorted({name for name in (*works, self.roster.lesson) if name}))
+
+    async def order(self, message: messages.Message, pupils: Iterable[Pupil] | None = None) -> None:
+        """Send pupils' servers a message on behalf of their pages; None for all of them."""
+        desks = self.desks.values() if pupils is None else map(self.desk, pupils)
+        await asyncio.gather(*(desk.order(message) for desk in desks))
 
     async def renew_pin(self, pupil: Pupil) -> tuple[Picture, ...]:
         """Give a pupil other pictures, and return them; the pupil's pages are closed.
@@ -157,7 +169,9 @@ class Room:
         """
         await self.desk(pupil).send_away()
         await self._servers.stop(pupil.id)
+        await self.marking.forget(pupil.id)
         await asyncio.to_thread(self.roster.remove, pupil)
+        await asyncio.to_thread(self.marking.forget_runs)
         self.desks.pop(pupil.id, None)
         if self.projected == pupil.id:
             self.projected = None
@@ -167,7 +181,7 @@ class Room:
         return any(folder.entries())
 
     def _seat(self, pupil: Pupil) -> Desk:
-        desk = self.desks[pupil.id] = Desk(pupil, self.changed)
+        desk = self.desks[pupil.id] = Desk(pupil, self.changed, self.hand_ins)
         desk.eyes_up = self.eyes_up
         return desk
 

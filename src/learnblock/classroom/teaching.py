@@ -2,17 +2,19 @@
 
 import asyncio
 from collections.abc import Awaitable, Callable, Mapping
+from functools import partial
 from typing import Any
 
+from learnblock.classroom import hand_in_messages as hand_ins
 from learnblock.classroom import messages as ours
 from learnblock.classroom.room import Room
 from learnblock.server import messages
 
-Handler = Callable[[Room, Any], Awaitable[ours.NewPin | None]]
+Handler = Callable[[Room, Any], Awaitable[ours.ToTeacher | None]]
 
 
-async def do(room: Room, message: ours.FromTeacher) -> ours.NewPin | None:
-    """Do what the teacher wants; return a pupil's new pictures, if any.
+async def do(room: Room, message: ours.FromTeacher) -> ours.ToTeacher | None:
+    """Do what the teacher wants; return what answers it, if anything does.
 
     Raises:
         LearnBlockError: it can't be done.
@@ -38,7 +40,9 @@ async def _send_hint(room: Room, message: ours.SendHint) -> None:
 
 
 async def _hand_out(room: Room, message: ours.HandOut) -> None:
-    await room.order(messages.StartLesson(message.lesson, message.project))
+    start = messages.StartLesson(message.lesson, message.project, step=message.step)
+    pupils = None if message.pupils is None else map(room.known, message.pupils)
+    await room.order(start, pupils)
 
 
 async def _renew_pin(room: Room, message: ours.RenewPin) -> ours.NewPin:
@@ -69,6 +73,46 @@ async def _project(room: Room, message: ours.ShowOnProjector) -> None:
     room.projected = None if message.pupil is None else room.known(message.pupil).id
 
 
+async def _list_hand_ins(room: Room, message: hand_ins.ReadHandIns) -> hand_ins.HandInList:
+    return await asyncio.to_thread(room.marking.listed, message.lesson, message.step)
+
+
+async def _show_hand_in(room: Room, message: hand_ins.ReadHandIn) -> hand_ins.ShownHandIn:
+    pupil = room.known(message.pupil)
+    return await asyncio.to_thread(room.marking.shown, pupil.id, message.lesson, message.step)
+
+
+async def _collect(room: Room, message: hand_ins.CollectHandIns) -> hand_ins.HandInList:
+    await asyncio.to_thread(room.marking.collect, message.lesson, message.step)
+    for desk in room.desks.values():
+        desk.tell_hand_ins()
+    return await asyncio.to_thread(room.marking.listed, message.lesson, message.step)
+
+
+async def _check(room: Room, message: hand_ins.CheckHandIns) -> None:
+    room.marking.checking.start(message.lesson, message.step)
+
+
+async def _end_checking(room: Room, _: hand_ins.EndChecking) -> None:
+    room.marking.checking.stop()
+
+
+async def _mark(room: Room, message: hand_ins.MarkHandIn) -> hand_ins.HandInList:
+    pupil, (lesson, step) = room.known(message.pupil), (message.lesson, message.step)
+    said = partial(room.hand_ins.say, note=message.note, mark=message.mark)
+    await asyncio.to_thread(said, pupil.id, lesson, step)
+    return await asyncio.to_thread(room.marking.listed, lesson, step)
+
+
+async def _hand_back(room: Room, message: hand_ins.HandBack) -> hand_ins.HandInList:
+    pupils = [room.known(pupil) for pupil in message.pupils]
+    ids = [pupil.id for pupil in pupils]
+    await asyncio.to_thread(room.marking.hand_back, message.lesson, message.step, ids)
+    for pupil in pupils:
+        room.desk(pupil).tell_hand_ins()
+    return await asyncio.to_thread(room.marking.listed, message.lesson, message.step)
+
+
 _HANDLERS: Mapping[type, Handler] = {
     ours.EyesUp: _eyes_up,
     ours.StopAll: _stop_all,
@@ -80,4 +124,11 @@ _HANDLERS: Mapping[type, Handler] = {
     ours.AnswerKnocking: _answer_knocking,
     ours.RenewWord: _renew_word,
     ours.ShowOnProjector: _project,
+    hand_ins.ReadHandIns: _list_hand_ins,
+    hand_ins.ReadHandIn: _show_hand_in,
+    hand_ins.CollectHandIns: _collect,
+    hand_ins.CheckHandIns: _check,
+    hand_ins.EndChecking: _end_checking,
+    hand_ins.MarkHandIn: _mark,
+    hand_ins.HandBack: _hand_back,
 }

@@ -9,6 +9,7 @@ import msgspec
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from learnblock.classroom import messages as ours
+from learnblock.classroom.hand_in_messages import HandInSteps
 from learnblock.classroom.room import Room
 from learnblock.classroom.roster import MORE
 from learnblock.classroom.teaching import do
@@ -94,6 +95,7 @@ class WallView:
         self._wall: ours.Wall | None = None
         self._seats: dict[str, ours.Seat] = {}
         self._scenes: dict[str, int] = {}
+        self._marking = MarkingView()
 
     def news(self, room: Room) -> Iterator[msgspec.Struct]:
         """What has changed since the last time."""
@@ -110,6 +112,21 @@ class WallView:
         if changed := tuple(seat for seat in seats.values() if self._seats.get(seat.id) != seat):
             yield ours.Seats(changed)
         self._seats = seats
+        yield from self._marking.news(room)
+
+
+class MarkingView:
+    """How many have handed in what; the page asks for the rest."""
+
+    def __init__(self) -> None:
+        self._steps: HandInSteps | None = None
+
+    def news(self, room: Room) -> Iterator[msgspec.Struct]:
+        """What has changed since the last time."""
+        steps = room.marking.steps(room.taught)
+        if steps != self._steps:
+            self._steps = steps
+            yield steps
 
 
 class ProjectorView:
@@ -149,6 +166,8 @@ def _projected(room: Room) -> ours.Projected:
     desk = room.desks.get(room.projected or "")
     if desk is None:
         return shown
-    seat = msgspec.structs.replace(desk.seat(), name="", project="", id="", quiet=0, stuck=0)
+    seat = msgspec.structs.replace(
+        desk.seat(), name="", project="", id="", quiet=0, stuck=0, hand_in=""
+    )
     plan = desk.progress.plan_of("")
     return msgspec.structs.replace(shown, names=(), seat=seat, plan=plan)

@@ -15,17 +15,15 @@ from learnblock.cli.interrupts import stopped_by_signals
 from learnblock.cli.language import language
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
-from learnblock.installation import version
 from learnblock.lessons.grading.executors import OpenWorkers, cluster, local
 from learnblock.lessons.grading.grading import Grading
 from learnblock.lessons.grading.handed_in import read_all
 from learnblock.lessons.grading.journal import opened_journal
 from learnblock.lessons.grading.output import write_results
-from learnblock.lessons.grading.plan import Plan, graded_attempts
+from learnblock.lessons.grading.plan import last_with_checks, planned
 from learnblock.lessons.grading.values import HandedIn
 from learnblock.lessons.opened import OpenLesson
 from learnblock.lessons.reading import find_lesson
-from learnblock.lessons.trying import attempts
 from learnblock.running.batch import processors
 
 #: The folder in that of the results for the programs in zips.
@@ -44,6 +42,7 @@ class Choices:
         jobs: how many runs are made at once.
         scheduler: the address of a Dask cluster.
         class_name: the class whose programs are graded; None if files are.
+        only_handed_in: whether pupils of the class who have not handed in are left ungraded.
         out: the folder for the results.
     """
 
@@ -54,22 +53,22 @@ class Choices:
     jobs: int | None
     scheduler: str | None
     class_name: str | None
+    only_handed_in: bool
     out: Path
 
 
 def grade(handed_in: Sequence[Path], choices: Choices) -> bool:
     """Grade, write and report the results, and return whether everything is finished."""
     opened_lesson = find_lesson(choices.lesson)
-    step = choices.step or _last_with_checks(opened_lesson)
+    step = choices.step or last_with_checks(opened_lesson)
     for name in choices.robots or ():
         _check_simulated(name)
-    wanted = attempts(opened_lesson, step, robots=choices.robots, variants=choices.variants)
-    plan = Plan(
+    plan = planned(
         opened_lesson,
         step,
-        tuple(_handed_in(handed_in, choices, step)),
-        graded_attempts(opened_lesson, step, wanted),
-        version(),
+        _handed_in(handed_in, choices, opened_lesson, step),
+        robots=choices.robots,
+        variants=choices.variants,
     )
     if not plan.handed_in:
         raise usage_error("grade-nothing-handed-in")
@@ -115,21 +114,15 @@ def _workers(choices: Choices) -> OpenWorkers:
     return partial(local, choices.jobs or processors())
 
 
-def _last_with_checks(opened_lesson: OpenLesson) -> int:
-    steps = enumerate(opened_lesson.lesson.step, start=1)
-    found = [number for number, step in steps if step.check]
-    if not found:
-        raise LearnBlockError("grade-no-checks", lesson=opened_lesson.name)
-    return found[-1]
-
-
 def _check_simulated(name: str) -> None:
     if not known_robots.find(name).load().lockstep:
         raise LearnBlockError("grade-real-robot", robot=name)
 
 
-def _handed_in(paths: Sequence[Path], choices: Choices, step: int) -> Iterator[HandedIn]:
-    """What was handed in as files, or what the pupils of a class have made in the step.
+def _handed_in(
+    paths: Sequence[Path], choices: Choices, opened_lesson: OpenLesson, step: int
+) -> Iterator[HandedIn]:
+    """What was handed in as files, or by the pupils of a class.
 
     Raises:
         LearnBlockError: there is no such class, or a file can't be read.
@@ -139,5 +132,6 @@ def _handed_in(paths: Sequence[Path], choices: Choices, step: int) -> Iterator[H
         from learnblock.classroom.collecting import collect  # noqa: PLC0415
         from learnblock.classroom.roster import known_class  # noqa: PLC0415
 
-        return collect(known_class(choices.class_name), find_lesson(choices.lesson).name, step)
+        roster = known_class(choices.class_name)
+        return collect(roster, opened_lesson, step, only_handed_in=choices.only_handed_in)
     return read_all(paths, choices.out / HANDED_IN, warn)

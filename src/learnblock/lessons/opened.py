@@ -15,7 +15,7 @@ from learnblock.i18n import Phrase
 from learnblock.language.tree.nodes import Program
 from learnblock.lessons.lesson import Lesson, Step, Teacher
 from learnblock.robots.simulated import find_world
-from learnblock.simulator import WorldDescription
+from learnblock.simulator import WorldDescription, make_variant
 
 #: Its main file, and the teacher's.
 MAIN, TEACHER = "lesson.toml", "teacher/teacher.toml"
@@ -80,6 +80,10 @@ class OpenLesson:
         """The file of the program that a step starts with; None to go on with that of the pupil."""
         return self.step(step).program
 
+    def group(self, step: int) -> int:
+        """The step whose program a step continues; the first one if none before has a program."""
+        return next((number for number in range(step, 0, -1) if self.start(number)), 1)
+
     def world(self, step: int) -> str | None:
         """The name of a step's world; without one of its own that of the step before."""
         named = (
@@ -127,6 +131,15 @@ class OpenLesson:
                 raise
             where = f"{self.name}/worlds/{name}.toml"
             raise LessonError(where, error.diagnostics, error.source) from None
+
+    def described_variant(self, step: int, variant: int) -> WorldDescription | None:
+        """A variant of the world of a step; 0 is the world as it is drawn.
+
+        Raises:
+            LearnBlockError: as above, or there are no variants.
+        """
+        world = self.described_world(step)
+        return make_variant(world, variant) if world and variant else world
 
     @contextmanager
     def world_file(self, step: int) -> Iterator[str | None]:

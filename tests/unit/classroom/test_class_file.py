@@ -6,9 +6,13 @@ import zipfile
 
 import pytest
 
+from learnblock.classroom.checking import runs_folder
 from learnblock.classroom.class_file import ClassFileError, pack, unpack
+from learnblock.classroom.hand_ins import HandInShelf
 from learnblock.classroom.roster import FILE, Roster
 from learnblock.errors import LearnBlockError
+from learnblock.lessons.grading.journal import NAME
+from learnblock.server.messages import GivenProgram, GivenWork
 
 
 @pytest.fixture
@@ -52,6 +56,9 @@ CHANGES = {
     "the class's lock": lambda files, _: files.update({".writer.json": b"{}"}),
     "no class": lambda files, _: files.pop(FILE),
     "a bomb": lambda files, _: files.update({"pupils/abcdefghij/home/x": b"0" * 10_000_000}),
+    "a mark of nobody": lambda files, _: files.update({"hand-ins/x/1-03-square.4.json": b"{}"}),
+    "a mark beside": lambda files, _: files.update({"hand-ins/abcdefghij/../x.4.json": b"{}"}),
+    "other files of a check": lambda files, _: files.update({"checks/1-03-square.4/x": b""}),
     "a link": link,
     "damaged": lambda files, _: files.update({FILE: b"{"}),
     "another title": lambda files, _: files.update(
@@ -88,3 +95,19 @@ def test_neither_a_key_of_tls_nor_temporary_files_go_into_the_file(folder, tmp_p
         FILE,
         f"pupils/{pupil.id}/projects/mine.learnblock",
     ]
+
+
+def test_what_was_handed_in_and_the_finished_runs_of_checks_come_along(folder, school, tmp_path):
+    [ana] = Roster(folder, "7b").pupils
+    shelf = HandInShelf(folder)
+    shelf.add(ana.id, GivenWork("1-03-square", 4, GivenProgram("main:\nend\n")))
+    shelf.say(ana.id, "1-03-square", 4, note="Well done", mark="10")
+    runs = runs_folder(folder, "1-03-square", 4)
+    runs.mkdir(parents=True)
+    (runs / NAME).write_bytes(b"")
+    (runs / ".grading.lock").write_bytes(b"")
+    pack(folder, tmp_path / "class.lbclass")
+    unpack(tmp_path / "class.lbclass")
+    there = HandInShelf(school / "7b")
+    assert there.read(ana.id, "1-03-square", 4) == shelf.read(ana.id, "1-03-square", 4)
+    assert [file.name for file in runs_folder(school / "7b", "1-03-square", 4).iterdir()] == [NAME]

@@ -19,7 +19,7 @@ def test_as_many_messages_have_each_role_as_was_decided():
     assert roles == {
         "helper, pupil, watcher": 44,
         "helper, pupil": 32,
-        "pupil": 39,
+        "pupil": 41,
         "helper, watcher": 1,
         "": 29,
     }
@@ -34,6 +34,12 @@ def test_as_many_messages_have_each_role_as_was_decided():
         ("EditText", {Role.PUPIL, Role.HELPER}),
         ("SaveTags", {Role.PUPIL}),
         ("LetTeacherWrite", {Role.PUPIL}),
+        ("HandIn", {Role.PUPIL}),
+        ("ImproveHandIn", {Role.PUPIL}),
+        ("MarkHandIn", set()),
+        ("HandBack", set()),
+        ("ReadHandIn", set()),
+        ("WorkGiven", set()),
         ("AskToWrite", {Role.WATCHER, Role.HELPER}),
         ("MakeRobot", set()),
         ("AllowNetwork", set()),
@@ -55,5 +61,5 @@ def test_a_teacher_who_looks_changes_nothing_that_is_saved():
 
 
 def test_what_costs_most_has_a_pace_of_its_own():
-    assert {"Run", "CheckStep", "TryCustomBlock"} == set(PACES)
+    assert {"Run", "CheckStep", "TryCustomBlock", "HandIn"} == set(PACES)
     assert set(PACES) <= set(RIGHTS)

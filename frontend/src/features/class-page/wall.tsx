@@ -104,6 +104,10 @@ function Tools({ stream, wall, hintAll }: { stream: ClassStream; wall: Wall; hin
         <Icon name="hint" />
         {t("page-class-hint-all")}
       </button>
+      <a class="button bordered" href="hand-ins">
+        <Icon name="saved" />
+        {t("page-handins-title")}
+      </a>
       <a class="button bordered" href="projector" target="_blank" rel="noopener opener">
         {t("page-class-projector")}
       </a>

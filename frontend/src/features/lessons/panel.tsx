@@ -12,6 +12,7 @@ import { Icon } from "../../ui/icons";
 import { room } from "../../ui/screen";
 import { Everywhere } from "./everywhere";
 import { Goals } from "./goals";
+import { BackLine, HandedIn, HandInButton } from "./hand-in";
 import { Hints } from "./hints";
 import { inLanguage } from "./lessons";
 import type { MarkdownPart } from "./markdown";
@@ -59,6 +60,7 @@ function Pane({ shown }: { shown: LessonShown }) {
         <div class="lesson-content">
           <Body shown={shown} />
           <Task shown={shown} />
+          <HandedIn shown={shown} />
           <Foot shown={shown} />
         </div>
       )}
@@ -86,6 +88,7 @@ function Line({ shown }: { shown: LessonShown }) {
         <Stars />
         <Icon name="up" />
       </button>
+      {!open.value && <BackLine shown={shown} open={() => (open.value = true)} />}
       {!open.value && <Task shown={shown} />}
       {!open.value && <ShortFoot shown={shown} />}
       {open.value && (
@@ -98,6 +101,7 @@ function Line({ shown }: { shown: LessonShown }) {
             </div>
             <Body shown={shown} />
             <Task shown={shown} />
+            <HandedIn shown={shown} />
             <Foot shown={shown} />
           </div>
         </Dialog>
@@ -193,6 +197,7 @@ function Foot({ shown }: { shown: LessonShown }) {
     <div class="lesson-foot">
       <HintButton shown={shown} />
       <CheckButton shown={shown} />
+      <HandInButton shown={shown} />
       {shown.quiz && <QuizAnswer quiz={shown.quiz} />}
       <span class="lesson-space" />
       <StepButtons shown={shown} />

@@ -15,6 +15,7 @@ grade-real-robot = { $robot } is a real robot. Grading needs simulated robots, s
 grade-many-programs = There are more than { $most } programs in the folder: { $files } ... Leave only those to grade.
 grade-no-program = There is no program (.bt, .py or .learnblock) in the folder.
 grade-not-begun = Has not begun this step.
+grade-not-handed-in = Has not handed this step in yet.
 grade-left-out = { $file } has files that can't be unpacked: { $names }{ $more ->
     [0] .
    *[other] { " " }and { $more } more.
@@ -40,7 +41,7 @@ grade-page-facts = { $programs ->
 grade-page-absent = { $count ->
     [one] { $count } pupil has
    *[other] { $count } pupils have
-} no program.
+} handed in no program.
 grade-page-no-mark = No mark is final: you decide. These results come from fixed rules that only count what a robot did in a simulator and how a program is built. They don't know what a pupil has understood, tried or been told. No artificial intelligence is involved.
 grade-page-overview = Overview
 grade-page-pupil = Pupil

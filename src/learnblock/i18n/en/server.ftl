@@ -63,6 +63,7 @@ server-no-picture = There is no such picture.
 # $reason is a technical text in English.
 server-mistake = Something went wrong in LearnBlock: { $reason }
 server-no-project = No project is open. Open a project first.
+server-no-class = This page is not in a class, so there is nobody to hand in to.
 server-too-deep = This is nested too deeply.
 server-message-too-long = A message of { $count } characters is too long.
 server-message-unknown = LearnBlock doesn't know this message: { $reason }
@@ -108,6 +109,7 @@ server-lesson-name = A lesson can't be called '{ $name }'. Rename the file, with
 # $problem is a sentence.
 server-lesson-missing = The lesson '{ $name }' of this project can't be opened. { $problem }
 server-lesson-none = This project has no lesson.
+server-lesson-no-checks = There is nothing to hand in in this step. Go to a step with a program to write.
 server-lesson-other-robot = This step is not meant for the robot '{ $robot }'.
 server-lesson-no-hint = There are no more hints for this run. Change the program and run it again.
 server-lesson-no-question = This step has no such question.

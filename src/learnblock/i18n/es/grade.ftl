@@ -15,6 +15,7 @@ grade-real-robot = { $robot } es un robot real. Para evaluar hacen falta robots 
 grade-many-programs = Hay más de { $most } programas en la carpeta: { $files } ... Deja solo los que haya que evaluar.
 grade-no-program = No hay ningún programa (.bt, .py o .learnblock) en la carpeta.
 grade-not-begun = No ha empezado este paso.
+grade-not-handed-in = Todavía no ha entregado este paso.
 grade-left-out = { $file } tiene archivos que no se pueden descomprimir: { $names }{ $more ->
     [0] .
    *[other] { " " }y { $more } más.
@@ -40,7 +41,7 @@ grade-page-facts = { $programs ->
 grade-page-absent = { $count ->
     [one] { $count } alumno no tiene
    *[other] { $count } alumnos no tienen
-} programa.
+} ningún programa entregado.
 grade-page-no-mark = Ninguna nota es definitiva: decides tú. Estos resultados salen de reglas fijas que solo cuentan lo que hizo un robot en un simulador y cómo está construido un programa. No saben qué ha entendido, probado u oído un alumno. No interviene ninguna inteligencia artificial.
 grade-page-overview = Resumen
 grade-page-pupil = Alumno

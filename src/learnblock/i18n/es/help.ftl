@@ -168,7 +168,8 @@ help-grade =
     Evalúa los programas de una clase con las comprobaciones de una lección.
 
     HANDED_IN son programas (.bt, .py o .learnblock), o carpetas con un programa o una carpeta por alumno; o --class indica una clase de `learnblock class`. Los resultados son results.csv y results.html en la carpeta de --out. La misma orden, repetida, hace solo lo que falta. Ninguna nota es definitiva: decide el profesor.
-help-grade-with-class = Evalúa esta clase: de cada persona, el programa más nuevo del paso de la lección.
+help-grade-with-class = Evalúa esta clase: de cada persona, lo que ha entregado o el programa más nuevo del paso.
+help-grade-with-only-handed-in = De una clase, deja fuera a quien no ha entregado.
 help-grade-with-lesson = Nombre, archivo o carpeta de la lección.
 help-grade-with-step = El paso  [por defecto: el último con comprobaciones]
 help-grade-with-variants = Prueba también en tantas variantes del mundo  [por defecto: las del paso]

@@ -50,6 +50,7 @@ server-no-picture = No hay ninguna imagen así.
 
 server-mistake = Algo ha fallado en LearnBlock: { $reason }
 server-no-project = No hay ningún proyecto abierto. Abre antes un proyecto.
+server-no-class = Esta página no está en una clase, así que no hay a quién entregar.
 server-too-deep = Esto tiene demasiados niveles, unos dentro de otros.
 server-message-too-long = Un mensaje de { $count } caracteres es demasiado largo.
 server-message-unknown = LearnBlock no conoce este mensaje: { $reason }
@@ -88,6 +89,7 @@ server-lesson-file = No se puede leer la lección «{ $name }». { $problem }
 server-lesson-name = Una lección no puede llamarse «{ $name }». Cambia el nombre del archivo, con letras, cifras y guiones.
 server-lesson-missing = No se puede abrir la lección «{ $name }» de este proyecto. { $problem }
 server-lesson-none = Este proyecto no tiene lección.
+server-lesson-no-checks = En este paso no hay nada que entregar. Ve a un paso en el que se escriba un programa.
 server-lesson-other-robot = Este paso no es para el robot «{ $robot }».
 server-lesson-no-hint = No hay más pistas para esta ejecución. Cambia el programa y ejecútalo otra vez.
 server-lesson-no-question = Este paso no tiene esa pregunta.

@@ -1,7 +1,7 @@
 """The journal in the folder of a grading: what is finished survives every kind of end."""
 
 import os
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -9,6 +9,7 @@ import msgspec
 from filelock import FileLock, Timeout
 
 from learnblock.errors import LearnBlockError
+from learnblock.storage.files import save
 
 NAME = "journal.jsonl"
 _LOCK = ".grading.lock"
@@ -49,7 +50,7 @@ class Journal:
         """Append a result: all of its line or, if this process ends now, nothing that counts."""
         if key in self:
             return
-        line = msgspec.json.encode(_Line(key, msgspec.Raw(result))) + b"\n"
+        line = _line(key, result)
         written = 0
         while written < len(line):
             written += os.write(self._file, line[written:])
@@ -87,6 +88,25 @@ class Journal:
         except (msgspec.MsgspecError, ValueError):
             return
         self._places[key] = start, len(line)
+
+
+def kept_only(folder: Path, keys: Collection[str]) -> None:
+    """Delete all results of a folder but those of some pieces.
+
+    Raises:
+        LearnBlockError: another grading uses the folder.
+        OSError: it can't be written.
+    """
+    with opened_journal(folder) as journal:
+        kept = {key: result for key in keys if (result := journal.result(key)) is not None}
+        if len(kept) == len(journal):
+            return
+        lines = (_line(key, result) for key, result in kept.items())
+        save(folder / NAME, b"".join(lines))
+
+
+def _line(key: str, result: bytes) -> bytes:
+    return msgspec.json.encode(_Line(key, msgspec.Raw(result))) + b"\n"
 
 
 @contextmanager

@@ -2,17 +2,18 @@
 
 import hashlib
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 import msgspec
 
-from learnblock.errors import WorldError
+from learnblock.errors import LearnBlockError, WorldError
+from learnblock.installation import version
 from learnblock.lessons.grading.executing import Piece, packed_lesson
 from learnblock.lessons.grading.values import HandedIn, Manner
 from learnblock.lessons.opened import OpenLesson
-from learnblock.lessons.trying import Attempt
+from learnblock.lessons.trying import Attempt, attempts
 from learnblock.runtime.limits import Limits
 from learnblock.simulator import make_variant
 
@@ -20,6 +21,41 @@ from learnblock.simulator import make_variant
 SAMPLE = 0.05
 #: Changes when the results of pieces mean something else.
 FORMAT = 3
+
+
+def last_with_checks(opened: OpenLesson) -> int:
+    """The last step of a lesson that has checks.
+
+    Raises:
+        LearnBlockError: none has.
+    """
+    steps = enumerate(opened.lesson.step, start=1)
+    found = [number for number, step in steps if step.check]
+    if not found:
+        raise LearnBlockError("grade-no-checks", lesson=opened.name)
+    return found[-1]
+
+
+def planned(
+    opened: OpenLesson,
+    step: int,
+    handed_in: Iterable[HandedIn],
+    *,
+    robots: Sequence[str] | None = None,
+    variants: int | None = None,
+) -> "Plan":
+    """The plan of a grading by this LearnBlock.
+
+    Args:
+        opened: the lesson.
+        step: the number of the step.
+        handed_in: what was handed in, in the order of the table.
+        robots: what each program is tried on; None for the step's.
+        variants: how many variants of the world; None for as many as the step says.
+    """
+    wanted = attempts(opened, step, robots=robots, variants=variants)
+    tried = graded_attempts(opened, step, wanted)
+    return Plan(opened, step, tuple(handed_in), tried, version())
 
 
 def graded_attempts(

@@ -16,9 +16,9 @@ Manner = Literal["shared", "compared", "isolated"]
 Checked = Literal["shared", "shared, same isolated", "isolated, differs shared", "isolated"]
 #: The results of a run that was isolated because the shared process could not be trusted.
 DIFFERS: Checked = "isolated, differs shared"
-#: Why there is no program: none is in what was handed in; or the pupil of a class has not reached
-#: the step.
-Absence = Literal["nothing handed in", "not begun"]
+#: Why there is no program: none is in what was handed in; or the pupil of a class has not handed
+#: the step in, or not reached it.
+Absence = Literal["nothing handed in", "not handed in", "not begun"]
 #: A text by language.
 Texts = Mapping[str, str]
 

@@ -46,12 +46,14 @@ class StepProgress(Struct, frozen=True, forbid_unknown_fields=True, omit_default
         hints: how many levels of hints were taken.
         quiz: the choices answered last.
         tries: how often the quiz and the puzzle were answered.
+        runs: how often the program was run.
     """
 
     stars: Annotated[tuple[Star, ...], Meta(max_length=20)] = ()
     hints: Number = 0
     quiz: Annotated[tuple[Annotated[int, Meta(ge=0, le=7)], ...], Meta(max_length=8)] = ()
     tries: Number = 0
+    runs: Number = 0
 
 
 class Progress(Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):

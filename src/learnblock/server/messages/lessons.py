@@ -53,12 +53,14 @@ class StartLesson(Own, frozen=True):
         name: the name of a new project; a number is added if it is taken.
         robot: the user's robot, used if the lesson supports it.
         again: whether to begin a new project although there is one.
+        step: the step to go to; 0 for where the project is.
     """
 
     lesson: LessonName
     name: Name
     robot: ShortText = ""
     again: bool = False
+    step: Annotated[int, Meta(ge=0, le=30)] = 0
 
 
 class ShowStep(Write, frozen=True):

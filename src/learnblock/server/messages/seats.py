@@ -1,11 +1,12 @@
 """What a pupil's server reports to the class's wall about a page."""
 
-from typing import Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
-from msgspec import Struct
+from msgspec import Meta, Struct
 
 from learnblock.lessons.lesson import LessonText
-from learnblock.server.messages.base import StateName, ToClass
+from learnblock.project.files.lesson_folder import LessonName, Number, StepNumber
+from learnblock.server.messages.base import Name, Own, Pace, StateName, Text, ToClass
 from learnblock.server.messages.worlds import Scene
 
 GoalState = Literal["open", "reached", "failed"]
@@ -24,6 +25,7 @@ class Work(Struct, frozen=True, omit_defaults=True):
         state: of the program.
         goals: the states of the goals of the world.
         lesson: the title of the open lesson.
+        lesson_name: its name; empty without a lesson.
         step: the current step, from 1; 0 without a lesson.
         steps: the number of its steps.
         stars: earned in the lesson.
@@ -37,10 +39,53 @@ class Work(Struct, frozen=True, omit_defaults=True):
     state: StateName = "idle"
     goals: tuple[GoalState, ...] = ()
     lesson: LessonText = ""
+    lesson_name: str = ""
     step: int = 0
     steps: int = 0
     stars: int = 0
     error: Words | None = None
+
+
+class HandIn(Own, frozen=True):
+    """Hand the program of the lesson's open step in; only in a class."""
+
+    pace: ClassVar = Pace(minute=10, burst=5)
+
+
+class GivenProgram(Struct, frozen=True, omit_defaults=True):
+    """A program that is handed in.
+
+    Args:
+        text: in Block-Text or Python.
+        is_python: whether it is Python.
+        tags: the numbers of tags, by name, that its project uses.
+    """
+
+    text: Text
+    is_python: bool = False
+    tags: Annotated[dict[Name, int], Meta(max_length=1000)] = {}
+
+
+class GivenWork(Struct, frozen=True, omit_defaults=True):
+    """What a pupil hands in.
+
+    Args:
+        lesson: the name of the lesson.
+        step: the number of the step.
+        program: the pupil's program.
+        tries: how often the pupil has run it in this step.
+    """
+
+    lesson: LessonName
+    step: StepNumber
+    program: GivenProgram
+    tries: Number = 0
+
+
+class WorkGiven(ToClass, frozen=True):
+    """The pupil hands in what is open; the class keeps it."""
+
+    work: GivenWork
 
 
 class AtSeat(ToClass, frozen=True):

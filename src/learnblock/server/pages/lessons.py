@@ -1,5 +1,6 @@
 """Handlers of messages about lessons."""
 
+from contextlib import nullcontext
 from pathlib import PurePath
 
 from anyio import to_thread
@@ -63,6 +64,16 @@ async def _introduce(page: Page, message: messages.Introduce) -> None:
 
 @HANDLERS.add
 async def _start(page: Page, message: messages.StartLesson) -> None:
+    before = page.session if page.has_session else None
+    await _open_lesson(page, message)
+    if message.step:
+        # The page has the turn of the project that it showed before.
+        async with nullcontext() if page.session is before else page.session.turn:
+            await _coach(page).show_step(message.step)
+        await _tell_worlds(page)
+
+
+async def _open_lesson(page: Page, message: messages.StartLesson) -> None:
     opened = await to_thread.run_sync(catalog.find_lesson, message.lesson)
     listed = await to_thread.run_sync(_lessons, page)
     begun = next((choice.project for choice in listed.lessons if choice.name == message.lesson), "")
@@ -104,6 +115,11 @@ async def _check(page: Page, _: messages.CheckStep) -> None:
 @HANDLERS.add
 async def _stop_checking(page: Page, _: messages.StopChecking) -> None:
     _coach(page).stop_checking()
+
+
+@HANDLERS.add
+async def _hand_in(page: Page, _: messages.HandIn) -> None:
+    page.give(messages.WorkGiven(_coach(page).work()))
 
 
 @HANDLERS.add

@@ -172,6 +172,16 @@ class Page:
         if self._seat:
             self._seat.see(message)
 
+    def give(self, message: messages.ToClass) -> None:
+        """Queue a message for the class.
+
+        Raises:
+            LearnBlockError: the page is not in a class.
+        """
+        if self._seat is None:
+            raise LearnBlockError("server-no-class")
+        self._outbox.put(message)
+
     def join(self, session: Session, tab: str = "") -> None:
         """Show a robot of a project, instead of the previous project."""
         self.leave()

@@ -118,6 +118,7 @@ class PageSeat:
         has = bool(message.name)
         self._now(
             lesson=message.title if has else "",
+            lesson_name=message.name,
             step=message.step if has else 0,
             steps=len(message.steps) if has else 0,
             stars=sum(step.earned for step in message.steps),

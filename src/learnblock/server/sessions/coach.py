@@ -14,6 +14,7 @@ from learnblock.lessons.lesson import Step
 from learnblock.lessons.reading import OpenLesson
 from learnblock.project.files.lesson_folder import EVERYWHERE, GOALS, LessonFolder, Progress
 from learnblock.project.files.project import Project
+from learnblock.project.files.unpacking import tags_used
 from learnblock.runtime.trace_sinks import LineSink
 from learnblock.server import catalog, messages
 from learnblock.server.runs.viewers import Viewer, Viewers
@@ -138,7 +139,7 @@ class Coach:
         """
         self._opened.step(number)
         self._pupil.runs.require_rest()
-        before, after = (stage.group_of(self._opened, step) for step in (self.number, number))
+        before, after = self._opened.group(self.number), self._opened.group(number)
         folder = self._progress.folder
         if before != after:
             await to_thread.run_sync(folder.keep_program, before, self._pupil.project)
@@ -230,6 +231,8 @@ class Coach:
     async def _told(self, looked: Looked, *, live: bool) -> None:
         """Send the pages the results of the checks; after the run, its stars are earned."""
         self._looked = looked
+        if not live:
+            self._progress.count_run()
         earned = 0 if live else await self._progress.earn(stars_of(looked.verdicts))
         self._pupil.viewers.send(
             messages.LessonGoals(
@@ -275,6 +278,18 @@ class Coach:
     def stop_checking(self) -> None:
         """Stop checking."""
         self._check.stop()
+
+    def work(self) -> messages.GivenWork:
+        """What the pupil hands in.
+
+        Raises:
+            LearnBlockError: the step has no checks.
+        """
+        if not self.step.check:
+            raise LearnBlockError("server-lesson-no-checks")
+        part, tags = self._pupil.project.parts[0], tags_used(self._pupil.project)
+        program = messages.GivenProgram(part.text, part.is_python, dict(tags))
+        return messages.GivenWork(self._opened.name, self.number, program, self._progress.done.runs)
 
     # Hints.
 

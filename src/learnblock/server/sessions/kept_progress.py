@@ -65,6 +65,10 @@ class KeptProgress:
         self._change(replace(self.done, hints=min(self.done.hints + 1, MOST)))
         await self.save()
 
+    def count_run(self) -> None:
+        """Count a run that has ended; it is saved with the stars that it has earned."""
+        self._change(replace(self.done, runs=min(self.done.runs + 1, MOST)))
+
     async def count_try(self, star: str, *, right: bool) -> None:
         """Count an answer to a question of the current step, and save.
 

@@ -16,11 +16,6 @@ from learnblock.server.sessions.prepared import DEFAULT_WORLD, EMPTY
 _SET = "lesson"
 
 
-def group_of(opened: OpenLesson, number: int) -> int:
-    """The step whose program a step continues; the first one if none before has a program."""
-    return next((step for step in range(number, 0, -1) if opened.start(step)), 1)
-
-
 def world_here(opened: OpenLesson, number: int, robot: str) -> str:
     """The local name of a step's world; the lesson's own worlds are installed.
 
@@ -61,7 +56,7 @@ def beginning(opened: OpenLesson, number: int, name: str, robot: str) -> Project
         name: the name of the project.
         robot: the user's robot, used if the step supports it.
     """
-    file = opened.start(group_of(opened, number))
+    file = opened.start(opened.group(number))
     source = opened.program(file) if file else EMPTY
     known = opened.robots(number)
     chosen = next((choice for choice in (robot, f"sim-{robot}") if choice in known), known[0])

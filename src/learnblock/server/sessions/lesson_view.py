@@ -6,22 +6,18 @@ from dataclasses import replace
 from itertools import count, islice
 from typing import Literal
 
-from learnblock.blocks.known import all_configurations
-from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
-from learnblock.language import Workspace, parse, to_workspace
+from learnblock.language import Workspace
 from learnblock.lessons import puzzles
 from learnblock.lessons.checks import Collided, GoalReached, Happens, Never, Reaches, Size, Uses
 from learnblock.lessons.describing import describe
+from learnblock.lessons.drawing import LONGEST_DRAWING, drawn_program
 from learnblock.lessons.judging import Verdict
 from learnblock.lessons.lesson import LessonText, Step
 from learnblock.lessons.reading import OpenLesson
 from learnblock.lessons.texts import MOST_DRAWINGS, drawn_blocks
 from learnblock.project.files.lesson_folder import PUZZLE, QUIZ, Progress, StepProgress
 from learnblock.server import catalog, messages
-
-#: The longest program that is drawn.
-_LONGEST_DRAWING = 4000
 
 
 def plain(text: str | Mapping[str, str]) -> LessonText:
@@ -146,7 +142,7 @@ def drawings_in(texts: Iterable[str], pieces: Iterable[str] = ()) -> dict[str, W
 
 def _drawing(source: str) -> Workspace | None:
     """The blocks of a program, or of some of its statements; None if they can't be drawn."""
-    if len(source) > _LONGEST_DRAWING:
+    if len(source) > LONGEST_DRAWING:
         return None
     body = source.strip("\n")
     if body.startswith("elif "):
@@ -158,18 +154,11 @@ def _drawing(source: str) -> Workspace | None:
     if is_head:
         # A line such as "repeat 4:" begins a statement.
         parts.append(f"main:\n{inner}\n        pass\n    end\nend\n")
-    workspace = next(filter(None, map(_blocks, parts)), None)
+    workspace = next(filter(None, map(drawn_program, parts)), None)
     if workspace:
         return _without_head(workspace)
     # "main:" or "def go():" begins a part of the program.
-    return _blocks(f"{body}\n    pass\nend\n" if is_head else source)
-
-
-def _blocks(text: str) -> Workspace | None:
-    try:
-        return to_workspace(parse(text, "lesson.bt"), all_configurations()).workspace
-    except (LearnBlockError, RecursionError):
-        return None
+    return drawn_program(f"{body}\n    pass\nend\n" if is_head else source)
 
 
 def _without_head(workspace: Workspace) -> Workspace | None:

@@ -3,7 +3,7 @@
 import pytest
 
 from learnblock.errors import LearnBlockError
-from learnblock.lessons.grading.journal import NAME, opened_journal
+from learnblock.lessons.grading.journal import NAME, kept_only, opened_journal
 
 ONE, OTHER = "0" * 32, "f" * 32
 
@@ -41,3 +41,13 @@ def test_two_gradings_cannot_use_one_folder_at_the_same_time(tmp_path):
     in_use = pytest.raises(LearnBlockError, match="Another grading")
     with opened_journal(tmp_path), in_use, opened_journal(tmp_path):
         pass
+
+
+def test_only_the_results_of_some_pieces_are_kept(tmp_path):
+    with opened_journal(tmp_path) as journal:
+        journal.add(ONE, b'{"ended":"finished"}')
+        journal.add(OTHER, b'{"ended":"error"}')
+    kept_only(tmp_path, {ONE})
+    with opened_journal(tmp_path) as journal:
+        assert (journal.result(ONE), journal.result(OTHER)) == (b'{"ended":"finished"}', None)
+        assert len(journal) == 1

@@ -83,7 +83,7 @@ def test_pupils_without_a_program_are_grey_and_have_no_mistakes(page):
         for name in ("dan", "eva")
     ]
     text = page((*absent, *handed_in(ana=SHORT)))
-    assert "1 program, tried once. 2 pupils have no program." in text
+    assert "1 program, tried once. 2 pupils have handed in no program." in text
     assert "No two programs miss the same checks" in text
     row = re.search(r"<tr><th scope=\"row\"><a [^>]*>dan</a>.*?</tr>", text)[0]
     assert {*re.findall(r'class="(\w+)"', row)} == {"open"}

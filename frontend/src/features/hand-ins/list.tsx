@@ -1,0 +1,135 @@
+/** The pupils of a step, grouped by what the teacher has to do. */
+
+import { t } from "../../i18n";
+import type { HandInLine, HandInList } from "../../protocol/classroom";
+import { Icon } from "../../ui/icons";
+import { inLanguage } from "../lessons/lessons";
+import { GROUPS, type HandInStream } from "./stream";
+
+export function HandInTable({ stream }: { stream: HandInStream }) {
+  const list = stream.list.value;
+  if (!list) return null;
+  return (
+    <>
+      <Often list={list} />
+      {list.lines?.length ? <Lines stream={stream} lines={list.lines} /> : <Nobody list={list} />}
+      <Without stream={stream} list={list} />
+    </>
+  );
+}
+
+/** What most pupils miss; who has not begun counts under no mistake. */
+function Often({ list: { often } }: { list: HandInList }) {
+  if (!often) return null;
+  return (
+    <p class="hand-ins-often">
+      <Icon name="error" />
+      <span>
+        <strong>{t("page-handins-often")}</strong> {inLanguage(often.missed)}{" "}
+        {t("page-handins-pupils", { count: often.count })}
+      </span>
+    </p>
+  );
+}
+
+function Nobody({ list: { step } }: { list: HandInList }) {
+  return <p class="hand-ins-none">{t("page-handins-nobody", { step })}</p>;
+}
+
+function Lines({ stream, lines }: { stream: HandInStream; lines: readonly HandInLine[] }) {
+  const move = (event: KeyboardEvent) => {
+    const by = { ArrowDown: 1, ArrowUp: -1 }[event.key] as 1 | -1 | undefined;
+    if (!by) return;
+    event.preventDefault();
+    stream.move(by);
+  };
+  return (
+    // biome-ignore lint/a11y/noStaticElementInteractions: the buttons in it take the keys
+    <div class="hand-ins-lines" onKeyDown={move}>
+      <div class="hand-ins-line head" aria-hidden="true">
+        <span>{t("page-handins-pupil")}</span>
+        <span>{t("page-handins-stars-head")}</span>
+        <span>{t("page-handins-tries")}</span>
+        <span>{t("page-handins-missed")}</span>
+        <span>{t("page-handins-mark")}</span>
+      </div>
+      {GROUPS.map((group) => {
+        const found = lines.filter(({ state }) => state === group);
+        if (found.length === 0) return null;
+        return (
+          <section key={group} aria-labelledby={`group-${group}`}>
+            <h3 id={`group-${group}`}>
+              {t(`page-handins-state-${group.replace(" ", "-")}`)} · {found.length}
+            </h3>
+            <ul>
+              {found.map((line) => (
+                <Line key={line.pupil} stream={stream} line={line} />
+              ))}
+            </ul>
+          </section>
+        );
+      })}
+    </div>
+  );
+}
+
+function Line({ stream, line }: { stream: HandInStream; line: HandInLine }) {
+  const isShown = stream.pupil.value === line.pupil;
+  return (
+    <li>
+      <button
+        type="button"
+        class="hand-ins-line"
+        aria-current={isShown ? "true" : undefined}
+        onClick={() => stream.show(line.pupil)}
+      >
+        <bdi>{line.name}</bdi>
+        <Stars line={line} />
+        <span>{line.tries || "–"}</span>
+        <span class="hand-ins-missed">{missed(line)}</span>
+        <strong>{line.mark || (line.state === "to mark" ? t("page-handins-to-mark") : "")}</strong>
+      </button>
+    </li>
+  );
+}
+
+function missed(line: HandInLine): string {
+  if (!line.checked) return t("page-handins-unchecked");
+  return inLanguage(line.missed) || t("page-handins-nothing");
+}
+
+export function Stars({ line: { stars = 0, checked } }: { line: HandInLine }) {
+  if (!checked) return <span />;
+  return (
+    <span class="hand-ins-stars" role="img" aria-label={t("page-handins-stars", { stars })}>
+      {[1, 2, 3].map((star) => (
+        <Icon key={star} name={star <= stars ? "earned" : "star"} />
+      ))}
+    </span>
+  );
+}
+
+/** Grey: they have no mark, and count under no mistake. */
+function Without({ stream, list: { without = [] } }: { stream: HandInStream; list: HandInList }) {
+  const notBegun = without.filter(({ state }) => state === "not begun");
+  const others = without.filter(({ state }) => state === "not handed in");
+  return (
+    <>
+      {notBegun.length > 0 && (
+        <p class="hand-ins-without">
+          <bdi>{notBegun.map(({ name }) => name).join(", ")}</bdi> {t("page-handins-not-begun")}
+        </p>
+      )}
+      {others.length > 0 && (
+        <div class="hand-ins-without">
+          <p>
+            <bdi>{others.map(({ name }) => name).join(", ")}</bdi> {t("page-handins-not-handed-in")}
+          </p>
+          <button type="button" class="button bordered" onClick={() => stream.collect()}>
+            {t("page-handins-collect")}
+          </button>
+        </div>
+      )}
+    </>
+  );
+}

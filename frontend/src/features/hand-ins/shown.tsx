@@ -1,0 +1,168 @@
+/** One hand-in: the program beside its run, the checks, why, and the teacher's note and mark. */
+
+import { useSignal } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+
+import { language, t } from "../../i18n";
+import type { CheckSummary, ShownHandIn } from "../../protocol/classroom";
+import { IconButton } from "../../ui/button";
+import { Icon } from "../../ui/icons";
+import { DrawnBlocks } from "../lessons/drawn-blocks";
+import { inLanguage } from "../lessons/lessons";
+import { Stars } from "./list";
+import type { HandInStream } from "./stream";
+import { DrivenWay } from "./way";
+
+export function ShownWork({ stream }: { stream: HandInStream }) {
+  const shown = stream.shown.value;
+  if (!shown || shown.line.pupil !== stream.pupil.value) return <section class="hand-in empty" />;
+  const { line, program, checked, blocktext, blocks } = shown;
+  const time = new Date(line.at * 1000).toLocaleString(language.value, { dateStyle: "short", timeStyle: "short" });
+  return (
+    <section class="hand-in" aria-labelledby="hand-in-name">
+      <header class="hand-in-head">
+        <h2 id="hand-in-name">
+          <bdi>{line.name}</bdi>
+        </h2>
+        <Stars line={line} />
+        <span class="dim">
+          {t(line.collected ? "page-handins-collected-at" : "page-handins-at", { tries: line.tries ?? 0, time })}
+        </span>
+        <a class="button bordered" href={`p/${line.pupil}/`} target="_blank" rel="noopener opener">
+          {t("page-class-open")}
+        </a>
+        <IconButton icon="previous" word="page-handins-previous" onClick={() => stream.move(-1)} />
+        <IconButton icon="next" word="page-handins-next" onClick={() => stream.move(1)} />
+      </header>
+      <div class="hand-in-body">
+        <div>
+          {/* biome-ignore lint/a11y/noNoninteractiveTabindex: a keyboard user must be able to scroll it */}
+          <div class="hand-in-program" role="group" tabIndex={0} aria-label={t("page-handins-program")}>
+            {blocks ? (
+              <DrawnBlocks key={`${line.pupil} ${line.at}`} workspace={blocks} text={blocktext ?? ""} />
+            ) : (
+              <pre>{program.text}</pre>
+            )}
+          </div>
+          {checked && <Checks checks={checked.checks ?? []} runs={checked.runs} />}
+        </div>
+        <DrivenWay shown={shown} />
+      </div>
+      <Why shown={shown} />
+      <Answer key={line.pupil} stream={stream} shown={shown} />
+    </section>
+  );
+}
+
+function Checks({ checks, runs }: { checks: readonly CheckSummary[]; runs: number }) {
+  return (
+    <ul class="hand-in-checks" aria-label={t("page-handins-checks")}>
+      {checks.map((check, index) => {
+        const isMet = check.met === runs;
+        return (
+          <li key={index} class={isMet ? "met" : "failed"}>
+            <Icon name={isMet ? "check" : "close"} />
+            <span>
+              {inLanguage(check.say)} <span class="dim">{t("page-handins-met", { met: check.met, runs })}</span>
+              {check.reason && <span class="hand-in-reason">{inLanguage(check.reason)}</span>}
+            </span>
+          </li>
+        );
+      })}
+    </ul>
+  );
+}
+
+/** Why a check was missed, as far as the lesson's rules can tell. */
+function Why({ shown: { checked } }: { shown: ShownHandIn }) {
+  if (!checked) return <p class="hand-in-why">{t("page-handins-check-first")}</p>;
+  const reason = inLanguage(checked.reason);
+  const { hints = [] } = checked;
+  if (!reason && hints.length === 0) return null;
+  return (
+    <div class="hand-in-why">
+      <h3>
+        <Icon name="why" />
+        {t("page-handins-why")}
+      </h3>
+      {reason && <p>{reason}</p>}
+      {hints.map((hint, index) => (
+        <p key={index}>
+          {inLanguage(hint.because)} {inLanguage(hint.says)}
+        </p>
+      ))}
+    </div>
+  );
+}
+
+/** The note and the mark are the teacher's own: empty at first, never computed, on any scale. */
+function Answer({ stream, shown: { line, back = [] } }: { stream: HandInStream; shown: ShownHandIn }) {
+  const note = useSignal(line.note ?? "");
+  const mark = useSignal(line.mark ?? "");
+  const field = useRef<HTMLTextAreaElement>(null);
+  useEffect(() => field.current?.focus({ preventScroll: true }), []);
+  const isNew = () => note.peek() !== (line.note ?? "") || mark.peek() !== (line.mark ?? "");
+  const keep = () => isNew() && stream.mark(line.pupil, note.peek().trim(), mark.peek().trim());
+  const handBack = (event: Event) => {
+    event.preventDefault();
+    keep();
+    stream.handBack([line.pupil]);
+    stream.move(1);
+  };
+  const keys = (event: KeyboardEvent) => {
+    if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) handBack(event);
+  };
+  const isBack = line.state === "handed back" || line.state === "improving";
+  return (
+    <form class="hand-in-answer" onSubmit={handBack} onKeyDown={keys}>
+      <label class="field">
+        <span>
+          {t("page-handins-note")} <bdi>{line.name}</bdi>
+        </span>
+        <textarea
+          ref={field}
+          rows={2}
+          maxLength={1000}
+          value={note.value}
+          onInput={({ currentTarget }) => (note.value = currentTarget.value)}
+          onBlur={keep}
+        />
+      </label>
+      <label class="field">
+        {t("page-handins-your-mark")}
+        <input
+          maxLength={20}
+          size={5}
+          value={mark.value}
+          onInput={({ currentTarget }) => (mark.value = currentTarget.value)}
+          onBlur={keep}
+        />
+      </label>
+      <button type="submit" class="button filled" disabled={isBack && !note.value && !mark.value}>
+        <Icon name="move" />
+        {t(isBack ? "page-handins-back-again" : "page-handins-back")}
+      </button>
+      <LastNotes stream={stream} choose={(text) => (note.value = text)} />
+      {back.length > 0 && <p class="dim">{earlier(back.map((one) => one.mark ?? ""))}</p>}
+    </form>
+  );
+}
+
+function earlier(marks: readonly string[]): string {
+  return t("page-handins-earlier", { marks: marks.map((mark) => mark || "–").join(" → ") });
+}
+
+/** The teacher's own last notes, to use again. */
+function LastNotes({ stream, choose }: { stream: HandInStream; choose: (text: string) => void }) {
+  const notes = stream.list.value?.notes ?? [];
+  if (notes.length === 0) return null;
+  return (
+    <div class="hand-in-notes">
+      {notes.map((text) => (
+        <button key={text} type="button" class="button" onClick={() => choose(text)}>
+          {text}
+        </button>
+      ))}
+    </div>
+  );
+}

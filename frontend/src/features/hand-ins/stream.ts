@@ -1,0 +1,128 @@
+/** The stream of the page with the hand-ins. */
+
+import { computed, signal } from "@preact/signals";
+
+import type { Phrase } from "../../i18n";
+import { Channel } from "../../protocol/channel";
+import type {
+  FromTeacher,
+  HandInLine,
+  HandInList,
+  HandInStep,
+  HandInSteps,
+  ShownHandIn,
+  ToTeacher,
+} from "../../protocol/classroom";
+
+interface Place {
+  readonly lesson: string;
+  readonly step: number;
+}
+
+export class HandInStream extends Channel<FromTeacher, ToTeacher> {
+  readonly steps = signal<HandInSteps | null>(null);
+  readonly list = signal<HandInList | null>(null);
+  readonly shown = signal<ShownHandIn | null>(null);
+  readonly refused = signal<Phrase | null>(null);
+  /** The step that is listed. */
+  readonly place = signal<Place | null>(null);
+  /** The id of the pupil whose hand-in is shown. */
+  readonly pupil = signal("");
+  readonly marked = computed(() => (this.list.value?.lines ?? []).filter(({ state }) => state === "marked"));
+
+  constructor() {
+    const address = new URL("marking", location.href);
+    address.protocol = address.protocol === "https:" ? "wss:" : "ws:";
+    super(address);
+    this.on("HandInSteps", (steps) => this.changed(steps));
+    this.on("HandInList", (list) => this.listed(list));
+    this.on("ShownHandIn", (shown) => {
+      if (shown.line.pupil === this.pupil.peek()) this.shown.value = shown;
+    });
+    this.on("Refused", ({ message }) => (this.refused.value = message));
+  }
+
+  /** List the hand-ins of a step. */
+  choose(place: Place): void {
+    this.place.value = place;
+    this.pupil.value = "";
+    this.shown.value = null;
+    this.list.value = null;
+    this.read();
+  }
+
+  /** Show a hand-in. */
+  show(pupil: string): void {
+    const place = this.place.peek();
+    this.pupil.value = pupil;
+    if (pupil && place) this.send({ kind: "ReadHandIn", pupil, ...place });
+  }
+
+  /** Show the hand-in before this one in the list, or after it. */
+  move(by: 1 | -1): void {
+    const ids = inOrder(this.list.peek()?.lines ?? []).map(({ pupil }) => pupil);
+    const next = ids[ids.indexOf(this.pupil.peek()) + by];
+    if (next) this.show(next);
+  }
+
+  collect(): void {
+    const place = this.place.peek();
+    if (place) this.act({ kind: "CollectHandIns", ...place });
+  }
+
+  check(): void {
+    const place = this.place.peek();
+    if (place) this.act({ kind: "CheckHandIns", ...place });
+  }
+
+  mark(pupil: string, note: string, mark: string): void {
+    const place = this.place.peek();
+    if (place) this.act({ kind: "MarkHandIn", pupil, note, mark, ...place });
+  }
+
+  handBack(pupils: string[]): void {
+    const place = this.place.peek();
+    if (place) this.act({ kind: "HandBack", pupils, ...place });
+  }
+
+  private act(message: FromTeacher): void {
+    this.refused.value = null;
+    this.send(message);
+  }
+
+  private read(): void {
+    const place = this.place.peek();
+    if (place) this.send({ kind: "ReadHandIns", ...place });
+  }
+
+  private changed(steps: HandInSteps): void {
+    const isOther = steps.revision !== this.steps.peek()?.revision;
+    this.steps.value = steps;
+    const first = mostUseful(steps.steps ?? []);
+    if (!this.place.peek() && first) this.choose(first);
+    else if (isOther) this.read();
+  }
+
+  private listed(list: HandInList): void {
+    const place = this.place.peek();
+    if (list.lesson !== place?.lesson || list.step !== place.step) return;
+    this.list.value = list;
+    const lines = inOrder(list.lines ?? []);
+    const isThere = lines.some(({ pupil }) => pupil === this.pupil.peek());
+    this.show(isThere ? this.pupil.peek() : (lines[0]?.pupil ?? ""));
+  }
+}
+
+/** The groups of the list, by what the teacher has to do. */
+export const GROUPS = ["to check", "to mark", "marked", "handed back", "improving"] as const;
+
+/** The lines as the list shows them. */
+export function inOrder(lines: readonly HandInLine[]): readonly HandInLine[] {
+  return GROUPS.flatMap((group) => lines.filter(({ state }) => state === group));
+}
+
+/** The step in which most waits for the teacher, else that with the most hand-ins. */
+function mostUseful(steps: readonly HandInStep[]): Place | undefined {
+  const waiting = ({ to_check = 0, to_mark = 0, marked = 0 }: HandInStep) => to_check + to_mark + marked;
+  return [...steps].sort((a, b) => waiting(b) - waiting(a) || (b.count ?? 0) - (a.count ?? 0))[0];
+}

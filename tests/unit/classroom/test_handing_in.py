@@ -1,0 +1,207 @@
+"""Work is handed in, checked as `learnblock grade` checks it, marked and handed back."""
+
+import csv
+import io
+import os
+import subprocess
+import sys
+import zipfile
+
+import pytest
+
+from classes import opened
+from learnblock.classroom.hand_ins import HandInShelf
+
+pytestmark = [pytest.mark.realtime, pytest.mark.slow]
+LESSON, STEP = "1-01-first-drive", 2
+PLACE = {"lesson": LESSON, "step": STEP}
+QUERY = f"lesson={LESSON}&step={STEP}"
+
+
+def hand_in(page, text=None):
+    """Hand in a step, with a program of the pupil's own."""
+    page.say("StartLesson", lesson=LESSON, name="First drive", step=STEP)
+    while page.hear("LessonShown").get("step") != STEP:
+        pass
+    if text:
+        page.type(text)
+    page.say("HandIn")
+    while not page.hear("OwnHandIns").get("hand_ins"):
+        pass
+    return page.last["OwnHandIns"]["hand_ins"]
+
+
+def listed(wall):
+    wall.say("ReadHandIns", **PLACE)
+    return wall.hear("HandInList")
+
+
+def checked(wall):
+    """Check, and wait until that has ended."""
+    wall.say("CheckHandIns", **PLACE)
+    while not wall.hear("HandInSteps").get("checking"):
+        pass
+    while wall.hear("HandInSteps").get("checking"):
+        pass
+    assert not wall.last["HandInSteps"].get("failure")
+
+
+def graded(room, out):
+    """The table that the command line writes of what was handed in."""
+    command = [sys.executable, "-m", "learnblock", "grade", "--class", room.name]
+    options = ["--lesson", LESSON, "--step", str(STEP), "--only-handed-in", "--out", str(out)]
+    subprocess.run(
+        [*command, *options],
+        env={**os.environ, "LEARNBLOCK_HOME": str(room.home)},
+        cwd=room.home,
+        check=True,
+        capture_output=True,
+    )
+    return (out / "results.csv").read_bytes()
+
+
+@pytest.fixture(scope="module")
+def room(tmp_path_factory):
+    with opened(tmp_path_factory.mktemp("teacher")) as one:
+        yield one
+
+
+@pytest.mark.timeout(300)
+def test_what_is_handed_in_is_checked_marked_and_handed_back(room, tmp_path):
+    ana, leo = room.pupil("Ana"), room.pupil("Leo")
+    cookie = room.teacher()
+    with room.wall() as wall, ana.page() as page, leo.page() as other:
+        [own] = hand_in(page)
+        assert own["waits"]
+        hand_in(other, "main:\n    pass\nend\n")
+        room.pupil("Eva")
+        lines = {line["name"]: line["state"] for line in listed(wall)["lines"]}
+        assert lines == {"Ana": "to check", "Leo": "to check"}
+        [absent] = wall.last["HandInList"]["without"]
+        assert (absent["name"], absent["state"]) == ("Eva", "not begun")
+
+        checked(wall)
+        lines = {line["name"]: line for line in listed(wall)["lines"]}
+        assert (lines["Ana"]["stars"], lines["Leo"].get("stars", 0)) == (3, 0)
+        assert lines["Leo"]["missed"]
+        table = room.ask(f"/results.csv?{QUERY}", cookie=cookie).body
+        assert table == graded(room, tmp_path / "out")
+        page_of_all = room.ask(f"/results.html?{QUERY}&language=es", cookie=cookie)
+        assert "Leo" in page_of_all.body.decode()
+
+        wall.say("ReadHandIn", pupil=leo.id, **PLACE)
+        shown = wall.hear("ShownHandIn")
+        assert shown["program"]["text"] == "main:\n    pass\nend\n"
+        assert shown["world"]["floor"]
+        assert shown["checked"]["hints"]
+
+        wall.say("MarkHandIn", pupil=leo.id, note="Drive first.", mark="=3", **PLACE)
+        wall.hear("HandInList")
+        marks = room.ask(f"/marks.csv?{QUERY}", cookie=cookie).body
+        assert marks.startswith(b"\xef\xbb\xbf")
+        rows = list(csv.DictReader(io.StringIO(marks.decode("utf-8-sig"))))
+        assert [(row["pupil"], row["mark"], row["state"]) for row in rows] == [
+            ("Ana", "", "to mark"),
+            ("Leo", "'=3", "marked"),
+            ("Eva", "", "not begun"),
+        ]
+        other.pulse()
+        assert "back" not in other.last["OwnHandIns"]["hand_ins"][0]
+
+        wall.say("HandBack", pupils=[leo.id], **PLACE)
+        back = other.hear("OwnHandIns")["hand_ins"][0]["back"]
+        assert (back["note"], back["mark"]) == ("Drive first.", "=3")
+        assert back["checked"]["checks"]
+        page.pulse()
+        assert "Drive first." not in str(page.last["OwnHandIns"])
+        other.say("ImproveHandIn", **PLACE)
+        assert other.hear("OwnHandIns")["hand_ins"][0]["improving"]
+        [again] = hand_in(other, "main:\n    pass\n    pass\nend\n")
+        assert again["waits"]
+        assert again["back"]["mark"] == "=3"
+
+
+def test_the_teacher_collects_from_who_has_begun(room):
+    bo = room.pupil("Bo")
+    with room.wall() as wall, bo.page() as page:
+        page.say("StartLesson", lesson=LESSON, name="First drive", step=STEP)
+        while page.hear("LessonShown").get("step") != STEP:
+            pass
+        page.say("CloseProject")
+        page.pulse()
+        wall.say("CollectHandIns", **PLACE)
+        lines = {line["name"]: line for line in wall.hear("HandInList")["lines"]}
+        assert lines["Bo"]["collected"]
+        while not page.hear("OwnHandIns").get("hand_ins"):
+            pass
+
+
+def test_a_step_without_checks_can_not_be_handed_in(room):
+    with room.pupil("Kim").page() as page:
+        page.say("StartLesson", lesson=LESSON, name="First drive")
+        page.hear("LessonShown")
+        page.say("HandIn")
+        assert page.hear("Failed")["message"]["code"] == "server-lesson-no-checks"
+
+
+def test_only_the_teacher_gets_tables_and_says_what_is_handed_back(room):
+    ida = room.pupil("Ida")
+    for path in ("results.csv", "results.html", "marks.csv"):
+        assert room.ask(f"/{path}?{QUERY}").status == 403
+        assert room.ask(f"/{path}?{QUERY}", cookie=ida.cookie).status == 403
+        assert room.ask(f"/{path}?lesson=..%2Fx&step=1", cookie=room.teacher()).status == 400
+    with ida.page() as page:
+        hand_in(page)
+        for kind in ("MarkHandIn", "HandBack", "ReadHandIn", "ReadHandIns", "CheckHandIns"):
+            page.say(kind, pupil=ida.id, pupils=[ida.id], note="", mark="10", **PLACE)
+            assert page.hear("Failed")["message"]
+        page.pulse()
+        assert "back" not in page.last["OwnHandIns"]["hand_ins"][0]
+
+
+def test_an_export_has_a_pupils_hand_ins_and_a_deleted_pupil_leaves_none(room):
+    uma = room.pupil("Uma")
+    with uma.page() as page, room.wall() as wall:
+        hand_in(page)
+        packed = room.ask(f"/export.zip?pupil={uma.id}", cookie=room.teacher())
+        name = f"Uma-{uma.id}/hand-ins/{LESSON}.{STEP}.json"
+        with zipfile.ZipFile(io.BytesIO(packed.body)) as archive:
+            assert name in archive.namelist()
+        wall.say("RemovePupils", pupils=[uma.id])
+        while uma.id in wall.hear("Wall").get("pupils", [uma.id]):
+            pass
+    assert not [*room.folder.glob(f"**/{uma.id}*")]
+
+
+def test_what_is_handed_in_is_there_after_a_kill(tmp_path):
+    with opened(tmp_path) as room:
+        ana = room.pupil("Ana")
+        with ana.page() as page, room.wall() as wall:
+            hand_in(page)
+            wall.say("MarkHandIn", pupil=ana.id, note="Well done", mark="10", **PLACE)
+            wall.hear("HandInList")
+            room.kill()
+        file = HandInShelf(room.folder).read(ana.id, LESSON, STEP)
+        assert (file.note, file.mark) == ("Well done", "10")
+        room.open()
+        with room.wall() as wall:
+            assert [line["mark"] for line in listed(wall)["lines"]] == ["10"]
+
+
+def test_a_class_goes_on_after_what_no_wall_sends(room):
+    with room.wall() as wall:
+        for values in (
+            {"kind": "ReadHandIns", "lesson": "../x", "step": 1},
+            {"kind": "ReadHandIns", "lesson": "nothing", "step": 1},
+            {"kind": "ReadHandIns", "lesson": LESSON, "step": 30},
+            {"kind": "ReadHandIn", "pupil": "a" * 10, **PLACE},
+            {"kind": "CheckHandIns", "lesson": LESSON, "step": 1},
+            {"kind": "CheckHandIns", "lesson": LESSON, "step": 1e99},
+            {"kind": "HandBack", "pupils": ["a" * 10] * 61, **PLACE},
+            {"kind": "MarkHandIn", "pupil": 1, "note": "x" * 2000, "mark": "", **PLACE},
+            {"kind": "CollectHandIns", "lesson": "\u0000", "step": 2},
+            {"kind": "WorkGiven", "work": {}},
+        ):
+            wall.say(**values)
+            assert wall.hear("Refused")["message"]
+        assert listed(wall)["title"]
