@@ -33,6 +33,7 @@ from learnblock.errors import LearnBlockError, phrase_of
 from learnblock.i18n import Phrase
 from learnblock.server.http import static_files
 from learnblock.server.http.connections import network_of
+from learnblock.server.http.pictures import lesson as lesson_picture
 from learnblock.server.http.protection import SUBPROTOCOL, Guard, Protection
 from learnblock.server.messages import Failed
 
@@ -79,6 +80,7 @@ def create_app(
         routes=[
             Route("/", page),
             Route("/teacher", door.teacher(page)),
+            Route("/lessons/{name}/pictures/{file}", door.teacher(lesson_picture)),
             Route("/projector", page),
             Route("/about.json", door.about),
             Route("/join", door.join, methods=["POST"]),

@@ -1,16 +1,18 @@
 """The classroom: the pupils' desks, and what the teacher does for all of them."""
 
 import asyncio
+import time
 from collections.abc import Iterable
 from typing import Protocol
 
 from learnblock.classroom.desk import Desk
+from learnblock.classroom.messages import LessonOffer
+from learnblock.classroom.offers import give_lesson
 from learnblock.classroom.pins import Picture
 from learnblock.classroom.pupil_folder import PROJECTS
 from learnblock.classroom.roster import Pupil, Roster
 from learnblock.classroom.servers import Place, Servers
 from learnblock.errors import LearnBlockError
-from learnblock.lessons.lesson import LessonText
 from learnblock.project.files.folder import ProjectFolder
 from learnblock.server import messages
 
@@ -33,15 +35,18 @@ class Room:
     Args:
         roster: the pupils.
         address: by which pupils reach the class.
-        lessons: those that can be handed out: name and title.
+        offers: the lessons that can be handed out.
     """
 
-    def __init__(
-        self, roster: Roster, address: str, lessons: Iterable[tuple[str, LessonText]] = ()
-    ) -> None:
+    def __init__(self, roster: Roster, address: str, offers: Iterable[LessonOffer] = ()) -> None:
         self.roster = roster
         self.address = address
-        self.lessons = tuple(lessons)
+        self.offers = tuple(offers)
+        #: The lesson that was handed out last, and when, in seconds since 1970.
+        self._handed_out: messages.StartLesson | None = None
+        self.began = 0.0
+        #: Pupils who were not here then.
+        self._late: set[str] = set()
         self.eyes_up = False
         self.projected: str | None = None
         #: The first names of new pupils whom the teacher has to let in.
@@ -102,8 +107,31 @@ class Room:
             ending.cancel()
         return await self._servers.place(pupil.id, self.roster.folder_of(pupil))
 
+    @property
+    def lesson(self) -> str:
+        """The name of the lesson on; empty without one."""
+        return self._handed_out.lesson if self._handed_out else self.roster.lesson or ""
+
+    async def hand_out(self, lesson: messages.StartLesson) -> None:
+        """Open a lesson on the pages of all pupils; of those who come later, too.
+
+        Raises:
+            LearnBlockError: it is one of the teacher's own, and can't be read.
+            OSError: it can't be given to the pupils.
+        """
+        offer = next((offer for offer in self.offers if offer.name == lesson.lesson), None)
+        if offer and offer.own:
+            folders = [self.roster.folder_of(pupil) for pupil in self.roster.pupils]
+            await asyncio.to_thread(give_lesson, offer.name, folders)
+        self._handed_out, self.began = lesson, time.time()
+        self._late = {pupil for pupil, desk in self.desks.items() if not desk.own_pages}
+        await self.order(lesson)
+
     async def first_lesson(self, pupil: Pupil) -> messages.StartLesson | None:
         """The lesson with which a pupil begins; None if there is none, or a project already."""
+        if self._handed_out and pupil.id in self._late:
+            self._late.discard(pupil.id)
+            return self._handed_out
         lesson, project = self.roster.lesson, self.roster.project
         if lesson is None or await asyncio.to_thread(self._has_begun, pupil):
             return None

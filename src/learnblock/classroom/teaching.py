@@ -38,7 +38,7 @@ async def _send_hint(room: Room, message: ours.SendHint) -> None:
 
 
 async def _hand_out(room: Room, message: ours.HandOut) -> None:
-    await room.order(messages.StartLesson(message.lesson, message.project))
+    await room.hand_out(messages.StartLesson(message.lesson, message.project))
 
 
 async def _renew_pin(room: Room, message: ours.RenewPin) -> ours.NewPin:

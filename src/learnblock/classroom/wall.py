@@ -92,11 +92,15 @@ class WallView:
 
     def __init__(self) -> None:
         self._wall: ours.Wall | None = None
+        self._offers: tuple[ours.LessonOffer, ...] | None = None
         self._seats: dict[str, ours.Seat] = {}
         self._scenes: dict[str, int] = {}
 
     def news(self, room: Room) -> Iterator[msgspec.Struct]:
         """What has changed since the last time."""
+        if self._offers is not room.offers:
+            self._offers = room.offers
+            yield ours.Offers(room.offers)
         wall = _wall(room)
         if wall != self._wall:
             self._wall = wall
@@ -104,12 +108,21 @@ class WallView:
         seats = {pupil: desk.seat() for pupil, desk in room.desks.items()}
         for pupil, desk in room.desks.items():
             plan = desk.progress.plan_of(pupil)
-            if plan and self._scenes.get(pupil) != plan.scene:
-                self._scenes[pupil] = plan.scene
+            if plan and self._scenes.get(pupil) != plan.number:
+                self._scenes[pupil] = plan.number
                 yield plan
-        if changed := tuple(seat for seat in seats.values() if self._seats.get(seat.id) != seat):
-            yield ours.Seats(changed)
+        known = self._seats
+        if changed := [seat for seat in seats.values() if known.get(seat.id) != seat]:
+            yield ours.Seats(tuple(_news(seat, known.get(seat.id)) for seat in changed))
         self._seats = seats
+
+
+def _news(seat: ours.Seat, before: ours.Seat | None) -> ours.Seat:
+    """A seat without the beginning of its way, if the wall knows that."""
+    kept = len(before.way) if before else 0
+    if not before or seat.way[:kept] != before.way:
+        return seat
+    return msgspec.structs.replace(seat, way=seat.way[kept:], kept=kept)
 
 
 class ProjectorView:
@@ -137,7 +150,8 @@ def _wall(room: Room) -> ours.Wall:
         more=MORE,
         projected=room.projected or "",
         pupils=tuple(pupil.id for pupil in roster.pupils),
-        lessons=room.lessons,
+        lesson=room.lesson,
+        began=room.began,
         knocking=tuple(room.knocking),
     )
 
@@ -149,6 +163,8 @@ def _projected(room: Room) -> ours.Projected:
     desk = room.desks.get(room.projected or "")
     if desk is None:
         return shown
-    seat = msgspec.structs.replace(desk.seat(), name="", project="", id="", quiet=0, stuck=0)
+    seat = msgspec.structs.replace(
+        desk.seat(), name="", project="", id="", question="", quiet=0, stuck=0
+    )
     plan = desk.progress.plan_of("")
     return msgspec.structs.replace(shown, names=(), seat=seat, plan=plan)
