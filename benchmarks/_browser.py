@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from time import perf_counter
@@ -95,11 +95,18 @@ class Processors:
 
     def cores(self, name: str) -> float:
         """Return the processors in use, on average, by the processes with this in their command."""
+        return self._cores(process for process, (command, _) in spent().items() if name in command)
+
+    def of(self, process: int) -> float:
+        """Return the processors in use by one process."""
+        return self._cores([process])
+
+    def _cores(self, processes: Iterable[int]) -> float:
         took = spent()
         ticks = sum(
-            ticks - self._before.get(process, (command, 0))[1]
-            for process, (command, ticks) in took.items()
-            if name in command
+            took[process][1] - self._before.get(process, ("", 0))[1]
+            for process in processes
+            if process in took
         )
         return ticks / os.sysconf("SC_CLK_TCK") / (perf_counter() - self._began)
 

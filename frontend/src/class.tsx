@@ -16,6 +16,7 @@ import "./ui/fonts.css";
 import "./ui/theme.css";
 import "./ui/controls.css";
 import "./features/class-page/class-page.css";
+import "./features/class-page/wall.css";
 
 function pageAt(path: string) {
   if (path.endsWith("/teacher")) return <WallPage stream={new ClassStream("wall")} />;

@@ -187,12 +187,13 @@ def desk(browser):
     """A function that opens a page in a browser of its own; an uncaught error fails the test."""
     contexts, errors = [], []
 
-    def sit_down(address, width=1366, height=768, **options):
+    def sit_down(address, width=1366, height=768, *, flat=True, **options):
         viewport = {"width": width, "height": height}
         context = browser.new_context(viewport=viewport, locale="en", **options)
         context.set_default_timeout(20_000)
-        # These tests don't look at the world, and drawing it takes half of the time to open a page.
-        context.add_init_script(FLAT)
+        # Most of these tests don't look at worlds: drawing one takes half of the time of a page.
+        if flat:
+            context.add_init_script(FLAT)
         context.add_init_script(
             "localStorage['learnblock.preferences'] ??= JSON.stringify("
             "{tourDone: true, sound: false, theme: 'light'})"

@@ -6,6 +6,7 @@ import re
 import subprocess
 import sys
 import zipfile
+from contextlib import ExitStack
 from types import SimpleNamespace
 
 import pytest
@@ -18,6 +19,7 @@ from classes import opened
 
 LESSON = "First drive"
 NAMES = ("Ana", "Leo")
+DRIVE = "main:\n    function.move_straight(40)\n    function.sleep(1)\nend\n"
 PREDICTION = "On the blue line"
 
 
@@ -53,7 +55,16 @@ def join(desk, address, word, name, **options):
 
 
 def tile(wall, name):
-    return wall.get_by_role("listitem", name=name, exact=True)
+    return wall.get_by_role("row").filter(has=wall.get_by_text(name, exact=True))
+
+
+def state(wall, name):
+    return tile(wall, name).locator(".tile-state")
+
+
+def says(wall, name, words):
+    """Expect that screen readers are told this about a pupil."""
+    expect(tile(wall, name)).to_have_accessible_name(re.compile(words))
 
 
 def run(page):
@@ -65,7 +76,6 @@ def test_a_lesson_hour(room, desk, tmp_path):
     wall = open_wall(room, desk)
     pages = {name: join(desk, room.address, room.word, name)[0] for name in NAMES}
     expect(wall.locator(".tile")).to_have_count(len(NAMES))
-    expect(wall.locator(".class-joining")).to_contain_text(f"{len(NAMES)} pupils are here")
     hand_out(wall, pages)
     work(wall, pages["Ana"])
     ask_and_get_a_hint(wall, pages["Leo"])
@@ -88,11 +98,16 @@ def open_wall(room, desk):
 
 def hand_out(wall, pages):
     """Hand out a lesson, which opens on every page."""
-    button(wall, "Hand out a lesson").click()
-    wall.get_by_role("menuitem", name=LESSON).click()
+    wall.locator(".wall-lesson").click()
+    dialog = wall.get_by_role("dialog", name="Hand out a lesson")
+    expect(dialog.get_by_label("Find a lesson")).to_be_focused()
+    wall.keyboard.type("drive")
+    dialog.get_by_text(LESSON, exact=True).click()
+    button(dialog, "Hand out").click()
     for name, page in pages.items():
         expect(page.locator("[data-region=lesson]")).to_contain_text("What will it do?")
-        expect(tile(wall, name)).to_contain_text("step 1 of")
+        says(wall, name, "step 1 of")
+    expect(wall.locator(".wall-lesson")).to_contain_text(LESSON)
     picture(wall, "2-lesson-handed-out")
 
 
@@ -103,29 +118,36 @@ def work(wall, page):
     expect(page.locator(".lesson-judged")).to_contain_text("Right!")
     button(page, "Next").click()
     run(page)
-    expect(tile(wall, "Ana")).to_contain_text("step 2 of")
-    expect(tile(wall, "Ana")).to_contain_text(re.compile("[2-9] ★"))
+    says(wall, "Ana", "step 2 of .* [2-9] ★")
+    picture(wall, "3-the-wall")
     picture(page, "3-a-quick-pupil")
 
 
 def ask_and_get_a_hint(wall, page):
     """Raise the hand, and read the teacher's hint."""
     button(page, "I need help").click()
-    expect(tile(wall, "Leo")).to_contain_text("Asks for help")
+    expect(state(wall, "Leo")).to_have_text("Needs help")
+    expect(page.get_by_label("What do you need help with?")).to_be_focused()
+    page.keyboard.type("It is too small")
+    page.keyboard.press("Enter")
+    expect(tile(wall, "Leo").locator(".tile-finding")).to_have_text("“It is too small”")
     expect(wall.locator(".tile").first).to_contain_text("Leo")
+    expect(wall.get_by_label("Waiting for you")).to_contain_text("It is too small")
     picture(wall, "4-a-raised-hand")
+    tile(wall, "Leo").hover()
     button(tile(wall, "Leo"), "Hint").click()
-    wall.get_by_label("What should the pupil look at?").fill("Which number is in the block?")
-    button(wall, "Send").click()
+    wall.keyboard.type("Which number is in the block?")
+    wall.keyboard.press("Control+Enter")
     expect(page.locator(".class-notes")).to_contain_text("Which number is in the block?")
-    expect(tile(wall, "Leo")).not_to_contain_text("Asks for help")
+    expect(state(wall, "Leo")).to_have_text("Editing")
     picture(page, "5-a-hint")
 
 
 def help_in_the_program(wall, page):
     """Look at the pupil's program, and write in it while the pupil agrees."""
+    tile(wall, "Leo").hover()
     with wall.context.expect_page() as shown:
-        tile(wall, "Leo").get_by_role("link", name="Open").click()
+        tile(wall, "Leo").get_by_role("link", name="Look").click()
     looking = shown.value
     notes = looking.locator(".class-notes")
     expect(notes).to_contain_text("You are looking at the program of Leo")
@@ -153,8 +175,9 @@ def look_up(wall, pages):
 
 def collect(wall):
     """Download the work of all."""
+    button(wall, "More").click()
     with wall.expect_download() as download:
-        wall.get_by_role("link", name="Download all work").click()
+        wall.get_by_role("menuitem", name="Download all work").click()
     with zipfile.ZipFile(download.value.path()) as archive:
         handed_in = [name for name in archive.namelist() if name.endswith(f"/{LESSON}.learnblock")]
     assert len(handed_in) == len(NAMES)
@@ -206,6 +229,55 @@ def test_the_wall_and_the_entrance_have_no_faults_for_axe(room, desk, axe):
     assert found(projector) == []
     picture(projector, "projector")
     page.close()
+
+
+def test_the_wall_is_used_by_keyboard_and_keeps_what_is_typed_into_a_hint(room, desk):
+    with ExitStack() as stack:
+        for name in ("Ana", "Leo", "Mia"):
+            page = stack.enter_context(room.pupil(name).page())
+            page.open("mine", DRIVE)
+        page.say("AskForHelp", on=True, question="One side is missing")
+        wall = desk(f"{room.address}/teacher?key={room.key}", flat=False)
+        walk_by_keyboard(wall)
+        keep_a_hint(wall, page)
+
+
+def walk_by_keyboard(wall):
+    """Go from tile to tile, and on to the parts beside them."""
+    expect(wall.locator(".tile-name")).to_have_text(["Mia", "Ana", "Leo"])
+    expect(wall.locator("canvas[data-shown]")).to_have_count(3)
+    assert wall.evaluate("document.documentElement.scrollWidth") <= 1366
+    tile(wall, "Mia").focus()
+    wall.keyboard.press("ArrowRight")
+    expect(tile(wall, "Ana")).to_be_focused()
+    wall.keyboard.press("l")
+    expect(tile(wall, "Leo")).to_be_focused()
+    wall.keyboard.press("Shift+F10")
+    expect(wall.get_by_role("menuitem").first).to_be_focused()
+    wall.keyboard.press("Escape")
+    wall.keyboard.press("Escape")
+    expect(tile(wall, "Leo")).to_be_focused()
+    wall.keyboard.press("F6")
+    expect(wall.locator(".wall-side a").first).to_be_focused()
+    wall.keyboard.press("Shift+F6")
+    expect(tile(wall, "Leo")).to_be_focused()
+
+
+def keep_a_hint(wall, page):
+    """Close a hint by mistake, open it again, and send it."""
+    wall.keyboard.press("m")
+    wall.keyboard.press("h")
+    wall.keyboard.type("Count the corners")
+    wall.keyboard.press("Escape")
+    expect(tile(wall, "Mia")).to_be_focused()
+    wall.keyboard.press("h")
+    hint = wall.get_by_label("What should the pupil look at?")
+    expect(hint).to_have_value("Count the corners")
+    wall.keyboard.press("Control+Enter")
+    assert page.hear("InClass", hand=False)["hint"] == "Count the corners"
+    expect(state(wall, "Mia")).not_to_have_text("Needs help")
+    wall.keyboard.press("h")
+    expect(hint).to_have_value("")
 
 
 def test_the_wall_is_not_shown_to_pupils(room, desk):

@@ -42,13 +42,15 @@ interface Props {
   readonly groups: readonly MenuGroup[];
   /** A class of the button. */
   readonly look?: string;
+  /** Of the button: -1 where other keys lead to it. */
+  readonly tabIndex?: number;
   /** The side of the button to which the menu is aligned. */
   readonly side?: Side;
   /** Called when it has been opened or closed. */
   readonly toggled?: (isOpen: boolean) => void;
 }
 
-export function Menu({ label, icon, children, groups, look, side = "left", toggled }: Props) {
+export function Menu({ label, icon, children, groups, look, tabIndex, side = "left", toggled }: Props) {
   const open = useSignal(false);
   const root = useRef<HTMLDivElement>(null);
   const list = useRef<HTMLDivElement>(null);
@@ -82,6 +84,7 @@ export function Menu({ label, icon, children, groups, look, side = "left", toggl
         type="button"
         class={look ? `button ${look}` : "button"}
         title={label}
+        tabIndex={tabIndex}
         aria-label={children ? undefined : label}
         aria-haspopup="menu"
         aria-expanded={open.value}

@@ -40,6 +40,7 @@ function open(names: readonly string[], values: Partial<Wall> = {}): FakeStream 
 
 test("several pupils are deleted at once, the last ones to join first", () => {
   const stream = open(["Ana", "Zoe", "Zoë"]);
+  fireEvent.click(screen.getByText("Join word"));
   fireEvent.click(screen.getByText("Delete several…"));
   const dialog = within(screen.getByRole("dialog"));
   const boxes = dialog.getAllByRole("checkbox");
@@ -67,5 +68,5 @@ test("the teacher lets more pupils in, or not", () => {
 
 test("nothing is asked while no pupil waits", () => {
   open(["Ana"]);
-  expect(screen.queryByText(/Waiting for you/)).toBeNull();
+  expect(screen.queryByText(/joined. Waiting for you/)).toBeNull();
 });

@@ -35,6 +35,7 @@ from learnblock.i18n import Phrase
 from learnblock.server.http import static_files
 from learnblock.server.http.connections import network_of
 from learnblock.server.http.palette import palette
+from learnblock.server.http.pictures import lesson as lesson_picture
 from learnblock.server.http.protection import SUBPROTOCOL, Guard, Protection
 from learnblock.server.messages import Failed
 
@@ -82,6 +83,7 @@ def create_app(
         routes=[
             Route("/", page),
             Route("/teacher", door.teacher(page)),
+            Route("/lessons/{name}/pictures/{file}", door.teacher(lesson_picture)),
             Route("/projector", page),
             Route("/hand-ins", door.teacher(page)),
             Route("/palette/{language}.json", door.teacher(palette), middleware=[_GZIP]),

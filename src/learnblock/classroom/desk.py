@@ -60,8 +60,11 @@ class Desk:
         self.progress = Progress()
         self.writing: Writing = "no"
         self.hand = False
+        #: What the pupil needs help with.
+        self.question = ""
         self.eyes_up = False
-        self.hint = ""
+        #: What the teacher has said, the newest last.
+        self.hints: list[str] = []
         self.pages: list[DeskPage] = []
         self.paces = Paces()
         self._opening = 0
@@ -78,7 +81,7 @@ class Desk:
         seat = self.progress.seat(
             self.pupil,
             here=bool(self.own_pages),
-            hand=self.hand,
+            question=self.question,
             writing=self.writing,
         )
         file = self._shelf.of_pupil(self.pupil.id).get((seat.lesson_name, seat.step))
@@ -139,6 +142,7 @@ class Desk:
         self._changed()
 
     def _look(self) -> None:
+        self.progress.are_here(on=bool(self.own_pages))
         self.progress.look_at(next(iter(self.own_pages or self.pages), None))
 
     async def hand_in(self, work: messages.GivenWork) -> None:
@@ -163,8 +167,8 @@ class Desk:
             case ImproveHandIn(lesson=lesson, step=step):
                 await asyncio.to_thread(self._shelf.improve, self.pupil.id, lesson, step)
                 self.tell_hand_ins()
-            case ours.AskForHelp(on=on):
-                self.hand = on
+            case ours.AskForHelp(on=on, question=question):
+                self._raise(on=on, question=question)
             case ours.LetTeacherWrite(on=on):
                 self.writing = "yes" if on else "no"
             case ours.AskToWrite(on=on):
@@ -180,8 +184,13 @@ class Desk:
 
     def help(self, hint: str) -> None:
         """Show a hint of the teacher, which also answers a raised hand."""
-        self.hint, self.hand = hint, False
+        self.hints.append(hint)
+        self._raise(on=False)
         self.tell()
+
+    def _raise(self, *, on: bool, question: str = "") -> None:
+        self.hand, self.question = on, question.strip() if on else ""
+        self.progress.raise_hand(on=on)
 
     async def order(self, message: messages.Message) -> None:
         """Send the pupil's server a message on behalf of the pupil's page, if one is open."""
@@ -216,5 +225,7 @@ class Desk:
             eyes_up=self.eyes_up and not page.is_teacher,
             hand=self.hand,
             writing=self.writing,
-            hint=self.hint,
+            question=self.question,
+            hint=self.hints[-1] if self.hints else "",
+            hints=len(self.hints),
         )

@@ -3,7 +3,7 @@
 The build writes the page's types from this module (`learnblock.classroom.typescript`).
 """
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 from msgspec import Meta, Struct
 
@@ -20,10 +20,12 @@ from learnblock.classroom.roster import PupilId
 from learnblock.i18n import Phrase
 from learnblock.lessons.lesson import LessonText
 from learnblock.project.files.lesson_folder import LessonName
-from learnblock.server.messages import Work
+from learnblock.server.messages import Scene, Work
 from learnblock.server.messages.base import Message, Name, Own, Teach
 
 Hint = Annotated[str, Meta(min_length=1, max_length=300)]
+#: What a pupil needs help with; it fits on a tile of the wall.
+Question = Annotated[str, Meta(max_length=60)]
 Writing = Literal["no", "asked", "yes"]
 
 # Joining.
@@ -83,9 +85,15 @@ class AboutClass(Struct, frozen=True):
 
 
 class AskForHelp(Own, frozen=True):
-    """Raise or lower the pupil's hand."""
+    """Raise or lower the pupil's hand.
+
+    Args:
+        on: whether it is raised.
+        question: what the pupil needs help with, in the pupil's words; empty if nothing is said.
+    """
 
     on: bool
+    question: Question = ""
 
 
 class LetTeacherWrite(Own, frozen=True):
@@ -112,7 +120,9 @@ class InClass(Message, frozen=True):
         eyes_up: whether all pages rest because the teacher speaks.
         hand: whether the pupil asks for help.
         writing: whether the teacher may write.
+        question: what the pupil needs help with.
         hint: the teacher's last hint; empty if there is none.
+        hints: how many there have been, so that the same words twice are two hints.
     """
 
     name: str
@@ -120,7 +130,9 @@ class InClass(Message, frozen=True):
     eyes_up: bool
     hand: bool
     writing: Writing
+    question: str = ""
     hint: str = ""
+    hints: int = 0
 
 
 # From the wall.
@@ -203,23 +215,33 @@ class Seat(Work, frozen=True, omit_defaults=True, kw_only=True):
         id: the pupil's.
         name: the first name; empty on the projector.
         here: whether a page of the pupil is open.
+        gone: seconds since the last one was closed.
+        begun: whether the pupil has done anything since the class was opened.
         hand: whether the pupil asks for help.
+        waits: seconds for which the hand has been raised.
+        question: what the pupil needs help with.
+        hand_in: what is to be done with the pupil's hand-in in the open step; empty without one.
         scene: changes with the world, which `Plan` has.
+        kept: how many numbers of the way the wall knows already; `way` has the others.
         quiet: seconds since the pupil last did something.
         stuck: seconds for which the pupil has worked without a new star or a run that ended well.
         writing: whether the teacher may write.
-        hand_in: what is to be done with the pupil's hand-in in the open step; empty without one.
     """
 
     id: str
     name: str = ""
     here: bool = False
+    gone: int = 0
+    begun: bool = False
     hand: bool = False
+    waits: int = 0
+    question: str = ""
+    hand_in: State | Literal[""] = ""
     scene: int = 0
+    kept: int = 0
     quiet: int = 0
     stuck: int = 0
     writing: Writing = "no"
-    hand_in: State | Literal[""] = ""
 
 
 class Plan(Message, frozen=True):
@@ -227,19 +249,49 @@ class Plan(Message, frozen=True):
 
     Args:
         pupil: whose it is.
-        scene: as in `Seat`.
-        world: the contents of its file (`WorldFile`).
-        lines: for each painted line, the corner points of its centre line, in mm.
+        number: `scene` in `Seat`.
+        scene: what is in it.
     """
 
     pupil: str
-    scene: int
-    world: dict[str, Any]
-    lines: tuple[tuple[tuple[float, float], ...], ...] = ()
+    number: int
+    scene: Scene
+
+
+class LessonOffer(Struct, frozen=True, omit_defaults=True):
+    """A lesson that can be handed out.
+
+    Args:
+        name: its name.
+        title: its title.
+        level: 1 (first drive) to 4.
+        minutes: how long it takes.
+        robots: the kinds of robots that it supports, the default first.
+        steps: the titles of its steps.
+        picture: the file of its picture; empty if it has none.
+        own: whether it is one of the teacher's own.
+    """
+
+    name: str
+    title: LessonText
+    level: int
+    minutes: int
+    robots: tuple[str, ...]
+    steps: tuple[LessonText, ...]
+    picture: str = ""
+    own: bool = False
+
+
+class Offers(Message, frozen=True):
+    """The lessons that can be handed out, once."""
+
+    lessons: tuple[LessonOffer, ...]
 
 
 class Wall(Message, frozen=True):
     """The class as a whole; `Seats` follow.
+
+    The lesson on is the one that was handed out last, or with which the class begins.
 
     Args:
         title: the name of the class.
@@ -250,7 +302,8 @@ class Wall(Message, frozen=True):
         more: how many can join if the teacher lets more in.
         projected: the pupil on the projector; empty for the join word.
         pupils: the ids of all, in the order in which they joined.
-        lessons: those that can be handed out: name and title.
+        lesson: the name of the lesson on; empty without one.
+        began: when it was handed out, in seconds since 1970; 0 if it was not.
         knocking: the first names of new pupils whom the teacher has to let in.
     """
 
@@ -262,7 +315,8 @@ class Wall(Message, frozen=True):
     more: int
     projected: str = ""
     pupils: tuple[str, ...] = ()
-    lessons: tuple[tuple[str, LessonText], ...] = ()
+    lesson: str = ""
+    began: float = 0
     knocking: tuple[str, ...] = ()
 
 
@@ -322,4 +376,4 @@ FromTeacher = (
     | ShowOnProjector
     | FromHandInPages
 )
-ToTeacher = Wall | Seats | Plan | NewPin | Refused | Projected | ToHandInPages
+ToTeacher = Wall | Offers | Seats | Plan | NewPin | Refused | Projected | ToHandInPages

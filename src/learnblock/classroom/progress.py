@@ -12,6 +12,8 @@ from learnblock.server import messages
 
 #: Seconds without any action that count as a pause.
 _PAUSE = 120.0
+#: Times are told in steps of so many seconds: each step is a message about each pupil.
+_GRAIN = 5
 #: What a page sends by itself, which says nothing about its pupil.
 _BY_ITSELF = frozenset(
     kind.__name__
@@ -56,6 +58,10 @@ class Progress:
         #: What the wall shows.
         self._shown = _NOTHING
         self._acted = self._succeeded = now()
+        self._begun = False
+        #: When the last page was closed, and when the hand was raised; None if neither is so.
+        self._left: float | None = None
+        self._raised: float | None = None
 
     def acted(self, kind: str) -> None:
         """Record a message of the pupil's page."""
@@ -66,6 +72,21 @@ class Progress:
         if now - self._acted > _PAUSE:
             self._succeeded = now
         self._acted = now
+        self._begun = True
+
+    def raise_hand(self, *, on: bool) -> None:
+        """Record that the pupil asks for help, or no longer does."""
+        if not on:
+            self._raised = None
+        elif self._raised is None:
+            self._raised = self._now()
+
+    def are_here(self, *, on: bool) -> None:
+        """Record whether the pupil has a page open."""
+        if on:
+            self._left = None
+        elif self._left is None:
+            self._left = self._now()
 
     def see(self, page: object, now: messages.AtSeat) -> None:
         """Note what a page works on."""
@@ -91,28 +112,37 @@ class Progress:
         """The name of the lesson that is shown; empty without one."""
         return self._shown.now.work.lesson_name
 
-    def seat(self, pupil: Pupil, *, here: bool, hand: bool, writing: Writing) -> Seat:
+    def seat(self, pupil: Pupil, *, here: bool, question: str = "", writing: Writing) -> Seat:
         """What the wall shows.
 
         Args:
             pupil: the pupil.
             here: whether a page of the pupil is open.
-            hand: whether the pupil asks for help.
+            question: what the pupil needs help with.
             writing: whether the teacher may write.
         """
+        now = self._now()
         return Seat(
             **asdict(self._shown.now.work),
             id=pupil.id,
             name=pupil.name,
             here=here,
-            hand=hand,
+            gone=_steps(now - (now if self._left is None else self._left)),
+            begun=self._begun,
+            hand=self._raised is not None,
+            waits=_steps(now - (now if self._raised is None else self._raised)),
+            question=question,
             scene=self._shown.scene,
-            quiet=int(self._now() - self._acted),
-            stuck=max(0, int(self._acted - self._succeeded)),
+            quiet=_steps(now - self._acted),
+            stuck=_steps(self._acted - self._succeeded),
             writing=writing,
         )
 
     def plan_of(self, id: str) -> Plan | None:  # noqa: A002 - as in `Plan`
         """The world, once it is known."""
         world = self._shown.world
-        return Plan(id, self._shown.scene, world.world, world.lines) if world else None
+        return Plan(id, self._shown.scene, world) if world else None
+
+
+def _steps(seconds: float) -> int:
+    return max(0, int(seconds) // _GRAIN * _GRAIN)

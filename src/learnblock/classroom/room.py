@@ -1,18 +1,20 @@
 """The classroom: the pupils' desks, and what the teacher does for all of them."""
 
 import asyncio
+import time
 from collections.abc import Iterable
 from typing import Protocol
 
 from learnblock.classroom.desk import Desk
 from learnblock.classroom.hand_ins import HandInShelf
 from learnblock.classroom.marking import Marking
+from learnblock.classroom.messages import LessonOffer
+from learnblock.classroom.offers import give_lesson
 from learnblock.classroom.pins import Picture
 from learnblock.classroom.pupil_folder import PROJECTS
 from learnblock.classroom.roster import Pupil, Roster
 from learnblock.classroom.servers import ServerAddress, Servers
 from learnblock.errors import LearnBlockError
-from learnblock.lessons.lesson import LessonText
 from learnblock.project.files.folder import ProjectFolder
 from learnblock.server import messages
 
@@ -35,17 +37,21 @@ class Room:
     Args:
         roster: the pupils.
         address: by which pupils reach the class.
-        lessons: those that can be handed out: name and title.
+        offers: the lessons that can be handed out.
     """
 
-    def __init__(
-        self, roster: Roster, address: str, lessons: Iterable[tuple[str, LessonText]] = ()
-    ) -> None:
+    def __init__(self, roster: Roster, address: str, offers: Iterable[LessonOffer] = ()) -> None:
         self.roster = roster
         self.hand_ins = HandInShelf(roster.folder)
         self.marking = Marking(roster, self.hand_ins, self.changed)
         self.address = address
-        self.lessons = tuple(lessons)
+        self.offers = tuple(offers)
+        #: The name of the lesson on; empty without one.
+        self.lesson = roster.lesson or ""
+        #: When a lesson was handed out last, in seconds since 1970.
+        self.began = 0.0
+        #: The lessons that were handed out to pupils who were not here, by their ids.
+        self._late: dict[str, messages.StartLesson] = {}
         self.eyes_up = False
         self.projected: str | None = None
         #: The first names of new pupils whom the teacher has to let in.
@@ -107,8 +113,32 @@ class Room:
             ending.cancel()
         return await self._servers.place(pupil.id, self.roster.folder_of(pupil))
 
+    async def hand_out(
+        self, lesson: messages.StartLesson, pupils: Iterable[Pupil] | None = None
+    ) -> None:
+        """Open a lesson on pupils' pages; of those who are not here, when they come.
+
+        Args:
+            lesson: the lesson.
+            pupils: who gets it; None for all.
+
+        Raises:
+            LearnBlockError: it is one of the teacher's own, and can't be read.
+            OSError: it can't be given to the pupils.
+        """
+        receiving = tuple(self.roster.pupils if pupils is None else pupils)
+        offer = next((offer for offer in self.offers if offer.name == lesson.lesson), None)
+        if offer and offer.own:
+            folders = [self.roster.folder_of(pupil) for pupil in receiving]
+            await asyncio.to_thread(give_lesson, offer.name, folders)
+        self.lesson, self.began = lesson.lesson, time.time()
+        self._late |= {pupil.id: lesson for pupil in receiving if not self.desk(pupil).own_pages}
+        await self.order(lesson, receiving)
+
     async def first_lesson(self, pupil: Pupil) -> messages.StartLesson | None:
         """The lesson with which a pupil begins; None if there is none, or a project already."""
+        if handed_out := self._late.pop(pupil.id, None):
+            return handed_out
         lesson, project = self.roster.lesson, self.roster.project
         if lesson is None or await asyncio.to_thread(self._has_begun, pupil):
             return None

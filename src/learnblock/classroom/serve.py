@@ -12,10 +12,10 @@ from typing import Any
 from learnblock.classroom.app import create_app
 from learnblock.classroom.badges import Badges, Visitors
 from learnblock.classroom.certificate import CertificateFiles
+from learnblock.classroom.messages import LessonOffer
 from learnblock.classroom.room import Room
 from learnblock.classroom.roster import Roster, wall_address
 from learnblock.i18n import Phrase
-from learnblock.lessons.lesson import LessonText
 from learnblock.project.files.writer import FolderClaim
 from learnblock.server.http.address import own_address
 from learnblock.server.http.connections import Connections, Listening, most_connections
@@ -36,7 +36,7 @@ class ClassService:
     Args:
         roster: the class.
         writer: the right to write to its folder; another LearnBlock asks there for its end.
-        lessons: those that can be handed out: name and title.
+        offers: the lessons that can be handed out.
         host: the address to listen on.
         port: the port; None for the default, or a free one if that is taken.
         certificate: for HTTPS; None for HTTP.
@@ -48,7 +48,7 @@ class ClassService:
     roster: Roster
     writer: FolderClaim
     announce: Callable[[Phrase], object]
-    lessons: Iterable[tuple[str, LessonText]] = ()
+    offers: Iterable[LessonOffer] = ()
     host: str = EVERYWHERE
     port: int | None = None
     certificate: CertificateFiles | None = None
@@ -72,7 +72,7 @@ def serve_class(service: ClassService, *, show: Callable[[str], object] | None =
     plain = tcp_socket(service.host, service.port)
     with Listening(plain, connections) as listening, faults_said_once():
         address = _address(service, listening)
-        room = Room(service.roster, address, service.lessons)
+        room = Room(service.roster, address, service.offers)
         # Browsers keep one badge for each port.
         cookie = f"learnblock_class_{listening.getsockname()[1]}"
         visitors = Visitors(Badges(service.roster), cookie)

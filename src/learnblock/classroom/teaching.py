@@ -42,7 +42,7 @@ async def _send_hint(room: Room, message: ours.SendHint) -> None:
 async def _hand_out(room: Room, message: ours.HandOut) -> None:
     start = messages.StartLesson(message.lesson, message.project, step=message.step)
     pupils = None if message.pupils is None else map(room.known, message.pupils)
-    await room.order(start, pupils)
+    await room.hand_out(start, pupils)
 
 
 async def _renew_pin(room: Room, message: ours.RenewPin) -> ours.NewPin:

@@ -11,6 +11,7 @@ _HEADER = """\
 /** The conversation of a class; written by `hatch_types.py`. */
 
 import type { Phrase } from "../i18n";
+import type { RobotDescription, WorldFile } from "./world";
 """
 
 

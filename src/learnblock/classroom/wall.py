@@ -93,12 +93,16 @@ class WallView:
 
     def __init__(self) -> None:
         self._wall: ours.Wall | None = None
+        self._offers: tuple[ours.LessonOffer, ...] | None = None
         self._seats: dict[str, ours.Seat] = {}
         self._scenes: dict[str, int] = {}
         self._marking = MarkingView()
 
     def news(self, room: Room) -> Iterator[msgspec.Struct]:
         """What has changed since the last time."""
+        if self._offers is not room.offers:
+            self._offers = room.offers
+            yield ours.Offers(room.offers)
         wall = _wall(room)
         if wall != self._wall:
             self._wall = wall
@@ -106,11 +110,12 @@ class WallView:
         seats = {pupil: desk.seat() for pupil, desk in room.desks.items()}
         for pupil, desk in room.desks.items():
             plan = desk.progress.plan_of(pupil)
-            if plan and self._scenes.get(pupil) != plan.scene:
-                self._scenes[pupil] = plan.scene
+            if plan and self._scenes.get(pupil) != plan.number:
+                self._scenes[pupil] = plan.number
                 yield plan
-        if changed := tuple(seat for seat in seats.values() if self._seats.get(seat.id) != seat):
-            yield ours.Seats(changed)
+        known = self._seats
+        if changed := [seat for seat in seats.values() if known.get(seat.id) != seat]:
+            yield ours.Seats(tuple(_news(seat, known.get(seat.id)) for seat in changed))
         self._seats = seats
         yield from self._marking.news(room)
 
@@ -127,6 +132,14 @@ class MarkingView:
         if steps != self._steps:
             self._steps = steps
             yield steps
+
+
+def _news(seat: ours.Seat, before: ours.Seat | None) -> ours.Seat:
+    """A seat without the beginning of its way, if the wall knows that."""
+    kept = len(before.way) if before else 0
+    if not before or seat.way[:kept] != before.way:
+        return seat
+    return msgspec.structs.replace(seat, way=seat.way[kept:], kept=kept)
 
 
 class ProjectorView:
@@ -154,7 +167,8 @@ def _wall(room: Room) -> ours.Wall:
         more=MORE,
         projected=room.projected or "",
         pupils=tuple(pupil.id for pupil in roster.pupils),
-        lessons=room.lessons,
+        lesson=room.lesson,
+        began=room.began,
         knocking=tuple(room.knocking),
     )
 
@@ -167,7 +181,7 @@ def _projected(room: Room) -> ours.Projected:
     if desk is None:
         return shown
     seat = msgspec.structs.replace(
-        desk.seat(), name="", project="", id="", quiet=0, stuck=0, hand_in=""
+        desk.seat(), name="", project="", id="", question="", quiet=0, stuck=0, hand_in=""
     )
     plan = desk.progress.plan_of("")
     return msgspec.structs.replace(shown, names=(), seat=seat, plan=plan)

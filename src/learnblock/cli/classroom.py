@@ -63,22 +63,22 @@ def _open(
         raise LearnBlockError("class-not-on-windows")
     # `--help` needs none of these.
     from learnblock.classroom.certificate import own_certificate  # noqa: PLC0415
+    from learnblock.classroom.offers import lesson_offers  # noqa: PLC0415
     from learnblock.classroom.own_classes import claimed  # noqa: PLC0415
     from learnblock.classroom.roster import Roster  # noqa: PLC0415
     from learnblock.classroom.serve import EVERYWHERE, ClassService, serve_class  # noqa: PLC0415
-    from learnblock.server.catalog.lessons import lesson_choices  # noqa: PLC0415
     from learnblock.server.serve import show_in_browser  # noqa: PLC0415
 
     with claimed(folder, name) as writer:
         roster = Roster(folder, name)
-        choices, problems = lesson_choices()
+        offers, problems = lesson_offers()
         for problem in problems:
             click.echo(text(problem), err=True)
         service = ClassService(
             roster,
             writer,
             _announce,
-            [(choice.name, choice.title) for choice in choices if not choice.own],
+            offers,
             host=host or EVERYWHERE,
             certificate=own_certificate(folder) if tls else None,
             **place,

@@ -101,8 +101,8 @@ def test_the_wall_shows_what_a_pupil_does(room, ana):
         # The last look at the robot may come after the end of the run.
         while (shown := seat(wall, ana, state="ended"))["pose"][0] < start + 90:
             pass
-        assert shown["way"]
-        assert wall.last["Plan"]["world"]["floor"]
+        assert shown.get("kept", 0) + len(shown.get("way", ()))
+        assert wall.last["Plan"]["scene"]["world"]["floor"]
 
 
 def test_the_wall_shows_mistakes_and_raised_hands(room, ana):
@@ -152,7 +152,7 @@ def test_the_teacher_stops_all_robots(room, ana, leo):
 
 def test_a_lesson_is_handed_out(room, ana):
     with room.wall() as wall, ana.page() as page:
-        lesson = wall.hear("Wall")["lessons"][0][0]
+        lesson = wall.hear("Offers")["lessons"][0]["name"]
         wall.say("HandOut", lesson=lesson, project="Mine")
         page.hear("LessonShown", name=lesson)
         shown = seat(wall, ana, step=1)

@@ -25,7 +25,7 @@ def progress(clock):
 
 
 def seat(progress):
-    return progress.seat(PUPIL, here=True, hand=False, writing="no")
+    return progress.seat(PUPIL, here=True, writing="no")
 
 
 def test_what_a_page_works_on_is_shown_once_it_is_looked_at(progress):
@@ -60,10 +60,10 @@ def test_a_world_is_kept_until_the_next_one_and_each_has_a_number(progress):
     progress.see("first", AtSeat(Work(), scene=WORLD))
     progress.see("first", AtSeat(Work("square")))
     progress.look_at("first")
-    assert (seat(progress).scene, progress.plan_of("a").scene) == (1, 1)
+    assert (seat(progress).scene, progress.plan_of("a").number) == (1, 1)
     progress.see("second", AtSeat(Work(), scene=WORLD))
     progress.look_at("second")
-    assert (seat(progress).scene, progress.plan_of("a").scene) == (2, 2)
+    assert (seat(progress).scene, progress.plan_of("a").number) == (2, 2)
 
 
 def test_a_pupil_who_works_without_success_is_stuck(progress, clock):
@@ -82,3 +82,40 @@ def test_a_pupil_who_does_nothing_is_quiet_but_not_stuck(progress, clock):
     assert (seat(progress).quiet, seat(progress).stuck) == (600, 0)
     progress.acted("EditText")
     assert (seat(progress).quiet, seat(progress).stuck) == (0, 0)
+
+
+def test_a_pupil_has_begun_with_the_first_thing_that_is_not_done_by_the_page(progress):
+    progress.acted("ListProjects")
+    assert not seat(progress).begun
+    progress.acted("EditText")
+    assert seat(progress).begun
+
+
+def test_a_raised_hand_waits_since_it_was_raised_first(progress, clock):
+    progress.raise_hand(on=True)
+    clock.time += 60
+    progress.raise_hand(on=True)
+    assert (seat(progress).hand, seat(progress).waits) == (True, 60)
+    progress.raise_hand(on=False)
+    assert (seat(progress).hand, seat(progress).waits) == (False, 0)
+
+
+def test_a_pupil_is_gone_since_the_last_page_was_closed(progress, clock):
+    progress.are_here(on=True)
+    clock.time += 60
+    progress.are_here(on=False)
+    clock.time += 30
+    progress.are_here(on=False)
+    assert seat(progress).gone == 30
+    progress.are_here(on=True)
+    assert seat(progress).gone == 0
+
+
+def test_times_change_every_five_seconds_so_that_the_wall_is_not_told_more_often(progress, clock):
+    progress.raise_hand(on=True)
+    clock.time += 4
+    before = seat(progress)
+    clock.time += 0.9
+    assert seat(progress) == before
+    clock.time += 0.1
+    assert seat(progress).waits == 5

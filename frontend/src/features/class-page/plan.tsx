@@ -1,4 +1,4 @@
-/** A small live world from above: what is in it, where the robot is, and where it has been. */
+/** A small live world from above, without 3D: what is in it, where the robot is, and where it has been. */
 
 import { useLayoutEffect, useRef } from "preact/hooks";
 
@@ -6,7 +6,6 @@ import { theme } from "../../model/preferences";
 import type { Plan, Seat } from "../../protocol/classroom";
 import { planOf } from "../../views/world/plan/plan";
 import { arrow } from "../../views/world/plan/robot";
-import type { WorldValues } from "../../views/world/scenery/description";
 
 /** mm: the margin around the floor, and half the length of the robot's arrow. */
 const MARGIN = 30;
@@ -19,12 +18,12 @@ interface Props {
   readonly label: string;
 }
 
-export function SmallWorld({ plan, seat, label }: Props) {
+export function FlatWorld({ plan, seat, label }: Props) {
   const things = useRef<SVGGElement>(null);
-  const world = plan?.world as WorldValues | undefined;
+  const world = plan?.scene.world;
   useLayoutEffect(() => {
     if (world) things.current?.replaceChildren(...planOf(world));
-  }, [plan?.scene, plan?.pupil, theme.value]);
+  }, [plan, theme.value]);
   if (!world) return <div class="small-world empty" />;
   const [width, depth] = world.floor.size;
   const size = [width + 2 * MARGIN, depth + 2 * MARGIN];

@@ -4,9 +4,9 @@ import { useEffect } from "preact/hooks";
 
 import { t } from "../../i18n";
 import { Frame } from "./frame";
-import { SmallWorld } from "./plan";
+import { JoinSign } from "./join-sign";
+import { FlatWorld } from "./plan";
 import type { ClassStream } from "./stream";
-import { JoinSign } from "./wall";
 
 export function ProjectorPage({ stream }: { stream: ClassStream }) {
   useEffect(() => stream.open(), []);
@@ -17,7 +17,7 @@ export function ProjectorPage({ stream }: { stream: ClassStream }) {
     <Frame title={t("page-class-title", { title: shown.title })}>
       <div class="projector">
         {seat ? (
-          <SmallWorld plan={plan ?? undefined} seat={seat} label={t("page-class-world-shown")} />
+          <FlatWorld plan={plan ?? undefined} seat={seat} label={t("page-class-world-shown")} />
         ) : (
           <JoinSign address={shown.address} word={shown.word} />
         )}

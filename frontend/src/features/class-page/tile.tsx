@@ -1,82 +1,143 @@
-/** A pupil on the wall. */
+/** A pupil on the wall: a picture, the name, the state and the steps of the lesson. */
 
 import type { Phrase } from "../../i18n";
-import { language, say, t } from "../../i18n";
+import { say, t } from "../../i18n";
 import type { Seat } from "../../protocol/classroom";
 import { Icon } from "../../ui/icons";
-import { Menu } from "../../ui/menu";
-import { needOf } from "./attention";
-import { SmallWorld } from "./plan";
+import { Menu, type MenuGroup } from "../../ui/menu";
+import { inLanguage } from "../lessons/texts";
+import { type Drawing, SmallWorld } from "./small-world";
+import { minutes, STATE_ICONS, stateOf } from "./states";
 import type { ClassStream } from "./stream";
+import { missedInWords } from "./words";
 
 interface Props {
   readonly stream: ClassStream;
+  readonly drawing: Drawing;
   readonly seat: Seat;
+  readonly name: string;
   readonly isProjected: boolean;
-  readonly hint: (seat: Seat) => void;
-  readonly remove: (seat: Seat) => void;
+  /** Whether the Tab key leads here. */
+  readonly isCurrent: boolean;
+  readonly hint: () => void;
+  readonly remove: () => void;
 }
 
-export function Tile({ stream, seat, isProjected, hint, remove }: Props) {
-  const { id, name = "" } = seat;
-  const need = needOf(seat);
+export function Tile({ stream, drawing, seat, name, isProjected, isCurrent, hint, remove }: Props) {
+  const { id } = seat;
+  const state = stateOf(seat);
+  const finding = findingInWords(seat);
   return (
-    <li class={`tile ${need}`} aria-label={name}>
-      <div class="tile-head">
-        <strong>{name}</strong>
-        <span class="tile-need">{needInWords(seat)}</span>
-      </div>
-      <SmallWorld plan={stream.plans.value.get(id)} seat={seat} label={t("page-class-world-of", { name })} />
-      <p class="tile-step">
-        <span>{stepInWords(seat)}</span>
-        <span class={`tile-state ${seat.state ?? "idle"}`}>{t(`page-class-state-${seat.state ?? "idle"}`)}</span>
-      </p>
-      <p class="tile-error">{seat.error && need !== "away" ? say(seat.error as unknown as Phrase) : ""}</p>
-      <div class="tile-tools">
-        <a class="button bordered" href={pageOf(seat)} target="_blank" rel="noopener opener">
-          {t("page-class-open")}
-        </a>
-        <button type="button" class="button bordered" onClick={() => hint(seat)}>
-          <Icon name="hint" />
-          {t("page-class-hint")}
-        </button>
-        <Menu
-          label={t("page-class-more", { name })}
-          icon="more"
-          side="right"
-          groups={[
-            {
-              items: [
-                {
-                  text: t(isProjected ? "page-class-unproject" : "page-class-project"),
-                  run: () => stream.send({ kind: "ShowOnProjector", pupil: isProjected ? null : id }),
-                },
-                { text: t("page-class-renew-pin"), run: () => stream.send({ kind: "RenewPin", pupil: id }) },
-                { text: t("page-class-export"), run: () => location.assign(`export.zip?pupil=${id}`) },
-                { text: t("page-class-remove"), run: () => remove(seat) },
-              ],
-            },
-          ]}
+    <div
+      role="row"
+      class={`tile ${state}${seat.here ? "" : " gone"}`}
+      tabIndex={isCurrent ? 0 : -1}
+      data-pupil={id}
+      aria-label={[name, stateInWords(seat), stepInWords(seat), finding].filter(Boolean).join(". ")}
+    >
+      {/* biome-ignore lint/a11y/useFocusableInteractive: the focus goes from row to row */}
+      <div class="tile-picture" role="gridcell">
+        <SmallWorld
+          drawing={drawing}
+          plan={stream.plans.value.get(id)}
+          seat={seat}
+          label={t("page-class-world-of", { name })}
+          base={`p/${id}/`}
         />
+        {finding && <p class={state === "help" ? "tile-finding said" : "tile-finding"}>{finding}</p>}
+        <div class="tile-tools">
+          <a class="button filled" href={pageOf(seat)} target="_blank" rel="noopener opener" tabIndex={-1}>
+            {t("page-class-look")}
+          </a>
+          <button type="button" class="button tile-tool" tabIndex={-1} onClick={hint}>
+            <Icon name="hint" />
+            {t("page-class-hint")}
+          </button>
+          <Menu
+            label={t("page-class-more", { name })}
+            icon="more"
+            side="right"
+            look="tile-tool"
+            tabIndex={-1}
+            groups={moreOf(stream, id, isProjected, remove)}
+          />
+        </div>
       </div>
-    </li>
+      {/* biome-ignore lint/a11y/useFocusableInteractive: the focus goes from row to row */}
+      <div class="tile-words" role="gridcell">
+        <p class="tile-head">
+          <bdi class="tile-name">{name}</bdi>
+          <StateChip seat={seat} />
+        </p>
+        <StepBar seat={seat} />
+      </div>
+    </div>
   );
 }
 
-function needInWords(seat: Seat): string {
-  const need = needOf(seat);
-  const minutes = Math.floor((need === "stuck" ? (seat.stuck ?? 0) : (seat.quiet ?? 0)) / 60);
-  return need === "fine" ? "" : t(`page-class-need-${need}`, { minutes });
+function moreOf(stream: ClassStream, id: string, isProjected: boolean, remove: () => void): MenuGroup[] {
+  return [
+    {
+      items: [
+        {
+          text: t(isProjected ? "page-class-unproject" : "page-class-project"),
+          icon: "projector",
+          run: () => stream.send({ kind: "ShowOnProjector", pupil: isProjected ? null : id }),
+        },
+      ],
+    },
+    {
+      items: [
+        {
+          text: t("page-class-renew-pin"),
+          icon: "image",
+          run: () => stream.send({ kind: "RenewPin", pupil: id }),
+        },
+        { text: t("page-class-export"), icon: "download", run: () => location.assign(`export.zip?pupil=${id}`) },
+        { text: t("page-class-remove"), icon: "trash", run: remove },
+      ],
+    },
+  ];
 }
 
-/** The lesson and its step with the stars, or the project. */
+function StateChip({ seat }: { seat: Seat }) {
+  return (
+    <span class="tile-state">
+      <Icon name={STATE_ICONS[stateOf(seat)]} />
+      <span>{stateInWords(seat)}</span>
+    </span>
+  );
+}
+
+export function stateInWords(seat: Seat): string {
+  const state = stateOf(seat);
+  return t(`page-class-state-${state}`, { minutes: minutes(seat.stuck) });
+}
+
+/** A bar for each step: behind the pupil, or the one that is open. */
+function StepBar({ seat: { step = 0, steps = 0, done = [], begun } }: { seat: Seat }) {
+  return (
+    <div class="tile-steps" aria-hidden="true">
+      {Array.from({ length: Math.max(1, steps) }, (_, i) => (
+        <i key={i} class={begun ? (done[i] ? "done" : i + 1 === step ? "now" : "") : ""} />
+      ))}
+    </div>
+  );
+}
+
 function stepInWords({ lesson, step = 0, steps = 0, stars = 0, project = "" }: Seat): string {
   if (!step || !lesson) return project;
-  const title = typeof lesson === "string" ? lesson : (lesson[language.value] ?? lesson.en ?? "");
-  return t("page-class-step", { title, step, steps, stars });
+  return t("page-class-step", { title: inLanguage(lesson), step, steps, stars });
+}
+
+/** What there is to say about a pupil: the question, a mistake, or what the last run missed. */
+export function findingInWords({ hand, question, error, missed }: Seat): string {
+  if (hand && question) return t("page-class-said", { question });
+  if (error) return say(error as unknown as Phrase);
+  return missed ? missedInWords(missed) : "";
 }
 
 /** The pupil's page, with the project that the pupil sees. */
-function pageOf({ id, project }: Seat): string {
+export function pageOf({ id, project }: Seat): string {
   return project ? `p/${id}/#${new URLSearchParams({ project })}` : `p/${id}/`;
 }

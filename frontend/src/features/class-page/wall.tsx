@@ -1,69 +1,225 @@
 /** The teacher's wall: all pupils at once, those who need help first. */
 
-import { useSignal } from "@preact/signals";
-import { useEffect } from "preact/hooks";
+import { type Signal, useSignal } from "@preact/signals";
+import type { ComponentChildren } from "preact";
+import { useEffect, useMemo, useRef } from "preact/hooks";
 
-import { language, say, t } from "../../i18n";
-import type { Seat, Wall } from "../../protocol/classroom";
+import { say, t } from "../../i18n";
+import type { LessonOffer, Seat, Wall } from "../../protocol/classroom";
 import { Dialog } from "../../ui/dialog";
-import { Icon } from "../../ui/icons";
-import { Menu } from "../../ui/menu";
-import { byNeed } from "./attention";
+import { Logo } from "../start/logo";
+import { HintDialog, PinDialog, RemoveDialog, RemovedDialog } from "./dialogs";
+import { Filters } from "./filters";
 import { Frame } from "./frame";
-import { PictureRow } from "./pictures";
-import { QrCode } from "./qr-code";
+import { Grid } from "./grid";
+import { HandOutDialog } from "./hand-out";
+import { LessonButton, MinutesLeft, Tools } from "./head";
+import { JoinRights, JoinSign } from "./join-sign";
+import { namesOf, usualLesson, waiting } from "./overview";
+import { Side } from "./side";
+import { Drawing } from "./small-world";
+import { inOrder, type Order, type State, stateOf } from "./states";
 import type { ClassStream } from "./stream";
-import { Tile } from "./tile";
 
-/** Whom a hint is for: a pupil, or everybody. */
-type Hinted = Seat | "all" | null;
+type Place = "lessons" | "join" | "choosing" | "side";
+/** What is open over the wall. A hint has the pupil's id, or an empty one for all. */
+type Opened = { readonly kind: Place } | { readonly kind: "hint"; readonly to: string };
 
 export function WallPage({ stream }: { stream: ClassStream }) {
-  const hinted = useSignal<Hinted>(null);
-  const leaving = useSignal<readonly Seat[]>([]);
-  const choosing = useSignal(false);
   useEffect(() => stream.open(), []);
   const wall = stream.wall.value;
   if (!wall) return <Frame>{stream.state.value === "refused" && <p>{t("page-class-no-key")}</p>}</Frame>;
-  const seats = byNeed(stream.seats.value.values());
+  return <OpenWall stream={stream} wall={wall} />;
+}
+
+function OpenWall({ stream, wall }: { stream: ClassStream; wall: Wall }) {
+  const opened = useSignal<Opened | null>(null);
+  const leaving = useSignal<readonly Seat[]>([]);
+  const drawing = useMemo(() => new Drawing(), []);
+  const joined = (wall.pupils ?? []).flatMap((id) => stream.seats.value.get(id) ?? []);
+  const names = namesOf(joined);
+  const usual = usualLesson(joined) || wall.lesson;
+  const lesson = stream.offers.value.find(({ name }) => name === usual);
+  const show = (kind: Place) => () => (opened.value = { kind });
+  const hint = (to: string) => (opened.value = { kind: "hint", to });
+  const remove = (seats: readonly Seat[]) => (leaving.value = seats);
+  const side = <Side seats={joined} names={names} lesson={lesson} handOut={show("lessons")} />;
+  const over = { stream, wall, opened, lesson, joined, names, side, remove };
   return (
-    <Frame
-      title={t("page-class-title", { title: wall.title })}
-      tools={<Tools stream={stream} wall={wall} hintAll={() => (hinted.value = "all")} />}
-    >
-      <Lost stream={stream} />
-      <Knocking stream={stream} wall={wall} />
-      <HowToJoin
-        stream={stream}
-        wall={wall}
-        count={seats.filter(({ here }) => here).length}
-        remove={() => (choosing.value = true)}
-      />
-      <ul class="tiles" aria-label={t("page-class-pupils")}>
-        {seats.map((seat) => (
-          <Tile
-            key={seat.id}
-            stream={stream}
-            seat={seat}
-            isProjected={wall.projected === seat.id}
-            hint={() => (hinted.value = seat)}
-            remove={() => (leaving.value = [seat])}
+    // biome-ignore lint/a11y/noStaticElementInteractions: F6 leads from part to part, wherever one is
+    <div class="wall" onKeyDown={changeRegion}>
+      <header class="class-bar" data-wall-region>
+        <Logo />
+        <h1>{t("page-class-title", { title: wall.title })}</h1>
+        <LessonButton lesson={lesson} handOut={show("lessons")} />
+        <MinutesLeft lesson={lesson} began={wall.lesson === usual ? (wall.began ?? 0) : 0} />
+        <Tools stream={stream} wall={wall} showJoin={show("join")} hintAll={() => hint("")} />
+      </header>
+      <main>
+        <Lost stream={stream} />
+        <Knocking stream={stream} wall={wall} />
+        {joined.length > 0 ? (
+          <Pupils
+            {...{ stream, wall, drawing, names }}
+            seats={joined}
+            hint={hint}
+            remove={remove}
+            openSide={show("side")}
           />
-        ))}
-      </ul>
-      {hinted.value && <HintDialog stream={stream} to={hinted.value} close={() => (hinted.value = null)} />}
-      {choosing.value && (
-        <RemovedDialog
-          seats={wall.pupils?.map((id) => stream.seats.value.get(id)) ?? []}
-          remove={(chosen) => (leaving.value = chosen)}
-          close={() => (choosing.value = false)}
-        />
-      )}
-      {leaving.value.length > 0 && (
-        <RemoveDialog stream={stream} seats={leaving.value} close={() => (leaving.value = [])} />
-      )}
+        ) : (
+          <Empty wall={wall} />
+        )}
+        {joined.length > 0 && side}
+        <Help seats={joined} names={names} />
+      </main>
+      <Over {...over} />
+      {leaving.value.length > 0 && <RemoveDialog stream={stream} seats={leaving.value} close={() => remove([])} />}
       <PinDialog stream={stream} />
-    </Frame>
+    </div>
+  );
+}
+
+/** Before the first pupil has joined. */
+function Empty({ wall }: { wall: Wall }) {
+  return (
+    <section class="wall-empty">
+      <h2>{t("page-class-here", { count: 0 })}</h2>
+      <JoinSign address={wall.address} word={wall.word} />
+    </section>
+  );
+}
+
+interface OverProps {
+  readonly stream: ClassStream;
+  readonly wall: Wall;
+  readonly opened: Signal<Opened | null>;
+  readonly lesson: LessonOffer | undefined;
+  /** The pupils, in the order in which they joined. */
+  readonly joined: readonly Seat[];
+  readonly names: ReadonlyMap<string, string>;
+  readonly side: ComponentChildren;
+  readonly remove: (seats: readonly Seat[]) => void;
+}
+
+/** What is open over the wall. */
+function Over({ stream, wall, opened, lesson, joined, names, side, remove }: OverProps) {
+  const now = opened.value;
+  const close = () => (opened.value = null);
+  switch (now?.kind) {
+    case "lessons":
+      return <HandOutDialog stream={stream} now={lesson} close={close} />;
+    case "side":
+      return (
+        <Dialog title={t("page-class-side")} close={close}>
+          {side}
+        </Dialog>
+      );
+    case "join":
+      return (
+        <Dialog title={t("page-class-here", { count: joined.filter(({ here }) => here).length })} close={close}>
+          <JoinSign address={wall.address} word={wall.word} />
+          <JoinRights stream={stream} wall={wall} remove={() => (opened.value = { kind: "choosing" })} />
+        </Dialog>
+      );
+    case "hint": {
+      const question = joined.find(({ id }) => id === now.to)?.question ?? "";
+      return <HintDialog {...{ stream, question, close }} to={now.to} name={names.get(now.to) ?? ""} />;
+    }
+    case "choosing":
+      return <RemovedDialog seats={joined} remove={remove} close={close} />;
+    default:
+      return null;
+  }
+}
+
+interface PupilsProps {
+  readonly stream: ClassStream;
+  readonly wall: Wall;
+  readonly drawing: Drawing;
+  /** In the order in which they joined. */
+  readonly seats: readonly Seat[];
+  readonly names: ReadonlyMap<string, string>;
+  readonly hint: (pupil: string) => void;
+  readonly remove: (seats: readonly Seat[]) => void;
+  readonly openSide: () => void;
+}
+
+/** The tiles with their filters. While the teacher is at them, they keep their places. */
+function Pupils({ stream, wall, drawing, seats, names, hint, remove, openSide }: PupilsProps) {
+  const filter = useSignal<State | null>(null);
+  const order = useSignal<Order>("need");
+  const isBusy = useSignal(false);
+  const kept = useRef<{ key: string; ids: readonly string[] }>({ key: "", ids: [] });
+  const wanted = inOrder(
+    seats.filter((seat) => !filter.value || stateOf(seat) === filter.value),
+    order.value,
+  );
+  const key = `${filter.value} ${order.value}`;
+  const isNew = kept.current.key !== key || !isBusy.value;
+  if (isNew) kept.current = { key, ids: wanted.map(({ id }) => id) };
+  const shown = isNew ? wanted : inPlace(wanted, seats, kept.current.ids);
+  const changes = wanted.filter(({ id }, i) => shown[i]?.id !== id).length;
+  const sort = () => {
+    kept.current = { key: "", ids: [] };
+    isBusy.value = false;
+  };
+  return (
+    <div class="wall-pupils">
+      <Filters
+        seats={seats}
+        filter={filter}
+        order={order}
+        changes={changes}
+        sort={sort}
+        waiting={waiting(seats).length}
+        openSide={openSide}
+      />
+      <p id="wall-keys" class="hidden">
+        {t("page-class-keys")}
+      </p>
+      <Grid
+        stream={stream}
+        drawing={drawing}
+        wall={wall}
+        seats={shown}
+        names={names}
+        isBusy={isBusy}
+        hint={({ id }) => hint(id)}
+        remove={(seat) => remove([seat])}
+      />
+    </div>
+  );
+}
+
+/** The pupils where they were before; others come last, and those who have left the class are gone. */
+function inPlace(wanted: readonly Seat[], all: readonly Seat[], ids: readonly string[]): Seat[] {
+  const known = new Map(all.map((seat) => [seat.id, seat]));
+  return [...ids.flatMap((id) => known.get(id) ?? []), ...wanted.filter(({ id }) => !ids.includes(id))];
+}
+
+/** F6 leads to the next part of the wall, and with Shift to the one before. */
+function changeRegion(event: KeyboardEvent): void {
+  if (event.key !== "F6") return;
+  event.preventDefault();
+  const page = event.currentTarget as HTMLElement;
+  const regions = [...page.querySelectorAll<HTMLElement>("[data-wall-region]")].filter(
+    ({ offsetWidth }) => offsetWidth,
+  );
+  const at = regions.findIndex((region) => region.contains(document.activeElement));
+  const next = regions[(at + (event.shiftKey ? regions.length - 1 : 1)) % regions.length];
+  const stop =
+    next?.querySelector<HTMLElement>('[tabindex="0"]') ?? next?.querySelector<HTMLElement>("button, a, select");
+  stop?.focus();
+}
+
+/** Says to screen readers who asks for help. */
+function Help({ seats, names }: { seats: readonly Seat[]; names: ReadonlyMap<string, string> }) {
+  const asking = seats.filter(({ hand }) => hand).sort((one, other) => (one.waits ?? 0) - (other.waits ?? 0));
+  const [newest] = asking;
+  return (
+    <p class="hidden" role="status">
+      {newest && t("page-class-asks", { name: names.get(newest.id) ?? "" })}
+    </p>
   );
 }
 
@@ -74,48 +230,6 @@ function Lost({ stream }: { stream: ClassStream }) {
     <p role="alert" class={lost || refused ? "class-problem" : "hidden"}>
       {lost ? t("page-shell-lost") : refused && say(refused)}
     </p>
-  );
-}
-
-function Tools({ stream, wall, hintAll }: { stream: ClassStream; wall: Wall; hintAll: () => void }) {
-  const lessons = (wall.lessons ?? []).map(([lesson, title]) => {
-    const text = typeof title === "string" ? title : (title[language.value] ?? title.en ?? lesson);
-    return { text, run: () => stream.send({ kind: "HandOut", lesson, project: text }) };
-  });
-  return (
-    <div class="class-tools">
-      <button
-        type="button"
-        class="button bordered"
-        aria-pressed={wall.eyes_up}
-        onClick={() => stream.rest(!wall.eyes_up)}
-      >
-        <Icon name="eye" />
-        {t("page-class-eyes-up-button")}
-      </button>
-      <button type="button" class="button bordered" onClick={() => stream.send({ kind: "StopAll" })}>
-        <Icon name="stop" />
-        {t("page-class-stop-all")}
-      </button>
-      <Menu label={t("page-class-hand-out")} icon="lesson" groups={[{ items: lessons }]} side="right">
-        <span>{t("page-class-hand-out")}</span>
-      </Menu>
-      <button type="button" class="button bordered" onClick={hintAll}>
-        <Icon name="hint" />
-        {t("page-class-hint-all")}
-      </button>
-      <a class="button bordered" href="hand-ins">
-        <Icon name="saved" />
-        {t("page-handins-title")}
-      </a>
-      <a class="button bordered" href="projector" target="_blank" rel="noopener opener">
-        {t("page-class-projector")}
-      </a>
-      <a class="button bordered" href="export.zip">
-        <Icon name="download" />
-        {t("page-class-export-all")}
-      </a>
-    </div>
   );
 }
 
@@ -139,174 +253,5 @@ function Knocking({ stream, wall }: { stream: ClassStream; wall: Wall }) {
         </>
       )}
     </div>
-  );
-}
-
-interface Joining {
-  readonly stream: ClassStream;
-  readonly wall: Wall;
-  readonly remove: () => void;
-}
-
-/** Open until the first pupil has joined. */
-function HowToJoin({ stream, wall, count, remove }: Joining & { count: number }) {
-  return (
-    <details class="class-joining" open={count === 0}>
-      <summary>
-        {t("page-class-here", { count })} · {t("page-class-word-is", { word: wall.word })}
-      </summary>
-      <JoinSign address={wall.address} word={wall.word} />
-      <JoinRights stream={stream} wall={wall} remove={remove} />
-    </details>
-  );
-}
-
-/** Where to go, and the word. */
-export function JoinSign({ address, word }: { address: string; word: string }) {
-  return (
-    <div class="join-sign">
-      <QrCode address={address} />
-      <div>
-        <p>{t("page-class-go-to")}</p>
-        <p class="join-address">{address}</p>
-        <p>{t("page-class-type-word")}</p>
-        <p class="join-word">{word}</p>
-      </div>
-    </div>
-  );
-}
-
-/** Whether new pupils can join, another word, and who is to leave. */
-function JoinRights({ stream, wall, remove }: Joining) {
-  return (
-    <div class="class-tools">
-      <label>
-        <input
-          type="checkbox"
-          checked={wall.open}
-          onChange={({ currentTarget }) => stream.send({ kind: "LetJoin", on: currentTarget.checked })}
-        />
-        {t("page-class-open-door")}
-      </label>
-      <button type="button" class="button bordered" onClick={() => stream.send({ kind: "RenewWord" })}>
-        {t("page-class-renew-word")}
-      </button>
-      <button type="button" class="button bordered" disabled={!wall.pupils?.length} onClick={remove}>
-        {t("page-class-remove-several")}
-      </button>
-    </div>
-  );
-}
-
-function HintDialog({ stream, to, close }: { stream: ClassStream; to: Seat | "all"; close: () => void }) {
-  const text = useSignal("");
-  const title = to === "all" ? t("page-class-hint-all") : t("page-class-hint-to", { name: to.name ?? "" });
-  const send = (event: Event) => {
-    event.preventDefault();
-    stream.send({ kind: "SendHint", text: text.peek().trim(), pupil: to === "all" ? null : to.id });
-    close();
-  };
-  return (
-    <Dialog title={title} close={close}>
-      <form class="class-hint" onSubmit={send}>
-        <label class="field">
-          {t("page-class-hint-text")}
-          <textarea
-            autofocus
-            rows={3}
-            maxLength={300}
-            required
-            value={text.value}
-            onInput={({ currentTarget }) => (text.value = currentTarget.value)}
-          />
-        </label>
-        <button type="submit" class="button filled" disabled={!text.value.trim()}>
-          {t("page-class-hint-send")}
-        </button>
-      </form>
-    </Dialog>
-  );
-}
-
-interface Removed {
-  /** In the order in which they joined. */
-  readonly seats: readonly (Seat | undefined)[];
-  readonly remove: (chosen: readonly Seat[]) => void;
-  readonly close: () => void;
-}
-
-/** Choose several pupils to delete: the last ones to join come first. */
-function RemovedDialog({ seats, remove, close }: Removed) {
-  const chosen = useSignal<ReadonlySet<string>>(new Set());
-  const known = seats.filter((seat) => seat !== undefined).reverse();
-  const tick = (id: string, on: boolean) => {
-    const ids = new Set(chosen.peek());
-    if (on) ids.add(id);
-    else ids.delete(id);
-    chosen.value = ids;
-  };
-  const next = () => {
-    remove(known.filter(({ id }) => chosen.peek().has(id)));
-    close();
-  };
-  return (
-    <Dialog title={t("page-class-remove-several")} close={close}>
-      <p>{t("page-class-remove-which")}</p>
-      <ul class="class-removed">
-        {known.map(({ id, name }) => (
-          <li key={id}>
-            <label>
-              <input
-                type="checkbox"
-                checked={chosen.value.has(id)}
-                onChange={({ currentTarget }) => tick(id, currentTarget.checked)}
-              />
-              <bdi>{name}</bdi>
-            </label>
-          </li>
-        ))}
-      </ul>
-      <div class="dialog-buttons">
-        <button type="button" class="button bordered" onClick={close}>
-          {t("page-class-remove-not")}
-        </button>
-        <button type="button" class="button filled" disabled={!chosen.value.size} onClick={next}>
-          {t("page-class-remove")}
-        </button>
-      </div>
-    </Dialog>
-  );
-}
-
-function RemoveDialog({ stream, seats, close }: { stream: ClassStream; seats: readonly Seat[]; close: () => void }) {
-  const name = seats.map((seat) => seat.name ?? "").join(", ");
-  const remove = () => {
-    stream.send({ kind: "RemovePupils", pupils: seats.map(({ id }) => id) });
-    close();
-  };
-  return (
-    <Dialog title={t("page-class-remove-title", { name })} close={close}>
-      <p>{t("page-class-remove-text", { name })}</p>
-      <div class="dialog-buttons">
-        <button type="button" class="button bordered" onClick={close}>
-          {t("page-class-remove-not")}
-        </button>
-        <button type="button" class="button filled" onClick={remove}>
-          {t("page-class-remove")}
-        </button>
-      </div>
-    </Dialog>
-  );
-}
-
-/** A pupil's new pictures, until the teacher has told them. */
-function PinDialog({ stream }: { stream: ClassStream }) {
-  const pin = stream.pin.value;
-  if (!pin) return null;
-  return (
-    <Dialog title={t("page-class-pin-of", { name: pin.name })} close={() => (stream.pin.value = null)}>
-      <p>{t("page-class-pin-text")}</p>
-      <PictureRow pictures={pin.pictures} />
-    </Dialog>
   );
 }

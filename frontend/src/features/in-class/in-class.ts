@@ -8,8 +8,8 @@ import type { Connection } from "../../protocol/connection";
 export class ClassNews {
   /** The newest news; null outside a class. */
   readonly now = signal<InClass | null>(null);
-  /** The hint that the pupil has put away. */
-  readonly read = signal("");
+  /** The number of the hint that the pupil has put away. */
+  readonly read = signal(0);
 
   constructor(private readonly connection: Connection) {
     connection.on("InClass", (news) => {
@@ -17,9 +17,9 @@ export class ClassNews {
     });
   }
 
-  /** Raise the hand, or lower it. */
-  askForHelp(on: boolean): void {
-    this.connection.send({ kind: "AskForHelp", on });
+  /** Raise the hand, with or without a question, or lower it. */
+  askForHelp(on: boolean, question = ""): void {
+    this.connection.send({ kind: "AskForHelp", on, question });
   }
 
   /** Let the teacher write, or no more. */
@@ -34,7 +34,7 @@ export class ClassNews {
 
   /** Put the teacher's hint away. */
   putAway(): void {
-    this.read.value = this.now.peek()?.hint ?? "";
+    this.read.value = this.now.peek()?.hints ?? 0;
   }
 }
 

@@ -1,14 +1,20 @@
 /** What a page shows of the class: the pupil's name and hand, the teacher's hint and questions, eyes up. */
 
+import { useSignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
+
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
 import type { InClass } from "../../protocol/classroom";
 import { IconButton } from "../../ui/button";
 import { hold } from "../../ui/dialog";
 import { Icon } from "../../ui/icons";
+import { RobotPicture } from "../../ui/robots/picture";
 import "./notes.css";
+
+/** It has to fit on a tile of the wall. */
+const LONGEST_QUESTION = 60;
 
 /** In the bar: whose page it is, and the raised hand. */
 export function PupilChip() {
@@ -51,10 +57,13 @@ function ForPupil({ now }: { now: InClass }) {
   const news = usePage().classNews;
   return (
     <>
-      {now.hint && now.hint !== news.read.value && (
-        <Note>
+      {now.hand && <Question key={now.question} known={now.question ?? ""} />}
+      {now.hint && now.hints !== news.read.value && (
+        <Note look="hint">
+          <Icon name="hint" />
           <p>
-            <strong>{t("page-class-hint-from")}</strong> {now.hint}
+            <strong>{t("page-class-hint-from")}</strong>
+            <span>{now.hint}</span>
           </p>
           <IconButton icon="close" word="page-shell-dismiss" onClick={() => news.putAway()} />
         </Note>
@@ -99,8 +108,46 @@ function ForTeacher({ now }: { now: InClass }) {
   );
 }
 
-function Note({ children }: { children: ComponentChildren }) {
-  return <section class="toast note">{children}</section>;
+function Note({ children, look = "" }: { children: ComponentChildren; look?: string }) {
+  return <section class={`toast note ${look}`}>{children}</section>;
+}
+
+/** What the pupil needs help with, which the teacher sees on the wall. The hand is raised without it, too. */
+function Question({ known }: { known: string }) {
+  const news = usePage().classNews;
+  const text = useSignal(known);
+  const field = useRef<HTMLInputElement>(null);
+  // The hand has just been raised: what is typed now is the question.
+  useLayoutEffect(() => {
+    if (!known) field.current?.focus();
+  }, []);
+  const isTold = known !== "" && text.value.trim() === known;
+  return (
+    <form
+      class="toast note question"
+      onSubmit={(event) => {
+        event.preventDefault();
+        news.askForHelp(true, text.peek().trim());
+      }}
+    >
+      <label>
+        <span>{t(isTold ? "page-class-told" : "page-class-question")}</span>
+        <input
+          ref={field}
+          type="text"
+          maxLength={LONGEST_QUESTION}
+          value={text.value}
+          onInput={({ currentTarget }) => (text.value = currentTarget.value)}
+        />
+      </label>
+      <button type="submit" class="button filled" disabled={isTold || !text.value.trim()}>
+        {t("page-class-tell")}
+      </button>
+      <button type="button" class="button bordered" onClick={() => news.askForHelp(false)}>
+        {t("page-class-no-help")}
+      </button>
+    </form>
+  );
 }
 
 /** All pages rest while the teacher speaks. */
@@ -110,11 +157,15 @@ function EyesUp() {
   useLayoutEffect(() => (dialog.current ? hold(dialog.current, () => undefined) : undefined), []);
   return (
     <dialog ref={dialog} class="eyes-up" aria-labelledby="eyes-up">
-      <Icon name="eye" />
+      <RobotPicture robot="ebo" />
       <h2 id="eyes-up" tabIndex={-1}>
         {t("page-class-eyes-up")}
       </h2>
       <p>{t("page-class-eyes-up-text")}</p>
+      <p class="eyes-up-safe">
+        <Icon name="saved" />
+        {t("page-class-eyes-up-safe")}
+      </p>
     </dialog>
   );
 }

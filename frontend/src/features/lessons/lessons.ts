@@ -2,7 +2,7 @@
 
 import { computed, signal } from "@preact/signals";
 
-import { language, say, t } from "../../i18n";
+import { say, t } from "../../i18n";
 import type { Announcer } from "../../model/announcer";
 import { browserId } from "../../model/browser-id";
 import { type MissedPlace, missedPlace } from "../../model/missed";
@@ -18,7 +18,6 @@ import {
   type LessonHints,
   type LessonNotes,
   type LessonShown,
-  type LessonWords,
   LIMITS,
   type PuzzleJudged,
   type QuizJudged,
@@ -27,22 +26,13 @@ import {
 import { inBase64 } from "../../ui/files";
 import type { Toasts } from "../../ui/toasts";
 import { type LessonFolder, lessonFolderOf } from "./folder";
+import { inLanguage, sayWords } from "./texts";
+
+export { inLanguage, sayWords };
 
 /** A lesson as a file, and as a folder that was zipped by hand. */
 export const [LESSON_FILE, LESSON_ZIP] = [".lblesson", ".zip"];
 const { filename: LONGEST_NAME, content: LARGEST } = LIMITS.ImportLesson;
-
-type Text = string | Readonly<Record<string, string>>;
-
-/** A text of a lesson in the user's language, in English, or in the first language that it has. */
-export function inLanguage(text: Text = ""): string {
-  if (typeof text === "string") return text;
-  return text[language.value] ?? text.en ?? Object.values(text)[0] ?? "";
-}
-
-export function sayWords({ text = "", phrase = null }: LessonWords): string {
-  return phrase ? say(phrase) : inLanguage(text);
-}
 
 /** More marks would hide the world. */
 const MOST_MISSED = 3;

@@ -120,6 +120,11 @@ export class Stage {
     return this.goals[goal]?.place ?? [x, y];
   }
 
+  /** Where all goals are. */
+  get places(): XY[] {
+    return this.goals.map(({ place }) => place);
+  }
+
   /** Turn what has a front to the camera. */
   face({ x, y }: { readonly x: number; readonly y: number }): void {
     for (const goal of this.goals) goal.face(x, y);

@@ -138,13 +138,18 @@ export class View {
 
   /** Draw the world at its best quality, for a picture that is kept. */
   renderBest(): void {
+    this.renderOnce(QUALITIES[0] as Quality);
+    this.invalidate();
+  }
+
+  /** Draw the world in a quality, and no other frame after it. */
+  renderOnce(quality: Quality): void {
     const usual = this.quality;
-    this.apply(QUALITIES[0] as Quality);
+    this.apply(quality);
     this.sharpen(Math.max(STILL.sharpness, this.screen), this.quality.shadows);
     this.renderer.shadowMap.needsUpdate = true;
     this.renderer.render(this.scene, this.camera);
     this.apply(usual);
-    this.invalidate();
   }
 
   private sharpen(ratio: number, shadows: number): void {

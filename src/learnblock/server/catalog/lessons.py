@@ -165,6 +165,16 @@ def _shipped(name: str) -> OpenLesson:
     return reading.shipped_lesson(name)
 
 
+def step_titles(name: str) -> tuple[str | dict[str, str], ...]:
+    """The titles of a lesson's steps.
+
+    Raises:
+        UnknownNameError: there is no such lesson.
+        LearnBlockError: its file is invalid.
+    """
+    return tuple(_plain(step.title) for step in find_lesson(name).lesson.step)
+
+
 def _choice(opened: OpenLesson, *, own: bool = False) -> LessonChoice:
     lesson = opened.lesson
     return LessonChoice(

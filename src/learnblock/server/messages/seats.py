@@ -14,6 +14,18 @@ GoalState = Literal["open", "reached", "failed"]
 Words = dict[str, Any]
 
 
+class MissedCheck(Struct, frozen=True, omit_defaults=True):
+    """What the last run missed of a lesson's step.
+
+    Args:
+        goal: the check, as the pupil reads it (`LessonWords`).
+        reason: by how much, if that is known.
+    """
+
+    goal: Words
+    reason: Words | None = None
+
+
 class Work(Struct, frozen=True, omit_defaults=True):
     """What a page works on.
 
@@ -28,7 +40,11 @@ class Work(Struct, frozen=True, omit_defaults=True):
         lesson_name: its name; empty without a lesson.
         step: the current step, from 1; 0 without a lesson.
         steps: the number of its steps.
+        done: of each step, whether it is behind the pupil, or has given a star.
         stars: earned in the lesson.
+        all_stars: those that there are to earn.
+        tries: the runs of this step that have ended.
+        missed: the first check that the last of them did not pass; None if it passed.
         error: why the last run ended, if not well, or what is wrong with the program.
     """
 
@@ -42,7 +58,11 @@ class Work(Struct, frozen=True, omit_defaults=True):
     lesson_name: str = ""
     step: int = 0
     steps: int = 0
+    done: tuple[bool, ...] = ()
     stars: int = 0
+    all_stars: int = 0
+    tries: int = 0
+    missed: MissedCheck | None = None
     error: Words | None = None
 
 

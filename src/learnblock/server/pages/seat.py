@@ -1,7 +1,7 @@
 """What the class's wall shows of a page, taken from the messages that the page is sent."""
 
 import asyncio
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import msgspec
@@ -9,7 +9,7 @@ from msgspec.structs import replace
 
 from learnblock.i18n import Multilingual, Phrase
 from learnblock.server import messages
-from learnblock.server.messages import Words, Work
+from learnblock.server.messages import MissedCheck, Words, Work
 
 #: A new point of the way, if it is further than this from the last one, in mm; and the most points.
 _STEP, _MOST_POINTS = 15.0, 400
@@ -101,7 +101,7 @@ class PageSeat:
         if message.others or message.tried:
             return
         self._ended_badly = None if message.ended in _FINE else _words(message.message)
-        self._now(error=self._ended_badly)
+        self._now(error=self._ended_badly, tries=self._work.tries + 1)
         if message.ended == "finished" and all(goal.state != "failed" for goal in message.goals):
             self._successes += 1
 
@@ -115,21 +115,35 @@ class PageSeat:
         """A step of a lesson is shown, or no lesson."""
         if (self._work.lesson, self._work.step) != (message.title, message.step):
             self._successes += 1
+            self._now(tries=0, missed=None)
         has = bool(message.name)
         self._now(
             lesson=message.title if has else "",
             lesson_name=message.name,
             step=message.step if has else 0,
             steps=len(message.steps) if has else 0,
-            stars=sum(step.earned for step in message.steps),
         )
+        self._reached(message.steps)
 
     def judged(self, message: messages.LessonGoals) -> None:
         """The checks of a step have been looked at."""
         if message.earned:
             self._successes += 1
         if message.steps:
-            self._now(stars=sum(step.earned for step in message.steps))
+            self._reached(message.steps)
+        if not message.live:
+            failed = (goal for goal in message.goals if goal.state == "failed")
+            self._now(missed=_missed(next(failed, None)))
+
+    def _reached(self, steps: Sequence[messages.LessonStep]) -> None:
+        behind = self._work.step - 1
+        self._now(
+            stars=sum(step.earned for step in steps),
+            all_stars=sum(step.stars for step in steps),
+            done=tuple(
+                step.earned > 0 or (i < behind and not step.stars) for i, step in enumerate(steps)
+            ),
+        )
 
 
 def _words(phrase: Phrase | None) -> Words | None:
@@ -137,10 +151,25 @@ def _words(phrase: Phrase | None) -> Words | None:
     return words
 
 
+def _missed(goal: messages.LessonGoal | None) -> MissedCheck | None:
+    if goal is None:
+        return None
+    words = msgspec.to_builtins(goal.say, enc_hook=with_languages)
+    return MissedCheck(words, _words(goal.reason))
+
+
 def _longer(way: tuple[float, ...], x: float, y: float) -> tuple[float, ...]:
     if way and (x - way[-2]) ** 2 + (y - way[-1]) ** 2 < _STEP**2:
         return way
-    return (*way, round(x), round(y))[-2 * _MOST_POINTS :]
+    longer = (*way, round(x), round(y))
+    return longer if len(longer) <= 2 * _MOST_POINTS else _thinned(longer)
+
+
+def _thinned(way: tuple[float, ...]) -> tuple[float, ...]:
+    """Every second point, so that a long way is shown from its beginning."""
+    points = list(zip(way[::2], way[1::2], strict=True))
+    # The last one stays: the way goes on from there.
+    return tuple(value for point in points[(len(points) - 1) % 2 :: 2] for value in point)
 
 
 _FOLLOWERS: dict[type[messages.ToPage], Callable[[PageSeat, Any], None]] = {

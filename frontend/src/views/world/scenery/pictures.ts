@@ -4,13 +4,30 @@ import { type ColorSpace, type Material, SRGBColorSpace, type Texture, TextureLo
 
 type Pictured = Material & { map: Texture | null; color: { set(colour: string): unknown } };
 
+/** Counts what is being loaded. */
+export interface Loading {
+  begin(): void;
+  end(): void;
+}
+
 /** Loads pictures into materials and redraws the world when one has loaded. */
 export class Pictures {
   private readonly loader = new TextureLoader();
   private readonly textures = new Set<Texture>();
   private readonly loaded = new Map<string, Texture>();
 
-  constructor(private readonly changed: () => void) {}
+  /**
+   * @param changed is called when one has loaded.
+   * @param base the address to which all are relative: that of the page, or of a page in a folder of it.
+   * @param loading is told of each that is being loaded.
+   */
+  constructor(
+    private readonly changed: () => void,
+    base = "",
+    private readonly loading: Loading | null = null,
+  ) {
+    this.loader.setPath(base);
+  }
 
   /** Show the picture at an address relative to the page; until it has loaded, the plain colour. */
   on(material: Pictured, address: string): void {
@@ -25,13 +42,17 @@ export class Pictures {
   load(address: string, space: ColorSpace, use: (texture: Texture) => void): void {
     const before = this.loaded.get(address);
     if (before) return use(before);
-    this.loader.load(address, (texture) => {
+    this.loading?.begin();
+    const missing = () => this.loading?.end();
+    const shown = (texture: Texture) => {
       texture.colorSpace = space;
       texture.anisotropy = 4;
       this.loaded.set(address, texture);
       use(this.keep(texture));
       this.changed();
-    });
+      this.loading?.end();
+    };
+    this.loader.load(address, shown, undefined, missing);
   }
 
   /** Keep a texture until these pictures are disposed of. */

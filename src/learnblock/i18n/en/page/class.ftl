@@ -47,7 +47,6 @@ page-class-here = { $count ->
         [one] 1 pupil is here
        *[other] { $count } pupils are here
     }
-page-class-word-is = join word: { $word }
 page-class-go-to = Open
 page-class-type-word = and type
 page-class-open-door = New pupils can join
@@ -58,7 +57,6 @@ page-class-hand-out = Hand out a lesson
 page-class-hint-all = Hint for everybody
 page-class-projector = Projector
 page-class-export-all = Download all work
-page-class-open = Open
 page-class-hint = Hint
 page-class-more = More for { $name }
 page-class-project = Show on the projector, without the name
@@ -86,25 +84,86 @@ page-class-hint-text = What should the pupil look at?
 page-class-hint-send = Send
 page-class-world-of = The world of { $name }
 page-class-world-shown = A pupil's world
+page-class-state-help = Needs help
+page-class-state-stuck = Stuck { $minutes } min
+page-class-state-running = Running
+page-class-state-editing = Editing
+page-class-state-handed-in = Handed in
+page-class-state-not-begun = Not begun
+page-class-state-away = Away
+# How many pupils are in a state; a number follows.
+page-class-filters = Which pupils are shown
+page-class-all = All
+page-class-filter-help = Needs help
+page-class-filter-stuck = Stuck
+page-class-filter-running = Running
+page-class-filter-editing = Editing
+page-class-filter-handed-in = Handed in
+page-class-filter-not-begun = Not begun
+page-class-filter-away = Away
+page-class-order = Order
+page-class-order-need = Needs help first
+page-class-order-name = By name
+page-class-order-step = Farthest first
+# While the pointer is over the tiles, they keep their places.
+page-class-changes = { $count ->
+        [one] 1 change · Sort
+       *[other] { $count } changes · Sort
+    }
+page-class-keys = Arrow keys go from pupil to pupil, and a letter to the next name that begins with it. Enter opens the pupil's page, H writes a hint, Shift+F10 opens the menu. F6 goes to the next part of the wall.
+page-class-look = Look
+# What a pupil has written.
+page-class-said = “{ $question }”
+page-class-asks = { $name } asks for help.
+page-class-join-word = Join word
+page-class-more-tools = More
+# Of a lesson: 1 to 4.
+page-class-level = Level { $level }
+page-class-every-robot = every robot
+page-class-left = { $minutes } min left
+page-class-minutes = { $minutes } min
+page-class-side = The class
+page-class-waiting-for-you = Waiting for you
+page-class-nobody-waits = Nobody is waiting.
+page-class-more-wait = and { $count } more
+page-class-tried = step { $step } · { $tries } { $tries ->
+        [one] try
+       *[other] tries
+    }
+page-class-where = Where the class is
+page-class-no-lesson = No lesson has been handed out.
+# $what is a check of a lesson, or what was missed and by how much.
+page-class-mistake = Step { $step }: { $count } of { $tried } miss this: { $what }
+page-class-hand-ins = Hand-ins
+page-class-some-of = { $count } of { $all }
+page-class-no-hand-ins = No pupil has finished yet.
+page-class-pupil = Pupil
+page-class-stars = Stars
+page-class-tries = Tries
+page-class-mark = Mark
+page-class-to-mark = to mark
+page-class-done = finished
+page-class-hint-kept = There is no connection. Your hint is kept: send it again when LearnBlock is back.
+page-class-hint-text-all = What should everybody look at?
+page-class-lessons = Lessons
+page-class-find-lesson = Find a lesson
+page-class-no-such-lesson = No lesson has these words.
+page-class-own-lessons = My lessons { $count }
+page-class-lesson-on = On now
+page-class-lesson-next = Next
+page-class-lesson-own = Mine
+page-class-to-everyone = It opens on every pupil's page, and for pupils who come later.
+page-class-hand-out-do = Hand out
 # $title is that of a lesson.
 page-class-step = { $title } · step { $step } of { $steps } · { $stars } ★
-page-class-state-idle = Editing
-page-class-state-starting = Starting
-page-class-state-running = Running
-page-class-state-paused = Paused
-page-class-state-held = Paused
-page-class-state-input = Waiting for an answer
-page-class-state-done = Ended
-page-class-state-ended = Ended
-page-class-need-hand = Asks for help
-page-class-need-stuck = Stuck for { $minutes } min
-page-class-need-error = Has an error
-page-class-need-quiet = Quiet for { $minutes } min
-page-class-need-away = Not here
 
 ## On a page that shows a pupil's program
 
 page-class-hand = I need help
+page-class-question = What do you need help with?
+page-class-told = Your teacher can see this
+page-class-tell = Tell my teacher
+page-class-no-help = I no longer need help
 page-class-notes = From your class
 page-class-hint-from = Your teacher:
 page-class-asked = Your teacher would like to write in your program.
@@ -119,4 +178,5 @@ page-class-ask-not = Never mind
 page-class-may = You can write in the program of { $name }.
 page-class-stop-writing = Only look again
 page-class-eyes-up = Eyes up!
-page-class-eyes-up-text = Look at your teacher. Your program is safe.
+page-class-eyes-up-text = Look at your teacher for a moment.
+page-class-eyes-up-safe = Your program is safe.

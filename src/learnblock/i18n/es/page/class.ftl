@@ -44,7 +44,6 @@ page-class-here = { $count ->
         [one] Hay 1 persona
        *[other] Hay { $count } personas
     }
-page-class-word-is = palabra para entrar: { $word }
 page-class-go-to = Abre
 page-class-type-word = y escribe
 page-class-open-door = Puede entrar gente nueva
@@ -55,7 +54,6 @@ page-class-hand-out = Repartir una lección
 page-class-hint-all = Pista para todos
 page-class-projector = Proyector
 page-class-export-all = Descargar todo el trabajo
-page-class-open = Abrir
 page-class-hint = Pista
 page-class-more = Más para { $name }
 page-class-project = Mostrar en el proyector, sin el nombre
@@ -78,24 +76,80 @@ page-class-hint-text = ¿En qué debería fijarse?
 page-class-hint-send = Enviar
 page-class-world-of = El mundo de { $name }
 page-class-world-shown = El mundo de alguien de la clase
-page-class-step = { $title } · paso { $step } de { $steps } · { $stars } ★
-page-class-state-idle = Editando
-page-class-state-starting = Arrancando
+page-class-state-help = Pide ayuda
+page-class-state-stuck = Atascado { $minutes } min
 page-class-state-running = En marcha
-page-class-state-paused = En pausa
-page-class-state-held = En pausa
-page-class-state-input = Espera una respuesta
-page-class-state-done = Terminado
-page-class-state-ended = Terminado
-page-class-need-hand = Pide ayuda
-page-class-need-stuck = No avanza desde hace { $minutes } min
-page-class-need-error = Tiene un error
-page-class-need-quiet = Sin hacer nada desde hace { $minutes } min
-page-class-need-away = No está
+page-class-state-editing = Editando
+page-class-state-handed-in = Entregado
+page-class-state-not-begun = Sin empezar
+page-class-state-away = Ausente
+page-class-filters = A quién se muestra
+page-class-all = Todos
+page-class-filter-help = Pide ayuda
+page-class-filter-stuck = Atascado
+page-class-filter-running = En marcha
+page-class-filter-editing = Editando
+page-class-filter-handed-in = Entregado
+page-class-filter-not-begun = Sin empezar
+page-class-filter-away = Ausente
+page-class-order = Orden
+page-class-order-need = Por ayuda
+page-class-order-name = Por nombre
+page-class-order-step = Por avance
+page-class-changes = { $count ->
+        [one] 1 cambio · Ordenar
+       *[other] { $count } cambios · Ordenar
+    }
+page-class-keys = Con las flechas vas de una persona a otra, y con una letra al siguiente nombre que empieza por ella. Intro abre su página, H escribe una pista y Mayús+F10 abre el menú. F6 pasa a la parte siguiente del panel.
+page-class-look = Mirar
+page-class-said = «{ $question }»
+page-class-asks = { $name } pide ayuda.
+page-class-join-word = Palabra
+page-class-more-tools = Más
+page-class-level = Nivel { $level }
+page-class-every-robot = todos los robots
+page-class-left = quedan { $minutes } min
+page-class-minutes = { $minutes } min
+page-class-side = La clase
+page-class-waiting-for-you = Te esperan
+page-class-nobody-waits = No espera nadie.
+page-class-more-wait = y { $count } más
+page-class-tried = paso { $step } · { $tries } { $tries ->
+        [one] intento
+       *[other] intentos
+    }
+page-class-where = Por dónde va la clase
+page-class-no-lesson = No has repartido ninguna lección.
+page-class-mistake = Paso { $step }: a { $count } de { $tried } les falta esto: { $what }
+page-class-hand-ins = Entregas
+page-class-some-of = { $count } de { $all }
+page-class-no-hand-ins = Aún no ha terminado nadie.
+page-class-pupil = Nombre
+page-class-stars = Estrellas
+page-class-tries = Intentos
+page-class-mark = Nota
+page-class-to-mark = por calificar
+page-class-done = terminado
+page-class-hint-kept = No hay conexión. La pista se conserva: envíala otra vez cuando LearnBlock vuelva.
+page-class-hint-text-all = ¿En qué debería fijarse todo el mundo?
+page-class-lessons = Lecciones
+page-class-find-lesson = Buscar una lección
+page-class-no-such-lesson = Ninguna lección tiene esas palabras.
+page-class-own-lessons = Mis lecciones { $count }
+page-class-lesson-on = En curso
+page-class-lesson-next = Siguiente
+page-class-lesson-own = Mía
+page-class-to-everyone = Se abre en la página de cada persona, también de quien llegue más tarde.
+page-class-hand-out-do = Repartir
+page-class-step = { $title } · paso { $step } de { $steps } · { $stars } ★
 
 ## En una página que muestra el programa de alguien
 
 page-class-hand = Necesito ayuda
+page-class-question = ¿Con qué necesitas ayuda?
+page-class-told = Tu profe ya puede verlo
+page-class-tell = Decírselo
+page-class-no-help = Ya no necesito ayuda
 page-class-notes = De tu clase
 page-class-hint-from = Tu profe:
 page-class-asked = Tu profe quiere escribir en tu programa.
@@ -110,4 +164,5 @@ page-class-ask-not = Déjalo
 page-class-may = Puedes escribir en el programa de { $name }.
 page-class-stop-writing = Volver a solo mirar
 page-class-eyes-up = ¡Atención!
-page-class-eyes-up-text = Mira a tu profe. Tu programa está a salvo.
+page-class-eyes-up-text = Mira a tu profe un momento.
+page-class-eyes-up-safe = Tu programa está a salvo.

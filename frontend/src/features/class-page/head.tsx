@@ -1,0 +1,114 @@
+/** The upper edge of the wall: the lesson that is on, how to join, and what reaches all pages at once. */
+
+import { useSignal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+
+import { language, languages, t } from "../../i18n";
+import { prefer } from "../../model/preferences";
+import type { LessonOffer, Wall } from "../../protocol/classroom";
+import { Icon } from "../../ui/icons";
+import { languageName } from "../../ui/language-name";
+import { Menu } from "../../ui/menu";
+import { inLanguage } from "../lessons/texts";
+import type { ClassStream } from "./stream";
+import { lessonInWords, pictureOf } from "./words";
+
+/** ms between two looks at the clock. */
+const TICK = 15_000;
+
+interface LessonProps {
+  /** The lesson on; undefined without one. */
+  readonly lesson: LessonOffer | undefined;
+  readonly handOut: () => void;
+}
+
+export function LessonButton({ lesson, handOut }: LessonProps) {
+  const picture = lesson && pictureOf(lesson);
+  return (
+    <button type="button" class="wall-lesson" aria-haspopup="dialog" onClick={handOut}>
+      {picture ? <img src={picture} alt="" width={48} height={34} /> : <Icon name="lesson" />}
+      <span>
+        <strong class={lesson ? "hidden" : undefined}>{t("page-class-hand-out")}</strong>
+        {lesson && <strong>{inLanguage(lesson.title)}</strong>}
+        {lesson && <small>{lessonInWords(lesson)}</small>}
+      </span>
+      <Icon name="down" />
+    </button>
+  );
+}
+
+/** How many of the lesson's minutes are left since it was handed out. It never rings. */
+export function MinutesLeft({ lesson, began }: { lesson: LessonOffer | undefined; began: number }) {
+  const now = useSignal(Date.now());
+  useEffect(() => {
+    const clock = setInterval(() => (now.value = Date.now()), TICK);
+    return () => clearInterval(clock);
+  }, []);
+  if (!lesson || !began) return null;
+  const left = Math.ceil(lesson.minutes - (now.value / 1000 - began) / 60);
+  if (left < 1) return null;
+  return (
+    <span class="wall-clock">
+      <Icon name="wait" />
+      {t("page-class-left", { minutes: Math.min(left, lesson.minutes) })}
+    </span>
+  );
+}
+
+interface ToolsProps {
+  readonly stream: ClassStream;
+  readonly wall: Wall;
+  readonly showJoin: () => void;
+  readonly hintAll: () => void;
+}
+
+export function Tools({ stream, wall, showJoin, hintAll }: ToolsProps) {
+  return (
+    <div class="class-tools">
+      <button type="button" class="button bordered" aria-haspopup="dialog" onClick={showJoin}>
+        <Icon name="qrCode" />
+        <span>
+          <span class="wide">{t("page-class-join-word")}</span> <b>{wall.word}</b>
+        </span>
+      </button>
+      <a class="button bordered" href="projector" target="_blank" rel="noopener opener">
+        <Icon name="projector" />
+        <span class="wide">{t("page-class-projector")}</span>
+      </a>
+      <button
+        type="button"
+        class="button bordered"
+        aria-pressed={wall.eyes_up}
+        onClick={() => stream.rest(!wall.eyes_up)}
+      >
+        <Icon name="eye" />
+        {t("page-class-eyes-up-button")}
+      </button>
+      <button type="button" class="button halt" onClick={() => stream.send({ kind: "StopAll" })}>
+        <Icon name="stop" />
+        {t("page-class-stop-all")}
+      </button>
+      <Menu
+        label={t("page-class-more-tools")}
+        icon="more"
+        side="right"
+        groups={[
+          {
+            items: [
+              { text: t("page-class-hint-all"), icon: "hint", run: hintAll },
+              { text: t("page-class-export-all"), icon: "download", run: () => location.assign("export.zip") },
+            ],
+          },
+          {
+            title: t("page-bar-language"),
+            items: languages.map((code) => ({
+              text: languageName(code),
+              checked: code === language.value,
+              run: () => prefer({ language: code }),
+            })),
+          },
+        ]}
+      />
+    </div>
+  );
+}

@@ -1,0 +1,183 @@
+/** Beside the tiles: who waits for the teacher, where the class is, and what is ready to be looked at. */
+
+import { t } from "../../i18n";
+import type { LessonOffer, Seat } from "../../protocol/classroom";
+import { Icon, type IconName } from "../../ui/icons";
+import { inLanguage } from "../lessons/texts";
+import { commonMistake, finishedWork, placesIn, waiting } from "./overview";
+import { minutes, STATE_ICONS, stateOf } from "./states";
+import { findingInWords, pageOf } from "./tile";
+import { missedInWords } from "./words";
+
+/** Who is shown in each list; the wall has the others. */
+const MOST_WAITING = 3;
+const MOST_FINISHED = 5;
+
+interface Props {
+  readonly seats: readonly Seat[];
+  readonly names: ReadonlyMap<string, string>;
+  readonly lesson: LessonOffer | undefined;
+  readonly handOut: () => void;
+}
+
+export function Side({ seats, names, lesson, handOut }: Props) {
+  return (
+    <aside class="wall-side" aria-label={t("page-class-side")} data-wall-region>
+      <Waiting seats={seats} names={names} />
+      <Where seats={seats} lesson={lesson} handOut={handOut} />
+      <HandIns seats={seats} names={names} />
+    </aside>
+  );
+}
+
+function Title({ icon, text, more }: { icon: IconName; text: string; more?: string }) {
+  return (
+    <h2 class="wall-card-title">
+      <Icon name={icon} />
+      <span>{text}</span>
+      {more && <small>{more}</small>}
+    </h2>
+  );
+}
+
+type Named = Pick<Props, "seats" | "names">;
+
+function Waiting({ seats, names }: Named) {
+  const all = waiting(seats);
+  return (
+    <section class="wall-card" aria-label={t("page-class-waiting-for-you")}>
+      <Title icon="hand" text={t("page-class-waiting-for-you")} />
+      {all.length === 0 && <p class="dim">{t("page-class-nobody-waits")}</p>}
+      <ul>
+        {all.slice(0, MOST_WAITING).map((seat) => (
+          <li key={seat.id} class={`waiting ${stateOf(seat)}`}>
+            <Icon name={STATE_ICONS[stateOf(seat)]} />
+            <span>
+              <bdi>{names.get(seat.id)}</bdi>
+              <small>{whyInWords(seat)}</small>
+            </span>
+            <a class="button soft" href={pageOf(seat)} target="_blank" rel="noopener opener">
+              {t("page-class-look")}
+            </a>
+          </li>
+        ))}
+      </ul>
+      {all.length > MOST_WAITING && (
+        <p class="dim">{t("page-class-more-wait", { count: all.length - MOST_WAITING })}</p>
+      )}
+    </section>
+  );
+}
+
+function whyInWords(seat: Seat): string {
+  if (stateOf(seat) === "help") {
+    const waited = t("page-class-minutes", { minutes: Math.floor((seat.waits ?? 0) / 60) });
+    return [waited, seat.question || findingInWords(seat)].filter(Boolean).join(" · ");
+  }
+  const { step = 0, tries = 0 } = seat;
+  if (step && tries) return t("page-class-tried", { step, tries });
+  return t("page-class-state-stuck", { minutes: minutes(seat.stuck) });
+}
+
+/** How many pupils are in each step, and what most of them miss. */
+function Where({ seats, lesson, handOut }: Pick<Props, "seats" | "lesson" | "handOut">) {
+  return (
+    <section class="wall-card" aria-label={t("page-class-where")}>
+      <Title icon="target" text={t("page-class-where")} />
+      {lesson ? (
+        <Steps seats={seats} lesson={lesson} />
+      ) : (
+        <>
+          <p class="dim">{t("page-class-no-lesson")}</p>
+          <button type="button" class="button bordered" onClick={handOut}>
+            {t("page-class-hand-out")}
+          </button>
+        </>
+      )}
+    </section>
+  );
+}
+
+function Steps({ seats, lesson }: { seats: readonly Seat[]; lesson: LessonOffer }) {
+  const { steps, notBegun } = placesIn(seats, lesson.name, lesson.steps.length);
+  const mistake = commonMistake(seats, lesson.name);
+  const most = Math.max(1, ...steps, notBegun);
+  return (
+    <>
+      <ol class="wall-steps">
+        {lesson.steps.map((title, i) => (
+          <Bar key={i} text={`${i + 1} ${inLanguage(title)}`} count={steps[i] ?? 0} most={most} />
+        ))}
+        <Bar text={t("page-class-state-not-begun")} count={notBegun} most={most} isDim />
+      </ol>
+      {mistake && (
+        <p class="wall-mistake">
+          {t("page-class-mistake", {
+            step: mistake.step,
+            count: mistake.count,
+            tried: mistake.tried,
+            what: missedInWords(mistake.missed),
+          })}
+        </p>
+      )}
+    </>
+  );
+}
+
+function Bar({ text, count, most, isDim = false }: { text: string; count: number; most: number; isDim?: boolean }) {
+  return (
+    <li class={isDim ? "dim" : undefined}>
+      <span>{text}</span>
+      <i aria-hidden="true">
+        <b style={{ inlineSize: `${(100 * count) / most}%` }} />
+      </i>
+      <strong>{count}</strong>
+    </li>
+  );
+}
+
+function HandIns({ seats, names }: Named) {
+  const all = finishedWork(seats);
+  return (
+    <section class="wall-card" aria-label={t("page-class-hand-ins")}>
+      <Title
+        icon="handedIn"
+        text={t("page-class-hand-ins")}
+        more={t("page-class-some-of", { count: all.length, all: seats.length })}
+      />
+      {all.length === 0 ? (
+        <p class="dim">{t("page-class-no-hand-ins")}</p>
+      ) : (
+        <table class="wall-hand-ins">
+          <thead>
+            <tr>
+              <th scope="col">{t("page-class-pupil")}</th>
+              <th scope="col">{t("page-class-stars")}</th>
+              <th scope="col">{t("page-class-tries")}</th>
+              <th scope="col">{t("page-class-mark")}</th>
+            </tr>
+          </thead>
+          <tbody>
+            {all.slice(0, MOST_FINISHED).map((seat) => (
+              <tr key={seat.id}>
+                <th scope="row">
+                  <bdi>{names.get(seat.id)}</bdi>
+                </th>
+                <td>
+                  <Icon name="earned" />
+                  {t("page-class-some-of", { count: seat.stars ?? 0, all: seat.all_stars ?? 0 })}
+                </td>
+                <td>{seat.tries ?? 0}</td>
+                <td>{t(stateOf(seat) === "handed-in" ? "page-class-to-mark" : "page-class-done")}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      )}
+      <a class="button bordered" href="export.zip">
+        <Icon name="download" />
+        {t("page-class-export-all")}
+      </a>
+    </section>
+  );
+}

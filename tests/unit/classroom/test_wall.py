@@ -1,0 +1,150 @@
+"""What the wall is sent, and what its orders do to pupils' desks."""
+
+import asyncio
+
+import pytest
+
+from learnblock.classroom import messages as ours
+from learnblock.classroom.pupil_folder import HOME
+from learnblock.classroom.room import Room
+from learnblock.classroom.roster import Roster
+from learnblock.classroom.teaching import do
+from learnblock.classroom.wall import WallView
+from learnblock.server.catalog import copy_lesson, find_lesson
+from learnblock.server.messages import AtSeat, Scene, StartLesson, Work
+from learnblock.server.messages.base import Role
+
+pytestmark = pytest.mark.realtime
+
+LESSON = "1-03-square"
+OFFER = ours.LessonOffer(LESSON, "A square", 1, 30, ("sim-ebo",), ("a", "b"))
+
+
+class Page:
+    """A page of a pupil."""
+
+    is_teacher = False
+    role = Role.PUPIL
+
+    def __init__(self):
+        self.told = []
+        self.orders = []
+
+    def tell(self, message):
+        self.told.append(message)
+
+    async def order(self, message):
+        self.orders.append(message)
+
+
+@pytest.fixture
+def room(tmp_path):
+    roster = Roster(tmp_path / "7b", "7b")
+    for name in ("Ana", "Leo"):
+        roster.add(name)
+    return Room(roster, "http://a", [OFFER])
+
+
+@pytest.fixture
+def desk(room):
+    return next(iter(room.desks.values()))
+
+
+@pytest.fixture
+def page(desk):
+    page = Page()
+    desk.joined(page)
+    return page
+
+
+def seats(view, room):
+    """What is new about pupils."""
+    return [
+        seat
+        for message in view.news(room)
+        if isinstance(message, ours.Seats)
+        for seat in message.seats
+    ]
+
+
+def test_lessons_are_offered_once_and_pupils_are_told_when_they_change(room, desk, page):
+    view = WallView()
+    first = list(view.news(room))
+    assert [type(message) for message in first] == [ours.Offers, ours.Wall, ours.Seats]
+    assert list(view.news(room)) == []
+    desk.see(page, AtSeat(Work("square")))
+    assert [(seat.id, seat.project) for seat in seats(view, room)] == [(desk.pupil.id, "square")]
+
+
+def test_of_a_way_only_the_new_points_are_sent(room, desk, page):
+    view = WallView()
+    desk.see(page, AtSeat(Work(way=(0, 0))))
+    seats(view, room)
+    desk.see(page, AtSeat(Work(way=(0, 0, 20, 0))))
+    [longer] = seats(view, room)
+    assert (longer.kept, longer.way) == (2, (20, 0))
+    desk.see(page, AtSeat(Work(way=(5, 5))))
+    [other] = seats(view, room)
+    assert (other.kept, other.way) == (0, (5, 5))
+
+
+def test_another_wall_gets_the_whole_way(room, desk, page):
+    desk.see(page, AtSeat(Work(way=(0, 0, 20, 0))))
+    seats(WallView(), room)
+    shown = next(seat for seat in seats(WallView(), room) if seat.id == desk.pupil.id)
+    assert (shown.kept, shown.way) == (0, (0, 0, 20, 0))
+
+
+def test_a_world_is_sent_with_its_robots_once(room, desk, page):
+    view = WallView()
+    world = Scene("field", {}, (), (("ebo", {}),))
+    desk.see(page, AtSeat(Work(), scene=world))
+    plans = [message for message in view.news(room) if isinstance(message, ours.Plan)]
+    assert [(plan.pupil, plan.scene) for plan in plans] == [(desk.pupil.id, world)]
+    assert not any(isinstance(message, ours.Plan) for message in view.news(room))
+
+
+def test_a_question_is_on_the_wall_until_the_teacher_has_answered(room, desk, page):
+    view = WallView()
+    desk.heard(ours.AskForHelp(on=True, question=" It is too small "))
+    shown = next(seat for seat in seats(view, room) if seat.hand)
+    assert (shown.name, shown.question) == ("Ana", "It is too small")
+    assert page.told[-1].question == "It is too small"
+    desk.help("Look at the corner.")
+    [shown] = seats(view, room)
+    assert (shown.hand, shown.question) == (False, "")
+
+
+def test_the_same_hint_twice_is_two_hints(desk, page):
+    for _ in range(2):
+        desk.help("Look at the corner.")
+    assert [(told.hint, told.hints) for told in page.told[1:]] == [
+        ("Look at the corner.", 1),
+        ("Look at the corner.", 2),
+    ]
+
+
+def test_a_lesson_reaches_pupils_who_come_later_once(room, desk, page):
+    late = room.roster.pupils[1]
+    asyncio.run(do(room, ours.HandOut(LESSON, "A square")))
+    assert page.orders == [StartLesson(LESSON, "A square")]
+    assert (room.lesson, room.began > 0) == (LESSON, True)
+    assert asyncio.run(room.first_lesson(late)) == StartLesson(LESSON, "A square")
+    assert asyncio.run(room.first_lesson(late)) is None
+    assert asyncio.run(room.first_lesson(desk.pupil)) is None
+
+
+def test_pupils_get_an_own_lesson_of_the_teacher_without_the_teachers_part(
+    tmp_path, monkeypatch, page
+):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path / "teacher"))
+    own = copy_lesson(LESSON)
+    roster = Roster(tmp_path / "7b", "7b")
+    pupil, _ = roster.add("Ana")
+    offer = ours.LessonOffer(own.name, "Mine", 1, 30, ("sim-ebo",), (), own=True)
+    room = Room(roster, "http://a", [offer])
+    asyncio.run(do(room, ours.HandOut(own.name, "Mine")))
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(roster.folder_of(pupil) / HOME))
+    given = find_lesson(own.name)
+    assert given.name == own.name
+    assert not any(path.startswith("teacher") for path in given.files)
