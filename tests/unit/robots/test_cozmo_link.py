@@ -28,7 +28,7 @@ def silent():
 
 @pytest.fixture
 def connection(silent, clock):
-    connection = link.Link(silent.getsockname(), clock)
+    connection = link.CozmoLink(silent.getsockname(), clock)
     yield connection
     connection.sock.close()
 

@@ -59,7 +59,7 @@ def connected(clock, monkeypatch):
     """A robot that answers while it is connected, and then falls silent."""
     monkeypatch.setattr(aseba.secrets, "randbelow", lambda _: TOKEN)
     # It has not all the functions that our program calls.
-    monkeypatch.setattr(aseba.Node, "bytecode", lambda *_: [0])
+    monkeypatch.setattr(aseba.AsebaNode, "bytecode", lambda *_: [0])
     readings = encoded(Message.ID_VARIABLES, 0, *range(sum(READ.values())))
     present = frame(Message.ID_NODE_PRESENT, struct.pack("<H", 5))
     wire = Wire(clock, present + description() + encoded(READY.number, TOKEN) + readings)
