@@ -2,7 +2,7 @@
 
 import asyncio
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Awaitable, Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -111,13 +111,18 @@ class Checking:
 
     async def _check(self, wanted: RunningCheck) -> None:
         try:
-            await self._make(wanted)
-            await asyncio.to_thread(self._keep, wanted)
-        except (LearnBlockError, OSError) as error:
-            self.failure = CheckNews(failure=phrase_of(error))
+            await self._noting_failure(self._make(wanted))
+            # Also of what was finished before something went wrong.
+            await self._noting_failure(asyncio.to_thread(self._keep, wanted))
         finally:
             self.running = None
             self._changed()
+
+    async def _noting_failure(self, work: Awaitable[None]) -> None:
+        try:
+            await work
+        except (LearnBlockError, OSError, ValueError) as error:
+            self.failure = CheckNews(failure=phrase_of(error))
 
     async def _make(self, wanted: RunningCheck) -> None:
         out = runs_folder(self._roster.folder, wanted.lesson, wanted.step)
@@ -135,7 +140,8 @@ class Checking:
                 else:
                     self.running = RunningCheck(wanted.lesson, wanted.step, news)
                 self._changed()
-            await process.wait()
+            if await process.wait() and not self.failure.failure:
+                raise LearnBlockError("class-check-died")
         finally:
             with suppress(ProcessLookupError):
                 process.kill()

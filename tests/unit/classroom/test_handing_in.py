@@ -1,5 +1,6 @@
 """Work is handed in, checked as `learnblock grade` checks it, marked and handed back."""
 
+import asyncio
 import csv
 import io
 import os
@@ -10,7 +11,11 @@ import zipfile
 import pytest
 
 from classes import opened
+from learnblock.classroom.checking import Checking, runs_folder
 from learnblock.classroom.hand_ins import HandInShelf
+from learnblock.classroom.roster import Roster
+from learnblock.lessons.grading.journal import NAME
+from learnblock.server.messages import GivenProgram, GivenWork
 
 pytestmark = [pytest.mark.realtime, pytest.mark.slow]
 LESSON, STEP = "1-01-first-drive", 2
@@ -205,3 +210,65 @@ def test_a_class_goes_on_after_what_no_wall_sends(room):
             wall.say(**values)
             assert wall.hear("Refused")["message"]
         assert listed(wall)["title"]
+
+
+def checked_in(roster, shelf, *, kill=False):
+    """A check without a page; what went wrong."""
+
+    async def check():
+        checking = Checking(roster, shelf, lambda: None)
+        checking.start(LESSON, STEP)
+        while kill and not (checking.running and checking.running.news.total):
+            await asyncio.sleep(0)
+            assert checking.running, checking.failure
+        if kill:
+            checking._process.kill()
+        await checking.wait()
+        return checking.failure.failure
+
+    return asyncio.run(check())
+
+
+@pytest.fixture
+def kept(tmp_path):
+    """A class that is not open, whose pupil has handed in."""
+    roster, shelf = Roster(tmp_path, "7b"), HandInShelf(tmp_path)
+    ana, _ = roster.add("Ana")
+    shelf.add(ana.id, GivenWork(LESSON, STEP, GivenProgram("main:\n    pass\nend\n")))
+    return roster, shelf
+
+
+def test_a_check_that_can_not_be_made_says_why(kept, tmp_path):
+    (tmp_path / "checks").write_text("no folder")
+    assert checked_in(*kept)
+
+
+@pytest.mark.timeout(300)
+def test_a_check_that_was_killed_says_so_and_goes_on_with_what_was_finished(kept):
+    roster, shelf = kept
+    assert checked_in(roster, shelf, kill=True).code == "class-check-died"
+    journal = runs_folder(roster.folder, LESSON, STEP) / NAME
+    finished = journal.read_bytes()
+    assert finished
+    assert checked_in(roster, shelf) is None
+    assert journal.read_bytes().startswith(finished)
+    [file] = shelf.of_pupil(roster.pupils[0].id).values()
+    assert file.state == "to mark"
+
+
+def test_a_lesson_is_handed_out_to_some_pupils_from_a_step(room):
+    quick, other = room.pupil("Quinn"), room.pupil("Ola")
+    with room.wall() as wall, quick.page() as page, other.page() as beside:
+        beside.pulse()
+        lesson = {"lesson": LESSON, "project": "First drive"}
+        wall.say("HandOut", pupils=[quick.id], step=4, **lesson)
+        while page.hear("LessonShown").get("step") != 4:
+            pass
+        beside.pulse()
+        assert "LessonShown" not in beside.last
+        # A pupil who has the lesson already goes to the step, too.
+        wall.say("HandOut", pupils=[quick.id], step=5, **lesson)
+        while page.hear("LessonShown").get("step") != 5:
+            pass
+        wall.say("HandOut", pupils=["a" * 10], **lesson)
+        assert wall.hear("Refused")

@@ -1,5 +1,7 @@
 /** The pupils of a step, grouped by what the teacher has to do. */
 
+import { useEffect, useRef } from "preact/hooks";
+
 import { t } from "../../i18n";
 import type { HandInLine, HandInList } from "../../protocol/classroom";
 import { Icon } from "../../ui/icons";
@@ -41,7 +43,7 @@ function Lines({ stream, lines }: { stream: HandInStream; lines: readonly HandIn
     const by = { ArrowDown: 1, ArrowUp: -1 }[event.key] as 1 | -1 | undefined;
     if (!by) return;
     event.preventDefault();
-    stream.move(by);
+    stream.move(by, { stay: true });
   };
   return (
     // biome-ignore lint/a11y/noStaticElementInteractions: the buttons in it take the keys
@@ -75,9 +77,14 @@ function Lines({ stream, lines }: { stream: HandInStream; lines: readonly HandIn
 
 function Line({ stream, line }: { stream: HandInStream; line: HandInLine }) {
   const isShown = stream.pupil.value === line.pupil;
+  const row = useRef<HTMLButtonElement>(null);
+  useEffect(() => {
+    if (isShown && stream.staysInList) row.current?.focus();
+  }, [isShown]);
   return (
     <li>
       <button
+        ref={row}
         type="button"
         class="hand-ins-line"
         aria-current={isShown ? "true" : undefined}

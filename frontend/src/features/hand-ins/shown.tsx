@@ -100,7 +100,9 @@ function Answer({ stream, shown: { line, back = [] } }: { stream: HandInStream; 
   const note = useSignal(line.note ?? "");
   const mark = useSignal(line.mark ?? "");
   const field = useRef<HTMLTextAreaElement>(null);
-  useEffect(() => field.current?.focus({ preventScroll: true }), []);
+  useEffect(() => {
+    if (!stream.staysInList) field.current?.focus({ preventScroll: true });
+  }, []);
   const isNew = () => note.peek() !== (line.note ?? "") || mark.peek() !== (line.mark ?? "");
   const keep = () => isNew() && stream.mark(line.pupil, note.peek().trim(), mark.peek().trim());
   const handBack = (event: Event) => {

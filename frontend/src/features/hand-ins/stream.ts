@@ -28,6 +28,8 @@ export class HandInStream extends Channel<FromTeacher, ToTeacher> {
   readonly place = signal<Place | null>(null);
   /** The id of the pupil whose hand-in is shown. */
   readonly pupil = signal("");
+  /** Whether the teacher moves in the list by keyboard, so that the note does not take the focus. */
+  staysInList = false;
   readonly marked = computed(() => (this.list.value?.lines ?? []).filter(({ state }) => state === "marked"));
 
   constructor() {
@@ -43,8 +45,8 @@ export class HandInStream extends Channel<FromTeacher, ToTeacher> {
   }
 
   /** List the hand-ins of a step. */
-  choose(place: Place): void {
-    this.place.value = place;
+  choose({ lesson, step }: Place): void {
+    this.place.value = { lesson, step };
     this.pupil.value = "";
     this.shown.value = null;
     this.list.value = null;
@@ -52,17 +54,18 @@ export class HandInStream extends Channel<FromTeacher, ToTeacher> {
   }
 
   /** Show a hand-in. */
-  show(pupil: string): void {
+  show(pupil: string, stay = false): void {
+    if (pupil !== this.pupil.peek()) this.staysInList = stay;
     const place = this.place.peek();
     this.pupil.value = pupil;
     if (pupil && place) this.send({ kind: "ReadHandIn", pupil, ...place });
   }
 
-  /** Show the hand-in before this one in the list, or after it. */
-  move(by: 1 | -1): void {
+  /** Show the hand-in before this one in the list, or after it; the focus goes to its note unless it stays. */
+  move(by: 1 | -1, { stay = false } = {}): void {
     const ids = inOrder(this.list.peek()?.lines ?? []).map(({ pupil }) => pupil);
     const next = ids[ids.indexOf(this.pupil.peek()) + by];
-    if (next) this.show(next);
+    if (next) this.show(next, stay);
   }
 
   collect(): void {

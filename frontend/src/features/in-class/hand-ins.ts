@@ -20,9 +20,11 @@ export class HandInNews {
     return this.all.value?.find((one) => one.lesson === lesson && one.step === step);
   }
 
-  /** Whether the teacher's answer is still to be shown. */
-  isNew(handIn: OwnHandIn): boolean {
-    return !!handIn.back && this.read.value.get(placeOf(handIn)) !== handIn.back.at;
+  /** The hand-in of a step if the teacher's answer is to be shown as a whole, until the pupil goes on. */
+  back(lesson: string, step: number): OwnHandIn | undefined {
+    const found = this.of(lesson, step);
+    if (!found?.back || found.waits || found.improving) return undefined;
+    return this.read.value.get(placeOf(found)) === found.back.at ? undefined : found;
   }
 
   handIn(): void {

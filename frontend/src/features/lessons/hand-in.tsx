@@ -30,11 +30,16 @@ export function HandedIn({ shown }: { shown: LessonShown }) {
   const { handIns } = usePage();
   const found = handIns.of(shown.name ?? "", shown.step ?? 1);
   if (!found) return null;
+  const back = handIns.back(found.lesson, found.step);
   return (
     <div class="handed-in" role="status">
       {found.waits && <p>{t("page-handins-own-waits")}</p>}
-      {!found.waits && found.improving && <p>{t("page-handins-own-improving")}</p>}
-      {found.back && (found.improving || handIns.isNew(found)) && <Back handIn={found} />}
+      {found.improving && (
+        <p>
+          {t("page-handins-own-improving")} {found.back?.note}
+        </p>
+      )}
+      {back && <Back handIn={back} />}
     </div>
   );
 }
@@ -42,8 +47,7 @@ export function HandedIn({ shown }: { shown: LessonShown }) {
 /** On a phone: that the work is back, which opens the card. */
 export function BackLine({ shown, open }: { shown: LessonShown; open: () => void }) {
   const { handIns } = usePage();
-  const found = handIns.of(shown.name ?? "", shown.step ?? 1);
-  if (!found || found.waits || !handIns.isNew(found)) return null;
+  if (!handIns.back(shown.name ?? "", shown.step ?? 1)) return null;
   return (
     <button type="button" class="button filled" onClick={open}>
       <Icon name="lesson" />
@@ -79,17 +83,15 @@ function Back({ handIn }: { handIn: OwnHandIn }) {
           </li>
         ))}
       </ul>
-      {!handIn.waits && !handIn.improving && (
-        <div class="handed-back-buttons">
-          <button type="button" class="button filled" onClick={() => handIns.improve(handIn)}>
-            <Icon name="restart" />
-            {t("page-handins-own-improve")}
-          </button>
-          <button type="button" class="button bordered" onClick={() => handIns.putAway(handIn)}>
-            {t("page-handins-own-later")}
-          </button>
-        </div>
-      )}
+      <div class="handed-back-buttons">
+        <button type="button" class="button filled" onClick={() => handIns.improve(handIn)}>
+          <Icon name="restart" />
+          {t("page-handins-own-improve")}
+        </button>
+        <button type="button" class="button bordered" onClick={() => handIns.putAway(handIn)}>
+          {t("page-handins-own-later")}
+        </button>
+      </div>
     </section>
   );
 }

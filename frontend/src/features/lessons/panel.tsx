@@ -181,9 +181,10 @@ function Body({ shown }: { shown: LessonShown }) {
 }
 
 /** What the pupil has to do: it stays in sight while the text is scrolled. */
-function Task({ shown: { quiz, step = 1 } }: { shown: LessonShown }) {
-  const hasGoals = usePage().lessons.goals.value.length > 0;
-  if (!quiz && !hasGoals) return null;
+function Task({ shown: { name = "", quiz, step = 1 } }: { shown: LessonShown }) {
+  const { lessons, handIns } = usePage();
+  // What came back says what was reached and missed in the goals' place.
+  if ((!quiz && lessons.goals.value.length === 0) || handIns.back(name, step)) return null;
   return (
     <div class="lesson-task">
       {quiz && <Quiz key={step} quiz={quiz} />}

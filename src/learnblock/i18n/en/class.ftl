@@ -73,6 +73,7 @@ class-no-pupil = This pupil is no longer in the class.
 class-not-handed-in = This pupil has not handed in this step.
 class-too-many-hand-ins = More than { $most } steps can't be handed in.
 class-checking = Hand-ins are being checked. Wait for the end, or stop it.
+class-check-died = The check has broken off. What is finished is kept: check again to go on.
 class-ends = The class is closing. Your work is saved.
 class-server-silent = Your place in class is not ready yet. Try again in a moment.
 class-server-failed = Your place in class could not be prepared: { $reason }

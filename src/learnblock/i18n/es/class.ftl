@@ -65,6 +65,7 @@ class-no-pupil = Esta persona ya no está en la clase.
 class-not-handed-in = Esta persona no ha entregado este paso.
 class-too-many-hand-ins = No se pueden entregar más de { $most } pasos.
 class-checking = Se están comprobando entregas. Espera a que termine, o detenlo.
+class-check-died = La comprobación se ha interrumpido. Lo terminado se conserva: comprueba otra vez para seguir.
 class-ends = La clase se está cerrando. Tu trabajo está guardado.
 class-server-silent = Tu sitio en la clase aún no está listo. Prueba otra vez dentro de un momento.
 class-server-failed = No se pudo preparar tu sitio en la clase: { $reason }
