@@ -224,12 +224,17 @@ function Reading({ opened, search, back }: ReadingProps) {
   );
 }
 
-function OneBlock({ found, search }: { found: FoundBlock; search: BlockSearch }) {
+/** Opens an example as a project, in place of the help. */
+function useExamples(): (program: string) => void {
   const { context, dialogs } = usePage();
-  const open = (program: string) => {
+  return (program) => {
     dialogs.close();
     context.openExample(program);
   };
+}
+
+function OneBlock({ found, search }: { found: FoundBlock; search: BlockSearch }) {
+  const open = useExamples();
   return (
     <>
       <h3>{found.title}</h3>
@@ -239,6 +244,7 @@ function OneBlock({ found, search }: { found: FoundBlock; search: BlockSearch })
 }
 
 function Doc({ section: { page, heading, text } }: { section: Section }) {
+  const open = useExamples();
   const Markdown = useSignal<MarkdownPart | null>(null);
   useEffect(() => {
     void import("../lessons/markdown").then((part) => (Markdown.value = part.Markdown));
@@ -248,7 +254,7 @@ function Doc({ section: { page, heading, text } }: { section: Section }) {
     <article lang="en">
       <h3>{heading}</h3>
       {page !== heading && <p class="dim">{page}</p>}
-      {Part && <Part text={text} lesson="" drawings={{}} />}
+      {Part && <Part text={text} lesson="" drawings={{}} open={open} />}
     </article>
   );
 }

@@ -1,5 +1,6 @@
 /** Blocks of a lesson's text, as a picture. */
 
+import type { ComponentChildren } from "preact";
 import { useRef } from "preact/hooks";
 
 import { t } from "../../i18n";
@@ -24,12 +25,26 @@ export function DrawnBlocks({ workspace, text }: { workspace: Workspace; text: s
   );
 }
 
+interface ProgramProps {
+  readonly workspace: Workspace;
+  readonly text: string;
+  /** What belongs to the picture. */
+  readonly children?: ComponentChildren;
+}
+
 /** Blocks that a text speaks of; a sentence instead if they are the program, which is in sight already. */
-export function DrawnProgram({ workspace, text }: { workspace: Workspace; text: string }) {
+export function DrawnProgram({ workspace, text, children }: ProgramProps) {
   const { context } = usePage();
   // An edit must not push the question away, so once it is a sentence, it stays one.
   const wasTheProgram = useRef(false);
   wasTheProgram.current ||= isSameProgram(text, context.program.state.value.blocktext);
-  if (!wasTheProgram.current) return <DrawnBlocks workspace={workspace} text={text} />;
+  if (!wasTheProgram.current) {
+    return (
+      <>
+        <DrawnBlocks workspace={workspace} text={text} />
+        {children}
+      </>
+    );
+  }
   return <p class="lesson-there">{t("page-lesson-program-there")}</p>;
 }

@@ -3,7 +3,9 @@
 import { lexer, type Token, type Tokens } from "marked";
 import type { ComponentChildren, FunctionComponent } from "preact";
 
+import { t } from "../../i18n";
 import type { Workspace } from "../../protocol/messages";
+import { Icon } from "../../ui/icons";
 import { DrawnProgram } from "./drawn-blocks";
 
 interface Props {
@@ -12,6 +14,8 @@ interface Props {
   readonly lesson: string;
   /** The blocks of the code blocks that are drawn, by their text. */
   readonly drawings: Readonly<Record<string, Workspace>>;
+  /** Opens the Block-Text of a whole program as a project; nothing without it. */
+  readonly open?: (program: string) => void;
 }
 
 /** The component `Markdown`, which is loaded when it is needed. */
@@ -19,6 +23,8 @@ export type MarkdownPart = FunctionComponent<Props>;
 
 /** The depth of lists and quotes that is shown. */
 const DEEPEST = 12;
+/** The first line of what runs, in Block-Text: what has none is only a part of a program. */
+const STACK = /^(main|when .*):/m;
 const PICTURE = /^(?:\.\/)?(?:pictures\/)?([\w-]{1,60}\.\w{1,8})$/;
 
 export function Markdown(props: Props) {
@@ -65,7 +71,7 @@ function Piece({ token, props, depth }: PieceProps): ComponentChildren {
     case "list":
       return <List list={token as Tokens.List} props={props} depth={depth} />;
     case "code":
-      return <Code code={token as Tokens.Code} drawings={props.drawings} />;
+      return <Code code={token as Tokens.Code} props={props} />;
     case "table":
       return <Table table={token as Tokens.Table} props={props} depth={depth} />;
     case "image":
@@ -87,15 +93,37 @@ function List({ list, props, depth }: { list: Tokens.List; props: Props; depth: 
   return list.ordered ? <ol start={Number(list.start) || 1}>{items}</ol> : <ul>{items}</ul>;
 }
 
-function Code({ code, drawings }: { code: Tokens.Code; drawings: Props["drawings"] }) {
+function Code({ code, props: { drawings, open } }: { code: Tokens.Code; props: Props }) {
   const source = code.text.replace(/^\n+|\n+$/g, "");
-  const drawing = code.lang?.trim() === "blocks" ? drawings[source] : undefined;
-  if (drawing) return <DrawnProgram key={source} workspace={drawing} text={source} />;
+  // After the language may be the name of a file.
+  const language = code.lang?.trim().split(" ")[0];
+  const drawing = language === "blocks" ? drawings[source] : undefined;
+  const isProgram = (drawing || language === "blocktext") && STACK.test(source);
+  const button = open && isProgram && <OpenButton open={() => open(source)} />;
+  if (drawing) {
+    return (
+      <DrawnProgram key={source} workspace={drawing} text={source}>
+        {button}
+      </DrawnProgram>
+    );
+  }
   return (
-    // biome-ignore lint/a11y/noNoninteractiveTabindex: a keyboard user must be able to scroll it
-    <pre tabIndex={0}>
-      <code>{code.text}</code>
-    </pre>
+    <>
+      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: a keyboard user must be able to scroll it */}
+      <pre tabIndex={0}>
+        <code>{code.text}</code>
+      </pre>
+      {button}
+    </>
+  );
+}
+
+function OpenButton({ open }: { open: () => void }) {
+  return (
+    <button type="button" class="button bordered" onClick={open}>
+      <Icon name="examples" />
+      {t("page-help-open-example")}
+    </button>
   );
 }
 

@@ -163,6 +163,8 @@ function Body({ shown }: { shown: LessonShown }) {
   useEffect(() => {
     void import("./markdown").then(({ Markdown }) => (markdown.value = { Part: Markdown }));
   }, []);
+  const { context } = usePage();
+  const open = (program: string) => context.openExample(program);
   const { name = "", step = 1, text = "", drawings = {} } = shown;
   // A new step is read from its beginning.
   useEffect(() => {
@@ -172,7 +174,7 @@ function Body({ shown }: { shown: LessonShown }) {
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: a keyboard user must be able to scroll it
     <div id="lesson-body" class="lesson-body" ref={body} tabIndex={0} role="group" aria-label={t("page-lesson-text")}>
-      {Part && <Part key={`${name} ${step}`} text={inLanguage(text)} lesson={name} drawings={drawings} />}
+      {Part && <Part key={`${name} ${step}`} text={inLanguage(text)} lesson={name} drawings={drawings} open={open} />}
       {shown.puzzle && <Puzzle key={`puzzle ${step}`} puzzle={shown.puzzle} drawings={drawings} />}
       <Hints />
       <Everywhere />
