@@ -174,9 +174,9 @@ function HandIns({ seats, names }: Named) {
           </tbody>
         </table>
       )}
-      <a class="button bordered" href="export.zip">
-        <Icon name="download" />
-        {t("page-class-export-all")}
+      <a class="button bordered" href="hand-ins">
+        <Icon name="saved" />
+        {t("page-handins-title")}
       </a>
     </section>
   );

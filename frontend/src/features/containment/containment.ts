@@ -5,12 +5,12 @@ import { signal } from "@preact/signals";
 import { t } from "../../i18n";
 import { DialogRequests } from "../../model/dialog-requests";
 import type { Connection } from "../../protocol/connection";
-import type { Finding, Network, Welcome } from "../../protocol/messages";
+import type { AttemptResult, Network, Welcome } from "../../protocol/messages";
 import type { Toasts } from "../../ui/toasts";
 
 export class Containment {
   /** Null until the server has sent them. */
-  readonly findings = signal<readonly Finding[] | null>(null);
+  readonly findings = signal<readonly AttemptResult[] | null>(null);
   /** What the server said last about the open project. */
   readonly network = signal<Network | null>(null);
   readonly requests: DialogRequests;
@@ -52,7 +52,7 @@ export class Containment {
     this.connection.send({ kind: "ReadContainment" });
   }
 
-  private found(findings: readonly Finding[]): void {
+  private found(findings: readonly AttemptResult[]): void {
     this.findings.value = findings;
     if (this.warns && !isContained(findings)) this.warn();
     this.warns = false;
@@ -64,7 +64,7 @@ export class Containment {
   }
 }
 
-export function isContained(findings: readonly Finding[]): boolean {
+export function isContained(findings: readonly AttemptResult[]): boolean {
   return findings.every((one) => one.contained);
 }
 

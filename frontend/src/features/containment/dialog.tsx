@@ -4,7 +4,7 @@ import { useEffect } from "preact/hooks";
 
 import { say, t } from "../../i18n";
 import { usePage } from "../../model/page";
-import type { Finding } from "../../protocol/messages";
+import type { AttemptResult } from "../../protocol/messages";
 import { Dialog } from "../../ui/dialog";
 import { Icon } from "../../ui/icons";
 import { isContained } from "./containment";
@@ -54,7 +54,7 @@ function Findings() {
   );
 }
 
-function FindingRow({ one: { name, contained, reason } }: { one: Finding }) {
+function FindingRow({ one: { name, contained, reason } }: { one: AttemptResult }) {
   return (
     <tr class={contained ? "contained" : "free"}>
       <th scope="row">{say(name)}</th>
