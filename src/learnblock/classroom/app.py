@@ -1,7 +1,7 @@
 """The application of a class: joining, pupils' pages, the teacher's wall, the projector."""
 
 import asyncio
-from collections.abc import AsyncIterator, Awaitable, Callable, Iterable
+from collections.abc import AsyncIterator, Awaitable, Callable, Iterable, Iterator
 from contextlib import asynccontextmanager, nullcontext, suppress
 from functools import partial
 from http import HTTPStatus
@@ -14,7 +14,7 @@ from starlette.middleware import Middleware
 from starlette.middleware.gzip import GZipMiddleware
 from starlette.requests import HTTPConnection, Request
 from starlette.responses import HTMLResponse, PlainTextResponse, RedirectResponse, Response
-from starlette.routing import Mount, Route, WebSocketRoute
+from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 from websockets.exceptions import InvalidHandshake, InvalidMessage
 
@@ -74,7 +74,6 @@ def create_app(
         static: the folder of the built page.
     """
     door = _Door(room, visitors, tls=tls)
-    tables = Tables(room, visitors)
     # The page's own guard, against pages of other servers; badges take the token's place.
     protection = Protection.of("", ("*", *hosts))
     files = static_files.PageFiles(directory=static, check_dir=False)
@@ -82,31 +81,44 @@ def create_app(
     return Starlette(
         routes=[
             Route("/", page),
-            Route("/teacher", door.teacher(page)),
-            Route("/lessons/{name}/pictures/{file}", door.teacher(lesson_picture)),
-            Route("/projector", page),
-            Route("/hand-ins", door.teacher(page)),
-            Route("/palette/{language}.json", door.teacher(palette), middleware=[_GZIP]),
             Route("/about.json", door.about),
             Route("/join", door.join, methods=["POST"]),
             Route("/leave", door.leave, methods=["POST"]),
-            Route("/export.zip", door.export),
-            Route("/results.csv", tables.results),
-            Route("/results.html", tables.page),
-            Route("/marks.csv", tables.marks),
-            WebSocketRoute("/wall", partial(door.board, WallView)),
-            WebSocketRoute("/marking", partial(door.board, MarkingView)),
+            Route("/projector", page),
             WebSocketRoute("/projected", partial(door.board, ProjectorView)),
-            WebSocketRoute("/p/{pupil}/ws", door.websocket),
+            *_teachers(door, page),
+            *_tables(Tables(room, visitors)),
+            *_pupils(door, static),
             # Files of the page are everybody's.
-            Mount("/p/{pupil}/assets", _folder(static / "assets"), middleware=[_GZIP]),
-            Mount("/p/{pupil}/media", _folder(static / "media"), middleware=[_GZIP]),
-            Route("/p/{pupil}/{path:path}", door.forward, methods=["GET", "POST"]),
             Mount("/", files, middleware=[_GZIP]),
         ],
         middleware=[Middleware(Guard, protection=protection)],
         lifespan=door.lifespan,
     )
+
+
+def _teachers(door: "_Door", page: Endpoint) -> Iterator[BaseRoute]:
+    yield Route("/teacher", door.teacher(page))
+    yield Route("/hand-ins", door.teacher(page))
+    yield Route("/lessons/{name}/pictures/{file}", door.teacher(lesson_picture))
+    yield Route("/palette/{language}.json", door.teacher(palette), middleware=[_GZIP])
+    yield Route("/export.zip", door.export)
+    yield WebSocketRoute("/wall", partial(door.board, WallView))
+    yield WebSocketRoute("/marking", partial(door.board, MarkingView))
+
+
+def _tables(tables: Tables) -> Iterator[BaseRoute]:
+    yield Route("/results.csv", tables.results)
+    yield Route("/results.html", tables.page)
+    yield Route("/marks.csv", tables.marks)
+
+
+def _pupils(door: "_Door", static: Path) -> Iterator[BaseRoute]:
+    yield WebSocketRoute("/p/{pupil}/ws", door.websocket)
+    # Files of the page are everybody's.
+    yield Mount("/p/{pupil}/assets", _folder(static / "assets"), middleware=[_GZIP])
+    yield Mount("/p/{pupil}/media", _folder(static / "media"), middleware=[_GZIP])
+    yield Route("/p/{pupil}/{path:path}", door.forward, methods=["GET", "POST"])
 
 
 def _folder(folder: Path) -> static_files.PageFiles:
