@@ -368,6 +368,6 @@ def test_its_pose_is_reckoned_with_what_its_wheels_can_do(speed):
         driven = pose(twin)[0] - start[0]
         emulator.close()
 
-    # A command takes a moment on its way, on a busy machine a quarter of a second at the 300 mm/s of
-    # its wheels; reckoned by what was commanded, it would be 700 mm off.
+    # A command takes a moment on its way, on a busy machine a quarter of a second at the 300 mm/s
+    # of its wheels; reckoned by what was commanded, it would be 700 mm off.
     assert reckoned[0] == pytest.approx(driven, abs=75)

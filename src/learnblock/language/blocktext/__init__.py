@@ -23,8 +23,9 @@ numbers, texts, names, lists, items       Number, String, Name, List, Index  exp
 ========================================  =================================  ====================
 
 What can't be read is explained by `slips.py` and `open_brackets.py` (a word or a bracket) or by
-`foreign_lines.py`, `spoken_lines.py` and `several_targets.py` (a whole line), whose rules
-`line_rules.py` and `line_rewriter.py` apply; `other_names.py` has the names of other tools.
+`foreign_lines.py`, `python_lines.py`, `declarations.py`, `spoken_lines.py` and `several_targets.py`
+(a whole line), whose rules `line_rules.py` and `line_rewriter.py` apply; `other_names.py` has the
+names of other tools, `foreign_words.py` the words of other languages.
 `lexer.py` and `token_reader.py` are below all parsers, `nested_reader.py` below those of values.
 `order.py` puts definitions above their uses; `names.py` translates names to Python.
 """

@@ -52,6 +52,6 @@ def test_the_table_of_cheats_has_exactly_those_that_are_tried():
 
 
 def test_the_options_are_those_of_the_command():
-    described = re.findall(r"`(--\w+)`", " ".join(rows("option")))
+    described = re.findall(r"`(--[\w-]+)`", " ".join(rows("option")))
     options = [one for parameter in grade_command.params for one in parameter.opts]
     assert sorted(described) == sorted(one for one in options if one.startswith("--"))

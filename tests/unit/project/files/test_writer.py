@@ -16,9 +16,9 @@ pytestmark = [pytest.mark.realtime, pytest.mark.certain]
 HOLDS = """
 import sys, time
 from pathlib import Path
-from learnblock.project.files.writer import Writer
+from learnblock.project.files.writer import FolderClaim
 
-writer = Writer(Path(sys.argv[1]))
+writer = FolderClaim(Path(sys.argv[1]))
 assert writer.claim()
 writer.describe("http://127.0.0.1:8421/", "the-token")
 print("claimed", flush=True)

@@ -111,6 +111,7 @@ page-class-changes = { $count ->
        *[other] { $count } changes · Sort
     }
 page-class-keys = Arrow keys go from pupil to pupil, and a letter to the next name that begins with it. Enter opens the pupil's page, H writes a hint, Shift+F10 opens the menu. F6 goes to the next part of the wall.
+page-class-open = Open
 page-class-look = Look
 # What a pupil has written.
 page-class-said = “{ $question }”

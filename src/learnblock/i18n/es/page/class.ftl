@@ -101,6 +101,7 @@ page-class-changes = { $count ->
        *[other] { $count } cambios · Ordenar
     }
 page-class-keys = Con las flechas vas de una persona a otra, y con una letra al siguiente nombre que empieza por ella. Intro abre su página, H escribe una pista y Mayús+F10 abre el menú. F6 pasa a la parte siguiente del panel.
+page-class-open = Abrir
 page-class-look = Mirar
 page-class-said = «{ $question }»
 page-class-asks = { $name } pide ayuda.
