@@ -35,8 +35,9 @@ test("a robot that is connected by its settings is listed although it was not fo
 });
 
 test("a robot without its add-on has the command that installs it", () => {
-  const { others } = lists({ kind: "RobotsNearby", known: [{ robot: "ebo", add_on: "pip install x" }] }, NONE);
-  expect(others.map((one) => one.addOn)).toEqual(["pip install x"]);
+  const lacking = { command: "pip install x", ours: true };
+  const { others } = lists({ kind: "RobotsNearby", known: [{ robot: "ebo", add_on: lacking }] }, NONE);
+  expect(others.map((one) => one.addOn)).toEqual([lacking]);
 });
 
 test("nothing is listed before the first answer", () => {
