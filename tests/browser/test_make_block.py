@@ -27,9 +27,7 @@ def open_dialog(pupil):
 
 
 def test_a_block_is_made_with_its_inputs_and_undone_in_one_step(sit_down, server):
-    # Wide enough for two views: blocks that are not shown follow when they are.
-    wide = {"width": 1800, "height": 900}
-    pupil = sit_down(server, stage="starter", empty=True, flat=True, viewport=wide)
+    pupil = sit_down(server, stage="starter", empty=True, flat=True)
     dialog = open_dialog(pupil)
     keys = pupil.page.keyboard
     keys.type("dance")
@@ -43,9 +41,12 @@ def test_a_block_is_made_with_its_inputs_and_undone_in_one_step(sit_down, server
     expect(pupil.blocks("procedures_defnoreturn")).to_be_in_viewport()
     pupil.open_category("My blocks")
     expect(pupil.page.get_by_role("option", name=re.compile("dance rounds 10"))).to_be_visible()
-    pupil.show("Blocks", "Block-Text")
+    pupil.show("Block-Text")
     pupil.sees("blocktext", "def dance(rounds):")
     pupil.press("Undo")
+    pupil.lacks("blocktext", "dance")
+    # A view that is not shown follows when it is.
+    pupil.show("Blocks")
     expect(pupil.blocks("procedures_defnoreturn")).to_have_count(0)
 
 
