@@ -1,11 +1,12 @@
 """Programs tried in a step of a lesson: contained, in variants of its world and on its robots."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from threading import Lock
+from types import MappingProxyType
 
 from learnblock import robots as known_robots
 from learnblock import running
@@ -25,6 +26,8 @@ from learnblock.runtime.ending import How
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.process import ProcessWorker, Worker
 from learnblock.simulator import WorldDescription
+
+_NO_TAGS: Mapping[str, int] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,6 +128,7 @@ def try_step(
     *,
     limits: Limits | None = None,
     filename: str = "program.bt",
+    tags: Mapping[str, int] = _NO_TAGS,
     at_once: int | None = None,
     switch: StopSwitch | None = None,
 ) -> Iterator[JudgedRun]:
@@ -137,6 +141,7 @@ def try_step(
         wanted: the attempts.
         limits: the resources that the program may use.
         filename: its name, which tells its notation.
+        tags: the numbers of tags, by name, that it uses besides the user's.
         at_once: how many runs are made at the same time.
         switch: ends them.
 
@@ -148,7 +153,8 @@ def try_step(
     with opened.world_file(step) as world, expert_processes() as processes:
         switch = switch or StopSwitch()
         experts = Experts(opened, processes=processes)
-        runs = StepRuns(opened, step, written, world, limits or Limits(), switch, experts=experts)
+        limits = limits or Limits()
+        runs = StepRuns(opened, step, written, world, limits, switch, tags=tags, experts=experts)
         for attempt, result in runs.results(wanted, at_once):
             yield runs.judged(attempt, result)
 
@@ -165,6 +171,7 @@ class StepRuns:
         limits: the resources that each program may use.
         switch: ends the runs.
         worker: creates the worker of each program of a team; a process by default.
+        tags: the numbers of tags, by name, that it uses besides the user's.
         experts: judge by the lesson's Python; without them, each check starts a process.
     """
 
@@ -175,6 +182,7 @@ class StepRuns:
     limits: Limits = Limits()  # noqa: RUF009 - it is frozen
     switch: StopSwitch = field(default_factory=StopSwitch)
     worker: Callable[[], Worker] = ProcessWorker
+    tags: Mapping[str, int] = field(default_factory=dict)
     experts: Experts | None = None
 
     def results(
@@ -205,7 +213,8 @@ class StepRuns:
 
     def job(self, attempt: Attempt) -> Job:
         """The run of an attempt."""
-        return self._job_of(self.source, attempt.robot, attempt)
+        job = self._job_of(self.source, attempt.robot, attempt)
+        return replace(job, program=replace(job.program, tags=self.tags))
 
     def _job_of(self, source: Source, name: str, attempt: Attempt) -> Job:
         robot = known_robots.find(name)

@@ -119,7 +119,7 @@ async def _stop_checking(page: Page, _: messages.StopChecking) -> None:
 
 @HANDLERS.add
 async def _hand_in(page: Page, _: messages.HandIn) -> None:
-    page.give(messages.WorkGiven(_coach(page).work()))
+    page.give(messages.WorkGiven(await _coach(page).work()))
 
 
 @HANDLERS.add

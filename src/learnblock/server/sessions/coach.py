@@ -13,6 +13,7 @@ from learnblock.lessons.judging import Verdict, judge
 from learnblock.lessons.lesson import Step
 from learnblock.lessons.reading import OpenLesson
 from learnblock.project.files.lesson_folder import EVERYWHERE, GOALS, LessonFolder, Progress
+from learnblock.project.files.packing import packed
 from learnblock.project.files.project import Project
 from learnblock.project.files.unpacking import tags_used
 from learnblock.runtime.trace_sinks import LineSink
@@ -258,8 +259,7 @@ class Coach:
         Raises:
             LearnBlockError: the program has errors, or a check is running.
         """
-        document = self._pupil.parts.first.document
-        document.require_no_errors()
+        self._pupil.parts.first.document.require_no_errors()
         number = self.number
         attempts = catalog.attempts_of(self._opened, number)
 
@@ -268,7 +268,8 @@ class Coach:
                 await self._progress.earn((GOALS, EVERYWHERE))
                 self._tell()
 
-        self._check.start(self._opened, number, document.blocktext, attempts, passed)
+        program = await to_thread.run_sync(_given, self._pupil.project)
+        self._check.start(self._opened, number, program, attempts, passed)
 
     @property
     def checking(self) -> bool:
@@ -279,7 +280,7 @@ class Coach:
         """Stop checking."""
         self._check.stop()
 
-    def work(self) -> messages.GivenWork:
+    async def work(self) -> messages.GivenWork:
         """What the pupil hands in.
 
         Raises:
@@ -287,9 +288,9 @@ class Coach:
         """
         if not self.step.check:
             raise LearnBlockError("server-lesson-no-checks")
-        part, tags = self._pupil.project.parts[0], tags_used(self._pupil.project)
-        program = messages.GivenProgram(part.text, part.is_python, dict(tags))
-        return messages.GivenWork(self._opened.name, self.number, program, self._progress.done.runs)
+        program = await to_thread.run_sync(_given, self._pupil.project)
+        runs = self._progress.done.runs
+        return messages.GivenWork(self._opened.name, self.number, program, runs)
 
     # Hints.
 
@@ -411,3 +412,9 @@ def stars_of(verdicts: Sequence[Verdict]) -> tuple[str, ...]:
     if required and all(verdict.state == "met" for verdict in required):
         return GOALS, *stars
     return stars
+
+
+def _given(project: Project) -> messages.GivenProgram:
+    """The program of a project with the tags that it uses, for where the user's are not known."""
+    part, tags = project.parts[0], tags_used(packed(project, home=""))
+    return messages.GivenProgram(part.text, part.is_python, dict(tags))

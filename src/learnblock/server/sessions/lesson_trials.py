@@ -63,7 +63,7 @@ class LessonCheck(_Trial[messages.LessonChecked]):
         self,
         opened: OpenLesson,
         step: int,
-        source: str,
+        program: messages.GivenProgram,
         attempts: Sequence[Attempt],
         on_passed: Callable[[], Awaitable[object]],
     ) -> None:
@@ -72,7 +72,7 @@ class LessonCheck(_Trial[messages.LessonChecked]):
         Args:
             opened: the lesson.
             step: the number of the step.
-            source: the program in Block-Text.
+            program: the program, with the numbers of tags that it uses.
             attempts: the robots and variants.
             on_passed: called if it passes all.
 
@@ -83,7 +83,7 @@ class LessonCheck(_Trial[messages.LessonChecked]):
             messages.LessonAttempt(attempt.robot, attempt.variant) for attempt in attempts
         )
         self._begin(messages.LessonChecked(waiting, running=True))
-        self._task = asyncio.create_task(self._run(opened, step, source, attempts, on_passed))
+        self._task = asyncio.create_task(self._run(opened, step, program, attempts, on_passed))
 
     def forget(self) -> None:
         """Forget what was checked."""
@@ -98,14 +98,23 @@ class LessonCheck(_Trial[messages.LessonChecked]):
         self,
         opened: OpenLesson,
         step: int,
-        source: str,
+        program: messages.GivenProgram,
         attempts: Sequence[Attempt],
         on_passed: Callable[[], Awaitable[object]],
     ) -> None:
         switch, loop = self._switch, asyncio.get_running_loop()
 
         def run() -> None:
-            runs = try_step(opened, step, source, attempts, switch=switch)
+            filename = "program.py" if program.is_python else "program.bt"
+            runs = try_step(
+                opened,
+                step,
+                program.text,
+                attempts,
+                filename=filename,
+                tags=program.tags,
+                switch=switch,
+            )
             assert isinstance(runs, Generator)  # noqa: S101 - so that it can be given up
             with closing(runs):
                 for judged in runs:

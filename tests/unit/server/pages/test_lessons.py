@@ -9,6 +9,7 @@ import zipfile
 import pytest
 
 import small_lesson
+from learnblock.extensions import custom_blocks
 from learnblock.i18n import Phrase
 from learnblock.language import parse
 from learnblock.lessons import judging
@@ -340,6 +341,29 @@ def test_a_program_is_checked_on_all_variants_and_robots(page):
     done = checked(page)
     assert done["everywhere"]
     assert choice(page)["earned"] == 2
+
+
+GO = """from learnblock.perception.tag_names import tag_id
+
+
+def go(robot):
+    robot.drive_distance(10 * tag_id("door"))
+"""
+
+
+def test_a_check_uses_the_projects_own_numbers_of_tags(page, projects):
+    custom_blocks.save("goes", GO)
+    text = ["main:", "    function.go()", "    function.stop_bot()", "end", ""]
+    file = {"learnblock": 2, "blocktext": text, "tags": {"door": 12}}
+    progress = projects / ".history" / "tagged" / "lesson.json"
+    progress.parent.mkdir(parents=True)
+    (projects / "tagged.learnblock").write_text(json.dumps(file))
+    progress.write_text('{"lesson":"small","step":2}')
+    page.say("Open", name="tagged")
+    page.hear("Document")
+    page.say("CheckStep")
+    done = checked(page)
+    assert done.get("everywhere"), done
 
 
 def test_a_check_can_be_stopped(page):
