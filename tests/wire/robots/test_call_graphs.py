@@ -67,7 +67,7 @@ def test_only_the_lowest_row_differs_between_ev3_and_cozmo_and_their_twins(graph
     }
     assert [upper(one) == first for one in graphs.values()] == [True] * 4
     assert lowest(graphs["ev3"]) == {"ev3._drive", "ev3._angle", "ev3._reset_angle"}
-    assert lowest(graphs["cozmo"]) == {"cozmo.move", "Odometry.turned", "Odometry.reset"}
+    assert lowest(graphs["cozmo"]) == {"cozmo.move", "CozmoOdometry.turned", "CozmoOdometry.reset"}
     for twin in ("sim-ev3", "sim-cozmo"):
         functions = ("drive", "gyroscope", "reset_gyroscope")
         assert lowest(graphs[twin]) == {f"{twin}.{name}" for name in functions}
