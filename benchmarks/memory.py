@@ -9,7 +9,6 @@ default runs take 9 s, and thirty pupils run programs for ten minutes.
 """
 
 import asyncio
-import json
 import os
 import platform
 import sys
@@ -24,6 +23,7 @@ from websockets.asyncio.client import ClientConnection, connect
 sys.path.insert(0, str(Path(__file__).parent))
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "helpers"))
 
+from _pages import Page, visit
 from sessions import TOKEN, children, megabytes, serving
 
 from classes import Joined, opened
@@ -40,11 +40,8 @@ SETTLING, LEVEL = 60, 6
 JOINING = 0.5
 
 
-class Page:
+class LinePage(Page):
     """A page that follows a line with the camera."""
-
-    def __init__(self, socket: ClientConnection) -> None:
-        self._socket = socket
 
     async def open(self) -> None:
         await self.say("New", name="line", example=EXAMPLE)
@@ -62,19 +59,6 @@ class Page:
         await self.say("Stop")
         await self.hear("RunState", state="ended")
 
-    async def say(self, kind: str, **values: object) -> None:
-        await self._socket.send(json.dumps({"kind": kind, **values}))
-
-    async def hear(self, kind: str, **values: object) -> None:
-        async for message in self._socket:
-            if isinstance(message, bytes):
-                continue
-            heard = json.loads(message)
-            if heard["kind"] == "Failed":
-                raise RuntimeError(heard["message"])
-            if heard["kind"] == kind and values.items() <= heard.items():
-                return
-
 
 async def repeated(
     socket: ClientConnection, server: Callable[[], int], seconds: float
@@ -82,7 +66,7 @@ async def repeated(
     """Return the memory of a server, whose process is known once it answers: see `MEASURED`."""
     found = []
     async with socket:
-        page = Page(socket)
+        page = LinePage(socket)
         await page.open()
         for number in range(MEASURED[-1] + 1):
             if number:
@@ -115,17 +99,8 @@ async def alone(seconds: float) -> list[float]:
 async def in_a_class(seconds: float) -> list[float]:
     with tempfile.TemporaryDirectory() as home, opened(Path(home)) as room:
         pupil = await asyncio.to_thread(room.pupil, "Ada")
-        return await repeated(await visit(pupil), lambda: servers(room.process.pid)[0], seconds)
-
-
-async def visit(pupil: Joined) -> ClientConnection:
-    return await connect(
-        f"ws://127.0.0.1:{pupil.room.port}/{pupil.address}ws",
-        subprotocols=["learnblock"],
-        additional_headers={"Cookie": pupil.cookie},
-        max_size=None,
-        open_timeout=60,
-    )
+        socket = await visit(room, f"/{pupil.address}ws", pupil.cookie)
+        return await repeated(socket, lambda: servers(room.process.pid)[0], seconds)
 
 
 def servers(room: int) -> list[int]:
@@ -145,8 +120,8 @@ def used(room: int) -> Iterator[float]:
 async def learn(pupil: Joined, seconds: float, ends: float) -> int:
     """Run programs until some time; return how many."""
     runs = 0
-    async with await visit(pupil) as socket:
-        page = Page(socket)
+    async with visit(pupil.room, f"/{pupil.address}ws", pupil.cookie) as socket:
+        page = LinePage(socket)
         await page.open()
         while perf_counter() < ends:
             await page.run(seconds)

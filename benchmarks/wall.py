@@ -2,8 +2,8 @@
 
     python benchmarks/wall.py [pupils] [seconds]
 
-Each pupil's page runs an endless program. A wall in a browser shows all, without a graphics card; a
-second one notes when it is told where each robot is, which the pupil's page was told before.
+Each pupil's page runs an endless program. A wall in a browser shows all, without a graphics card. A
+second wall, without a browser, measures how long after the pupil's page it hears where a robot is.
 The wall should be at most 1 s behind, and take less than half a core and 1 MB/s.
 """
 
@@ -23,9 +23,10 @@ sys.path.insert(0, str(Path(__file__).parent))
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "helpers"))
 
 from _browser import ARGUMENTS, BROWSERS, Processors
+from _pages import Page, visit
 from playwright.async_api import async_playwright
 from sessions import PROGRAM, megabytes
-from websockets.asyncio.client import ClientConnection, connect
+from websockets.asyncio.client import ClientConnection
 
 from classes import Class, Joined, opened
 
@@ -46,11 +47,11 @@ class Delays:
         self._seen: dict[str, dict[Place, float]] = {}
 
     def seen(self, pupil: str, place: Place) -> None:
-        """A pupil's page is told where its robot is."""
+        """A pupil's page hears where its robot is."""
         self._seen.setdefault(pupil, {}).setdefault(place, perf_counter())
 
     def told(self, pupil: str, place: Place) -> None:
-        """The wall is told it."""
+        """The wall hears where a pupil's robot is."""
         places = self._seen.get(pupil, {})
         if place in places:
             self.all.append(perf_counter() - places[place])
@@ -64,14 +65,13 @@ class Delays:
 
 
 async def pupil_page(pupil: Joined, delays: Delays, stack: AsyncExitStack) -> asyncio.Task[None]:
-    socket = await stack.enter_async_context(
-        joined(pupil.room, f"/{pupil.address}ws", pupil.cookie)
-    )
-    await say(socket, "New", name="mine", example="avoid")
-    await hear(socket, "Scene")
-    await say(socket, "EditText", edit=1, notation="blocktext", text=PROGRAM)
-    await say(socket, "Run")
-    await hear(socket, "RunState", state="running")
+    socket = await stack.enter_async_context(visit(pupil.room, f"/{pupil.address}ws", pupil.cookie))
+    page = Page(socket)
+    await page.say("New", name="mine", example="avoid")
+    await page.hear("Scene")
+    await page.say("EditText", edit=1, notation="blocktext", text=PROGRAM)
+    await page.say("Run")
+    await page.hear("RunState", state="running")
     return asyncio.create_task(follow_pupil(socket, pupil.id, delays))
 
 
@@ -92,34 +92,12 @@ async def follow_wall(socket: ClientConnection, delays: Delays) -> None:
                 delays.told(seat["id"], tuple(map(round, pose)))
 
 
-def joined(room: Class, path: str, cookie: str) -> connect:
-    return connect(
-        f"ws://127.0.0.1:{room.port}{path}",
-        subprotocols=["learnblock"],
-        additional_headers={"Cookie": cookie},
-        max_size=None,
-    )
-
-
-async def say(socket: ClientConnection, kind: str, **values: object) -> None:
-    await socket.send(json.dumps({"kind": kind, **values}))
-
-
-async def hear(socket: ClientConnection, kind: str, **values: object) -> None:
-    async for message in socket:
-        said = json.loads(message)
-        if said["kind"] == "Failed":
-            raise RuntimeError(said["message"])
-        if said["kind"] == kind and values.items() <= said.items():
-            return
-
-
 async def measure(room: Class, pupils: list[Joined], seconds: float) -> None:
     delays = Delays()
     async with AsyncExitStack() as stack:
         pages = (pupil_page(pupil, delays, stack) for pupil in pupils)
         tasks = list(await asyncio.gather(*pages))
-        socket = await stack.enter_async_context(joined(room, "/wall", room.teacher()))
+        socket = await stack.enter_async_context(visit(room, "/wall", room.teacher()))
         tasks.append(asyncio.create_task(follow_wall(socket, delays)))
         playwright = await stack.enter_async_context(async_playwright())
         found = os.environ.get("CHROMIUM") or next(filter(None, map(shutil.which, BROWSERS)), None)
