@@ -75,6 +75,13 @@ class Installation:
             return self._install("-e", f"{self.checkout}[{extra}]")
         return self._sync("--extra", extra)
 
+    def may_add(self, extra: str) -> bool:
+        """Whether the page may install an extra: one of ours, where nobody else uses the packages.
+
+        A robot of the user's own names modules, but not what installs them.
+        """
+        return bool(requirements(extra)) and not self.is_shared
+
     def rebuilt(self) -> str:
         """The command that builds what a checkout needs, such as the weights of a detector."""
         if self.checkout and self.uses_uv:

@@ -7,7 +7,7 @@ from anyio import to_thread
 
 from learnblock.errors import LearnBlockError, SettingsError
 from learnblock.i18n import Phrase
-from learnblock.installation import Installation, requirements
+from learnblock.installation import Installation
 from learnblock.robots import RobotEntry, find
 from learnblock.server import catalog, messages
 from learnblock.server.pages.page import Handlers, Page
@@ -80,7 +80,7 @@ async def _install(page: Page, message: messages.InstallAddOn) -> None:
         await installer.stop()
         return
     entry = await to_thread.run_sync(_real, message.robot)
-    if not requirements(entry.name) or Installation.current().is_shared:
+    if not Installation.current().may_add(entry.name):
         raise LearnBlockError("connect-not-ours-to-install", robot=entry.name)
     if await to_thread.run_sync(_lacks_add_on, entry):
         installer.begin(entry.name)

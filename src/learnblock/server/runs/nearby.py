@@ -10,7 +10,7 @@ from anyio import CapacityLimiter, to_thread
 from msgspec import structs
 
 from learnblock.errors import LearnBlockError
-from learnblock.installation import Installation, requirements
+from learnblock.installation import Installation
 from learnblock.robots import RobotEntry
 from learnblock.robots.settings import given_names
 from learnblock.running import finding
@@ -220,9 +220,7 @@ def _missing_add_on(entry: RobotEntry) -> messages.AddOn | None:
     command = finding.missing_add_on(entry)
     if not command:
         return None
-    # A robot of the user's own names modules, but not what installs them.
-    is_ours = bool(requirements(entry.name)) and not Installation.current().is_shared
-    return messages.AddOn(command, is_ours)
+    return messages.AddOn(command, Installation.current().may_add(entry.name))
 
 
 def _look(
