@@ -37,6 +37,11 @@ def in_language(text: str | Mapping[str, str], language: str) -> str:
     return next(iter(text.values()))
 
 
+def plain(text: str | Mapping[str, str]) -> str | dict[str, str]:
+    """A text of a lesson in the form of messages."""
+    return text if isinstance(text, str) else dict(text)
+
+
 #: The most drawings of a step.
 MOST_DRAWINGS = 40
 _OPENING, _CLOSING = re.compile(r"```[ \t]*blocks[ \t]*"), re.compile(r"```[ \t]*")

@@ -2,7 +2,7 @@
 
 import re
 import unicodedata
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from functools import cache, partial
 from pathlib import Path
 
@@ -11,6 +11,7 @@ from learnblock.i18n import Phrase
 from learnblock.lessons import editing, packing, reading, trying
 from learnblock.lessons.lesson import Step
 from learnblock.lessons.reading import OpenLesson
+from learnblock.lessons.texts import plain
 from learnblock.server.messages import LARGEST_LESSON, LessonChoice
 from learnblock.storage.files import is_device_name, save
 from learnblock.storage.home import home
@@ -117,8 +118,8 @@ def add_lesson(name: str, content: bytes) -> OpenLesson:
 
 def free_lesson_name(title: str) -> str:
     """A name for a new lesson of the user's, made of its title; no other lesson has it."""
-    plain = _NOT_IN_NAMES.sub("-", unicodedata.normalize("NFC", title).lower()).strip("-")
-    stem = plain[:_LONGEST_NEW].strip("-")
+    stem = _NOT_IN_NAMES.sub("-", unicodedata.normalize("NFC", title).lower()).strip("-")
+    stem = stem[:_LONGEST_NEW].strip("-")
     if len(stem) < 2 or is_device_name(stem):
         stem = f"lesson-{stem}".strip("-")
     taken = {name.casefold() for name in (*reading.shipped(), *(f.stem for f in own_files()))}
@@ -172,24 +173,20 @@ def step_titles(name: str) -> tuple[str | dict[str, str], ...]:
         UnknownNameError: there is no such lesson.
         LearnBlockError: its file is invalid.
     """
-    return tuple(_plain(step.title) for step in find_lesson(name).lesson.step)
+    return tuple(plain(step.title) for step in find_lesson(name).lesson.step)
 
 
 def _choice(opened: OpenLesson, *, own: bool = False) -> LessonChoice:
     lesson = opened.lesson
     return LessonChoice(
         name=opened.name,
-        title=_plain(lesson.title),
+        title=plain(lesson.title),
         level=lesson.level,
         minutes=lesson.minutes,
-        aims=tuple(map(_plain, lesson.aims)),
+        aims=tuple(map(plain, lesson.aims)),
         robots=lesson.robots,
         steps=len(lesson.step),
         stars=sum(len(list(star_names(step))) for step in lesson.step),
         picture=lesson.picture or "",
         own=own,
     )
-
-
-def _plain(text: str | Mapping[str, str]) -> str | dict[str, str]:
-    return text if isinstance(text, str) else dict(text)

@@ -198,7 +198,7 @@ def _notes(name: str) -> messages.LessonNotes:
     part = teachers_part(opened)
     return messages.LessonNotes(
         lesson=name,
-        title=lesson_view.plain(opened.lesson.title),
+        title=texts.plain(opened.lesson.title),
         notes=dict(part.notes),
         drawings=lesson_view.drawings_in(part.notes.values()),
         steps=tuple(map(_step, part.steps)),
@@ -207,7 +207,7 @@ def _notes(name: str) -> messages.LessonNotes:
 
 def _step(solved: SolvedStep) -> messages.SolvedStep:
     return messages.SolvedStep(
-        lesson_view.plain(solved.step.title), solved.solution, tuple(map(_wrong, solved.wrong))
+        texts.plain(solved.step.title), solved.solution, tuple(map(_wrong, solved.wrong))
     )
 
 

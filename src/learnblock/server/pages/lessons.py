@@ -8,6 +8,7 @@ from msgspec.structs import replace
 
 from learnblock.errors import LearnBlockError
 from learnblock.lessons.archive import received_files
+from learnblock.lessons.texts import plain
 from learnblock.project.files.lesson_folder import Progress
 from learnblock.server import catalog, messages
 from learnblock.server.pages.page import Handlers, Page
@@ -162,9 +163,7 @@ async def _import_folder(page: Page, message: messages.ImportLessonFolder) -> No
 
 async def _add(page: Page, name: str, content: bytes) -> None:
     opened = await to_thread.run_sync(catalog.add_lesson, name, content)
-    title = opened.lesson.title
-    plain = title if isinstance(title, str) else dict(title)
-    page.send(messages.LessonImported(opened.name, plain))
+    page.send(messages.LessonImported(opened.name, plain(opened.lesson.title)))
     await _list(page, messages.ListLessons())
 
 

@@ -12,6 +12,7 @@ from learnblock.lessons.expert import Experts
 from learnblock.lessons.judging import Verdict, judge
 from learnblock.lessons.lesson import Step
 from learnblock.lessons.reading import OpenLesson
+from learnblock.lessons.texts import plain
 from learnblock.project.files.lesson_folder import EVERYWHERE, GOALS, LessonFolder, Progress
 from learnblock.project.files.packing import packed
 from learnblock.project.files.project import Project
@@ -375,11 +376,11 @@ class Coach:
         puzzle, _ = view.puzzle(self._opened, step, done)
         return messages.LessonShown(
             name=self._opened.name,
-            title=view.plain(self._opened.lesson.title),
+            title=plain(self._opened.lesson.title),
             level=self._opened.lesson.level,
             steps=view.steps(self._opened, self._progress.whole),
             step=self.number,
-            text=view.plain(step.text),
+            text=plain(step.text),
             drawings=view.drawings(step, puzzle.pieces if puzzle else ()),
             goals=view.goals(self._verdicts, done),
             attempts=len(catalog.attempts_of(self._opened, self.number)) if step.check else 0,

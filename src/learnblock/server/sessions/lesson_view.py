@@ -13,16 +13,11 @@ from learnblock.lessons.checks import Collided, GoalReached, Happens, Never, Rea
 from learnblock.lessons.describing import describe
 from learnblock.lessons.drawing import LONGEST_DRAWING, drawn_program
 from learnblock.lessons.judging import Verdict
-from learnblock.lessons.lesson import LessonText, Step
+from learnblock.lessons.lesson import Step
 from learnblock.lessons.reading import OpenLesson
-from learnblock.lessons.texts import MOST_DRAWINGS, drawn_blocks
+from learnblock.lessons.texts import MOST_DRAWINGS, drawn_blocks, plain
 from learnblock.project.files.lesson_folder import PUZZLE, QUIZ, Progress, StepProgress
 from learnblock.server import catalog, messages
-
-
-def plain(text: str | Mapping[str, str]) -> LessonText:
-    """A text of a lesson in the form of messages."""
-    return text if isinstance(text, str) else dict(text)
 
 
 def words(text: str | Mapping[str, str] | Phrase) -> messages.LessonWords:

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from learnblock.errors import LearnBlockError
 from learnblock.lessons.opened import OpenLesson
+from learnblock.lessons.texts import plain
 from learnblock.project.files.lesson_folder import PUZZLE, QUIZ
 from learnblock.server import messages
 from learnblock.server.sessions import lesson_view as view
@@ -34,7 +35,7 @@ class StepQuestions:
         chosen = set(choices)
         right = chosen == {index for index, choice in enumerate(quiz.choices) if choice.right}
         because = {
-            str(index): view.plain(choice.because)
+            str(index): plain(choice.because)
             for index, choice in enumerate(quiz.choices)
             if index in chosen and choice.because is not None
         }
