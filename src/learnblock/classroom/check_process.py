@@ -13,15 +13,13 @@ from types import FrameType
 
 import msgspec
 
-from learnblock.classroom.collecting import collect
+from learnblock.classroom.collecting import plan_of
 from learnblock.classroom.roster import Roster
 from learnblock.errors import LearnBlockError, phrase_of
 from learnblock.i18n import Phrase
 from learnblock.lessons.grading.executors import local
 from learnblock.lessons.grading.grading import Grading
 from learnblock.lessons.grading.journal import opened_journal
-from learnblock.lessons.grading.plan import planned
-from learnblock.lessons.reading import find_lesson
 from learnblock.running.batch import processors
 from learnblock.runtime.containment import kernel
 
@@ -50,9 +48,7 @@ def check(folder: Path, lesson: str, step: int, out: Path) -> None:
         LearnBlockError: there is no such class or lesson, or another grading uses `out`.
         OSError: a file can't be read or written.
     """
-    opened = find_lesson(lesson)
-    handed_in = collect(Roster(folder, ""), opened, step, only_handed_in=True)
-    plan = planned(opened, step, handed_in)
+    plan = plan_of(Roster(folder, ""), lesson, step)
     with opened_journal(out) as journal:
         grading = Grading(plan, journal)
 

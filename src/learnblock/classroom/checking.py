@@ -11,7 +11,7 @@ import msgspec
 
 from learnblock.classroom import check_process
 from learnblock.classroom.check_process import CheckNews
-from learnblock.classroom.collecting import collect
+from learnblock.classroom.collecting import plan_of
 from learnblock.classroom.hand_ins import (
     RUNS,
     CheckedWork,
@@ -21,12 +21,12 @@ from learnblock.classroom.hand_ins import (
 )
 from learnblock.classroom.roster import Roster
 from learnblock.errors import LearnBlockError, phrase_of
-from learnblock.i18n import languages
+from learnblock.i18n import Phrase, languages
 from learnblock.lessons.checks import Check
 from learnblock.lessons.describing import title_of
 from learnblock.lessons.grading.grading import Grading, Row
 from learnblock.lessons.grading.journal import kept_only, opened_journal
-from learnblock.lessons.grading.plan import Plan, planned
+from learnblock.lessons.grading.plan import Plan
 from learnblock.lessons.grading.table import stars
 from learnblock.lessons.grading.values import Result
 from learnblock.lessons.reading import find_lesson
@@ -72,8 +72,8 @@ class Checking:
         self._changed = changed
         #: The check that is being made; None if there is none.
         self.running: RunningCheck | None = None
-        #: What went wrong last.
-        self.failure = CheckNews()
+        #: What went wrong last; None if nothing did.
+        self.failure: Phrase | None = None
         self._process: asyncio.subprocess.Process | None = None
         self._task: asyncio.Task[None] | None = None
 
@@ -89,7 +89,7 @@ class Checking:
         if not opened.step(step).check:
             raise LearnBlockError("server-lesson-no-checks")
         self.running = RunningCheck(lesson, step, CheckNews())
-        self.failure = CheckNews()
+        self.failure = None
         self._task = asyncio.create_task(self._check(self.running))
 
     def stop(self) -> None:
@@ -122,7 +122,7 @@ class Checking:
         try:
             await work
         except (LearnBlockError, OSError, ValueError) as error:
-            self.failure = CheckNews(failure=phrase_of(error))
+            self.failure = phrase_of(error)
 
     async def _make(self, wanted: RunningCheck) -> None:
         out = runs_folder(self._roster.folder, wanted.lesson, wanted.step)
@@ -136,11 +136,11 @@ class Checking:
             while line := await process.stdout.readline():
                 news = msgspec.json.decode(line, type=CheckNews)
                 if news.failure:
-                    self.failure = news
+                    self.failure = news.failure
                 else:
                     self.running = RunningCheck(wanted.lesson, wanted.step, news)
                 self._changed()
-            if await process.wait() and not self.failure.failure:
+            if await process.wait() and self.failure is None:
                 raise LearnBlockError("class-check-died")
         finally:
             with suppress(ProcessLookupError):
@@ -164,18 +164,8 @@ class Checking:
                     self._shelf.keep_checked(pupil.id, file.work, checked)
 
 
-def plan_of(roster: Roster, lesson: str, step: int) -> Plan:
-    """The plan of a check: a row for each pupil, in the order in which they joined.
-
-    Raises:
-        LearnBlockError: there is no such lesson or step.
-    """
-    opened = find_lesson(lesson)
-    return planned(opened, step, collect(roster, opened, step, only_handed_in=True))
-
-
 def forget_runs(roster: Roster) -> None:
-    """Delete the finished runs of programs that nobody has handed in any more.
+    """Delete the finished runs of programs that are no longer handed in.
 
     Raises:
         OSError: a file can't be written.

@@ -10,8 +10,10 @@ from learnblock.classroom.pupil_folder import PROJECTS
 from learnblock.classroom.roster import Pupil, Roster
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
+from learnblock.lessons.grading.plan import Plan, planned
 from learnblock.lessons.grading.values import Absence, HandedIn
 from learnblock.lessons.opened import OpenLesson
+from learnblock.lessons.reading import find_lesson
 from learnblock.project.files.folder import ProjectFolder
 from learnblock.project.files.lesson_folder import Progress
 from learnblock.project.files.project import Project
@@ -64,6 +66,16 @@ def collect(
             yield _handed_in(name, made.file, made.work.program)
         else:
             yield HandedIn(name, str(made.file), reason=made.reason)
+
+
+def plan_of(roster: Roster, lesson: str, step: int) -> Plan:
+    """The plan of a check: a row for each pupil, in the order in which they joined.
+
+    Raises:
+        LearnBlockError: there is no such lesson or step.
+    """
+    opened = find_lesson(lesson)
+    return planned(opened, step, collect(roster, opened, step, only_handed_in=True))
 
 
 def names_of(roster: Roster) -> Mapping[str, str]:

@@ -59,7 +59,6 @@ class Desk:
         self._shelf = shelf
         self.progress = Progress()
         self.writing: Writing = "no"
-        self.hand = False
         #: What the pupil needs help with.
         self.question = ""
         self.eyes_up = False
@@ -189,7 +188,7 @@ class Desk:
         self.tell()
 
     def _raise(self, *, on: bool, question: str = "") -> None:
-        self.hand, self.question = on, question.strip() if on else ""
+        self.question = question.strip() if on else ""
         self.progress.raise_hand(on=on)
 
     async def order(self, message: messages.Message) -> None:
@@ -223,7 +222,7 @@ class Desk:
             name=self.pupil.name,
             role=page.role.value,
             eyes_up=self.eyes_up and not page.is_teacher,
-            hand=self.hand,
+            hand=self.progress.has_raised_hand,
             writing=self.writing,
             question=self.question,
             hint=self.hints[-1] if self.hints else "",

@@ -41,7 +41,7 @@ _VERSION = 1
 Note = Annotated[str, Meta(max_length=1000)]
 #: Any scale: numbers, letters, words.
 Mark = Annotated[str, Meta(max_length=20)]
-Short = Annotated[int, Meta(ge=0, le=1000)]
+Count = Annotated[int, Meta(ge=0, le=1000)]
 #: What the teacher has to do: nothing has been checked, nothing has been said, it waits to be
 #: handed back; or what the pupil does with what is back.
 State = Literal["to check", "to mark", "marked", "handed back", "improving"]
@@ -58,7 +58,7 @@ class CheckSummary(Struct, frozen=True, omit_defaults=True):
     """
 
     say: LessonText
-    met: Short
+    met: Count
     optional: bool = False
     reason: LessonText = ""
 
@@ -89,8 +89,8 @@ class CheckedWork(Struct, frozen=True, omit_defaults=True):
         reason: why the program could not be run, or the error that ended the run.
     """
 
-    runs: Short
-    done: Short
+    runs: Count
+    done: Count
     checks: tuple[CheckSummary, ...] = ()
     hints: tuple[HintSummary, ...] = ()
     way: tuple[float, ...] = ()

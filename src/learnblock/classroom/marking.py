@@ -19,6 +19,7 @@ from learnblock.lessons.drawing import LONGEST_DRAWING, drawn_program
 from learnblock.lessons.lesson import LessonText
 from learnblock.lessons.opened import OpenLesson
 from learnblock.lessons.reading import find_lesson
+from learnblock.lessons.texts import plain
 from learnblock.lessons.trying import attempts
 from learnblock.monitor.worlds import world_values
 from learnblock.server.messages import GivenProgram
@@ -42,13 +43,13 @@ class TaughtLesson:
     @property
     def title(self) -> LessonText:
         """Its title."""
-        return _plain(self.opened.lesson.title)
+        return plain(self.opened.lesson.title)
 
     @cached_property
     def steps(self) -> Mapping[int, LessonText]:
         """The titles of the steps that can be handed in, by their numbers."""
         steps = enumerate(self.opened.lesson.step, 1)
-        return {number: _plain(step.title) for number, step in steps if step.check}
+        return {number: plain(step.title) for number, step in steps if step.check}
 
 
 class Marking:
@@ -70,7 +71,7 @@ class Marking:
         """How many have handed in what.
 
         Args:
-            lessons: the names of lessons whose steps are listed although nobody has handed in.
+            lessons: the names of lessons whose steps are listed even without a hand-in.
         """
         files = (file for pupil in self._roster.pupils for file in self._files(pupil.id))
         states = Counter((file.work.lesson, file.work.step, file.state) for file in files)
@@ -84,7 +85,7 @@ class Marking:
             ),
             revision=self._shelf.revision,
             checking=_progress(self.checking.running),
-            failure=self.checking.failure.failure,
+            failure=self.checking.failure,
         )
 
     def listed(self, lesson: str, step: int) -> ours.HandInList:
@@ -105,7 +106,7 @@ class Marking:
             lesson=lesson,
             title=taught.title,
             step=step,
-            step_title=_plain(opened.step(step).title),
+            step_title=plain(opened.step(step).title),
             starts=len(attempts(opened, step)),
             lines=lines,
             without=tuple(self._without(names, opened, step)),
@@ -184,7 +185,7 @@ class Marking:
         await asyncio.to_thread(self._shelf.remove, pupil)
 
     def forget_runs(self) -> None:
-        """Delete the finished runs of programs that nobody has handed in any more.
+        """Delete the finished runs of programs that are no longer handed in.
 
         Raises:
             OSError: some of them can't be deleted.
@@ -294,7 +295,3 @@ def _blocktext(program: GivenProgram) -> str:
     with suppress(FileError, RecursionError):
         return language.format(language.from_python(program.text, ""))
     return ""
-
-
-def _plain(text: str | Mapping[str, str]) -> LessonText:
-    return text if isinstance(text, str) else dict(text)

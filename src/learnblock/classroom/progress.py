@@ -81,6 +81,11 @@ class Progress:
         elif self._raised is None:
             self._raised = self._now()
 
+    @property
+    def has_raised_hand(self) -> bool:
+        """Whether the pupil asks for help."""
+        return self._raised is not None
+
     def are_here(self, *, on: bool) -> None:
         """Record whether the pupil has a page open."""
         if on:
@@ -129,7 +134,7 @@ class Progress:
             here=here,
             gone=_steps(now - (now if self._left is None else self._left)),
             begun=self._begun,
-            hand=self._raised is not None,
+            hand=self.has_raised_hand,
             waits=_steps(now - (now if self._raised is None else self._raised)),
             question=question,
             scene=self._shown.scene,

@@ -12,7 +12,8 @@ from starlette.requests import Request
 from starlette.responses import PlainTextResponse, Response
 
 from learnblock.classroom.badges import Visitors
-from learnblock.classroom.checking import plan_of, runs_folder
+from learnblock.classroom.checking import runs_folder
+from learnblock.classroom.collecting import plan_of
 from learnblock.classroom.marks import marks, marks_for_moodle
 from learnblock.classroom.room import Room
 from learnblock.errors import LearnBlockError, phrase_of

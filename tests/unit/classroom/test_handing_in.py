@@ -224,7 +224,7 @@ def checked_in(roster, shelf, *, kill=False):
         if kill:
             checking._process.kill()
         await checking.wait()
-        return checking.failure.failure
+        return checking.failure
 
     return asyncio.run(check())
 
