@@ -6,7 +6,6 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from threading import Lock
-from types import MappingProxyType
 
 from learnblock import robots as known_robots
 from learnblock import running
@@ -26,8 +25,6 @@ from learnblock.runtime.ending import How
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.process import ProcessWorker, Worker
 from learnblock.simulator import WorldDescription
-
-_NO_TAGS: Mapping[str, int] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,7 +125,7 @@ def try_step(
     *,
     limits: Limits | None = None,
     filename: str = "program.bt",
-    tags: Mapping[str, int] = _NO_TAGS,
+    tags: Mapping[str, int] | None = None,
     at_once: int | None = None,
     switch: StopSwitch | None = None,
 ) -> Iterator[JudgedRun]:
@@ -154,7 +151,9 @@ def try_step(
         switch = switch or StopSwitch()
         experts = Experts(opened, processes=processes)
         limits = limits or Limits()
-        runs = StepRuns(opened, step, written, world, limits, switch, tags=tags, experts=experts)
+        runs = StepRuns(
+            opened, step, written, world, limits, switch, tags=tags or {}, experts=experts
+        )
         for attempt, result in runs.results(wanted, at_once):
             yield runs.judged(attempt, result)
 
