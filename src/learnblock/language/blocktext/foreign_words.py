@@ -3,7 +3,7 @@
 import re
 import tomllib
 from collections import defaultdict
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 
@@ -24,12 +24,7 @@ def foreign(place: str) -> str:
 
 def foreign_names(table: str) -> Mapping[str, str]:
     """What pupils name in their own language, and the English of it: a table of the files."""
-    return dict(_by_word(table))
-
-
-def _by_word(table: str) -> Iterator[tuple[str, str]]:
-    for english, words in _tables()[table].items():
-        yield from ((word, english) for word in words)
+    return {word: english for english, words in _tables()[table].items() for word in words}
 
 
 @cache

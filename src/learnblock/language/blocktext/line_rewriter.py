@@ -1,6 +1,6 @@
 """The part of a parser that rewrites a line from another language in place, and reports it."""
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterable
 from functools import cached_property
 
 from learnblock.errors import Diagnostic
@@ -13,7 +13,16 @@ from learnblock.language.blocktext.line_rules import Rewording, Rule, reworded
 #: At most this many lines are compared with known slips; a pupil reads only the first messages.
 MAX_COMPARED = 200
 #: The blocks that have local variables.
-FUNCTIONS = frozenset(("def", "when"))
+_FUNCTIONS = frozenset(("def", "when"))
+
+
+def is_in_function(openers: Iterable[Token]) -> bool:
+    """Whether open blocks are in a function or a ``when``, which has local variables.
+
+    Args:
+        openers: the first tokens of the open blocks.
+    """
+    return any(opener.kind in _FUNCTIONS for opener in openers)
 
 
 class LineRewriter(ExpressionParser):
@@ -44,8 +53,8 @@ class LineRewriter(ExpressionParser):
         if any(token.line != number for token in self.tokens[start:end]):
             return False
         self.compared += 1
-        in_function = any(opener.kind in FUNCTIONS for opener in openers)
-        declared = declarations.IN_FUNCTIONS if in_function else declarations.OUTSIDE
+        inside = is_in_function(openers)
+        declared = declarations.IN_FUNCTIONS if inside else declarations.OUTSIDE
         rules = (*self.spaced_names, *declared, *RULES)
         rewording = reworded(self.code_of(number, end), rules)
         if rewording is None:

@@ -114,10 +114,7 @@ QUESTIONS: Mapping[str, str] = MappingProxyType(
 #: Functions that do not exist, and ours.
 FUNCTIONS: Mapping[str, str] = MappingProxyType(
     {
-        **dict.fromkeys(
-            ("echo", "println", "printf", "write", "puts"),
-            "print",
-        ),
+        **dict.fromkeys(("echo", "println", "printf", "write", "puts"), "print"),
         **dict.fromkeys(("ask", "readline", "prompt"), "input"),
         **dict.fromkeys(("length", "size"), "len"),
         **dict.fromkeys(("toInt", "parseInt", "integer"), "int"),

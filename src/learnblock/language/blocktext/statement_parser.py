@@ -12,7 +12,7 @@ from learnblock.language.blocktext import slips
 from learnblock.language.blocktext.block_parser import STATEMENT_ENDS, TOP_LEVEL, BlockParser
 from learnblock.language.blocktext.expression_parser import OPERATORS, name_of, python_of
 from learnblock.language.blocktext.lexer import LINE_ENDS, Token
-from learnblock.language.blocktext.line_rewriter import FUNCTIONS
+from learnblock.language.blocktext.line_rewriter import is_in_function
 from learnblock.language.blocktext.token_reader import from_to
 from learnblock.language.tree import raw
 from learnblock.language.tree.characters import write_instead
@@ -144,8 +144,8 @@ class StatementParser(BlockParser):
                 return StatementParser.wait_until
             case "local" if following == "name" and self.kinds[self.index + 2] == "=":
                 # Elsewhere, the word of another language is left out.
-                in_function = any(opener.kind in FUNCTIONS for opener in self.openers)
-                return StatementParser.local_variable if in_function else None
+                inside = is_in_function(self.openers)
+                return StatementParser.local_variable if inside else None
         return None
 
     def assignment(self, start: Token, target: Name | Index) -> Assign:

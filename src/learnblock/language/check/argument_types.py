@@ -23,14 +23,7 @@ TAKES: Mapping[str, tuple[frozenset[Type], ...]] = MappingProxyType(
         **dict.fromkeys(("pop", "clear", "copy"), (COLLECTIONS,)),
         **dict.fromkeys(
             (
-                *(
-                    "append",
-                    "extend",
-                    "insert",
-                    "remove",
-                    "sort",
-                    "reverse",
-                ),
+                *("append", "extend", "insert", "remove", "sort", "reverse"),
                 *("shuffle", "mean", "median", "stdev", "sum"),
             ),
             (frozenset((Type.LIST,)),),

@@ -15,7 +15,7 @@ from learnblock.language.blocktext.other_names import (
     SKILLS,
     SKILLS_WITH_VALUE,
 )
-from learnblock.language.check.findings import Findings, constant, python_error
+from learnblock.language.check.findings import Findings, constant, python_error, unknown
 from learnblock.language.python.syntax_errors import syntax_message
 from learnblock.language.tree.builtins import BUILTINS, FUNCTIONS, TEMPLATES
 from learnblock.language.tree.nodes import (
@@ -308,10 +308,7 @@ class CallChecker:
             return Phrase("check-robot-not-first")
         if (instead := self.function_meant(node)) is not None:
             return Phrase("check-unknown-function-meant", name=name, advice=self.advice(instead))
-        near = self.similar_function(name)
-        if near is None:
-            return Phrase("check-unknown-function", name=name)
-        return Phrase("check-unknown-function-near", name=name, near=near)
+        return unknown("function", name, self.similar_function(name))
 
     def function_meant(self, node: Call) -> str | None:
         """Our call for a function name from another language."""

@@ -155,16 +155,16 @@ class _Checker:
         self.sensors_outside_loops()
 
     def run_without_robot(self) -> None:
-        """Check what plain Python makes certain: it may call anything of an imported module."""
+        """Check only what is certain without a robot: an imported module may define anything."""
         for item in self.findings.everything:
             if isinstance(item, AnyPython):
                 self.python(item)
         check_shared_variables(self.findings)
-        found = next(filter(_uses_robot, self.findings.everything), None)
         if self.findings.in_python:
             # The check of Python's names says where the robot's two lines belong, too.
             return
         check_plain_names(self.findings)
+        found = next(filter(_uses_robot, self.findings.everything), None)
         if found is not None:
             self.report("without-robot", Phrase("check-without-robot"), found.span)
 

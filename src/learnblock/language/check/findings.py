@@ -38,6 +38,19 @@ from learnblock.language.tree.traversal import (
 from learnblock.language.workspace.literals import value_of
 
 
+def unknown(sort: str, name: str, near: str | None) -> Phrase:
+    """The message about a name that the program never sets.
+
+    Args:
+        sort: ``name``, or ``function`` for one that is called.
+        name: the name.
+        near: a known name that resembles it; None if none does.
+    """
+    if near is None:
+        return Phrase(f"check-unknown-{sort}", name=name)
+    return Phrase(f"check-unknown-{sort}-near", name=name, near=near)
+
+
 class Findings:
     """The facts about a program, and the diagnostics found so far.
 

@@ -21,8 +21,10 @@ _RAISED: Mapping[str, type[Exception]] = MappingProxyType(
         **dict.fromkeys(("unknown-name", "unset-variable", "unknown-function"), NameError),
         **dict.fromkeys(
             (
-                *("check-unknown-name", "check-unknown-name-near"),
-                *("check-unknown-function", "check-unknown-function-near"),
+                "check-unknown-name",
+                "check-unknown-name-near",
+                "check-unknown-function",
+                "check-unknown-function-near",
             ),
             NameError,
         ),

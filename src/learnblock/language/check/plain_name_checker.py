@@ -4,9 +4,8 @@ import ast
 from collections.abc import Iterator
 
 from learnblock.errors import nearest
-from learnblock.i18n import Phrase
 from learnblock.language.blocktext import names
-from learnblock.language.check.findings import Findings
+from learnblock.language.check.findings import Findings, unknown
 from learnblock.language.check.python_checker import DYNAMIC, PYTHON_NAMES, bound_names
 from learnblock.language.tree.builtins import FUNCTIONS
 from learnblock.language.tree.loads import parsed
@@ -45,6 +44,7 @@ class _Checker:
         for tree in self.python:
             self.bound.update(bound_names(list(ast.walk(tree))))
         self.known = self.bound | PYTHON_NAMES | FUNCTIONS | _NO_SLIPS
+        self.used = [use for item in findings.everything for use in _used(item)]
         self.seen: set[str] = set()
 
     def may_set_others(self) -> bool:
@@ -53,25 +53,22 @@ class _Checker:
             bool(self.findings.imported)
             or "*" in self.bound
             or any(not tree.body for tree in self.python)
-            or any(name in DYNAMIC for item in self.findings.everything for name, _ in _used(item))
+            or any(name in DYNAMIC for name, _ in self.used)
         )
 
     def run(self) -> None:
-        for item in self.findings.everything:
-            for name, node in _used(item):
-                known = name in self.known or names.to_python(name) in self.known
-                if not known and name not in self.seen:
-                    self.seen.add(name)
-                    self.report(name, node)
+        for name, node in self.used:
+            known = name in self.known or names.to_python(name) in self.known
+            if not known and name not in self.seen:
+                self.seen.add(name)
+                self.report(name, node)
 
     def report(self, name: str, node: Call | Span) -> None:
         is_called = isinstance(node, Call)
         near = nearest(name, [*self.bound, *(FUNCTIONS if is_called else ())])
         sort = "function" if is_called else "name"
-        code = f"check-unknown-{sort}" if near is None else f"check-unknown-{sort}-near"
-        message = Phrase(code, name=name, **({} if near is None else {"near": near}))
         span = node.span if isinstance(node, Call) else node
-        self.findings.report(f"unknown-{sort}", message, span)
+        self.findings.report(f"unknown-{sort}", unknown(sort, name, near), span)
 
 
 def _trees(item: Item) -> Iterator[ast.Module]:

@@ -10,7 +10,7 @@ from learnblock.blocks.source.importable import missing_import
 from learnblock.errors import Severity, nearest
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.other_names import FUNCTIONS, VALUES
-from learnblock.language.check.findings import Findings
+from learnblock.language.check.findings import Findings, unknown
 from learnblock.language.check.python_event_checker import event_slips
 from learnblock.language.check.python_order_checker import early_uses
 from learnblock.language.python.generation import DEFAULT_ROBOT
@@ -198,10 +198,7 @@ class _PythonChecker:
             for name_of_builtin in PYTHON_NAMES
             if is_called and name_of_builtin.islower()
         )
-        near = nearest(name, [*self.bound, *public])
-        if near is None:
-            return Phrase(f"check-unknown-{sort}", name=name)
-        return Phrase(f"check-unknown-{sort}-near", name=name, near=near)
+        return unknown(sort, name, nearest(name, [*self.bound, *public]))
 
     def report(
         self, message: Phrase, node: ast.stmt | ast.expr, severity: Severity = "error"

@@ -1,4 +1,4 @@
-"""Find variables that two calls or two parts of a program share, although each means its own."""
+"""Find variables that two calls or parts of a program share, although each should have its own."""
 
 from collections.abc import Iterator, Mapping
 from collections.abc import Set as AbstractSet
@@ -37,7 +37,7 @@ from learnblock.language.tree.traversal import (
     statements,
 )
 
-#: Loops inside each other are followed round and round only to this depth: each level doubles it.
+#: Nested loops are followed for two rounds only to this depth: each level doubles the work.
 _DEEPEST = 4
 
 
@@ -47,7 +47,7 @@ def check_shared_variables(findings: Findings) -> None:
 
 
 class _Source(NamedTuple):
-    """Where the value of a variable may come from: a call that changed it, or one of the below."""
+    """Where a variable's value may come from: a call that changed it, or one of those below."""
 
     function: str
     line: int = 0
@@ -70,7 +70,7 @@ class _Part:
         body: its statements.
         condition: that of an event, if it has one.
         sets: the shared variables that it sets.
-        counts: those that it changes in a loop, by what they were.
+        counts: those that it updates in a loop from their old values.
         takes: those whose value it takes from another part.
         changed: those that it sets, and reads after a call that may have changed them.
     """
@@ -219,12 +219,17 @@ class _Checker:
         """Whether events run a part again and again; what runs at the start prepares the others."""
         if part is self.events.get(part.name):
             return part.name != START
+        return part.name in self.run_by_events
+
+    @cached_property
+    def run_by_events(self) -> set[str]:
+        """The functions that events other than the start run."""
         events = (event for event in self.events.values() if event.name != START)
         called = {name for event in events for name in self.called_in(event)}
-        return any(part.name in self.run_by(name) for name in called)
+        return set().union(*map(self.run_by, called))
 
     def report(self, code: str, part: _Part, name: str, **values: str) -> None:
-        if (id(part), name) in self.reported or name not in part.sets:
+        if (id(part), name) in self.reported:
             return
         self.reported.add((id(part), name))
         first = part.sets[name][0]
@@ -246,7 +251,7 @@ class _Walk:
         self.block(self.part.body, {})
 
     def block(self, body: tuple[Item, ...], values: _Values | None) -> _Values | None:
-        """The values after a body; None if it never gets there."""
+        """The values after a body; None if its end is never reached."""
         for item in body:
             if values is None:
                 return None
@@ -327,7 +332,7 @@ class _Walk:
 
 
 def _updated_in(body: Body) -> set[str]:
-    """The variables that a loop changes by what they were."""
+    """The variables that a loop updates from their old values."""
     return {
         name
         for item in own_statements(body)

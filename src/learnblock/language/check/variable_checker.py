@@ -10,7 +10,7 @@ from learnblock.i18n import Phrase
 from learnblock.language.blocktext.names import state_of
 from learnblock.language.blocktext.other_names import QUESTIONS, VALUES
 from learnblock.language.check.endings import LOOPS
-from learnblock.language.check.findings import Findings
+from learnblock.language.check.findings import Findings, unknown
 from learnblock.language.tree.characters import write_instead
 from learnblock.language.tree.markers import raw_names
 from learnblock.language.tree.nodes import (
@@ -91,10 +91,7 @@ class _Values:
             return write_instead(name, instead)
         if name in self.findings.skills:
             return Phrase("check-skill-as-name", name=name, skill=self.findings.called(name))
-        near = nearest(name, self.known | own)
-        if near is None:
-            return Phrase("check-unknown-name", name=name)
-        return Phrase("check-unknown-name-near", name=name, near=near)
+        return unknown("name", name, nearest(name, self.known | own))
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,6 +12,10 @@ class UnsupportedNameError(Exception):
     """The name is used in a way in which it can't be renamed."""
 
 
+#: Columns of Python's parser count bytes; text may have halves of characters.
+_ENCODING = ("utf-8", "surrogatepass")
+
+
 class _Place(NamedTuple):
     """A name in a line, counted in bytes, and what is written before the new one."""
 
@@ -34,16 +38,16 @@ def renamed_in(text: str, old: str, new: str) -> str:
     # The parser reads neither a decorator alone nor an indented expression.
     indent = 1 if text.startswith("@") else len(text) - len(text.lstrip(" "))
     source = text[indent:]
-    lines = [line.encode("utf-8", "surrogatepass") for line in source.split("\n")]
-    spelled = old.encode("utf-8", "surrogatepass")
+    lines = [line.encode(*_ENCODING) for line in source.split("\n")]
+    spelled = old.encode(*_ENCODING)
     found = {place for node in ast.walk(parsed(source)) for place in _places(node, old, lines)}
     for line, start, before in sorted(found, reverse=True):
         written, end = lines[line - 1], start + len(spelled)
         if written[start:end] != spelled:
             raise UnsupportedNameError
-        kept = written[:start] + before.encode("utf-8", "surrogatepass")
-        lines[line - 1] = kept + new.encode("utf-8", "surrogatepass") + written[end:]
-    return text[:indent] + b"\n".join(lines).decode("utf-8", "surrogatepass")
+        kept = written[:start] + before.encode(*_ENCODING)
+        lines[line - 1] = kept + new.encode(*_ENCODING) + written[end:]
+    return text[:indent] + b"\n".join(lines).decode(*_ENCODING)
 
 
 def functions_with(text: str, parameter: str) -> set[str]:
@@ -88,9 +92,9 @@ def _behind(
     words: str, name: str, node: ast.stmt | ast.ExceptHandler | ast.alias, lines: list[bytes]
 ) -> _Place:
     """The place of a name that the tree does not give: behind some words of its node's line."""
-    line = lines[node.lineno - 1].decode("utf-8", "surrogatepass")
-    start = len(lines[node.lineno - 1][: node.col_offset].decode("utf-8", "surrogatepass"))
+    line = lines[node.lineno - 1].decode(*_ENCODING)
+    start = len(lines[node.lineno - 1][: node.col_offset].decode(*_ENCODING))
     found = re.compile(rf"{words}\b({re.escape(name)})\b").search(line, start)
     if found is None:
         raise UnsupportedNameError
-    return _Place(node.lineno, len(line[: found.start(1)].encode("utf-8", "surrogatepass")))
+    return _Place(node.lineno, len(line[: found.start(1)].encode(*_ENCODING)))

@@ -99,17 +99,28 @@ def filled(words: Sequence[str], texts: Sequence[str], split: Split) -> str:
     In an f-string, texts get the other quotes where Python needs that.
     """
     values = [_value(text) for text in texts]
-    requoted = [
-        text if value is None else ast.unparse(value)
-        for text, value in zip(texts, values, strict=True)
-    ]
-    in_brackets, last = ([f"({text})" for text in found] for found in (texts, requoted))
-    for found in (texts, in_brackets, requoted, last):
+    for found in _spellings(texts, values):
         plain = _joined(words, found)
         form = split(plain)
         if form is not None and form.words == tuple(words) and _same(form.values, values):
             return plain
-    return _joined(words, in_brackets)
+    return _joined(words, _in_brackets(texts))
+
+
+def _spellings(texts: Sequence[str], values: Sequence[ast.expr | None]) -> Iterator[Sequence[str]]:
+    """The ways to write some values, the preferred one first."""
+    yield texts
+    yield _in_brackets(texts)
+    requoted = [
+        text if value is None else ast.unparse(value)
+        for text, value in zip(texts, values, strict=True)
+    ]
+    yield requoted
+    yield _in_brackets(requoted)
+
+
+def _in_brackets(texts: Sequence[str]) -> list[str]:
+    return [f"({text})" for text in texts]
 
 
 def _value(text: str) -> ast.expr | None:

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 
 #: The statements that have variables of their own.
 SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
+_WITH_LAMBDAS = (*SCOPES, ast.Lambda)
 
 
 def first_of_locals(function: ast.FunctionDef) -> frozenset[ast.stmt]:
@@ -32,7 +33,7 @@ def _own_nodes(node: ast.AST) -> Iterator[ast.AST]:
     """The nodes inside a function from top to bottom, without those of inner functions."""
     for inner in ast.iter_child_nodes(node):
         yield inner
-        if not isinstance(inner, (*SCOPES, ast.Lambda)):
+        if not isinstance(inner, _WITH_LAMBDAS):
             yield from _own_nodes(inner)
 
 

@@ -10,6 +10,7 @@ import io
 import re
 import tokenize
 from collections.abc import Container
+from functools import lru_cache
 from typing import NamedTuple
 
 from learnblock.language.tree.loads import parsed
@@ -135,9 +136,10 @@ def raw_text(lines: list[str], first: int, indent: str, in_string: set[int]) -> 
     return "".join(result)
 
 
-def raw_names(text: str) -> set[str]:
+@lru_cache(maxsize=4096)
+def raw_names(text: str) -> frozenset[str]:
     """The variables that Python source reads or sets; empty if it is not valid Python."""
-    return variable_names(parsed(text.removeprefix("@")))
+    return frozenset(variable_names(parsed(text.removeprefix("@"))))
 
 
 def variable_names(tree: ast.AST, whens: Container[str] | None = None) -> set[str]:
