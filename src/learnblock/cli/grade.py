@@ -18,9 +18,13 @@ _FOLDER = click.Path(file_okay=False, path_type=Path)
     "--class",
     "class_name",
     metavar="NAME",
-    help="Grade this class: of each pupil, what was handed in, or the newest program of the step.",
+    help="Grade this class: each pupil's hand-in or, without one, the newest program of the step.",
 )
-@click.option("--only-handed-in", is_flag=True, help="Of a class, leave out who has not handed in.")
+@click.option(
+    "--only-handed-in",
+    is_flag=True,
+    help="With --class: leave out pupils who have not handed in.",
+)
 @click.option(
     "--lesson", required=True, metavar="LESSON", help="The lesson's name, file or folder."
 )

@@ -33,7 +33,7 @@ class TextsFile(Struct, frozen=True, forbid_unknown_fields=True):
 
 
 def check_texts(opened: OpenLesson) -> dict[str, Texts]:
-    """The texts of a lesson's checks by language; one that a language lacks is another language's.
+    """The texts of a lesson's checks by language; one that a language lacks is taken from another.
 
     Raises:
         LessonError: one of the files has mistakes, or uses other values than another language.

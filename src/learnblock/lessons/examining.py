@@ -10,7 +10,7 @@ from learnblock.blocks import block_sets
 from learnblock.blocks.known import all_configurations
 from learnblock.errors import Diagnostic, FileError, LessonError, UnknownNameError
 from learnblock.i18n import Phrase
-from learnblock.lessons.check_texts import check_texts
+from learnblock.lessons.check_texts import own_texts
 from learnblock.lessons.checks import (
     Called,
     Check,
@@ -281,7 +281,7 @@ def _check_experts(opened: OpenLesson) -> None:
     Raises:
         LessonError: it is not, or the texts have mistakes.
     """
-    check_texts(opened)
+    own_texts(opened)
     if EXPERTS not in opened.files:
         return
     text = opened.text(EXPERTS)

@@ -5,8 +5,9 @@ JSON. Anything but a clear yes counts as no.
 """
 
 import socket
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
+from functools import cached_property
 from subprocess import TimeoutExpired
 from typing import Any
 
@@ -15,7 +16,7 @@ import msgspec
 from learnblock.evidence.evidence import Evidence, Noted
 from learnblock.i18n import ENGLISH, Multilingual, Phrase
 from learnblock.lessons import expert_child
-from learnblock.lessons.check_texts import check_texts
+from learnblock.lessons.check_texts import Texts, check_texts
 from learnblock.lessons.checks import Expert
 from learnblock.lessons.finding import Finding
 from learnblock.lessons.opened import EXPERTS, OpenLesson
@@ -55,8 +56,8 @@ class Experts:
         opened: the lesson.
         seconds: the most seconds of a check.
         limits: the resources that a check may use.
-        processes: forks the process of each check, for those who judge many runs; without it, each
-            is started. See `expert_processes`.
+        processes: forks a process for each check, to judge many runs faster; without it, each check
+            starts one. See `expert_processes`.
     """
 
     def __init__(
@@ -67,7 +68,7 @@ class Experts:
         processes: ForkServer | None = None,
     ) -> None:
         self._source = opened.text(EXPERTS) if EXPERTS in opened.files else ""
-        self._texts = check_texts(opened)
+        self._opened = opened
         self._seconds = seconds
         self._limits = limits
         self._processes = processes
@@ -91,6 +92,11 @@ class Experts:
         if answer.met:
             return Finding("met", evidence.now)
         return Finding("failed", evidence.now, _reason(answer.reason))
+
+    @cached_property
+    def _texts(self) -> Mapping[str, Texts]:
+        # Most steps have no check in Python.
+        return check_texts(self._opened)
 
     def _process(self) -> Standby:
         if self._processes:

@@ -2,15 +2,14 @@
 
 import json
 import os
-import signal
 import socket
 import sys
 from collections.abc import Mapping
 from types import SimpleNamespace
 from typing import Any
 
-from learnblock.runtime import forking
 from learnblock.runtime.containment import fence
+from learnblock.runtime.forking import next_program
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.messages import Setup
 
@@ -22,18 +21,10 @@ def main() -> None:
     orders, each order makes a process that does this.
     """
     given = socket.socket(fileno=int(sys.argv[1]))
-    connection = given if given.type is socket.SOCK_STREAM else _forked(given)
+    is_task = given.type is socket.SOCK_STREAM
+    connection = given if is_task else next_program(given, fence.prepare)
     if connection is not None:
         _judge(connection)
-
-
-def _forked(orders: socket.socket) -> socket.socket | None:
-    """Be a fork server; return the connection in the process of a check."""
-    from learnblock.runtime.containment import kernel  # noqa: PLC0415 - only Linux has it
-
-    kernel.die_with_parent(signal.SIGKILL)
-    fence.prepare()
-    return forking.next_program(orders)
 
 
 def _judge(connection: socket.socket) -> None:
@@ -48,7 +39,7 @@ def _judge(connection: socket.socket) -> None:
 
 
 def seen_run(run: Mapping[str, Any], texts: Mapping[str, Mapping[str, str]]) -> SimpleNamespace:
-    """What a check gets to see: a run, and each of the lesson's texts in all its languages."""
+    """What a check sees: a run, and each of the lesson's texts in all its languages."""
     names = dict.fromkeys(name for named in texts.values() for name in named)
     every = {name: [named[name] for named in texts.values()] for name in names}
     return SimpleNamespace(**run, texts=every)

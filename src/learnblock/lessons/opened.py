@@ -81,7 +81,7 @@ class OpenLesson:
         return self.step(step).program
 
     def group(self, step: int) -> int:
-        """The step whose program a step continues; the first one if none before has a program."""
+        """The step whose program a step continues: itself if it starts with one; 1 if none does."""
         return next((number for number in range(step, 0, -1) if self.start(number)), 1)
 
     def world(self, step: int) -> str | None:

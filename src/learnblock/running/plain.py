@@ -33,23 +33,24 @@ _HARMLESS = (
 
 def is_plain(program: Program) -> bool:
     """Whether a program can reach nothing but its robot."""
-    try:
-        tree = ast.parse(program.python)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return False
-    return _Inspection(tree).passes()
+    tree = _tree(program.python)
+    return tree is not None and _Inspection(tree).passes()
 
 
 def hangs(program: Program) -> bool:
-    """Whether a program has a loop that never ends and has nothing in it, such as an unfilled one.
+    """Whether a program has an endless loop with an empty body, such as one not filled in yet.
 
-    Where it gets there, it computes until its host ends it.
+    Once in that loop, it runs until its host ends it.
     """
+    tree = _tree(program.python)
+    return tree is not None and any(map(_is_empty_and_endless, ast.walk(tree)))
+
+
+def _tree(text: str) -> ast.Module | None:
     try:
-        nodes = ast.walk(ast.parse(program.python))
-        return any(_is_empty_and_endless(node) for node in nodes)
+        return ast.parse(text)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return False
+        return None
 
 
 class _Inspection:

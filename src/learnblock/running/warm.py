@@ -172,7 +172,7 @@ def is_shared(job: Job) -> bool:
     # The network is for programs that import something, which have a process of their own.
     if job.options.network or job.isolated or not is_plain(job.program):
         return False
-    # Only its host can end it, which must not be kept from that: see `_end_if_silent`.
+    # Only a host in another process can end it: see `_end_if_silent`.
     return not hangs(job.program)
 
 

@@ -17,11 +17,12 @@ from msgspec import structs
 
 from learnblock.client import Client, skills
 from learnblock.errors import InputEndedError, LearnBlockError, ProgramStopped
-from learnblock.runtime import forking, remote
+from learnblock.runtime import remote
 from learnblock.runtime.claims import last_line
 from learnblock.runtime.containment import fence
 from learnblock.runtime.error_phrases import phrase_of
 from learnblock.runtime.failed_code import failed_code
+from learnblock.runtime.forking import next_program
 from learnblock.runtime.gate import Gate, unless_shown
 from learnblock.runtime.lines import (
     LineBudget,
@@ -63,19 +64,10 @@ def main() -> None:
     If it is a fork server's end of its orders, each order makes a process that runs as usual.
     """
     given = socket.socket(fileno=int(sys.argv[1]))
-    connection = given if given.type is socket.SOCK_STREAM else _forked(given)
+    is_link = given.type is socket.SOCK_STREAM
+    connection = given if is_link else next_program(given, fence.prepare, skills.prepare)
     if connection is not None:
         _be_program(SocketLink(connection, FromHost))
-
-
-def _forked(orders: socket.socket) -> socket.socket | None:
-    """Be a fork server; return the link in the process of a program: see `next_program`."""
-    from learnblock.runtime.containment import kernel  # noqa: PLC0415 - only Linux has it
-
-    kernel.die_with_parent(signal.SIGKILL)
-    fence.prepare()
-    skills.prepare()
-    return forking.next_program(orders)
 
 
 def _be_program(link: Link[FromHost]) -> None:

@@ -24,7 +24,7 @@ class ForkServer:
     """A process that forks the processes of programs; it ends with the thread that started it.
 
     Args:
-        module: the module that it runs, which is also that of a process without it.
+        module: the module that it runs; where nothing can be forked, each process runs it.
     """
 
     def __init__(self, module: str = PROGRAMS) -> None:

@@ -11,6 +11,7 @@ import select
 import signal
 import socket
 import struct
+from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
 
@@ -22,15 +23,21 @@ NUMBER = struct.Struct("i")
 _LONGEST_PATH, _SENT_WITH_IT = 4096, 2
 
 
-def next_program(orders: socket.socket) -> socket.socket | None:
-    """Fork a process for each order.
+def next_program(orders: socket.socket, *prepare: Callable[[], object]) -> socket.socket | None:
+    """Be a fork server: load what programs need, then fork a process for each order.
 
     Args:
         orders: where they arrive.
+        prepare: load what each process needs.
 
     Returns:
         In a new process, the program's link; here, None, once nobody can order any more.
     """
+    from learnblock.runtime.containment import kernel  # noqa: PLC0415 - only Linux has it
+
+    kernel.die_with_parent(signal.SIGKILL)
+    for load in prepare:
+        load()
     # A process that collected what is loaded would copy all of it.
     gc.freeze()
     # Nothing of the server is left in the process of a program when this returns.

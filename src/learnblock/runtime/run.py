@@ -251,8 +251,6 @@ class Run:
         assert self._conversation  # noqa: S101 - only a program that has sent a message is answered
         self._conversation.send(message)
 
-    # One method for each message of the child that concerns more than one part.
-
     def _validator(self, program: Program, robots: tuple[str, ...]) -> Validator:
         return Validator(
             program,
@@ -262,6 +260,8 @@ class Run:
             pauses=self._pauses.at_lines,
             log=self._log is not None,
         )
+
+    # One method for each message of the child that concerns more than one part.
 
     def _make_handlers(self, events: EventSender) -> Mapping[type, Callable[[Any], object]]:
         return {

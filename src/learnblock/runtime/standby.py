@@ -22,7 +22,7 @@ PROGRAMS = "learnblock.runtime.child"
 
 
 def child_command(module: str, handle: int) -> list[str]:
-    """The command of a process for what others have written.
+    """The command of a process that runs code of others.
 
     Args:
         module: the module that runs it.

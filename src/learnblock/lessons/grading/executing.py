@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from pathlib import Path
 from queue import Empty, SimpleQueue
+from typing import NamedTuple
 
 import msgspec
 
@@ -153,7 +154,8 @@ class _PieceRun:
     def result(self) -> Result:
         """Run the program, and judge what it did."""
         with self.opened.world_file(self.piece.step) as world:
-            runs = StepRuns(self.opened, self.piece.step, self.source, world, self.piece.limits)
+            piece, tags = self.piece, dict(self.piece.tags)
+            runs = StepRuns(self.opened, piece.step, self.source, world, piece.limits, tags=tags)
             if self._step.partners:
                 return self._in_team(runs)
             job = self._job(runs)
@@ -170,8 +172,7 @@ class _PieceRun:
 
     def _job(self, runs: StepRuns) -> Job:
         job = runs.job(self.piece.attempt)
-        program = replace(job.program, folder="", tags=dict(self.piece.tags))
-        return replace(job, program=program)
+        return replace(job, program=replace(job.program, folder=""))
 
     def _run(self, job: Job) -> RunResult:
         """Make one run, in a process that is kept for the next one."""
@@ -227,7 +228,7 @@ class _PieceRun:
 
 
 def _forked(job: Job) -> list[tuple[int, RunResult]]:
-    idle = _idle()
+    idle = _idle().runs
     try:
         process = idle.get_nowait()
     except Empty:
@@ -239,36 +240,36 @@ def _forked(job: Job) -> list[tuple[int, RunResult]]:
             idle.put(process)
 
 
+class _Idle(NamedTuple):
+    """The processes that no piece uses now: for runs, and what forks those of checks."""
+
+    runs: "SimpleQueue[WarmProcess]"
+    experts: "SimpleQueue[ForkServer]"
+
+
 @cache
-def _idle() -> "SimpleQueue[WarmProcess]":
-    """The processes that make runs, of which no piece uses any now."""
+def _idle() -> _Idle:
     atexit.register(end_idle)
-    return SimpleQueue()
+    return _Idle(SimpleQueue(), SimpleQueue())
 
 
 @contextmanager
 def _expert_processes() -> Iterator[ForkServer]:
     """What forks the processes of checks, kept for the next piece."""
+    idle = _idle().experts
     try:
-        processes = _idle_experts().get_nowait()
+        processes = idle.get_nowait()
     except Empty:
         processes = expert_processes()
     try:
         yield processes
     finally:
-        _idle_experts().put(processes)
-
-
-@cache
-def _idle_experts() -> "SimpleQueue[ForkServer]":
-    """What forks the processes of checks, of which no piece uses any now."""
-    atexit.register(end_idle)
-    return SimpleQueue()
+        idle.put(processes)
 
 
 def end_idle() -> None:
     """End the processes that were kept for further runs and checks."""
-    for idle in (_idle(), _idle_experts()):
+    for idle in _idle():
         with suppress(Empty):
             while True:
                 idle.get_nowait().end()
