@@ -1,10 +1,12 @@
 """Pages that talk to a server without a browser, many in one event loop."""
 
 import json
+from typing import TYPE_CHECKING
 
 from websockets.asyncio.client import ClientConnection, connect
 
-from classes import Class
+if TYPE_CHECKING:
+    from classes import Class
 
 
 class Page:
@@ -37,7 +39,7 @@ class Page:
                 return
 
 
-def visit(room: Class, path: str, cookie: str) -> connect:
+def visit(room: "Class", path: str, cookie: str) -> connect:
     """Connect to a class, as the browser with this cookie."""
     return connect(
         f"ws://127.0.0.1:{room.port}{path}",

@@ -2,8 +2,8 @@
 
 Run it with ``python benchmarks/foreign_python.py`` for the standard library's ``turtledemo``, or
 name folders with Python files. ``--fetch pybricks`` also takes the source distribution of a
-package from the index, into a temporary folder. A file that takes longer than ``--limit`` seconds
-of the processor counts as one that does not come back, and is named.
+package from the index, into a temporary folder. A file that takes more than ``--limit`` seconds
+of processor time counts as one that does not come back, and is named.
 """
 
 import argparse
@@ -33,7 +33,7 @@ PROGRESS = 10
 def fetched(package: str, folder: Path) -> Path:
     """The unpacked source distribution of a package."""
     target = folder / package
-    # What builds the package may be a wheel: `:all:` would compile that from its sources, too.
+    # The build tools may be wheels: `:all:` would compile them from source, too.
     options = ["--quiet", "--no-deps", f"--no-binary={package}", "--dest", str(target)]
     command = ["uv", "tool", "run", "pip", "download", *options, package]
     subprocess.run(command, check=True, timeout=FETCHING)
@@ -85,7 +85,7 @@ def main() -> None:
     parser.add_argument("folders", nargs="*", type=Path, help="folders with Python files")
     parser.add_argument("--fetch", action="append", default=[], metavar="PACKAGE")
     parser.add_argument(
-        "--limit", type=int, default=20, help="seconds of the processor for each file"
+        "--limit", type=int, default=20, help="seconds of processor time for each file"
     )
     given = parser.parse_args()
     signal.signal(signal.SIGPROF, _end)

@@ -7,7 +7,6 @@ should be ten per second or more.
 """
 
 import asyncio
-import json
 import os
 import platform
 import statistics
@@ -20,6 +19,7 @@ from itertools import pairwise
 from pathlib import Path
 from time import perf_counter
 
+from _pages import Page
 from websockets.asyncio.client import ClientConnection, connect
 
 TOKEN = "the-token-of-the-benchmark"  # noqa: S105 - it protects nothing
@@ -37,40 +37,29 @@ end
 """
 
 
-class Page:
+class DrivingPage(Page):
     """A page whose robot drives; `told` are the times of the world updates that it received."""
 
     def __init__(self, socket: ClientConnection) -> None:
+        super().__init__(socket)
         self.told: list[float] = []
-        self._socket = socket
 
     async def start(self, number: int) -> None:
-        await self._say("New", name=f"project {number}", example="avoid")
-        await self._hear("Scene")
-        await self._say("EditText", edit=1, notation="blocktext", text=PROGRAM)
-        await self._say("Run")
-        await self._hear("RunState", state="running")
+        await self.say("New", name=f"project {number}", example="avoid")
+        await self.hear("Scene")
+        await self.say("EditText", edit=1, notation="blocktext", text=PROGRAM)
+        await self.say("Run")
+        await self.hear("RunState", state="running")
 
     async def listen(self) -> None:
         async for message in self._socket:
             if '"kind":"Telemetry"' in message[:24]:
                 self.told.append(perf_counter())
 
-    async def _say(self, kind: str, **values: object) -> None:
-        await self._socket.send(json.dumps({"kind": kind, **values}))
 
-    async def _hear(self, kind: str, **values: object) -> None:
-        async for message in self._socket:
-            heard = json.loads(message)
-            if heard["kind"] == "Failed":
-                raise RuntimeError(heard["message"])
-            if heard["kind"] == kind and values.items() <= heard.items():
-                return
-
-
-async def opened(port: int, number: int) -> tuple[Page, asyncio.Task[None]]:
+async def opened(port: int, number: int) -> tuple[DrivingPage, asyncio.Task[None]]:
     address = f"ws://127.0.0.1:{port}/ws"
-    page = Page(await connect(address, subprotocols=["learnblock", TOKEN], max_size=None))
+    page = DrivingPage(await connect(address, subprotocols=["learnblock", TOKEN], max_size=None))
     await page.start(number)
     return page, asyncio.create_task(page.listen())
 
