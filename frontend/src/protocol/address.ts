@@ -1,6 +1,7 @@
 /** The page's address: the open project and, on the first visit, the access token. */
 
 import { inBrowser } from "../ui/storage";
+import { socketAt } from "./channel";
 
 const base = new URL(".", location.href);
 /** Several servers may share one origin, behind a proxy. */
@@ -46,11 +47,9 @@ function isLoopback(name: string): boolean {
   return name === "localhost" || name === "[::1]" || name.startsWith("127.");
 }
 
-/** The address of the server's websocket, relative to the page, because a proxy may add a path. */
+/** The address of the server's websocket. */
 export function socketAddress(): URL {
-  const address = new URL("ws", base);
-  address.protocol = base.protocol === "https:" ? "wss:" : "ws:";
-  return address;
+  return socketAt("ws", base);
 }
 
 /** The project in the address. */

@@ -19,6 +19,13 @@ const LONGEST_DELAY = 4000;
 /** The codes with which the server closes the websocket if retrying would not help. */
 const FINAL: Readonly<Record<number, ConnectionState>> = { 4403: "refused", 4429: "crowded" };
 
+/** The address of a websocket of the server, relative to the page or another address of it: a proxy may add a path. */
+export function socketAt(name: string, base: string | URL = location.href): URL {
+  const address = new URL(name, base);
+  address.protocol = address.protocol === "https:" ? "wss:" : "ws:";
+  return address;
+}
+
 export class Channel<Sent extends Kind, Received extends Kind> {
   readonly state = signal<ConnectionState>("connecting");
   private socket: WebSocket | null = null;

@@ -61,7 +61,7 @@ export function HintDialog({ stream, to, name, question, close }: Hinting) {
 
 interface Removed {
   /** In the order in which they joined. */
-  readonly seats: readonly (Seat | undefined)[];
+  readonly seats: readonly Seat[];
   readonly remove: (chosen: readonly Seat[]) => void;
   readonly close: () => void;
 }
@@ -69,7 +69,7 @@ interface Removed {
 /** Choose several pupils to delete: the last ones to join come first. */
 export function RemovedDialog({ seats, remove, close }: Removed) {
   const chosen = useSignal<ReadonlySet<string>>(new Set());
-  const known = seats.filter((seat) => seat !== undefined).reverse();
+  const known = [...seats].reverse();
   const tick = (id: string, on: boolean) => {
     const ids = new Set(chosen.peek());
     if (on) ids.add(id);

@@ -15,13 +15,12 @@ interface Props {
   /** How many tiles would move if they were sorted now. */
   readonly changes: number;
   readonly sort: () => void;
-  /** How many wait for the teacher. */
-  readonly waiting: number;
   readonly openSide: () => void;
 }
 
-export function Filters({ seats, filter, order, changes, sort, waiting, openSide }: Props) {
+export function Filters({ seats, filter, order, changes, sort, openSide }: Props) {
   const found = counts(seats);
+  const waiting = (found.get("help") ?? 0) + (found.get("stuck") ?? 0);
   return (
     <div class="wall-filters" data-wall-region>
       <div class="chips" role="group" aria-label={t("page-class-filters")}>

@@ -2,7 +2,7 @@
 
 import type { ComponentChildren } from "preact";
 
-import { language, languages, t } from "../../i18n";
+import { language, languages, type Phrase, say, t } from "../../i18n";
 import { prefer } from "../../model/preferences";
 import { languageName } from "../../ui/language-name";
 import { Logo } from "../start/logo";
@@ -34,5 +34,14 @@ export function Frame({ title = "LearnBlock", tools, children }: Props) {
       </header>
       <main>{children}</main>
     </div>
+  );
+}
+
+/** Says that the connection is lost, or why the server has refused something. */
+export function Problem({ isLost, problem }: { isLost: boolean; problem: Phrase | null | undefined }) {
+  return (
+    <p role="alert" class={isLost || problem ? "class-problem" : "hidden"}>
+      {isLost ? t("page-shell-lost") : problem && say(problem)}
+    </p>
   );
 }

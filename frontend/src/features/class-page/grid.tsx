@@ -9,7 +9,7 @@ import type { Drawing } from "./small-world";
 import type { ClassStream } from "./stream";
 import { Tile } from "./tile";
 
-interface Props {
+export interface GridProps {
   readonly stream: ClassStream;
   readonly drawing: Drawing;
   readonly wall: Wall;
@@ -18,11 +18,11 @@ interface Props {
   readonly names: ReadonlyMap<string, string>;
   /** Whether the teacher is at the tiles, which then keep their places. */
   readonly isBusy: Signal<boolean>;
-  readonly hint: (seat: Seat) => void;
-  readonly remove: (seat: Seat) => void;
+  readonly hint: (pupil: string) => void;
+  readonly remove: (seats: readonly Seat[]) => void;
 }
 
-export function Grid({ stream, drawing, wall, seats, names, isBusy, hint, remove }: Props) {
+export function Grid({ stream, drawing, wall, seats, names, isBusy, hint, remove }: GridProps) {
   const current = useSignal("");
   const grid = useRef<HTMLDivElement>(null);
   const isThere = seats.some(({ id }) => id === current.value);
@@ -30,7 +30,7 @@ export function Grid({ stream, drawing, wall, seats, names, isBusy, hint, remove
   const pressed = (event: KeyboardEvent) => {
     const tile = tileAt(event.target);
     const seat = seats.find(({ id }) => id === tile?.dataset.pupil);
-    if (tile && seat && grid.current && press(grid.current, tile, event, () => hint(seat))) event.preventDefault();
+    if (tile && seat && grid.current && press(grid.current, tile, event, () => hint(seat.id))) event.preventDefault();
   };
   const look = () => {
     isBusy.value = grid.current?.matches(":hover, :focus-within") ?? false;
@@ -63,8 +63,8 @@ export function Grid({ stream, drawing, wall, seats, names, isBusy, hint, remove
           name={names.get(seat.id) ?? ""}
           isProjected={wall.projected === seat.id}
           isCurrent={seat.id === first}
-          hint={() => hint(seat)}
-          remove={() => remove(seat)}
+          hint={() => hint(seat.id)}
+          remove={() => remove([seat])}
         />
       ))}
     </div>

@@ -1,11 +1,13 @@
-/** A small live world from above, without 3D: what is in it, where the robot is, and where it has been. */
+/** A world from above, without 3D; a small live one has where the robot is, and where it has been. */
 
+import type { ComponentChildren } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
 
 import { theme } from "../../model/preferences";
 import type { Plan, Seat } from "../../protocol/classroom";
 import { planOf } from "../../views/world/plan/plan";
 import { arrow } from "../../views/world/plan/robot";
+import type { WorldValues } from "../../views/world/scenery/description";
 
 /** mm: the margin around the floor, and half the length of the robot's arrow. */
 const MARGIN = 30;
@@ -19,23 +21,11 @@ interface Props {
 }
 
 export function FlatWorld({ plan, seat, label }: Props) {
-  const things = useRef<SVGGElement>(null);
   const world = plan?.scene.world;
-  useLayoutEffect(() => {
-    if (world) things.current?.replaceChildren(...planOf(world));
-  }, [plan, theme.value]);
   if (!world) return <div class="small-world empty" />;
-  const [width, depth] = world.floor.size;
-  const size = [width + 2 * MARGIN, depth + 2 * MARGIN];
   return (
-    <svg
-      class="small-world world-plan"
-      role="img"
-      aria-label={label}
-      viewBox={`${-size[0]! / 2} ${-size[1]! / 2} ${size[0]} ${size[1]}`}
-    >
-      <g ref={things} />
-      <polyline class="way" points={points(seat.way ?? [])} />
+    <WorldPlan world={world} label={label} look="small-world">
+      <polyline class="way" points={pairs(seat.way ?? []).join(" ")} />
       {seat.pose && (
         <path
           class="robot"
@@ -43,13 +33,42 @@ export function FlatWorld({ plan, seat, label }: Props) {
           transform={`translate(${seat.pose[0]} ${-seat.pose[1]}) rotate(${seat.pose[2]})`}
         />
       )}
+    </WorldPlan>
+  );
+}
+
+interface WorldPlanProps {
+  readonly world: WorldValues;
+  /** What screen readers say. */
+  readonly label: string;
+  readonly look?: string;
+  /** What is drawn over the world. */
+  readonly children?: ComponentChildren;
+}
+
+/** A world from above. */
+export function WorldPlan({ world, label, look = "", children }: WorldPlanProps) {
+  const things = useRef<SVGGElement>(null);
+  useLayoutEffect(() => {
+    things.current?.replaceChildren(...planOf(world));
+  }, [world, theme.value]);
+  const [width, depth] = world.floor.size.map((side) => side + 2 * MARGIN) as [number, number];
+  return (
+    <svg
+      class={`${look} world-plan`}
+      role="img"
+      aria-label={label}
+      viewBox={`${-width / 2} ${-depth / 2} ${width} ${depth}`}
+    >
+      <g ref={things} />
+      {children}
     </svg>
   );
 }
 
-/** Points of an SVG polyline from x and y in mm, one after the other. */
-function points(way: readonly number[]): string {
-  const pairs: string[] = [];
-  for (let i = 0; i + 1 < way.length; i += 2) pairs.push(`${way[i]},${-way[i + 1]!}`);
-  return pairs.join(" ");
+/** The points of a way, whose x and y in mm come one after the other, in the picture, in which y grows downwards. */
+export function pairs(way: readonly number[]): readonly (readonly [number, number])[] {
+  const found: [number, number][] = [];
+  for (let i = 0; i + 1 < way.length; i += 2) found.push([way[i]!, -way[i + 1]!]);
+  return found;
 }

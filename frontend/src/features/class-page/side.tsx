@@ -47,7 +47,7 @@ function Waiting({ seats, names }: Named) {
   return (
     <section class="wall-card" aria-label={t("page-class-waiting-for-you")}>
       <Title icon="hand" text={t("page-class-waiting-for-you")} />
-      {all.length === 0 && <p class="dim">{t("page-class-nobody-waits")}</p>}
+      {all.length === 0 && <p class="dim">{t("page-class-none-waiting")}</p>}
       <ul>
         {all.slice(0, MOST_WAITING).map((seat) => (
           <li key={seat.id} class={`waiting ${stateOf(seat)}`}>
@@ -56,7 +56,7 @@ function Waiting({ seats, names }: Named) {
               <bdi>{names.get(seat.id)}</bdi>
               <small>{whyInWords(seat)}</small>
             </span>
-            <a class="button soft" href={pageOf(seat)} target="_blank" rel="noopener opener">
+            <a class="button" href={pageOf(seat)} target="_blank" rel="noopener opener">
               {t("page-class-look")}
             </a>
           </li>

@@ -9,14 +9,14 @@ import type { Plates } from "../../views/world/small";
 import { FlatWorld } from "./plan";
 
 /** What draws the pictures, which is loaded with the first of them. */
-class Drawing {
+export class Drawing {
   /** Grows when there is more to paint with. */
   readonly version = signal(0);
   readonly module: Signal<typeof import("../../views/world/small") | null> = signal(null);
   /** Whether the browser can't draw in 3D. */
   readonly isFlat = signal(false);
   private begun = false;
-  private drawn: Plates | null = null;
+  plates: Plates | null = null;
 
   begin(): void {
     if (this.begun) return;
@@ -24,14 +24,10 @@ class Drawing {
     void this.load();
   }
 
-  get plates(): Plates | null {
-    return this.drawn;
-  }
-
   private async load(): Promise<void> {
     try {
       const module = await import("../../views/world/small");
-      this.drawn = new module.Plates(() => (this.version.value += 1));
+      this.plates = new module.Plates(() => (this.version.value += 1));
       this.module.value = module;
     } catch (error) {
       console.warn(error);
@@ -68,5 +64,3 @@ export function SmallWorld({ drawing, plan, seat, label, base }: Props) {
   if (isFlat.value) return <FlatWorld plan={plan} seat={seat} label={label} />;
   return <canvas ref={canvas} class="small-world" role="img" aria-label={label} width={332} height={226} />;
 }
-
-export { Drawing };

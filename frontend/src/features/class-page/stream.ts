@@ -3,7 +3,7 @@
 import { signal } from "@preact/signals";
 
 import type { Phrase } from "../../i18n";
-import { Channel } from "../../protocol/channel";
+import { Channel, socketAt } from "../../protocol/channel";
 import type {
   FromTeacher,
   LessonOffer,
@@ -28,9 +28,7 @@ export class ClassStream extends Channel<FromTeacher, ToTeacher> {
 
   /** @param name of the websocket: `wall` or `projected`. */
   constructor(name: "wall" | "projected") {
-    const address = new URL(name, location.href);
-    address.protocol = address.protocol === "https:" ? "wss:" : "ws:";
-    super(address);
+    super(socketAt(name));
     this.on("Wall", (wall) => this.show(wall));
     this.on("Offers", ({ lessons }) => (this.offers.value = lessons));
     this.on("Seats", ({ seats }) => {

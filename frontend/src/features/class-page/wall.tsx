@@ -4,18 +4,18 @@ import { type Signal, useSignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { useEffect, useMemo, useRef } from "preact/hooks";
 
-import { say, t } from "../../i18n";
+import { t } from "../../i18n";
 import type { LessonOffer, Seat, Wall } from "../../protocol/classroom";
 import { Dialog } from "../../ui/dialog";
 import { Logo } from "../start/logo";
 import { HintDialog, PinDialog, RemoveDialog, RemovedDialog } from "./dialogs";
 import { Filters } from "./filters";
-import { Frame } from "./frame";
-import { Grid } from "./grid";
+import { Frame, Problem } from "./frame";
+import { Grid, type GridProps } from "./grid";
 import { HandOutDialog } from "./hand-out";
 import { LessonButton, MinutesLeft, Tools } from "./head";
 import { JoinRights, JoinSign } from "./join-sign";
-import { namesOf, usualLesson, waiting } from "./overview";
+import { namesOf, usualLesson } from "./overview";
 import { Side } from "./side";
 import { Drawing } from "./small-world";
 import { inOrder, type Order, type State, stateOf } from "./states";
@@ -56,7 +56,7 @@ function OpenWall({ stream, wall }: { stream: ClassStream; wall: Wall }) {
         <Tools stream={stream} wall={wall} showJoin={show("join")} hintAll={() => hint("")} />
       </header>
       <main>
-        <Lost stream={stream} />
+        <Problem isLost={stream.state.value === "lost"} problem={stream.refused.value} />
         <Knocking stream={stream} wall={wall} />
         {joined.length > 0 ? (
           <Pupils
@@ -132,15 +132,7 @@ function Over({ stream, wall, opened, lesson, joined, names, side, remove }: Ove
   }
 }
 
-interface PupilsProps {
-  readonly stream: ClassStream;
-  readonly wall: Wall;
-  readonly drawing: Drawing;
-  /** In the order in which they joined. */
-  readonly seats: readonly Seat[];
-  readonly names: ReadonlyMap<string, string>;
-  readonly hint: (pupil: string) => void;
-  readonly remove: (seats: readonly Seat[]) => void;
+interface PupilsProps extends Omit<GridProps, "isBusy"> {
   readonly openSide: () => void;
 }
 
@@ -165,28 +157,11 @@ function Pupils({ stream, wall, drawing, seats, names, hint, remove, openSide }:
   };
   return (
     <div class="wall-pupils">
-      <Filters
-        seats={seats}
-        filter={filter}
-        order={order}
-        changes={changes}
-        sort={sort}
-        waiting={waiting(seats).length}
-        openSide={openSide}
-      />
+      <Filters seats={seats} filter={filter} order={order} changes={changes} sort={sort} openSide={openSide} />
       <p id="wall-keys" class="hidden">
         {t("page-class-keys")}
       </p>
-      <Grid
-        stream={stream}
-        drawing={drawing}
-        wall={wall}
-        seats={shown}
-        names={names}
-        isBusy={isBusy}
-        hint={({ id }) => hint(id)}
-        remove={(seat) => remove([seat])}
-      />
+      <Grid {...{ stream, drawing, wall, names, isBusy, hint, remove }} seats={shown} />
     </div>
   );
 }
@@ -219,16 +194,6 @@ function Help({ seats, names }: { seats: readonly Seat[]; names: ReadonlyMap<str
   return (
     <p class="hidden" role="status">
       {newest && t("page-class-asks", { name: names.get(newest.id) ?? "" })}
-    </p>
-  );
-}
-
-function Lost({ stream }: { stream: ClassStream }) {
-  const refused = stream.refused.value;
-  const lost = stream.state.value === "lost";
-  return (
-    <p role="alert" class={lost || refused ? "class-problem" : "hidden"}>
-      {lost ? t("page-shell-lost") : refused && say(refused)}
     </p>
   );
 }

@@ -5,7 +5,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { t } from "../../i18n";
 import type { HandInLine, HandInList } from "../../protocol/classroom";
 import { Icon } from "../../ui/icons";
-import { inLanguage } from "../lessons/lessons";
+import { inLanguage } from "../lessons/texts";
 import { GROUPS, type HandInStream } from "./stream";
 
 export function HandInTable({ stream }: { stream: HandInStream }) {
@@ -14,13 +14,17 @@ export function HandInTable({ stream }: { stream: HandInStream }) {
   return (
     <>
       <Often list={list} />
-      {list.lines?.length ? <Lines stream={stream} lines={list.lines} /> : <Nobody list={list} />}
+      {list.lines?.length ? (
+        <Lines stream={stream} lines={list.lines} />
+      ) : (
+        <p class="hand-ins-none">{t("page-handins-none", { step: list.step })}</p>
+      )}
       <Without stream={stream} list={list} />
     </>
   );
 }
 
-/** What most pupils miss; who has not begun counts under no mistake. */
+/** What most pupils miss. Pupils who have not begun are not counted. */
 function Often({ list: { often } }: { list: HandInList }) {
   if (!often) return null;
   return (
@@ -32,10 +36,6 @@ function Often({ list: { often } }: { list: HandInList }) {
       </span>
     </p>
   );
-}
-
-function Nobody({ list: { step } }: { list: HandInList }) {
-  return <p class="hand-ins-none">{t("page-handins-nobody", { step })}</p>;
 }
 
 function Lines({ stream, lines }: { stream: HandInStream; lines: readonly HandInLine[] }) {

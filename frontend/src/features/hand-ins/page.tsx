@@ -2,11 +2,11 @@
 
 import { useEffect } from "preact/hooks";
 
-import { language, say, t } from "../../i18n";
+import { language, t } from "../../i18n";
 import { Icon } from "../../ui/icons";
 import { Menu } from "../../ui/menu";
-import { Frame } from "../class-page/frame";
-import { inLanguage } from "../lessons/lessons";
+import { Frame, Problem } from "../class-page/frame";
+import { inLanguage } from "../lessons/texts";
 import { HandInTable } from "./list";
 import { ShownWork } from "./shown";
 import type { HandInStream } from "./stream";
@@ -14,10 +14,15 @@ import "./hand-ins.css";
 
 export function HandInsPage({ stream }: { stream: HandInStream }) {
   useEffect(() => stream.open(), []);
-  if (stream.state.value === "refused") return <Frame>{<p>{t("page-class-no-key")}</p>}</Frame>;
+  if (stream.state.value === "refused")
+    return (
+      <Frame>
+        <p>{t("page-class-no-key")}</p>
+      </Frame>
+    );
   return (
     <Frame title={t("page-handins-title")} tools={<Tools stream={stream} />}>
-      <Problem stream={stream} />
+      <Problem isLost={stream.state.value === "lost"} problem={stream.refused.value ?? stream.steps.value?.failure} />
       <div class="hand-ins">
         <section class="hand-ins-list" aria-label={t("page-handins-title")}>
           <Steps stream={stream} />
@@ -26,16 +31,6 @@ export function HandInsPage({ stream }: { stream: HandInStream }) {
         <ShownWork stream={stream} />
       </div>
     </Frame>
-  );
-}
-
-function Problem({ stream }: { stream: HandInStream }) {
-  const problem = stream.refused.value ?? stream.steps.value?.failure;
-  const isLost = stream.state.value === "lost";
-  return (
-    <p role="alert" class={isLost || problem ? "class-problem" : "hidden"}>
-      {isLost ? t("page-shell-lost") : problem && say(problem)}
-    </p>
   );
 }
 

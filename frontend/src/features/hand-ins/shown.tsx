@@ -8,7 +8,7 @@ import type { CheckSummary, ShownHandIn } from "../../protocol/classroom";
 import { IconButton } from "../../ui/button";
 import { Icon } from "../../ui/icons";
 import { DrawnBlocks } from "../lessons/drawn-blocks";
-import { inLanguage } from "../lessons/lessons";
+import { inLanguage } from "../lessons/texts";
 import { Stars } from "./list";
 import type { HandInStream } from "./stream";
 import { DrivenWay } from "./way";

@@ -3,7 +3,7 @@
 import { computed, signal } from "@preact/signals";
 
 import type { Phrase } from "../../i18n";
-import { Channel } from "../../protocol/channel";
+import { Channel, socketAt } from "../../protocol/channel";
 import type {
   FromTeacher,
   HandInLine,
@@ -33,9 +33,7 @@ export class HandInStream extends Channel<FromTeacher, ToTeacher> {
   readonly marked = computed(() => (this.list.value?.lines ?? []).filter(({ state }) => state === "marked"));
 
   constructor() {
-    const address = new URL("marking", location.href);
-    address.protocol = address.protocol === "https:" ? "wss:" : "ws:";
-    super(address);
+    super(socketAt("marking"));
     this.on("HandInSteps", (steps) => this.changed(steps));
     this.on("HandInList", (list) => this.listed(list));
     this.on("ShownHandIn", (shown) => {
@@ -69,28 +67,26 @@ export class HandInStream extends Channel<FromTeacher, ToTeacher> {
   }
 
   collect(): void {
-    const place = this.place.peek();
-    if (place) this.act({ kind: "CollectHandIns", ...place });
+    this.act((place) => ({ kind: "CollectHandIns", ...place }));
   }
 
   check(): void {
-    const place = this.place.peek();
-    if (place) this.act({ kind: "CheckHandIns", ...place });
+    this.act((place) => ({ kind: "CheckHandIns", ...place }));
   }
 
   mark(pupil: string, note: string, mark: string): void {
-    const place = this.place.peek();
-    if (place) this.act({ kind: "MarkHandIn", pupil, note, mark, ...place });
+    this.act((place) => ({ kind: "MarkHandIn", pupil, note, mark, ...place }));
   }
 
   handBack(pupils: string[]): void {
-    const place = this.place.peek();
-    if (place) this.act({ kind: "HandBack", pupils, ...place });
+    this.act((place) => ({ kind: "HandBack", pupils, ...place }));
   }
 
-  private act(message: FromTeacher): void {
+  private act(message: (place: Place) => FromTeacher): void {
+    const place = this.place.peek();
+    if (!place) return;
     this.refused.value = null;
-    this.send(message);
+    this.send(message(place));
   }
 
   private read(): void {

@@ -5,7 +5,7 @@ import { usePage } from "../../model/page";
 import type { OwnHandIn } from "../../protocol/classroom";
 import type { LessonShown } from "../../protocol/messages";
 import { Icon } from "../../ui/icons";
-import { inLanguage } from "./lessons";
+import { inLanguage } from "./texts";
 import "./hand-in.css";
 
 /** The button; steps without checks have nothing to hand in. */

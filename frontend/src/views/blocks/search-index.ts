@@ -21,9 +21,9 @@ export interface Nearest {
 /** A block, and all that it says and can be found by. */
 interface Entry {
   readonly block: Item;
-  /** What it says as it stands in the palette, and what it is called. */
+  /** Its sentence in the palette, its Python, and what else it is called. */
   readonly shown: string;
-  /** That, and the other choices of its menus. */
+  /** The same, and the other choices in its menus. */
   readonly text: string;
 }
 
@@ -48,7 +48,7 @@ export class SearchIndex {
     return begins.length ? begins : this.withAll(parts);
   }
 
-  /** Of two blocks that can become each other, the one that says it as it stands in the palette. */
+  /** The blocks with all of the words. One that has them only in a menu gives way to the block that shows them. */
   private withAll(parts: readonly string[]): Item[] {
     const found = this.entries.filter(({ text }) => parts.every((part) => text.includes(part)));
     const isSaid = ({ shown }: Entry) => parts.every((part) => shown.includes(part));
@@ -107,12 +107,12 @@ function entryOf(block: Item, undrawn: Blockly.Workspace): Entry {
   return { block, shown, text: shown + spaced(fields.flatMap(choicesOf)) };
 }
 
-/** Words to search in, each after a space. */
+/** Words as one searchable text, with a space before each. */
 function spaced(words: readonly string[]): string {
   return ` ${plain(words.join(" "))}`;
 }
 
-/** The Python that a block stands for, so that Python's words find it; null for other blocks. */
+/** The Python code of a block that was made from Python, so that a search for it finds the block; null for others. */
 function pythonOf(block: Blockly.Block): string | null {
   const { words, parts } = (block.saveExtraState?.() ?? {}) as { words?: string[]; parts?: string[][] };
   const python = words ?? parts?.flat();

@@ -144,6 +144,9 @@ export class View {
 
   /** Draw the world in a quality, and no other frame after it. */
   renderOnce(quality: Quality): void {
+    cancelAnimationFrame(this.frame);
+    this.frame = 0;
+    clearTimeout(this.stillness);
     const usual = this.quality;
     this.apply(quality);
     this.sharpen(Math.max(STILL.sharpness, this.screen), this.quality.shadows);

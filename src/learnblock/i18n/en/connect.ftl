@@ -9,9 +9,9 @@ connect-needs-no-correction = This robot measures its wheels itself, so there is
 
 # Installing what a robot needs besides LearnBlock.
 connect-installs-another = The add-on for '{ $robot }' is still being installed. Wait until it is done, or stop it.
-connect-not-ours-to-install = Others use this installation of LearnBlock, too. Ask whoever looks after it to install the add-on for '{ $robot }'.
+connect-not-ours-to-install = Other people use this installation of LearnBlock, too. Ask its administrator to install the add-on for '{ $robot }'.
 connect-no-installer = The installer '{ $name }' was not found on this computer. Use the command below in a terminal in which you have installed LearnBlock.
-connect-install-offline = This computer doesn't reach the package index. Connect it to the Internet, then try again.
+connect-install-offline = This computer can't reach the package index. Connect it to the Internet, then try again.
 connect-install-failed = The add-on could not be installed. The installer says: { $reason }
 connect-install-too-long = Installing the add-on took over { $minutes } minutes, so it was stopped. Try again on a faster network.
-connect-installed-restart = The add-on is installed. Restart LearnBlock so that it is found.
+connect-installed-restart = The add-on is installed. Restart LearnBlock to use it.

@@ -63,7 +63,7 @@ server-no-picture = There is no such picture.
 # $reason is a technical text in English.
 server-mistake = Something went wrong in LearnBlock: { $reason }
 server-no-project = No project is open. Open a project first.
-server-no-class = This page is not in a class, so there is nobody to hand in to.
+server-no-class = This page is not in a class, so you can't hand in your work.
 server-too-deep = This is nested too deeply.
 server-message-too-long = A message of { $count } characters is too long.
 server-message-unknown = LearnBlock doesn't know this message: { $reason }

@@ -18,8 +18,8 @@ export class Pictures {
 
   /**
    * @param changed is called when one has loaded.
-   * @param base the address to which all are relative: that of the page, or of a page in a folder of it.
-   * @param loading is told of each that is being loaded.
+   * @param base the address that pictures are relative to: that of the page, or of a page in a folder of it.
+   * @param loading counts the pictures that are being loaded.
    */
   constructor(
     private readonly changed: () => void,

@@ -1,4 +1,4 @@
 /** Small pictures of worlds in 3D, for many at once: drawn once, then only a way and a robot are painted over them. */
 
-export { paint, type Shown } from "./paint";
-export { HEIGHT, Plates, WIDTH } from "./plates";
+export { paint } from "./paint";
+export { Plates } from "./plates";

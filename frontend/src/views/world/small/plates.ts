@@ -9,10 +9,10 @@ import { type RobotModel, robotModel } from "../robots";
 import type { RobotValues, XY } from "../scenery/description";
 import { radians } from "../scenery/geometry";
 import { paletteOf } from "../scenery/palette";
-import { Pictures } from "../scenery/pictures";
+import { type Loading, Pictures } from "../scenery/pictures";
 import { Stage } from "../stage";
 import { View } from "../view";
-import { areasOf, cameraOver, type SmallCamera, STEEPNESS } from "./camera";
+import { areasOf, cameraOver, FIELD, type SmallCamera, STEEPNESS } from "./camera";
 
 /** The size of a plate, and of a sprite, in pixels. */
 export const WIDTH = 332;
@@ -56,6 +56,8 @@ export interface Sprites {
 export class Plates {
   private readonly plates = new Map<string, Plate | null>();
   private readonly sprites = new Map<string, Sprites | null>();
+  /** What worlds and robots are made of, as text: each repaint asks for it. */
+  private readonly texts = new WeakMap<object, string>();
   private readonly jobs: (() => Promise<void>)[] = [];
   private readonly camera = new PerspectiveCamera(NARROW, 1, 20, 60_000);
   private readonly view: View;
@@ -76,7 +78,8 @@ export class Plates {
    * @param base the address to which those of the world's pictures are relative.
    */
   of(scene: Scene, theme: ThemeName, base: string): Plate | null {
-    const key = JSON.stringify([theme, scene.name, scene.world, scene.lines, scene.start, scene.real]);
+    const { name, world, lines, start, real } = scene;
+    const key = `${theme} ${this.textOf(scene, [name, world, lines, start, real])}`;
     const known = this.plates.get(key);
     if (known !== undefined) return known;
     this.plates.set(key, null);
@@ -90,7 +93,7 @@ export class Plates {
 
   /** The sprites of a robot; null until they are drawn. */
   spritesOf(robot: RobotValues, theme: ThemeName): Sprites | null {
-    const key = JSON.stringify([theme, robot]);
+    const key = `${theme} ${this.textOf(robot, robot)}`;
     const known = this.sprites.get(key);
     if (known !== undefined) return known;
     this.sprites.set(key, null);
@@ -98,9 +101,11 @@ export class Plates {
     return null;
   }
 
-  dispose(): void {
-    this.jobs.length = 0;
-    this.view.dispose();
+  /** The values of something that does not change, as text. */
+  private textOf(of: object, values: unknown): string {
+    const text = this.texts.get(of) ?? JSON.stringify(values);
+    this.texts.set(of, text);
+    return text;
   }
 
   private enqueue(job: () => Promise<void>): void {
@@ -122,7 +127,7 @@ export class Plates {
   private async draw(scene: Scene, theme: ThemeName, base: string): Promise<Plate> {
     const { world } = scene;
     const palette = paletteOf(world.theme, theme);
-    const waiting = new Loading();
+    const waiting = new Waiting();
     const pictures = new Pictures(() => undefined, base, waiting);
     const stage = new Stage({ ...scene, robots: [] }, palette, () => undefined, undefined, pictures);
     this.view.scene.add(stage.object);
@@ -139,7 +144,7 @@ export class Plates {
 
   private shoot(stage: Stage, camera: SmallCamera): Shot {
     const [x, y, z] = camera.place;
-    this.camera.fov = (2 * Math.atan(camera.see(...camera.target).half / camera.distance) * 180) / Math.PI;
+    this.camera.fov = FIELD;
     this.look(new Vector3(x, y, z), new Vector3(...camera.target, 0));
     stage.face({ x, y });
     return { picture: this.take(), camera };
@@ -201,7 +206,7 @@ export function facing({ pictures }: Sprites, heading: number): CanvasImageSourc
 }
 
 /** Waits for pictures that are being loaded. */
-class Loading {
+class Waiting implements Loading {
   private count = 0;
   private wake: () => void = () => undefined;
 

@@ -125,7 +125,7 @@ page-class-left = { $minutes } min left
 page-class-minutes = { $minutes } min
 page-class-side = The class
 page-class-waiting-for-you = Waiting for you
-page-class-nobody-waits = Nobody is waiting.
+page-class-none-waiting = No pupil is waiting.
 page-class-more-wait = and { $count } more
 page-class-tried = step { $step } · { $tries } { $tries ->
         [one] try
@@ -144,7 +144,7 @@ page-class-tries = Tries
 page-class-mark = Mark
 page-class-to-mark = to mark
 page-class-done = finished
-page-class-hint-kept = There is no connection. Your hint is kept: send it again when LearnBlock is back.
+page-class-hint-kept = The connection is lost. Your hint is kept: send it again once you are back online.
 page-class-hint-text-all = What should everybody look at?
 page-class-lessons = Lessons
 page-class-find-lesson = Find a lesson

@@ -22,8 +22,8 @@ page-handins-starts = { $count ->
         [one] tried once
        *[other] each tried from { $count } starts
     }
-page-handins-no-lesson = Nobody works on a lesson yet. Hand one out on the wall.
-page-handins-nobody = Nobody has handed in step { $step } yet.
+page-handins-no-lesson = No pupil is working on a lesson yet. Hand one out on the wall.
+page-handins-none = Step { $step } has no hand-ins yet.
 page-handins-often = Most often:
 page-handins-pupils = ({ $count } pupils)
 page-handins-pupil = Pupil
@@ -40,7 +40,7 @@ page-handins-to-mark = to mark
 page-handins-unchecked = not checked yet
 page-handins-nothing = nothing
 page-handins-stars = { $stars } of 3 stars
-page-handins-not-begun = not begun · no mark, counted under no mistake
+page-handins-not-begun = not begun · no mark, not counted under any mistake
 page-handins-not-handed-in = not handed in yet
 page-handins-collect = Collect now
 page-handins-at = { $tries ->
@@ -53,8 +53,8 @@ page-handins-collected-at = { $tries ->
         [one] 1 try, collected { $time }
        *[other] { $tries } tries, collected { $time }
     }
-page-handins-previous = The one before
-page-handins-next = The next one
+page-handins-previous = Previous pupil
+page-handins-next = Next pupil
 page-handins-program = Program
 page-handins-checks = Checks
 page-handins-met = { $met } of { $runs }

@@ -113,7 +113,7 @@ page-class-left = quedan { $minutes } min
 page-class-minutes = { $minutes } min
 page-class-side = La clase
 page-class-waiting-for-you = Te esperan
-page-class-nobody-waits = No espera nadie.
+page-class-none-waiting = Nadie está esperando.
 page-class-more-wait = y { $count } más
 page-class-tried = paso { $step } · { $tries } { $tries ->
         [one] intento
@@ -131,7 +131,7 @@ page-class-tries = Intentos
 page-class-mark = Nota
 page-class-to-mark = por calificar
 page-class-done = terminado
-page-class-hint-kept = No hay conexión. La pista se conserva: envíala otra vez cuando LearnBlock vuelva.
+page-class-hint-kept = No hay conexión. La pista se conserva: envíala otra vez cuando vuelva la conexión.
 page-class-hint-text-all = ¿En qué debería fijarse todo el mundo?
 page-class-lessons = Lecciones
 page-class-find-lesson = Buscar una lección

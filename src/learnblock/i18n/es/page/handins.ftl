@@ -22,7 +22,7 @@ page-handins-starts = { $count ->
        *[other] cada uno, probado desde { $count } salidas
     }
 page-handins-no-lesson = Aún nadie trabaja en una lección. Reparte una desde el panel.
-page-handins-nobody = Nadie ha entregado todavía el paso { $step }.
+page-handins-none = Nadie ha entregado todavía el paso { $step }.
 page-handins-often = Lo más frecuente:
 page-handins-pupils = ({ $count } personas)
 page-handins-pupil = Nombre
