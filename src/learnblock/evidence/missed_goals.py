@@ -91,11 +91,11 @@ class RunInWorld:
 
 def missed_goal(run: RunInWorld, names: Sequence[str]) -> Miss | None:
     """By how much the first goal was missed that could have been reached."""
-    known = run.goals
-    missing = [known[name] for name in names if name in known and not _is_reached(name, run)]
+    goals = run.goals
+    missing = [goals[name] for name in names if name in goals and not _is_reached(name, run)]
     first = missing[0] if missing else None
-    while first and first.after in known and not _is_reached(str(first.after), run):
-        first = known[str(first.after)]
+    while first and first.after in goals and not _is_reached(str(first.after), run):
+        first = goals[str(first.after)]
     return _goal(first, run) if first else None
 
 
@@ -105,10 +105,10 @@ def _is_reached(name: str, run: RunInWorld) -> bool:
 
 def _goal(goal: AnyGoal, run: RunInWorld) -> Miss | None:
     """The best miss of the robots that may reach a goal."""
-    found = [_timed(miss, own) for own in run.of(goal) if (miss := _GOALS[type(goal)](goal, own))]
+    misses = [_timed(miss, own) for own in run.of(goal) if (miss := _GOALS[type(goal)](goal, own))]
     # All of several robots have to come: the last of them counts.
     choose = max if isinstance(goal, Reach) and goal.together else min
-    return choose(found, key=_distance) if found else None
+    return choose(misses, key=_distance) if misses else None
 
 
 def _timed(miss: Miss, run: RunInWorld) -> Miss:
@@ -149,12 +149,12 @@ def _tour(goal: Tour, run: RunInWorld) -> Miss | None:
     if not run.path:
         return None
     count = len(goal.points)
-    passed, left = _passed(goal, run)
+    passed, remaining = _passed(goal, run)
     if passed >= count:
         return None
     place = goal.points[passed]
     before = goal.points[passed - 1] if passed else xy(run.path[0])
-    nearest = nearest_point(left, place)
+    nearest = nearest_point(remaining, place)
     gap = gap_words(before, nearest, place)
     code = "miss-corner" if _has_corners(goal.points) else "miss-place"
     return Miss(Phrase(code, number=passed + 1, count=count, gap=gap), place, nearest)
@@ -162,14 +162,14 @@ def _tour(goal: Tour, run: RunInWorld) -> Miss | None:
 
 def _passed(goal: Tour, run: RunInWorld) -> tuple[int, Sequence[TimedPose]]:
     """How many places of a tour were passed, and the way from the last of them on."""
-    passed, left = 0, run.path
+    passed, remaining = 0, run.path
     for index, piece in enumerate(pairwise(run.path), 1):
         if passed == len(goal.points):
             break
         place = goal.points[passed]
         if math.dist(nearest_point(piece, place), place) <= goal.radius:
-            passed, left = passed + 1, run.path[index:]
-    return passed, left
+            passed, remaining = passed + 1, run.path[index:]
+    return passed, remaining
 
 
 def _has_corners(points: Sequence[XY]) -> bool:
@@ -229,8 +229,8 @@ def _follow(goal: Follow, run: RunInWorld) -> Miss | None:
         return Miss(Phrase("miss-line-never"))
     followed = FollowGoal(goal, middle)
     progress = max(followed.progress(_state(placed)) for placed in run.path)
-    share, asked = math.floor(progress * goal.fraction * 100), round(goal.fraction * 100)
-    words = Phrase("miss-follow", share=share, asked=asked)
+    share, target = math.floor(progress * goal.fraction * 100), round(goal.fraction * 100)
+    words = Phrase("miss-follow", share=share, asked=target)
     return Miss(words, xy(on[-1]), xy(run.path[-1]))
 
 
@@ -240,13 +240,13 @@ def _state(placed: TimedPose) -> RobotState:
 
 
 def _show(goal: Show, run: RunInWorld) -> Miss | None:
-    shown = [moment for moment, text in run.evidence.emotions if text == goal.emotion]
-    if not shown:
+    moments = [moment for moment, text in run.evidence.emotions if text == goal.emotion]
+    if not moments:
         return Miss(Phrase("miss-emotion", emotion=goal.emotion))
     if goal.radius is None or not run.path:
         return None
     place = (goal.x, goal.y)
-    places = [place_at(run.path, moment) for moment in shown]
+    places = [place_at(run.path, moment) for moment in moments]
     nearest = min(places, key=lambda shown_at: math.dist(shown_at, place))
     mm = rounded_mm(math.dist(nearest, place))
     return Miss(Phrase("miss-emotion-away", emotion=goal.emotion, mm=mm), place, nearest)
@@ -255,16 +255,18 @@ def _show(goal: Show, run: RunInWorld) -> Miss | None:
 def _avoid(goal: Avoid, run: RunInWorld) -> Miss | None:
     if miss := first_bump(run):
         return miss
-    left = max(0.0, goal.distance - run.evidence.distance)
-    return Miss(Phrase("miss-goal", goal=goal_phrase(goal.name), gap=length_words("short", left)))
+    shortfall = max(0.0, goal.distance - run.evidence.distance)
+    return Miss(
+        Phrase("miss-goal", goal=goal_phrase(goal.name), gap=length_words("short", shortfall))
+    )
 
 
 def first_bump(run: RunInWorld, hits: Sequence[Moment] | None = None) -> Miss | None:
     """Where the robot bumped first; the message says how far it had driven."""
-    found = hits if hits is not None else [moment for moment, _ in run.evidence.collisions]
-    if not found or not run.path:
+    bumps = hits if hits is not None else [moment for moment, _ in run.evidence.collisions]
+    if not bumps or not run.path:
         return None
-    until = [placed for placed in run.path if placed.moment.time <= found[0].time] or run.path[:1]
+    until = [placed for placed in run.path if placed.moment.time <= bumps[0].time] or run.path[:1]
     mm = rounded_mm(length_of(until))
     return Miss(Phrase("miss-bump", mm=mm), xy(until[-1]), xy(until[-1]))
 

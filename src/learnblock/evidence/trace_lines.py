@@ -120,13 +120,13 @@ class TraceLines(Sequence[Line]):
         return len(self._abouts)
 
     def _numbers(self, kind: str) -> Iterable[int]:
-        wanted = {id(about) for about in self._steps.values() if kind_of(about) == kind}
-        if not wanted:
+        ids = {id(about) for about in self._steps.values() if kind_of(about) == kind}
+        if not ids:
             return (number for number in self._others if kind_of(self._abouts[number]) == kind)
         return (
             number
             for number, about in enumerate(self._abouts)
-            if id(about) in wanted or kind_of(about) == kind
+            if id(about) in ids or kind_of(about) == kind
         )
 
     def _time(self, head: bytes) -> float | None:

@@ -229,8 +229,8 @@ class Actions:
             self._draft.say("why-ran", call, event)
             self._tell_causes_of(use, call)
             return
-        begun = self._history.skills[event].begun if event in self._history.skills else event
-        self._draft.say("why-ran", self._history.number(event), begun)
+        start = self._history.skills[event].begun if event in self._history.skills else event
+        self._draft.say("why-ran", self._history.number(event), start)
         self._causes.tell(event)
         self.never_stopped(self._history.frames[event].node)
         if until:

@@ -25,15 +25,15 @@ from learnblock.why.waits import Waits
 from learnblock.why.whole_run import WholeRun
 
 
-def answer(history: EventHistory, question: Question, seen: Seen | None = None) -> Explanation:
+def answer(history: EventHistory, question: Question, identify: Seen | None = None) -> Explanation:
     """Answer a question about a run.
 
     Args:
         history: of the run.
         question: about it.
-        seen: tells what a distance sensor looked at, by its side and the time in s.
+        identify: tells what a distance sensor looked at, by its side and the time in s.
     """
-    return Answers(history, seen).answer(question)
+    return Answers(history, identify).answer(question)
 
 
 class Answers:
@@ -41,15 +41,15 @@ class Answers:
 
     Args:
         history: of the run.
-        seen: tells what a distance sensor looked at, by its side and the time in s.
+        identify: tells what a distance sensor looked at, by its side and the time in s.
     """
 
-    def __init__(self, history: EventHistory, seen: Seen | None = None) -> None:
+    def __init__(self, history: EventHistory, identify: Seen | None = None) -> None:
         self._history = history
         self._slices = Slices(history)
         self._readings = Readings(self._slices)
         self._unused = Unused(self._slices)
-        self._seen = seen
+        self._identify = identify
 
     def answer(self, question: Question) -> Explanation:
         """Answer a question."""
@@ -58,7 +58,7 @@ class Answers:
             self._slices, self._readings, self._unused, draft, question.time, question.since
         )
         _Answering(inquiry).answer(question)
-        return with_things(draft.answer(), self._seen)
+        return with_things(draft.answer(), self._identify)
 
 
 class _Answering:
@@ -184,19 +184,21 @@ class _Answering:
         history = self._history
         calls = self._calls(lambda node: node.name == "print" and not node.base)
         events = sorted(event for call in calls for event in history.of_node.get(call, ()))
-        done = [event for event in events if history.op(event) == Op.RESULT]
+        prints = [event for event in events if history.op(event) == Op.RESULT]
         limit = history.end if time is None else time + ABOUT
         texts = [line for line in history.recorded.lines if "print" in line]
-        if len(done) == len(texts):
+        if len(prints) == len(texts):
             alike = [
                 event
-                for event, line in zip(done, texts, strict=True)
+                for event, line in zip(prints, texts, strict=True)
                 if str(line["print"]) == text and line.get("t", 0.0) <= limit
             ]
             return alike[-1] if alike else -1
         # The log has lost some: of those that are left, one of the same moment printed it.
         times = [line["t"] for line in texts if str(line["print"]) == text and line["t"] <= limit]
-        there = [event for event in done if times and abs(history.time(event) - times[-1]) < ABOUT]
+        there = [
+            event for event in prints if times and abs(history.time(event) - times[-1]) < ABOUT
+        ]
         return there[-1] if there else -1
 
     def _prints(self, subject: str) -> list[int]:
@@ -286,8 +288,8 @@ class _Answering:
     def _goal(self, name: str, until: int, time: float | None) -> None:
         goals = self._goals(name)
         missed = [goal for goal in goals if goal.get("state") != "reached"]
-        named = [goal for goal in goals if goal.get("name") == name] or missed or [*goals]
-        for goal in named[:1]:
+        candidates = [goal for goal in goals if goal.get("name") == name] or missed or [*goals]
+        for goal in candidates[:1]:
             state, name = str(goal.get("state")), str(goal.get("name"))
             reached = goal.get("time")
             is_later = reached is not None and time is not None and reached > time + ABOUT
@@ -306,7 +308,7 @@ class _Answering:
             if miss := goal_missed(self._history.recorded, name, at):
                 there = {} if miss.time is None else {"time": round(miss.time, 2)}
                 self._draft.say_of_line(miss.words.code, 0, event, **miss.words.values, **there)
-        if not named:
+        if not candidates:
             self._draft.say_of_line("why-no-goal", 0, until)
         self._first_bump(until)
         self._now("", until, None)
@@ -323,13 +325,13 @@ class _Answering:
         return [{"name": name, **now}] if name and not recorded.ending else []
 
     def _emotion(self, name: str, until: int, time: float | None) -> None:
-        shown = [
+        commands = [
             index
             for index, event in enumerate(self._history.events[: until + 1])
             if event[0] == Op.COMMAND and event[2] == "show_emotion" and event[3][:1] == [name]
         ]
         last_by_line: dict[int, int] = {}
-        for index in reversed(shown):
+        for index in reversed(commands):
             use = self._history.own_use(index)
             if use is not None and index >= self._actions.first:
                 event = use.result if 0 <= use.result <= until else use.begun

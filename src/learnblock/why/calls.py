@@ -229,14 +229,14 @@ class _Counting:
             return Callee(Layer.PROGRAM, self._history.program.name)
         return Callee(Layer.FUNCTIONS, self._history.nodes[frame.node].name)
 
-    def _add(self, caller: Callee, callee: Callee, begun: int, ended: int) -> None:
+    def _add(self, caller: Callee, callee: Callee, start: int, end: int) -> None:
         history = self._history
-        began = history.time(begun)
-        over = history.time(ended) if ended >= 0 else history.end
+        began = history.time(start)
+        over = history.time(end) if end >= 0 else history.end
         if over < self._first or began > self._last:
             return
-        times = history.times[begun]
-        total = self._sums.setdefault((caller, callee), _Sum(begun, began, began))
+        times = history.times[start]
+        total = self._sums.setdefault((caller, callee), _Sum(start, began, began))
         total.count += times
         total.seconds += times * (min(over, self._last) - max(began, self._first))
         total.last = began

@@ -60,25 +60,25 @@ class Causes:
         self._add_causes(event, 0.0, names)
         self.finish()
 
-    def tell_unfinished(self, call: int, begun: int) -> None:
+    def tell_unfinished(self, call: int, start: int) -> None:
         """Tell why a call that has not ended yet is running: only its condition shows it.
 
         Args:
             call: its node.
-            begun: the event with which its skill began.
+            start: the event with which its skill began.
         """
         node, history = self._history.nodes[call], self._history
         for name in node.reads:
             if name != "robot":
-                self.value(name, begun, _DATA)
-        frame = history.frames[begun]
-        decision = history.last_of(history.of_node.get(node.control, []), begun)
+                self.value(name, start, _DATA)
+        frame = history.frames[start]
+        decision = history.last_of(history.of_node.get(node.control, []), start)
         if node.control >= 0 and decision >= 0:
             self._wait(decision, "", _CONTROL)
         elif frame.entered >= 0:
             self._wait(frame.entered, "", _CALLED)
-        for index, loop in enumerate(self._slices.loops_before(call, begun)):
-            self._add_loop(loop, begun, _LOOP_BEFORE + 0.1 * index)
+        for index, loop in enumerate(self._slices.loops_before(call, start)):
+            self._add_loop(loop, start, _LOOP_BEFORE + 0.1 * index)
         self.finish()
 
     def finish(self) -> None:
@@ -99,19 +99,19 @@ class Causes:
             cost += _OBVIOUS - _DATA
         elif any(part in self._history.skills for part in self._slices.parts(write)):
             cost += _MEASURED
-        changed = self._slices.changed_through(write, event)
-        if changed >= 0:
-            self._wait(changed, name, cost)
-            alias = self._slices.aliased(changed, name)
-            for other in (alias, *self._aliases_of(changed)):
+        change = self._slices.changed_through(write, event)
+        if change >= 0:
+            self._wait(change, name, cost)
+            alias = self._slices.aliased(change, name)
+            for other in (alias, *self._aliases_of(change)):
                 if other >= 0:
                     self._wait(other, _SAME, cost + 0.1)
         else:
             self._wait(write, name, cost)
 
-    def _aliases_of(self, changed: int) -> tuple[int, ...]:
+    def _aliases_of(self, change: int) -> tuple[int, ...]:
         return tuple(
-            self._slices.aliased(changed, name) for name in self._history.node(changed).writes
+            self._slices.aliased(change, name) for name in self._history.node(change).writes
         )
 
     def stopped_writing(self, name: str, event: int, cost: float) -> None:

@@ -61,12 +61,12 @@ class Comparison:
 
 def compared(first: EventHistory, second: EventHistory) -> Comparison:
     """Compare two runs."""
-    changed = edits(first.program, second.program)
+    changes = edits(first.program, second.program)
     conditions = tuple(_conditions(first, second))
-    is_exact = bool(changed) and not conditions
-    causes = (*map(_edit_phrase, changed[:MOST_EDITS]), *_more(changed), *conditions)
+    is_exact = bool(changes) and not conditions
+    causes = (*map(_edit_phrase, changes[:MOST_EDITS]), *_more(changes), *conditions)
     parted = _parting(first, second, acts=is_exact)
-    return Comparison(parted, causes or tuple(_without_cause(first, second, parted)), changed)
+    return Comparison(parted, causes or tuple(_without_cause(first, second, parted)), changes)
 
 
 # Why: docs/decisions.md, "Two runs part at the first decision that differs"
@@ -270,6 +270,6 @@ def _edit_phrase(edit: ChangedLine) -> Phrase:
     return Phrase("why-cause-edit", line=str(line), before=edit.before, after=edit.after)
 
 
-def _more(changed: tuple[ChangedLine, ...]) -> Iterator[Phrase]:
-    if len(changed) > MOST_EDITS:
-        yield Phrase("why-cause-more", count=len(changed) - MOST_EDITS)
+def _more(changes: tuple[ChangedLine, ...]) -> Iterator[Phrase]:
+    if len(changes) > MOST_EDITS:
+        yield Phrase("why-cause-more", count=len(changes) - MOST_EDITS)

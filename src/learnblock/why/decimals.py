@@ -44,9 +44,9 @@ def decimals(condition: str, values: Mapping[str, Any], *, was_true: bool) -> in
     if tree is None or not any(isinstance(value, float) for value in values.values()):
         return FEW
     for count in range(FEW, ALL + 1):
-        shown = {text: _shown(value, count) for text, value in values.items()}
+        approximations = {text: _shown(value, count) for text, value in values.items()}
         try:
-            if bool(_value(tree, shown)) == was_true:
+            if bool(_value(tree, approximations)) == was_true:
                 return count
         except (_UnknownError, ArithmeticError, TypeError, ValueError):
             return FEW

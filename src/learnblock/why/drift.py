@@ -145,15 +145,15 @@ def _turns_beyond_wheels(
 
 def _ratio(legs: Iterator[tuple[float, float]], sensor: str, least: float) -> Ratio | None:
     """The ratio of both sums, to which a leg backward adds like one forward."""
-    done = reference_sum = sign = 0.0
+    real_sum = reference_sum = sign = 0.0
     for real, reference in legs:
         if abs(reference) >= _STILL:
             sign = 1.0 if reference > 0 else -1.0
         # While its twin stands, the robot may still end what it did before.
-        done += sign * real
+        real_sum += sign * real
         reference_sum += sign * reference
     return (
-        Ratio(round(done / reference_sum, 4), sensor, round(reference_sum, 1))
+        Ratio(round(real_sum / reference_sum, 4), sensor, round(reference_sum, 1))
         if reference_sum >= least
         else None
     )
@@ -164,23 +164,23 @@ def _approach(prediction: Prediction, legs: list[tuple[float, float]]) -> Ratio 
 
     It is measured where the twin drives straight towards something, or away from it.
     """
-    seen: list[tuple[float, float]] = []
+    pairs: list[tuple[float, float]] = []
     travelled = 0.0
     for first, last in legs:
         travel = prediction.twin.travel(first, last)
         if abs(travel) < _APPROACH or abs(prediction.twin.turn(first, last)) > _STRAIGHT:
             continue
         if _is_square(_seen(prediction, first, last), travel):
-            seen += _centred([*_closer(prediction, first, last)])
+            pairs += _centred([*_closer(prediction, first, last)])
             travelled += abs(travel)
-    ratio = _slope(seen)
+    ratio = _slope(pairs)
     return None if ratio is None else Ratio(round(ratio, 4), "distance", round(travelled, 1))
 
 
 def _centred(pairs: list[tuple[float, float]]) -> Iterator[tuple[float, float]]:
     """Pairs whose means are 0."""
     means = [sum(values) / len(pairs) for values in zip(*pairs, strict=True)]
-    return ((seen - means[0], way - means[1]) for seen, way in pairs)
+    return ((distance - means[0], way - means[1]) for distance, way in pairs)
 
 
 def _slope(pairs: list[tuple[float, float]]) -> float | None:
@@ -188,8 +188,8 @@ def _slope(pairs: list[tuple[float, float]]) -> float | None:
     squares = sum(way**2 for _, way in pairs)
     if not squares:
         return None
-    slope = -sum(seen * way for seen, way in pairs) / squares
-    noise = sum((seen + slope * way) ** 2 for seen, way in pairs) / len(pairs)
+    slope = -sum(distance * way for distance, way in pairs) / squares
+    noise = sum((distance + slope * way) ** 2 for distance, way in pairs) / len(pairs)
     return slope if math.sqrt(noise / squares) < _SURE else None
 
 
@@ -209,10 +209,10 @@ def _seen(prediction: Prediction, first: float, last: float) -> list[tuple[float
     ]
 
 
-def _is_square(seen: list[tuple[float, float]], travel: float) -> bool:
+def _is_square(readings: list[tuple[float, float]], travel: float) -> bool:
     """Whether both drive straight towards the same thing, or away from it."""
-    if len(seen) < _LEAST_READINGS:
+    if len(readings) < _LEAST_READINGS:
         return False
-    (real, twin), (last_real, last_twin) = seen[0], seen[-1]
+    (real, twin), (last_real, last_twin) = readings[0], readings[-1]
     closer, really = twin - last_twin, real - last_real
     return abs(closer - travel) < _SQUARELY * abs(travel) and 0.5 < really / closer < 1.5

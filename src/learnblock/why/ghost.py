@@ -89,9 +89,9 @@ def _sensor(prediction: Prediction, drift: Drift) -> Iterator[TwinFact]:
     if prediction.parting or drift.better or prediction.world == EMPTY:
         return
     row: list[tuple[float, float, float]] = []
-    for seen in prediction.distances:
-        _, real, twin = seen
-        row = [*row, seen] if abs(real - twin) > max(_WRONG, _WRONG_PART * twin) else []
+    for reading in prediction.distances:
+        _, real, twin = reading
+        row = [*row, reading] if abs(real - twin) > max(_WRONG, _WRONG_PART * twin) else []
         if len(row) == _IN_A_ROW:
             time, real, twin = row[0]
             values = {"time": round(time, 1), "real": round(real), "twin": round(twin)}

@@ -43,10 +43,10 @@ def names_in(tokens: Iterable[str]) -> frozenset[str]:
     return frozenset(root(token) for token in tokens if token.isdigit() or concept(token) in own)
 
 
-def printed_text(history: EventHistory, wanted: frozenset[str]) -> str | None:
+def printed_text(history: EventHistory, keywords: frozenset[str]) -> str | None:
     """The printed text that has most of some words; None if none has any."""
     texts = dict.fromkeys(str(line["print"]) for line in history.recorded.lines if "print" in line)
-    return _most(((text, words_of(text)) for text in reversed([*texts])), wanted)
+    return _most(((text, words_of(text)) for text in reversed([*texts])), keywords)
 
 
 def prints(history: EventHistory) -> Iterator[Node]:
@@ -56,22 +56,22 @@ def prints(history: EventHistory) -> Iterator[Node]:
             yield node
 
 
-def print_with(history: EventHistory, wanted: frozenset[str]) -> str | None:
+def print_with(history: EventHistory, keywords: frozenset[str]) -> str | None:
     """The text of a line that prints most of some words; None if none has any."""
     texts = [(node.text, words_of(node.text)) for node in prints(history)]
-    text = _most(iter(texts), wanted)
+    text = _most(iter(texts), keywords)
     quoted = _TEXT.search(text) if text else None
     return quoted[1] if quoted else None
 
 
-def line_with(history: EventHistory, wanted: frozenset[str]) -> int | None:
+def line_with(history: EventHistory, keywords: frozenset[str]) -> int | None:
     """The node of a call whose name, values or function mention most of some words."""
     calls = [
         (str(number), words_of(node.text) | words_of(_function(history, node)))
         for number, node in enumerate(history.nodes)
         if node.kind is Kind.CALL
     ]
-    best = _most(iter(calls), wanted)
+    best = _most(iter(calls), keywords)
     return int(best) if best is not None else None
 
 
@@ -100,7 +100,7 @@ def _function(history: EventHistory, node: Node) -> str:
     return history.nodes[node.function].name if node.function >= 0 else ""
 
 
-def _most(texts: Iterator[tuple[str, frozenset[str]]], wanted: frozenset[str]) -> str | None:
-    counted = [(len(have & wanted), text) for text, have in texts]
+def _most(texts: Iterator[tuple[str, frozenset[str]]], keywords: frozenset[str]) -> str | None:
+    counted = [(len(have & keywords), text) for text, have in texts]
     most = max((count for count, _ in counted), default=0)
     return next((text for count, text in counted if count == most), None) if most else None

@@ -160,9 +160,9 @@ class Moments:
         if event < last:
             history = self._history
             first = bisect_left(history.ticks, history.ticks[last])
-            begun = bisect_left(self._printed_at, time)
+            before = bisect_left(self._printed_at, time)
             now = sum(_prints(history, index) for index in range(first, event + 1))
-            printed = min(begun + now, printed)
+            printed = min(before + now, printed)
         return self._characters[printed]
 
     def _place(self, time: float) -> "_Place":

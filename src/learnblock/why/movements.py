@@ -41,17 +41,17 @@ class Movements:
     def why(self, name: str, until: int, time: float | None) -> None:
         """Tell why the robot made a movement."""
         name = name if name in MOVEMENTS else ""
-        wanted = self._told_to(name, until, time)
+        last_command = self._told_to(name, until, time)
         soon = self._about_to(name, until)
-        if wanted >= 0 and not self._is_long_over(name, wanted, time):
-            for command in self._by_line(name, wanted, time):
+        if last_command >= 0 and not self._is_long_over(name, last_command, time):
+            for command in self._by_line(name, last_command, time):
                 self._draft.begin_part()
                 self._actions.moved(command, self._lasts_until(name, command, until))
         elif soon >= 0:
             self._actions.moved(soon, until)
         elif name == STAND and self._stands(until, time):
             return
-        elif wanted >= 0:
+        elif last_command >= 0:
             self._draft.say_of_line("why-not-then", 0, until, time=time or 0.0)
             self._actions.moved(self._commands.last(until), until)
         else:

@@ -19,14 +19,14 @@ _OF_LETTERS = 0.5
 def nearest(text: str, history: EventHistory) -> tuple[Question, ...]:
     """The three questions about a run most similar to a text."""
     question_words = [corrected(word) for word in words(plain(text))]
-    meant = {concept(word) for word in question_words} - _VAGUE
-    written = " ".join(question_words)
+    question_concepts = {concept(word) for word in question_words} - _VAGUE
+    question_text = " ".join(question_words)
 
     def likeness(question: Question) -> float:
         texts = [plain(translate(question.phrase, language)) for language in languages()]
         concepts = {concept(word) for wording in texts for word in words(wording)} - _VAGUE
-        letters = max(SequenceMatcher(None, written, wording).ratio() for wording in texts)
-        return len(meant & concepts) + _OF_LETTERS * letters
+        letters = max(SequenceMatcher(None, question_text, wording).ratio() for wording in texts)
+        return len(question_concepts & concepts) + _OF_LETTERS * letters
 
     general = (
         Question(QuestionKind.NOW, "", round(history.end, 2)),

@@ -286,13 +286,13 @@ class Omissions:
 
     def _started(self, function: int, until: int) -> None:
         """Tell when `when start` ran, or what kept it from running."""
-        left = [
+        exits = [
             event
             for event in self._history.events_of(function, 0, until)
             if self._history.op(event) == Op.LEAVE
         ]
-        if left:
-            self._draft.say("why-start-over", function, left[0])
+        if exits:
+            self._draft.say("why-start-over", function, exits[0])
         elif not self._history.events_of(function, 0, until):
             self._held_up(function, 0, until)
 

@@ -58,11 +58,11 @@ class _Parsing:
     def __init__(self, text: str, history: EventHistory) -> None:
         self._text = text
         self._history = history
-        written = plain(text)
-        self._span, self._without_time = take_span(written)
+        plain_text = plain(text)
+        self._span, self._without_time = take_span(plain_text)
         if self._span == RunSpan():
             # Perhaps there is a typo in "between".
-            corrected_text = " ".join(map(self._corrected, written.split()))
+            corrected_text = " ".join(map(self._corrected, plain_text.split()))
             span, without = take_span(corrected_text)
             if span != RunSpan():
                 self._span, self._without_time = span, without
@@ -104,10 +104,10 @@ class _Parsing:
 
     def _listed(self) -> Question | None:
         """A question in the words of the lists."""
-        wanted = _without_quotes(self._without_time)
+        plain_question = _without_quotes(self._without_time)
         for question in askable(self._history):
-            written = (translate(question.phrase, language) for language in languages())
-            if any(_without_quotes(plain(text)) == wanted for text in written):
+            wordings = (translate(question.phrase, language) for language in languages())
+            if any(_without_quotes(plain(text)) == plain_question for text in wordings):
                 return replace(question, time=self._span.time, since=self._span.since)
         return None
 
@@ -126,9 +126,9 @@ class _Parsing:
         parts = [_VARIABLES.sub("", self._rest), *self._rest.split()[:3]]
         whens = {plain(node.name): node.name for node in self._history.nodes if node.is_when}
         # Python's own names end with an underscore.
-        written = [name for name in self._history.writes if name not in ("_", "robot")]
-        names = {plain(name.removesuffix("_")): name for name in written}
-        names |= {plain(name): name for name in written}
+        variables = [name for name in self._history.writes if name not in ("_", "robot")]
+        names = {plain(name.removesuffix("_")): name for name in variables}
+        names |= {plain(name): name for name in variables}
         for part in parts:
             name = part.removeprefix("when ").split(" ")[0] if part else ""
             name = part.removeprefix("when ").split(" ")[0] if name != "when" else name
@@ -281,13 +281,13 @@ class _Parsing:
     def _first(self, question: Question) -> Question:
         """A question about the first time that something happened."""
         times = [
-            listed.time
-            for listed in questions(self._history)
-            if listed.ask is question.ask
-            and listed.time is not None
+            candidate.time
+            for candidate in questions(self._history)
+            if candidate.ask is question.ask
+            and candidate.time is not None
             and (
-                listed.subject == question.subject
-                or (not question.subject and "-" in listed.subject)
+                candidate.subject == question.subject
+                or (not question.subject and "-" in candidate.subject)
             )
         ]
         return replace(question, time=min(times)) if times else question
@@ -302,15 +302,15 @@ class _Parsing:
         )
 
     def _about_print(self) -> Question | None:
-        wanted = mentions.content(self._reader.tokens)
+        keywords = mentions.content(self._reader.tokens)
         if self._reader.is_negative:
             return self._about(
-                QuestionKind.NOT_PRINT, mentions.print_with(self._history, wanted) or ""
+                QuestionKind.NOT_PRINT, mentions.print_with(self._history, keywords) or ""
             )
-        printed = mentions.printed_text(self._history, wanted)
+        printed = mentions.printed_text(self._history, keywords)
         if printed is not None:
             return self._about(QuestionKind.PRINTED, printed)
-        return self._about(QuestionKind.PRINT, mentions.print_with(self._history, wanted) or "")
+        return self._about(QuestionKind.PRINT, mentions.print_with(self._history, keywords) or "")
 
     def _mentioned(self) -> Question | None:
         """The parts of the program that the words mention."""

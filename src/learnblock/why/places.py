@@ -19,9 +19,9 @@ def place_time(history: EventHistory, text: str) -> float | None:
     if concept(name) not in (Concept.WALL, Concept.EDGE, Concept.TAG):
         return None
     bumps = [line for line in history.recorded.lines if "bump" in line]
-    named = [line for line in bumps if name in plain(str(line["bump"])).split()]
-    if concept(name) is Concept.WALL and (named or bumps):
-        return round(float((named or bumps)[0]["t"]), 2)
+    matches = [line for line in bumps if name in plain(str(line["bump"])).split()]
+    if concept(name) is Concept.WALL and (matches or bumps):
+        return round(float((matches or bumps)[0]["t"]), 2)
     return _nearest(history) if concept(name) is Concept.WALL else None
 
 

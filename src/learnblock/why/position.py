@@ -190,8 +190,8 @@ class Position:
     def _line_of_last(self, calls: list[int], use: CalledSkill) -> list[int]:
         """The calls in the line that a skill began in: no line has begun since, as it lasts."""
         ran = self._history.recorded.ran
-        begun = bisect_right(ran, (self._history.time(use.begun) + TICK, 0))
-        line = ran[begun - 1][1] if begun else 0
+        count = bisect_right(ran, (self._history.time(use.begun) + TICK, 0))
+        line = ran[count - 1][1] if count else 0
         return [call for call in calls if self._is_in(line, self._history.nodes[call])]
 
     @staticmethod

@@ -172,7 +172,7 @@ class Question:
 
 def questions(history: EventHistory) -> tuple[Question, ...]:
     """What can be asked about a run, in the order of the page: what happened, what did not."""
-    listed = [
+    choices = [
         *_movements(history),
         *_skills(history),
         *_whens(history),
@@ -184,7 +184,7 @@ def questions(history: EventHistory) -> tuple[Question, ...]:
         *_lines(history),
         *_endings(history),
     ]
-    return tuple(dict.fromkeys(listed))
+    return tuple(dict.fromkeys(choices))
 
 
 def questions_about_moment(history: EventHistory, time: float) -> tuple[Question, ...]:
@@ -192,22 +192,22 @@ def questions_about_moment(history: EventHistory, time: float) -> tuple[Question
     time = round(min(time, history.end), 2)
     commands = [index for index in movements(history) if history.time(index) <= time]
     moving = movement(*history.arguments(commands[-1])[:2]) if commands else _at_first(history)
-    listed = [Question(QuestionKind.NOW, "", time)]
+    choices = [Question(QuestionKind.NOW, "", time)]
     if moving:
-        listed.append(Question(QuestionKind.MOVEMENT, moving, time))
-    listed += [
+        choices.append(Question(QuestionKind.MOVEMENT, moving, time))
+    choices += [
         Question(QuestionKind.NOT_MOVEMENT, name, time)
         for name in _possible(history)
         if name != moving
     ]
     steering = _steering_skills(history)
-    listed += [
+    choices += [
         replace(question, time=time)
         for question in _skills(history)
         if question.ask is QuestionKind.NOT_SKILL and question.subject not in steering
     ]
-    listed += [Question(question.ask, question.subject, time) for question in _whens(history)]
-    return tuple(dict.fromkeys(listed))
+    choices += [Question(question.ask, question.subject, time) for question in _whens(history)]
+    return tuple(dict.fromkeys(choices))
 
 
 def with_values(history: EventHistory, question: Question) -> Question:
@@ -237,8 +237,8 @@ def askable(history: EventHistory) -> Iterator[Question]:
         ),
         (QuestionKind.LINE, QuestionKind.NOT_LINE): map(str, _runs_of_lines(history)),
     }
-    for (why, why_not), named in subjects.items():
-        for subject in named:
+    for (why, why_not), group in subjects.items():
+        for subject in group:
             yield Question(why, subject)
             yield Question(why_not, subject)
     yield from (Question(ask) for ask in (*_CODES_OF_ANY, QuestionKind.NOW))
@@ -265,16 +265,16 @@ def questions_about_lines(
         time: in s; None for the whole run.
     """
     until = history.end if time is None else min(time, history.end)
-    listed: list[Question] = []
+    choices: list[Question] = []
     for line, ran in _runs_of_lines(history).items():
         if str(line) not in lines:
             continue
         before = [time_ran for time_ran in map(history.time, ran) if time_ran <= until]
         if before:
-            listed.append(Question(QuestionKind.LINE, str(line), max(before)))
+            choices.append(Question(QuestionKind.LINE, str(line), max(before)))
         if not before or max(before) < until - _LONG_AGO:
-            listed.append(Question(QuestionKind.NOT_LINE, str(line), round(until, 2)))
-    return tuple(listed)
+            choices.append(Question(QuestionKind.NOT_LINE, str(line), round(until, 2)))
+    return tuple(choices)
 
 
 def _movements(history: EventHistory) -> Iterator[Question]:
@@ -296,11 +296,11 @@ def _skills(history: EventHistory) -> Iterator[Question]:
         block = blocks().get(name)
         if block is not None and block.returns_value:
             continue
-        written = skill_phrase(name, written_values(call.text))
+        call_phrase = skill_phrase(name, written_values(call.text))
         if name in ran:
             phrase, time = skill_phrase(name, ran[name].args), history.time(ran[name].begun)
             yield Question(QuestionKind.SKILL, name, time, skill=phrase)
-        yield Question(QuestionKind.NOT_SKILL, name, round(history.end, 2), skill=written)
+        yield Question(QuestionKind.NOT_SKILL, name, round(history.end, 2), skill=call_phrase)
 
 
 def _calls(history: EventHistory) -> dict[str, Node]:

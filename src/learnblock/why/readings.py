@@ -171,14 +171,14 @@ class Readings:
         values = unpacked(self._history.value(reading))
         if not isinstance(values, dict):
             return None
-        seen = tuple(
+        sensors = tuple(
             Phrase(
                 "why-ground", side=_on(side), dark=str(value < _DARK).lower(), value=round(value)
             )
             for side, value in values.items()
             if _is_number(value)
         )
-        return Phrase("why-ground-saw", sensors=seen) if seen else None
+        return Phrase("why-ground-saw", sensors=sensors) if sensors else None
 
     def _line(self, colour: str, result: int) -> Phrase | None:
         reading = self._reading("Camera", self._history.skills[result], result)
@@ -251,9 +251,9 @@ def _exact(mm: float, limit: float | None) -> float:
 def _apart(value: float, limit: float, count: int, *, is_more: bool) -> float:
     """A number with at least this many decimals, and enough to be on its side of a limit."""
     for more in range(count, _MOST_DECIMALS):
-        shown = round(value, more)
-        if (shown > limit) == is_more and (shown == limit) == (value == limit):
-            return shown
+        number = round(value, more)
+        if (number > limit) == is_more and (number == limit) == (value == limit):
+            return number
     return value
 
 

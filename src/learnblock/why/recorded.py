@@ -141,10 +141,10 @@ def _unpacked(blocks: Iterable[EventBlock]) -> Iterator[tuple[EventStream, bytes
     Raises:
         ValueError: that is not compressed data, or far more than a log has.
     """
-    left = MOST_UNPACKED
+    remaining = MOST_UNPACKED
     for block in blocks:
-        data = block.unpacked(left)
-        left -= len(data)
+        data = block.unpacked(remaining)
+        remaining -= len(data)
         yield block.stream, data
 
 

@@ -43,8 +43,8 @@ class Explanation:
     @property
     def lines(self) -> tuple[int, ...]:
         """The author's lines that the first sentences are about, in order, each of them once."""
-        named = (sentence.line for sentence in self.sentences if sentence.line)
-        return tuple(dict.fromkeys(named))
+        lines = (sentence.line for sentence in self.sentences if sentence.line)
+        return tuple(dict.fromkeys(lines))
 
     def words(self, language: str) -> tuple[str, ...]:
         """The first sentences in a language."""

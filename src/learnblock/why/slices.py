@@ -91,23 +91,23 @@ class Slices:
         local = frame is not None and self.is_local(name, frame.node)
         writes = history.writes.get(name, [])
         for index in range(bisect_right(writes, event) - 1, -1, -1):
-            written = writes[index]
+            write = writes[index]
             if local:
-                if history.frames[written] is frame:
-                    return written
-            elif not self.is_local(name, history.frames[written].node):
-                return written
+                if history.frames[write] is frame:
+                    return write
+            elif not self.is_local(name, history.frames[write].node):
+                return write
         return -1
 
     def changed_through(self, write: int, event: int) -> int:
         """The last change of a list between two events, by any of its names; -1 if none."""
-        written = self.history.events[write]
-        if written[0] != Op.WRITE or not written[3]:
+        write_event = self.history.events[write]
+        if write_event[0] != Op.WRITE or not write_event[3]:
             return -1
         after = [
             index
-            for index in self._of_list[written[3]]
-            if write < index <= event and self.history.value(index) != written[2]
+            for index in self._of_list[write_event[3]]
+            if write < index <= event and self.history.value(index) != write_event[2]
         ]
         return after[-1] if after else -1
 

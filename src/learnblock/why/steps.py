@@ -132,7 +132,7 @@ class Steps:
         been decided, a variable has been written, and a long wait has begun.
         """
         history = self._history
-        place, shown = START, 0
+        place, current_line = START, 0
         before: tuple[int, int] | None = None
         for index, event in enumerate(history.events):
             tick = history.ticks[index]
@@ -142,13 +142,13 @@ class Steps:
             line = self._line_begun(index)
             here = (id(history.frames[index]), line)
             if line and here != before:
-                if shown:
-                    yield place, shown
-                before, shown, place = here, line, (tick, index)
+                if current_line:
+                    yield place, current_line
+                before, current_line, place = here, line, (tick, index)
             elif before and place[0] == tick:
                 place = tick, index
-        if shown:
-            yield place, shown
+        if current_line:
+            yield place, current_line
 
     def _line_begun(self, index: int) -> int:
         """The line that an event belongs to; 0 if it only ends what began before."""

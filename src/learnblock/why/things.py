@@ -34,20 +34,20 @@ def seen_in_run(recorded: Recorded) -> Seen | None:
         return None
 
 
-def with_things(answer: Explanation, seen: Seen | None) -> Explanation:
+def with_things(answer: Explanation, identify: Seen | None) -> Explanation:
     """An answer with sentences that name the things that sensors looked at."""
-    wanted = {
+    sights = {
         sight for sentence in (*answer.sentences, *answer.more) for sight in _in(sentence.phrase)
     }
     # In order: a world that runs again reaches a later moment faster than an earlier one.
-    in_order = sorted(wanted, key=lambda sight: sight[1])
-    things = {sight: seen(*sight) if seen else None for sight in in_order}
+    in_order = sorted(sights, key=lambda sight: sight[1])
+    things = {sight: identify(*sight) if identify else None for sight in in_order}
 
     def named(sentence: Sentence) -> Sentence:
         phrase = _named(sentence.phrase, things)
         return replace(sentence, phrase=phrase) if isinstance(phrase, Phrase) else sentence
 
-    if not wanted:
+    if not sights:
         return answer
     return Explanation(tuple(map(named, answer.sentences)), tuple(map(named, answer.more)))
 

@@ -50,7 +50,7 @@ class Unused:
 
     def _may_be_meant(self, write: int, name: str, value: Any) -> bool:
         node, other = self._history.node(write), self._history.value(write)
-        names = [written.casefold() for written in node.writes]
+        names = [variable.casefold() for variable in node.writes]
         is_alike = bool(get_close_matches(name.casefold(), names, 1, _ALIKE))
         is_same_kind = type(value) is type(other) and isinstance(value, bool | list)
         return is_alike or is_same_kind or name in node.reads
@@ -138,12 +138,12 @@ class Unused:
         """The variables that a line reads for more than changing them."""
         nodes = self._history.nodes
         read: set[str] = set()
-        changed: frozenset[str] = frozenset()
+        targets: frozenset[str] = frozenset()
         until = -1
         for number, node in enumerate(nodes):
             if node.kind is Kind.ASSIGN:
-                changed, until = frozenset(node.writes), node.last
-            read |= set(node.reads) - (changed if number <= until else frozenset())
+                targets, until = frozenset(node.writes), node.last
+            read |= set(node.reads) - (targets if number <= until else frozenset())
         return frozenset(read)
 
     def _reads_in(self, function: int, name: str) -> bool:

@@ -192,14 +192,14 @@ def corrected(word: str, others: Collection[str] = ()) -> str:
         return word
     exact, _ = _table()
     slips, exchanged = dict.fromkeys(_slips(word)), dict.fromkeys(_exchanged(word))
-    for is_known, tried in (
+    for is_known, candidates in (
         (others.__contains__, slips),
         (exact.__contains__, slips),
         (_is_nearly_whole, slips),
         (others.__contains__, exchanged),
         (exact.__contains__, exchanged),
     ):
-        if likely := next((candidate for candidate in tried if is_known(candidate)), None):
+        if likely := next((candidate for candidate in candidates if is_known(candidate)), None):
             return likely
     known_words = [
         known_word for known_word in (*others, *exact) if len(known_word) >= _SHORTEST_SLIP

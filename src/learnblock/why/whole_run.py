@@ -213,14 +213,16 @@ class WholeRun:
     def lost(self, first: int, until: int) -> None:
         """Tell what the robot did when it last saw the line before it did not for longest."""
         answers = self._line_asked(until)
-        seen = [event for event in answers if self._history.value(event) not in (None, False)]
-        if not answers or not seen:
+        sights = [event for event in answers if self._history.value(event) not in (None, False)]
+        if not answers or not sights:
             code = "why-line-never-seen" if answers else "why-line-not-asked"
             number = self._history.number(answers[-1]) if answers else -1
             self._draft.say(code, number, answers[-1] if answers else until)
             self._told_by_last(until)
             return
-        last = self._before_longest_gap([event for event in seen if event >= first] or seen, until)
+        last = self._before_longest_gap(
+            [event for event in sights if event >= first] or sights, until
+        )
         self._draft.say("why-line-seen", self._history.number(last), last)
         for command in self._after_line(last, until):
             self._actions.moved(command, command)
@@ -239,17 +241,17 @@ class WholeRun:
             event for event in events if event <= until and is_result[event][0] == Op.RESULT
         )
 
-    def _before_longest_gap(self, seen: list[int], until: int) -> int:
+    def _before_longest_gap(self, sights: list[int], until: int) -> int:
         """The sight of the line before the longest time without one."""
         history = self._history
-        ends = [*(history.time(event) for event in seen[1:]), self._run_end.moment(until)]
-        gaps = [end - history.time(event) for event, end in zip(seen, ends, strict=True)]
-        return seen[max(range(len(seen)), key=lambda index: gaps[index])]
+        ends = [*(history.time(event) for event in sights[1:]), self._run_end.moment(until)]
+        gaps = [end - history.time(event) for event, end in zip(sights, ends, strict=True)]
+        return sights[max(range(len(sights)), key=lambda index: gaps[index])]
 
-    def _after_line(self, seen: int, until: int) -> list[int]:
+    def _after_line(self, sight: int, until: int) -> list[int]:
         """What the sight of the line made the robot do, and what it did when it was gone."""
         commands = self._commands.all
-        after = bisect_right(commands, seen)
+        after = bisect_right(commands, sight)
         later = [
             command
             for command in commands[after : bisect_right(commands, until)]

@@ -99,8 +99,8 @@ def value_phrase(value: Any, decimals: int = FEW) -> Value:
         return str(value)
     if isinstance(value, float):
         # A number with many decimals is written as in the program.
-        shown = rounded(value, decimals)
-        return shown if decimals <= _FORMATTED else repr(shown)
+        number = rounded(value, decimals)
+        return number if decimals <= _FORMATTED else repr(number)
     if isinstance(value, int):
         return value if abs(value) < 10**6 else str(value)
     if isinstance(value, str):

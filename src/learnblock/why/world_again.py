@@ -109,7 +109,7 @@ class WorldAgain:
         self._leader = leader
         if leader.step + apart > last:
             return False
-        state = _Kept(leader.step, leader.done, leader.simulation.world.copy())
+        state = _Kept(leader.step, leader.next_line, leader.simulation.world.copy())
         again = self._again(state)
         for run in (leader, again):
             self._advance(run, state.step + apart)
@@ -119,24 +119,24 @@ class WorldAgain:
 
     def _before(self, step: int, *others: "_Run") -> "_Run":
         """A run of the world that can continue to a step: the nearest, or one from the start."""
-        shown = [run for run in others if run.step <= step]
+        candidates = [run for run in others if run.step <= step]
         index = bisect_right(self._kept, step, key=lambda world: world.step) - 1
         state = self._kept[index] if index >= 0 else None
-        if shown and (state is None or shown[0].step >= state.step):
-            return shown[0]
+        if candidates and (state is None or candidates[0].step >= state.step):
+            return candidates[0]
         return self._again(state) if state else self._begin()
 
     def _again(self, state: "_Kept") -> "_Run":
-        return self._shown.within(state.world.copy(), state.done)
+        return self._shown.within(state.world.copy(), state.next_line)
 
     def _begin(self) -> "_Run":
         return _Run(self._make())
 
     def _advance(self, run: "_Run", step: int) -> None:
-        while run.done < len(self._lines) and self._steps[run.done] <= step:
-            run.simulation.advance(self._steps[run.done])
-            run.do(self._lines[run.done])
-            run.done += 1
+        while run.next_line < len(self._lines) and self._steps[run.next_line] <= step:
+            run.simulation.advance(self._steps[run.next_line])
+            run.do(self._lines[run.next_line])
+            run.next_line += 1
         run.simulation.advance(step)
 
 
@@ -146,12 +146,12 @@ class _Kept:
 
     Args:
         step: the number of its steps.
-        done: the number of lines that had taken effect.
+        next_line: the index of the first line that had not taken effect.
         world: a copy that does not advance itself.
     """
 
     step: int
-    done: int
+    next_line: int
     world: World
 
 
@@ -160,10 +160,10 @@ class _Run:
 
     Args:
         team: the robots in it; the first one is that of the log.
-        done: the number of lines that have taken effect.
+        next_line: the index of the first line that has not taken effect.
     """
 
-    def __init__(self, team: Sequence[SimulatedRobot], done: int = 0) -> None:
+    def __init__(self, team: Sequence[SimulatedRobot], next_line: int = 0) -> None:
         self.robot = team[0]
         self.simulation: Simulation = self.robot.simulation
         self._team = {robot.name: robot for robot in team}
@@ -175,7 +175,7 @@ class _Run:
             for robot in team
             for key, device in robot.devices()
         }
-        self.done = done
+        self.next_line = next_line
 
     @property
     def step(self) -> int:
@@ -187,14 +187,14 @@ class _Run:
         """The state that decides how it continues."""
         return self.simulation.world.state
 
-    def within(self, world: World, done: int) -> "_Run":
-        """The same robots in another world, in which this many lines have taken effect."""
+    def within(self, world: World, next_line: int) -> "_Run":
+        """The same robots in another world, in which the lines before this one took effect."""
         simulation = Simulation(world)
         team = [
             type(robot)(simulation=simulation, start=robot.start, name=robot.name)
             for robot in self._team.values()
         ]
-        return _Run(team, done)
+        return _Run(team, next_line)
 
     def do(self, line: Mapping[str, Any]) -> None:
         # The twin of a real robot among several has a name of its own.
