@@ -5,7 +5,6 @@ from learnblock.server.catalog.greeting import tag_dictionary, welcome
 from learnblock.server.catalog.lessons import (
     LESSON_ENDING,
     add_lesson,
-    attempts_of,
     copy_lesson,
     delete_lesson,
     find_lesson,
@@ -21,7 +20,6 @@ from learnblock.server.catalog.worlds import check_world_name, usual_world, worl
 __all__ = [
     "LESSON_ENDING",
     "add_lesson",
-    "attempts_of",
     "check_world_name",
     "copy_lesson",
     "delete_lesson",

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from learnblock.errors import Diagnostic, FileError, LearnBlockError, UnknownNameError
 from learnblock.i18n import Phrase
-from learnblock.lessons import editing, packing, reading, trying
+from learnblock.lessons import editing, packing, reading
 from learnblock.lessons.lesson import Step
 from learnblock.lessons.reading import OpenLesson
 from learnblock.lessons.texts import plain
@@ -150,11 +150,6 @@ def star_names(step: Step) -> Iterator[str]:
         yield "quiz"
     if step.puzzle:
         yield "puzzle"
-
-
-def attempts_of(opened: OpenLesson, number: int) -> tuple[trying.Attempt, ...]:
-    """The robots and variants of the world on which a step is checked."""
-    return trying.attempts(opened, number)
 
 
 def _folder() -> Path:

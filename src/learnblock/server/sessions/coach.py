@@ -8,6 +8,7 @@ from anyio import to_thread
 
 from learnblock.blocks.block_sets import BlockSet
 from learnblock.errors import LearnBlockError
+from learnblock.lessons import trying
 from learnblock.lessons.expert import Experts
 from learnblock.lessons.judging import Verdict, judge
 from learnblock.lessons.lesson import Step
@@ -18,7 +19,7 @@ from learnblock.project.files.packing import packed
 from learnblock.project.files.project import Project
 from learnblock.project.files.unpacking import tags_used
 from learnblock.runtime.trace_sinks import LineSink
-from learnblock.server import catalog, messages
+from learnblock.server import messages
 from learnblock.server.runs.viewers import Viewer, Viewers
 from learnblock.server.sessions import lesson_stage as stage
 from learnblock.server.sessions import lesson_view as view
@@ -262,7 +263,7 @@ class Coach:
         """
         self._pupil.parts.first.document.require_no_errors()
         number = self.number
-        attempts = catalog.attempts_of(self._opened, number)
+        attempts = trying.attempts(self._opened, number)
 
         async def passed() -> None:
             if number == self.number:
@@ -383,7 +384,7 @@ class Coach:
             text=plain(step.text),
             drawings=view.drawings(step, puzzle.pieces if puzzle else ()),
             goals=view.goals(self._verdicts, done),
-            attempts=len(catalog.attempts_of(self._opened, self.number)) if step.check else 0,
+            attempts=len(trying.attempts(self._opened, self.number)) if step.check else 0,
             everywhere=EVERYWHERE in done.stars,
             hints=done.hints,
             quiz=view.quiz(step, done),
