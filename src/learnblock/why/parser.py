@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterator
 from dataclasses import replace
-from functools import cached_property
+from functools import cache, cached_property, lru_cache
 
 from learnblock.blocks.labels import label
 from learnblock.errors import LearnBlockError
@@ -106,8 +106,7 @@ class _Parsing:
         """A question in the words of the lists."""
         plain_question = _without_quotes(self._without_time)
         for question in askable(self._history):
-            wordings = (translate(question.phrase, language) for language in languages())
-            if any(_without_quotes(plain(text)) == plain_question for text in wordings):
+            if plain_question in _wordings(question.phrase):
                 return replace(question, time=self._span.time, since=self._span.since)
         return None
 
@@ -217,7 +216,6 @@ class _Parsing:
 
     def _label(self) -> Question | None:
         """A skill in the words of its block."""
-        by_words = {text: name for name in wording.blocks() for text in _words_of(name)}
         concepts = frozenset(self._reader.concepts) - {Concept.NOT, Concept.KEEP}
         is_movement = concepts and concepts <= {
             Concept.TURN,
@@ -232,8 +230,8 @@ class _Parsing:
         if is_movement and (has_side or len(self._rest.split()) == 1):
             return None
         for text in (self._rest, f"look {self._rest}"):
-            if text in by_words:
-                return self._signed(QuestionKind.SKILL, by_words[text])
+            if name := _skills_by_words().get(text):
+                return self._signed(QuestionKind.SKILL, name)
         return None
 
     # In plain sentences.
@@ -336,6 +334,18 @@ class _Parsing:
         """A place alone: what the robot did when it was there."""
         time = place_time(self._history, self._without_time)
         return None if time is None else replace(self._about(QuestionKind.NOW), time=time)
+
+
+@lru_cache(maxsize=4096)
+def _wordings(phrase: Phrase) -> frozenset[str]:
+    """A question's plain text in each language; each question about a run is compared with it."""
+    texts = (translate(phrase, language) for language in languages())
+    return frozenset(_without_quotes(plain(text)) for text in texts)
+
+
+@cache
+def _skills_by_words() -> dict[str, str]:
+    return {text: name for name in wording.blocks() for text in _words_of(name)}
 
 
 def _words_of(name: str) -> Iterator[str]:
