@@ -6,7 +6,6 @@ import sys
 
 import pytest
 from fluent.runtime import FluentBundle, FluentResource
-from fluent.syntax import FluentParser
 from fluent.syntax.ast import Message
 
 from learnblock.i18n import languages
@@ -25,8 +24,9 @@ def test_every_message_with_texts_as_values_is_as_fluent_has_it(language):
         # A value with backslashes and braces shows whether a value is read as words.
         values = {name: f"\\1 {{ ${name} }}" for name in _VALUE.findall(source)}
         bundle = FluentBundle([language], use_isolating=False)
-        bundle.add_resource(FluentResource(source))
-        for message in FluentParser().parse(source).body:
+        resource = FluentResource(source)
+        bundle.add_resource(resource)
+        for message in resource.body:
             if not isinstance(message, Message):
                 continue
             pattern = bundle.get_message(message.id.name).value

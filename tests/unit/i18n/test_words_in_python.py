@@ -3,6 +3,7 @@
 import ast
 import re
 import tomllib
+from functools import cache
 
 import pytest
 
@@ -28,27 +29,22 @@ RULES = (
     "learnblock.language.blocktext.spoken_lines",
     "learnblock.language.python.foreign_lines",
 )
+#: What may begin with a docstring.
+DOCUMENTED = (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)
 #: Words of another language that are English, too, or parts of a pattern.
 ENGLISH_TOO = {"decimal"}
 
 
+@cache
 def texts(source):
     """The texts of a module without its docstrings."""
-    tree = tree_of(source)
-    docstrings = {
-        id(node.body[0].value)
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef)
-        and node.body
-        and isinstance(node.body[0], ast.Expr)
-    }
-    return [
-        node.value
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Constant)
-        and isinstance(node.value, str)
-        and id(node) not in docstrings
-    ]
+    constants, docstrings = [], set()
+    for node in ast.walk(tree_of(source)):
+        if isinstance(node, ast.Constant) and isinstance(node.value, str):
+            constants.append(node)
+        elif isinstance(node, DOCUMENTED) and node.body and isinstance(node.body[0], ast.Expr):
+            docstrings.add(node.body[0].value)
+    return [constant.value for constant in constants if constant not in docstrings]
 
 
 def words_of(language):
