@@ -341,8 +341,8 @@ def _summary(diagnostics: Sequence[Diagnostic]) -> Phrase:
     Each sentence is nested in the one before, so thousands of them would be too deep to encode.
     """
     sentences = list(map(_at_line, diagnostics[:_MOST_IN_SUMMARY]))
-    if left := len(diagnostics) - len(sentences):
-        sentences.append(Phrase("file-more-mistakes", count=left))
+    if remaining := len(diagnostics) - len(sentences):
+        sentences.append(Phrase("file-more-mistakes", count=remaining))
     summary = sentences.pop() if sentences else Phrase("")
     for sentence in reversed(sentences):
         summary = Phrase("file-mistakes", first=sentence, rest=summary)
@@ -366,14 +366,14 @@ def _refused_error(phrase: Phrase, kind: str) -> IceRefusedError:
     return IceRefusedError(phrase.code, kind=kind, **phrase.values)
 
 
-def nearest(name: str, known: Iterable[str], *, likeness: float = 0.6) -> str | None:
+def nearest(name: str, candidates: Iterable[str], *, likeness: float = 0.6) -> str | None:
     """The most similar of the known names, or None if none is similar; case does not matter.
 
     Args:
         name: the unknown name.
-        known: the known ones.
+        candidates: the known ones.
         likeness: how similar they have to be, from 0 to 1.
     """
-    folded = {candidate.casefold(): candidate for candidate in known}
+    folded = {candidate.casefold(): candidate for candidate in candidates}
     near = difflib.get_close_matches(name.casefold(), folded, n=1, cutoff=likeness)
     return folded[near[0]] if near else None

@@ -107,14 +107,14 @@ def add_on(extra: str) -> str:
 
 def requirements(extra: str) -> tuple[str, ...]:
     """The packages of an extra, as installers take them."""
-    found = (
+    matches = (
         _REQUIREMENT.match(requirement) for requirement in metadata.requires(DISTRIBUTION) or ()
     )
     return tuple(
         f"{requirement['packages']}; {requirement['condition']}"
         if requirement["condition"]
         else requirement["packages"]
-        for requirement in found
+        for requirement in matches
         if requirement and requirement["extra"] == extra
     )
 
@@ -133,9 +133,9 @@ def _checkout() -> Path | None:
 def _is_of_uv(environment: Path, checkout: Path) -> bool:
     """Whether an environment is the one that uv makes for the project in a folder."""
     project = checkout / os.environ.get("UV_PROJECT_ENVIRONMENT", ".venv")
-    made = environment / "pyvenv.cfg"
+    configuration = environment / "pyvenv.cfg"
     return (
         environment.resolve() == project.resolve()
-        and made.is_file()
-        and any(line.startswith("uv ") for line in made.read_text("utf-8").splitlines())
+        and configuration.is_file()
+        and any(line.startswith("uv ") for line in configuration.read_text("utf-8").splitlines())
     )

@@ -80,8 +80,8 @@ class Deadline:
     @property
     def left(self) -> float:
         """Seconds until then; 0 afterwards."""
-        left = self.at - self.clock.now()
-        return left if left > NANOSECOND else 0.0
+        remaining = self.at - self.clock.now()
+        return remaining if remaining > NANOSECOND else 0.0
 
     @property
     def is_over(self) -> bool:

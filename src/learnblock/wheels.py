@@ -88,8 +88,8 @@ class Drivetrain:
 
     def periods(self, before: tuple[float, float], after: tuple[float, float]) -> float:
         """How many times `CONTROL_PERIOD` a change between two speeds takes, with fractions."""
-        changed = self._fastest_wheel(after[0] - before[0], after[1] - before[1])
-        return changed / (self.acceleration * CONTROL_PERIOD)
+        change = self._fastest_wheel(after[0] - before[0], after[1] - before[1])
+        return change / (self.acceleration * CONTROL_PERIOD)
 
     def _fastest_wheel(self, adv: float, rot: float) -> float:
         return abs(adv) + abs(math.radians(rot)) * self.track / 2

@@ -21,6 +21,6 @@ def answered(history: EventHistory, question: str) -> Explanation:
     return answer(history, parse(question, history))
 
 
-def told(given: Explanation) -> list[tuple[str, int]]:
+def told(explanation: Explanation) -> list[tuple[str, int]]:
     """The codes and lines of an answer's first sentences."""
-    return [(one.phrase.code, one.line) for one in given.sentences]
+    return [(sentence.phrase.code, sentence.line) for sentence in explanation.sentences]

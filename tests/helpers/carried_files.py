@@ -35,7 +35,7 @@ def read_world(text):
 
 def world_texts():
     packed = (PackedWorld("mat", MAT, png(4, 4)), PackedWorld("room", ROOM))
-    return tuple(worlds.pack(one)[1].decode("latin-1") for one in packed)
+    return tuple(worlds.pack(world)[1].decode("latin-1") for world in packed)
 
 
 def read_project(text):

@@ -66,13 +66,13 @@ class Class:
             stderr=self.errors,
             text=True,
         )
-        said = ""
+        output = ""
         for line in self.process.stdout:
-            said += line
-            if found := re.search(r"(https?://\S+:(\d+))/teacher\?key=(\S+)", said):
-                self.address, self.port, self.key = found[1], int(found[2]), found[3]
+            output += line
+            if match := re.search(r"(https?://\S+:(\d+))/teacher\?key=(\S+)", output):
+                self.address, self.port, self.key = match[1], int(match[2]), match[3]
                 break
-        self.word = re.search(r"Join word +(.+)", said)[1]
+        self.word = re.search(r"Join word +(.+)", output)[1]
 
     def close(self):
         """End as Ctrl-C does; return the exit status."""
@@ -105,8 +105,8 @@ class Class:
 
     def join(self, name, pictures=None, word=None, device=None):
         """Come in as a child does; return the answer."""
-        said = {"word": word or self.word, "name": name, "pictures": pictures}
-        return self.ask("/join", json.dumps(said), device=device)
+        request = {"word": word or self.word, "name": name, "pictures": pictures}
+        return self.ask("/join", json.dumps(request), device=device)
 
     def device(self):
         """The address of another device; None where all have the same."""

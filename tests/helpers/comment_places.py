@@ -187,35 +187,35 @@ def fate(text, places, read=from_python):
     empty = to_workspace(read(text), CONFIGURATIONS).workspace
     for way, before in (("blocks", None), ("blocks without comments", empty)):
         workspace = to_workspace(tree, CONFIGURATIONS, before).workspace
-        drawn = from_workspace(workspace, CONFIGURATIONS).program
-        converted[way] = to_python(drawn).text
-        if converted[way] != python or format_program(drawn) != block_text:
+        program = from_workspace(workspace, CONFIGURATIONS).program
+        converted[way] = to_python(program).text
+        if converted[way] != python or format_program(program) != block_text:
             unstable.append(way)
     return Fate(*_counted(converted, len(places)), unstable)
 
 
 def _unstable(block_text, again, python):
-    found = from_python(python)
+    program = from_python(python)
     rounds = {
         "Block-Text": format_program(again) == block_text,
-        "Python": to_python(found).text == python,
-        "Python to Block-Text": format_program(found) == block_text,
+        "Python": to_python(program).text == python,
+        "Python to Block-Text": format_program(program) == block_text,
     }
     return [way for way, is_stable in rounds.items() if not is_stable]
 
 
 def _counted(converted, count):
-    lost, doubled, changed = {}, {}, {}
+    lost, doubled, different = {}, {}, {}
     for way, text in converted.items():
-        found = Counter()
+        counts = Counter()
         for number, rest in _FOUND.findall(text):
-            found[int(number)] += 1
+            counts[int(number)] += 1
             if rest != _REST:
-                changed.setdefault(int(number), way)
+                different.setdefault(int(number), way)
         for number in range(count):
-            if found[number] != 1:
-                (doubled if found[number] else lost).setdefault(number, way)
-    return lost, doubled, changed
+            if counts[number] != 1:
+                (doubled if counts[number] else lost).setdefault(number, way)
+    return lost, doubled, different
 
 
 def _line_offsets(text):

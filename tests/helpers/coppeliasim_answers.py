@@ -104,4 +104,4 @@ def texts():
         [healthy[5]],
         [cbor2.dumps({"err": "no"}), cbor2.dumps({"func": "_*wait*_"})],
     )
-    return tuple(BETWEEN.join(one).decode("latin-1") for one in conversations)
+    return tuple(BETWEEN.join(conversation).decode("latin-1") for conversation in conversations)

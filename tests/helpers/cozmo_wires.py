@@ -53,7 +53,7 @@ def read_picture(text: str) -> None:
 def picture_texts() -> tuple[str, ...]:
     noise = np.random.default_rng(0).integers(0, 256, (240, 320, 3), np.uint8)
     smooth = np.full((240, 320, 3), 90, np.uint8)
-    coded = [code(one) for one in (noise, smooth) for code in (picture.grey, picture.coloured)]
+    coded = [code(frame) for frame in (noise, smooth) for code in (picture.grey, picture.coloured)]
     return tuple(data.decode("latin-1") for data in coded)
 
 
@@ -66,8 +66,8 @@ def read_screen(text: str) -> None:
 
 
 def screen_texts() -> tuple[str, ...]:
-    drawn = [np.array(expression().render())[::2] for expression in face.EMOTIONS.values()]
-    coded = [bytes(ImageEncoder(Image.fromarray(rows)).encode()) for rows in drawn]
+    screens = [np.array(expression().render())[::2] for expression in face.EMOTIONS.values()]
+    coded = [bytes(ImageEncoder(Image.fromarray(rows)).encode()) for rows in screens]
     return tuple(data.decode("latin-1") for data in coded)
 
 

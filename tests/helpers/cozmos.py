@@ -32,9 +32,9 @@ class Cozmo:
     def port(self) -> int:
         return self.wire.port
 
-    def robot(self, **chosen: Any) -> Any:
+    def robot(self, **options: Any) -> Any:
         """Connect the driver over the wire."""
-        return connect("cozmo", **{**self._place, **chosen})
+        return connect("cozmo", **{**self._place, **options})
 
     def is_default(self) -> None:
         """Write the settings for reaching it."""

@@ -26,27 +26,29 @@ _SECTION = re.compile(r"^--- (loose|value|also)$\n?", re.MULTILINE)
 
 def drawn(text: str) -> Workspace:
     """Return the workspace that is written as a text."""
-    found = Workspace()
+    result = Workspace()
     first, *rest = _SECTION.split(text)
     sections = [("also", first), *zip(rest[::2], rest[1::2], strict=True)]
     for part, (kind, section) in enumerate(sections):
-        before = Workspace(variables=found.variables)
+        before = Workspace(variables=result.variables)
         program = parse(f"{HOLE} = {section}" if kind == "value" else section)
         workspace = to_workspace(program, builtin(), before).workspace
-        found.variables = list(dict.fromkeys([*found.variables, *workspace.variables]))
-        holes = {one.id for one in found.variables if one.name == HOLE}
+        result.variables = list(dict.fromkeys([*result.variables, *workspace.variables]))
+        holes = {variable.id for variable in result.variables if variable.name == HOLE}
         for block in blocks(workspace):
             _empty(block, holes)
             block.id = f"{part}{block.id}"
-        found.stacks += [_taken(stack, kind) for stack in workspace.stacks]
-    return found
+        result.stacks += [_taken(stack, kind) for stack in workspace.stacks]
+    return result
 
 
 def label(block: Block, workspace: Workspace) -> str:
     """Return the type of a block and what its fields show, to name it in a test."""
-    names = {one.id: one.name for one in workspace.variables}
-    shown = [names[one["id"]] if isinstance(one, dict) else one for one in block.fields.values()]
-    return " ".join([block.type, *(str(one).removesuffix(".0") for one in shown)])
+    names = {variable.id: variable.name for variable in workspace.variables}
+    values = [
+        names[value["id"]] if isinstance(value, dict) else value for value in block.fields.values()
+    ]
+    return " ".join([block.type, *(str(value).removesuffix(".0") for value in values)])
 
 
 def _taken(stack: list[Block], kind: str) -> list[Block]:

@@ -63,10 +63,10 @@ def run_until(happened, name, example):
         watching.join()
 
 
-def assert_told_when_gone(kind, chosen, setting, *, sentence, fault, use):
+def assert_told_when_gone(kind, settings, setting, *, sentence, fault, use):
     """Return the error of a component whose wire fails, even at the start; it works afterwards."""
-    with Relay(("127.0.0.1", port_of(chosen, setting))) as relay:
-        through = {**with_port(chosen, setting, relay.port), "patience": TIMEOUT}
+    with Relay(("127.0.0.1", port_of(settings, setting))) as relay:
+        through = {**with_port(settings, setting, relay.port), "patience": TIMEOUT}
         robot = kind(**through)
         use(robot)
         relay.fault = fault
@@ -83,13 +83,13 @@ def assert_told(sentence, call):
         call()
 
 
-def port_of(chosen, setting):
+def port_of(settings, setting):
     """Return the port in a setting; the first one if there are several."""
-    found = chosen[setting]
-    return found if isinstance(found, int) else found[0]
+    ports = settings[setting]
+    return ports if isinstance(ports, int) else ports[0]
 
 
-def with_port(chosen, setting, port):
+def with_port(settings, setting, port):
     """Return the settings with another port in it."""
-    found = chosen[setting]
-    return {**chosen, setting: port if isinstance(found, int) else [port, *found[1:]]}
+    ports = settings[setting]
+    return {**settings, setting: port if isinstance(ports, int) else [port, *ports[1:]]}

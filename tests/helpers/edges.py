@@ -41,9 +41,9 @@ def edges(info):  # noqa: PLR0911 - one for each type
             return [*few, [typical(item)] * (most or 100), [typical(item)] * ((most or 100) + 1)]
         case inspect.DictType(key_type=key, value_type=value, max_length=most):
             several = {f"k{index}": typical(value) for index in range((most or 1000) + 1)}
-            return [*({typical(key): one} for one in edges(value)), several]
+            return [*({typical(key): edge} for edge in edges(value)), several]
         case inspect.UnionType(types=types):
-            return [value for one in types for value in edges(one)]
+            return [value for kind in types for value in edges(kind)]
         case inspect.StructType(cls=cls):
             return [*altered(cls)]
         case inspect.DataclassType(cls=cls) if cls is Phrase:
@@ -75,7 +75,7 @@ def whole(kind, **values):
     """A message with these values and typical other ones, as it is sent: a list."""
     info = inspect.type_info(kind)
     tag = [info.tag] if info.tag is not None else []
-    return [*tag, *(values.get(one.name, typical(one.type)) for one in info.fields)]
+    return [*tag, *(values.get(field.name, typical(field.type)) for field in info.fields)]
 
 
 def altered(kind, **values):

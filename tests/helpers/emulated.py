@@ -36,10 +36,10 @@ def reachable(name, world="empty"):
         yield emulation.twin
 
 
-def settle(name, chosen):
+def settle(name, values):
     """Write the settings of a robot."""
     kind = find(name).load().settings_type
-    for setting, value in chosen.items():
+    for setting, value in values.items():
         # As typed by a user.
         typed = list(value) if isinstance(value, tuple) else value
         text = value if isinstance(value, str) else repr(typed)

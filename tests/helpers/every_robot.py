@@ -22,9 +22,9 @@ REAL = ("cozmo", "thymio", "ebo", "ev3", "rcis", "coppeliasim")
 
 def verdict(name: str, robot: str) -> Verdict:
     """What the check says of an example on a robot."""
-    found = running.runs_on(running.read(EXAMPLES / name))[robot]
-    assert isinstance(found, Verdict)
-    return found
+    result = running.runs_on(running.read(EXAMPLES / name))[robot]
+    assert isinstance(result, Verdict)
+    return result
 
 
 def run_for_goals(name: str, robot: str) -> Report:
@@ -44,12 +44,12 @@ def missed_goals(report: Report) -> list[str]:
     return [goal.name for goal in report.goals if goal.state != "reached"]
 
 
-def cell(found: Verdict, goal: str = REACHED) -> str:
+def cell(outcome: Verdict, goal: str = REACHED) -> str:
     """The cell of an example and a robot: what became of its goal, or `refused`, and what lacks."""
-    lacking = _short(str(found.phrase).partition(" has no ")[2])
-    if not found.runs:
+    lacking = _short(str(outcome.phrase).partition(" has no ")[2])
+    if not outcome.runs:
         return f"refused: no {lacking}"
-    return f"{goal}, without {lacking}" if found.missed else goal
+    return f"{goal}, without {lacking}" if outcome.missed else goal
 
 
 def _short(lacking: str) -> str:
@@ -59,8 +59,8 @@ def _short(lacking: str) -> str:
 
 def programs_table(outcomes: dict[str, dict[str, str]]) -> str:
     """A table of outcomes, by example and robot."""
-    chosen = list(next(iter(outcomes.values())))
-    head = ["| program | " + " | ".join(chosen) + " |", "|---|" + "---|" * len(chosen)]
+    columns = list(next(iter(outcomes.values())))
+    head = ["| program | " + " | ".join(columns) + " |", "|---|" + "---|" * len(columns)]
     rows = [
         f"| [{name}](../examples/{name}) | " + " | ".join(cells.values()) + " |"
         for name, cells in outcomes.items()
@@ -71,22 +71,22 @@ def programs_table(outcomes: dict[str, dict[str, str]]) -> str:
 def written_outcomes(name: str = "programs") -> dict[str, dict[str, str]]:
     """The outcomes in a table of the page, by example and robot."""
     table = part(name)
-    chosen = re.findall(r"[\w-]+", table.partition("\n")[0])[1:]
+    columns = re.findall(r"[\w-]+", table.partition("\n")[0])[1:]
     rows = re.findall(r"^\| \[(\S+)\]\(\S+\) \| (.*) \|$", table, re.MULTILINE)
-    return {program: dict(zip(chosen, cells.split(" | "), strict=True)) for program, cells in rows}
+    return {program: dict(zip(columns, cells.split(" | "), strict=True)) for program, cells in rows}
 
 
 def part(name: str) -> str:
     """A part of the page that a script writes."""
-    [found] = re.findall(_marked(name), PAGE.read_text(encoding="utf-8"), re.DOTALL)
-    return str(found)
+    [text] = re.findall(_marked(name), PAGE.read_text(encoding="utf-8"), re.DOTALL)
+    return str(text)
 
 
 def write_part(name: str, text: str, page: Path = PAGE) -> None:
     """Replace a part of the page."""
     before = page.read_text(encoding="utf-8")
-    written = f"<!-- {name} -->\n\n{text}\n\n<!-- end of {name} -->"
-    page.write_text(re.sub(_marked(name), lambda _: written, before, flags=re.DOTALL), "utf-8")
+    block = f"<!-- {name} -->\n\n{text}\n\n<!-- end of {name} -->"
+    page.write_text(re.sub(_marked(name), lambda _: block, before, flags=re.DOTALL), "utf-8")
 
 
 def _marked(name: str) -> str:

@@ -94,8 +94,8 @@ def examples() -> dict[str, dict[str, Any]]:
 def _fields(kind: type) -> dict[str, Any]:
     fields = {field.name: field for field in inspect.type_info(kind).fields}
     del fields["request"]
-    known = _FIELDS | _MESSAGES.get(kind.__name__, {})
-    return {name: known[name] if name in known else _default(fields[name]) for name in fields}
+    values = _FIELDS | _MESSAGES.get(kind.__name__, {})
+    return {name: values[name] if name in values else _default(fields[name]) for name in fields}
 
 
 def _default(field: inspect.Field) -> Any:

@@ -134,13 +134,13 @@ def texts(folder: Path, pattern: str) -> tuple[str, ...]:
 def read_block_text(text: str) -> None:
     """Perform every operation on a program in Block-Text."""
     tree, _ = language.recover(text)
-    found = language.check(tree, builtin(), frozenset({"Base"}))
+    diagnostics = language.check(tree, builtin(), frozenset({"Base"}))
     tree = language.parse(text)
     canonical = language.format(tree)
     if language.format(language.parse(canonical)) != canonical:
         raise AssertionError("the canonical form is not stable")
     python = language.to_python(tree).text
-    if any(one.code in {"invalid-python", "too-deep"} for one in found):
+    if any(diagnostic.code in {"invalid-python", "too-deep"} for diagnostic in diagnostics):
         # The check refuses it: invalid raw Python may end where another part begins.
         return
     back = language.from_python(python)

@@ -85,18 +85,18 @@ def pytest_collection_modifyitems(config, items):
         return
     if missing := _listed_in(config.args) - {name_of(item) for item in items}:
         _report(f"{LIST} lists tests that do not exist: {sorted(missing)}", config)
-    kept = set(_smoke(items)) & set(_samples(items)) - set(_exhaustive(items))
-    config.hook.pytest_deselected(items=[item for item in items if item not in kept])
-    items[:] = [item for item in items if item in kept]
+    selection = set(_smoke(items)) & set(_samples(items)) - set(_exhaustive(items))
+    config.hook.pytest_deselected(items=[item for item in items if item not in selection])
+    items[:] = [item for item in items if item in selection]
 
 
 def _listed_in(folders):
     """Return the names of the listed tests in these folders: `testpaths` may be changed."""
-    asked = [Path(folder).absolute() for folder in folders]
+    paths = [Path(folder).absolute() for folder in folders]
     return {
         name
         for name in listed()
-        if any((TESTS / name.partition("::")[0]).is_relative_to(folder) for folder in asked)
+        if any((TESTS / name.partition("::")[0]).is_relative_to(folder) for folder in paths)
     }
 
 

@@ -60,8 +60,8 @@ def own_cases(name: str = "*") -> Iterator[Case]:
     for path in sorted(CASES.glob(f"{name}.toml")):
         lesson, _ = exercise(path)
         for number, wrong in enumerate(tomllib.loads(path.read_text("utf-8"))["wrong"], 1):
-            wanted = tuple(f"hint-{rule}" for rule in wrong["hint"])
-            yield Case(lesson, 1, f"{path.stem} {number}", wrong["program"], wanted)
+            codes = tuple(f"hint-{rule}" for rule in wrong["hint"])
+            yield Case(lesson, 1, f"{path.stem} {number}", wrong["program"], codes)
 
 
 def lesson_cases(lesson: OpenLesson) -> Iterator[Case]:
@@ -73,24 +73,24 @@ def lesson_cases(lesson: OpenLesson) -> Iterator[Case]:
 
 def failing(case: Case) -> tuple[JudgedRun | None, Elsewhere]:
     """The first attempt in which a program fails; None if it never does."""
-    wanted = attempts(case.lesson, case.step)
-    usual = next(try_step(case.lesson, case.step, case.program, wanted[:1]))
+    plan = attempts(case.lesson, case.step)
+    usual = next(try_step(case.lesson, case.step, case.program, plan[:1]))
     if not is_done(usual.verdicts):
         return usual, Elsewhere()
-    tried = try_step(case.lesson, case.step, case.program, wanted[1:])
-    others = {one.attempt: one for one in tried}
-    for attempt in wanted[1:]:
+    runs = try_step(case.lesson, case.step, case.program, plan[1:])
+    others = {run.attempt: run for run in runs}
+    for attempt in plan[1:]:
         if attempt in others and not is_done(others[attempt].verdicts):
-            is_other = attempt.robot != wanted[0].robot
+            is_other = attempt.robot != plan[0].robot
             return others[attempt], Elsewhere(attempt.variant > 0, is_other, passes_usually=True)
     return None, Elsewhere()
 
 
 def hints_for(case: Case) -> tuple[Hint, ...]:
     """The hints that a case gets."""
-    tried, elsewhere = failing(case)
-    if tried is None:
+    run, elsewhere = failing(case)
+    if run is None:
         return ()
     tree = read_program(case.program).tree
     step, world = case.lesson.step(case.step), case.lesson.described_world(case.step)
-    return hints(step, tree, tried.verdicts, tried.evidence, world=world, elsewhere=elsewhere)
+    return hints(step, tree, run.verdicts, run.evidence, world=world, elsewhere=elsewhere)

@@ -46,11 +46,11 @@ c.JupyterHub.load_roles = [*c.JupyterHub.load_roles, settings["role"]]
 def proxy_command():
     """Return the command of the hub's proxy; without it, skip the tests except in CI."""
     path = os.pathsep.join([os.environ.get("PATH", ""), f"{PROXY_FOLDER}/node_modules/.bin"])
-    found = shutil.which(PROXY, path=path)
-    if found is None and not os.environ.get("CI"):
+    proxy = shutil.which(PROXY, path=path)
+    if proxy is None and not os.environ.get("CI"):
         pytest.skip(f"npm install --no-save --prefix {PROXY_FOLDER.relative_to(ROOT)} {PROXY}")
-    assert found, "CI has no proxy for JupyterHub"
-    return found
+    assert proxy, "CI has no proxy for JupyterHub"
+    return proxy
 
 
 def shown_config():
@@ -191,10 +191,10 @@ class User:
 
     def ask_for(self, of):
         """Open the page of another user, and answer the hub's question whether to."""
-        asked = self.get("", of=of)
-        fields = re.findall(r'name="(_xsrf|scopes)" value="([^"]*)"', asked.text)
-        sent = {name: [value for one, value in fields if one == name] for name, _ in fields}
-        return self.client.post(asked.url, data=sent)
+        page = self.get("", of=of)
+        fields = re.findall(r'name="(_xsrf|scopes)" value="([^"]*)"', page.text)
+        form = {name: [value for key, value in fields if key == name] for name, _ in fields}
+        return self.client.post(page.url, data=form)
 
     def get(self, path, of=None, **headers):
         """Return the response to a request to LearnBlock, which may be another user's."""
@@ -221,13 +221,13 @@ class User:
     def _path(self, path, of):
         return f"/user/{of or self.name}/learnblock/{path}"
 
-    def _wait(self, shown):
+    def _wait(self, answer):
         deadline = time.monotonic() + STARTING
-        while "spawn-pending" in shown.url.path:
+        while "spawn-pending" in answer.url.path:
             assert time.monotonic() < deadline, self._hub.log
             time.sleep(LOOK)
-            shown = self.client.get(shown.url)
-        return shown
+            answer = self.client.get(answer.url)
+        return answer
 
 
 @contextmanager
@@ -260,14 +260,16 @@ def unix_socket(process):
 
 def token(process):
     """Return the token that a user's Jupyter server has given to LearnBlock."""
-    (found,) = [one for one in environment(process) if one.startswith(b"LEARNBLOCK_TOKEN=")]
-    return found.decode().partition("=")[2]
+    (variable,) = [
+        entry for entry in environment(process) if entry.startswith(b"LEARNBLOCK_TOKEN=")
+    ]
+    return variable.decode().partition("=")[2]
 
 
 def servers_info(user):
     """Return what a launcher shows, by name."""
     answer = user.client.get(f"/user/{user.name}/server-proxy/servers-info")
-    return {one["name"]: one for one in json.loads(answer.text)["server_processes"]}
+    return {server["name"]: server for server in json.loads(answer.text)["server_processes"]}
 
 
 # Processes.
@@ -299,20 +301,20 @@ def descendants(process):
         if stat:
             parents[int(folder.name)] = int(stat.rpartition(b")")[2].split()[1])
     own = {process}
-    while more := {one for one, started in parents.items() if started in own} - own:
+    while more := {child for child, started in parents.items() if started in own} - own:
         own |= more
     return own - {process}
 
 
 def working_in(folder):
     """Return the processes whose working folder is this one or in it."""
-    found = []
+    processes = []
     for process in Path("/proc").glob("[0-9]*"):
         # It may have ended.
         with suppress(OSError):
             if process.joinpath("cwd").readlink().is_relative_to(folder):
-                found.append(int(process.name))
-    return found
+                processes.append(int(process.name))
+    return processes
 
 
 def _read(process, name):

@@ -25,8 +25,8 @@ TIMEOUT = 20
 def require_ice():
     """Skip a test if the runtime is not installed."""
     try:
-        found = subprocess.run([PYTHON, "-c", "import Ice"], capture_output=True, check=False)
-        missing = found.returncode != 0
+        process = subprocess.run([PYTHON, "-c", "import Ice"], capture_output=True, check=False)
+        missing = process.returncode != 0
     except OSError:
         missing = True
     if missing:
@@ -85,7 +85,7 @@ def components(folder, layout, *objects, quiet=False, ice=()):
     slices = written(folder, layout)
     plan = {
         "slices": str(slices),
-        "objects": [one if isinstance(one, tuple) else (one, {}) for one in objects],
+        "objects": [entry if isinstance(entry, tuple) else (entry, {}) for entry in objects],
         "quiet": quiet,
         "ice": list(ice),
     }

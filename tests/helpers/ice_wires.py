@@ -38,7 +38,8 @@ class Anything:
 #: Objects that read their arguments; all others do nothing.
 LOOKING = {"apriltag": Tags(None), "emotionrecognition": Emotions(None)}
 SERVANTS = {
-    name: Servant(one, LOOKING.get(name, Anything())) for name, one in KNOWN[Layout.TOOL].items()
+    name: Servant(interface, LOOKING.get(name, Anything()))
+    for name, interface in KNOWN[Layout.TOOL].items()
 }
 
 
@@ -57,28 +58,28 @@ def request_texts():
     """Return a request for each operation."""
     for name, interface in KNOWN[Layout.TOOL].items():
         for operation in interface.operations:
-            given = [example_of(one) for one in operation.takes]
-            yield request_text(name, operation, given)
+            values = [example_of(kind) for kind in operation.takes]
+            yield request_text(name, operation, values)
             if operation.name == "processimage":
                 yield request_text(name, operation, [Picture(4, 6, 3, bytes(range(72)))])
 
 
-def request_text(name, operation, given):
+def request_text(name, operation, values):
     """Return a request with values."""
     opening = request_opening(name, operation.name, operation.mode)
     parameters = Writer()
-    write_all(parameters, operation.takes, given)
+    write_all(parameters, operation.takes, values)
     return request(7, opening, parameters.encapsulated()).decode("latin-1")
 
 
 def reply_texts():
     """Return a reply for each operation, after two bytes that choose the operation."""
     opening = request_opening("it", "it", OPERATIONS[0].mode)
-    asked = read_request(request(7, opening, Writer().encapsulated())[HEADER.size :])
+    question = read_request(request(7, opening, Writer().encapsulated())[HEADER.size :])
     for number, operation in enumerate(OPERATIONS):
         gives = Writer()
-        write_all(gives, operation.gives, [example_of(one) for one in operation.gives])
-        yield (number.to_bytes(2, "big") + reply(asked, gives)).decode("latin-1")
+        write_all(gives, operation.gives, [example_of(kind) for kind in operation.gives])
+        yield (number.to_bytes(2, "big") + reply(question, gives)).decode("latin-1")
 
 
 def read_asked(text):
@@ -95,6 +96,6 @@ def read_answer(text):
     operation = OPERATIONS[int.from_bytes(data[:2], "big") % len(OPERATIONS)]
     read_header(data[2 : 2 + HEADER.size].ljust(HEADER.size))
     _, body = read_reply(data[2 + HEADER.size :])
-    given = open_reply(body)
+    results = open_reply(body)
     for kind in operation.gives:
-        kind.read(given)
+        kind.read(results)

@@ -50,13 +50,13 @@ START = "main:\n    function.move_straight()\nend\n"
 
 def files(main: str = MAIN, **more: bytes | str) -> dict[str, bytes]:
     """The files of a lesson; `more` has `programs__turn_bt` for ``programs/turn.bt``."""
-    found = {"lesson.toml": main.encode(), "programs/start.bt": START.encode()}
+    contents = {"lesson.toml": main.encode(), "programs/start.bt": START.encode()}
     for name, content in more.items():
         path = name.replace("__", "/")
         stem, _, ending = path.rpartition("_")
         data = content.encode() if isinstance(content, str) else content
-        found[f"{stem}.{ending}"] = data
-    return found
+        contents[f"{stem}.{ending}"] = data
+    return contents
 
 
 def evidence(
@@ -66,10 +66,10 @@ def evidence(
     robot: str = "",
 ) -> Evidence:
     """What is known of a run with these lines; it is over unless `report` is None."""
-    written = TraceLines()
+    trace = TraceLines()
     for line in lines:
         if "collision" not in line:
-            written.write(msgspec.json.encode(line) + b"\n")
-    seen = evidence_so_far(written, report.time if report else now, report, robot=robot)
+            trace.write(msgspec.json.encode(line) + b"\n")
+    result = evidence_so_far(trace, report.time if report else now, report, robot=robot)
     collisions = [line for line in lines if "collision" in line]
-    return replace(seen, lines=[*seen.lines, *collisions])
+    return replace(result, lines=[*result.lines, *collisions])

@@ -26,7 +26,7 @@ def tried(
     opened: OpenLesson,
     step: int,
     sources: Sequence[str],
-    wanted: Sequence[Attempt],
+    plan: Sequence[Attempt],
     kept: WarmProcess | None = None,
     *,
     seconds: float | None = None,
@@ -37,23 +37,26 @@ def tried(
         opened: the lesson.
         step: the number of the step.
         sources: the programs.
-        wanted: the attempts of each.
+        plan: the attempts of each.
         kept: a process that makes the runs, so that not every batch starts one.
         seconds: the limit of each run with a single robot; by default that of the step.
     """
-    made: dict[tuple[int, int], JudgedRun] = {}
+    results: dict[tuple[int, int], JudgedRun] = {}
     with opened.world_file(step) as file:
         # The programs of lessons can be trusted, and a team takes turns in one thread much faster.
         programs = [
-            StepRuns(opened, step, read_program(one), file, worker=InlineWorker) for one in sources
+            StepRuns(opened, step, read_program(source), file, worker=InlineWorker)
+            for source in sources
         ]
         if opened.step(step).partners:
-            return [[_only(runs, attempt) for attempt in wanted] for runs in programs]
-        jobs = [_limited(runs.job(attempt), seconds) for runs in programs for attempt in wanted]
+            return [[_only(runs, attempt) for attempt in plan] for runs in programs]
+        jobs = [_limited(runs.job(attempt), seconds) for runs in programs for attempt in plan]
         for index, result in Batch(jobs, kept=kept).results():
-            program, number = divmod(index, len(wanted))
-            made[program, number] = programs[program].judged(wanted[number], result)
-    return [[made[one, two] for two in range(len(wanted))] for one in range(len(sources))]
+            program, number = divmod(index, len(plan))
+            results[program, number] = programs[program].judged(plan[number], result)
+    return [
+        [results[program, number] for number in range(len(plan))] for program in range(len(sources))
+    ]
 
 
 def _limited(job: Job, seconds: float | None) -> Job:
@@ -62,9 +65,9 @@ def _limited(job: Job, seconds: float | None) -> Job:
 
 def _longest(opened: OpenLesson, step: int) -> float:
     """After how many seconds a program that still runs has failed a check, and so can be ended."""
-    tried = opened.step(step)
-    ends = [check.within for check in tried.check if isinstance(check, Ends) and check.within]
-    return min([tried.seconds, *(within + 0.5 for within in ends)])
+    lesson_step = opened.step(step)
+    ends = [check.within for check in lesson_step.check if isinstance(check, Ends) and check.within]
+    return min([lesson_step.seconds, *(within + 0.5 for within in ends)])
 
 
 def _only(runs: StepRuns, attempt: Attempt) -> JudgedRun:
@@ -74,13 +77,13 @@ def _only(runs: StepRuns, attempt: Attempt) -> JudgedRun:
 
 def behaviour(trace: bytes) -> str:
     """What a run's trace shows of its behaviour, as a hash."""
-    kept = hashlib.sha256()
+    digest = hashlib.sha256()
     for text in trace.splitlines():
         line = msgspec.json.decode(text)
         if not any(kind in line for kind in _BEHAVIOUR):
             continue
-        kept.update(text)
-    return kept.hexdigest()
+        digest.update(text)
+    return digest.hexdigest()
 
 
 def tried_until_failed(
@@ -99,17 +102,17 @@ def tried_until_failed(
         right: the attempts of the solution, which are those of the programs.
         kept: as of `tried`.
     """
-    wanted = [one.attempt for one in right]
+    plan = [run.attempt for run in right]
     seconds = _longest(opened, step)
-    first = tried(opened, step, sources, wanted[:1], kept, seconds=seconds)
+    first = tried(opened, step, sources, plan[:1], kept, seconds=seconds)
     open_ = [
         number
-        for number, [one] in enumerate(first)
-        if is_done(one.verdicts) or behaviour(one.result.trace) == behaviour(right[0].result.trace)
+        for number, [run] in enumerate(first)
+        if is_done(run.verdicts) or behaviour(run.result.trace) == behaviour(right[0].result.trace)
     ]
-    if wanted[1:]:
-        left = [sources[number] for number in open_]
-        more = tried(opened, step, left, wanted[1:], kept, seconds=seconds)
+    if plan[1:]:
+        remaining = [sources[number] for number in open_]
+        more = tried(opened, step, remaining, plan[1:], kept, seconds=seconds)
         for number, others in zip(open_, more, strict=True):
             first[number] += others
     return first
@@ -125,13 +128,13 @@ def unnoticed(
 
     They are tried with the usual robot, in the world as it is and in all variants.
     """
-    wanted = attempts(opened, step, robots=opened.robots(step)[:1])
-    [right] = tried(opened, step, [opened.solution(step) or ""], wanted, kept)
-    expected = [behaviour(one.result.trace) for one in right]
-    sources = [one.source for one in programs]
-    for program, done in zip(
+    plan = attempts(opened, step, robots=opened.robots(step)[:1])
+    [right] = tried(opened, step, [opened.solution(step) or ""], plan, kept)
+    expected = [behaviour(run.result.trace) for run in right]
+    sources = [mutant.source for mutant in programs]
+    for program, runs in zip(
         programs, tried_until_failed(opened, step, sources, right, kept), strict=True
     ):
-        is_other = [behaviour(one.result.trace) for one in done] != expected
-        if is_other and all(is_done(one.verdicts) for one in done):
+        is_other = [behaviour(run.result.trace) for run in runs] != expected
+        if is_other and all(is_done(run.verdicts) for run in runs):
             yield program

@@ -50,17 +50,19 @@ def read_manifest(text):
 
 def read_functions(text):
     """Check that a readable library stays the same when it is packed."""
-    found = _read(functions=text)
-    again = libraries.unpack(libraries.pack(found), "dance.lblib")
-    if again.files != found.files:
+    library = _read(functions=text)
+    again = libraries.unpack(libraries.pack(library), "dance.lblib")
+    if again.files != library.files:
         raise AssertionError("a library does not come back from its file")
 
 
 def read_python(text):
     """Check that a readable library can be renamed, and is valid Python afterwards."""
-    found = _read(python=text)
-    name = next(iter(found.skills))
-    compile(libraries.renamed(found, {name: "renamed_skill"}).modules["clap.py"], "clap.py", "exec")
+    library = _read(python=text)
+    name = next(iter(library.skills))
+    compile(
+        libraries.renamed(library, {name: "renamed_skill"}).modules["clap.py"], "clap.py", "exec"
+    )
 
 
 def read_archive(text):

@@ -18,7 +18,7 @@ def texts() -> tuple[str, ...]:
 
 def read_log(text: str) -> None:
     """Read a log as from a file, and look back at it if it is sound."""
-    blocks = (_block(one) for one in text.split(SEPARATOR) if one)
+    blocks = (_block(part) for part in text.split(SEPARATOR) if part)
     log = verified(MAGIC + b"".join(map(bytes, blocks)))
     looking = Looking(log, ())
     looking.timeline()
@@ -31,8 +31,8 @@ def _text(block: EventBlock) -> str:
 
 
 def _block(text: str) -> EventBlock:
-    known = EventStream.__members__.values()
+    streams = EventStream.__members__.values()
     stream = (
-        EventStream(int(text[0])) if text[0] in map(str, map(int, known)) else EventStream.WORLD
+        EventStream(int(text[0])) if text[0] in map(str, map(int, streams)) else EventStream.WORLD
     )
     return EventBlock.of(stream, 0, 0, text[1:].encode("latin-1", "replace"))

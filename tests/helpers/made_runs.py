@@ -64,9 +64,9 @@ class Runs:
                 part = file.with_suffix(".part")
                 part.write_bytes(pickle.dumps(_make(name, robot, options)))
                 part.replace(file)
-        made = pickle.loads(file.read_bytes())  # noqa: S301 - our own file
-        assert isinstance(made, Made)
-        return made
+        run = pickle.loads(file.read_bytes())  # noqa: S301 - our own file
+        assert isinstance(run, Made)
+        return run
 
 
 def _make(name: str, robot: str, options: dict[str, Any]) -> Made:

@@ -30,15 +30,15 @@ def name_of(file):
 
 def imports_of(source, names):
     """Return those of some modules that a module imports, also in functions and only for types."""
-    found = set()
+    imports = set()
     for node in ast.walk(tree_of(source)):
         if isinstance(node, ast.Import):
-            found |= {alias.name for alias in node.names}
+            imports |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
             wholes = {f"{node.module}.{alias.name}" for alias in node.names}
             inner = wholes & names
-            found |= inner if inner == wholes else {*inner, node.module}
-    return found & names
+            imports |= inner if inner == wholes else {*inner, node.module}
+    return imports & names
 
 
 def circles(graph):
@@ -58,10 +58,10 @@ def circles(graph):
 
 def reachable(graph, start):
     """Return the nodes to which arrows lead from a node."""
-    found, ahead = set(), [*graph[start]]
+    nodes, ahead = set(), [*graph[start]]
     while ahead:
         node = ahead.pop()
-        if node not in found:
-            found.add(node)
+        if node not in nodes:
+            nodes.add(node)
             ahead += graph[node]
-    return found
+    return nodes

@@ -90,6 +90,6 @@ kind = "single"
 
 def guide() -> str:
     """Return the description in the guide."""
-    found = re.search(r"```toml title=pathfinder.toml\n(.*?)```", DOCS.read_text("utf-8"), re.S)
-    assert found
-    return found[1]
+    match = re.search(r"```toml title=pathfinder.toml\n(.*?)```", DOCS.read_text("utf-8"), re.S)
+    assert match
+    return match[1]

@@ -166,22 +166,22 @@ class Pickler:
     def save_list(self, value: list[Any]) -> None:
         self.write(b"]" if self.style.protocol else b"(l")
         self.keep(value)
-        for one in value:
-            self.save(one)
+        for item in value:
+            self.save(item)
             self.write(b"a")
 
     def save_tuple(self, value: tuple[Any, ...]) -> None:
         self.write(b"(")
-        for one in value:
-            self.save(one)
+        for item in value:
+            self.save(item)
         self.write(b"t")
 
     def save_dict(self, value: dict[Any, Any]) -> None:
         self.write(b"}" if self.style.protocol else b"(d")
         self.keep(value)
-        for key, one in value.items():
+        for key, item in value.items():
             self.save(key)
-            self.save(one)
+            self.save(item)
             self.write(b"s")
 
     def named(self, kind: str) -> tuple[str, str]:
@@ -281,7 +281,7 @@ class _Canvas:
             "name": old.name,
             "file": "block1.png",
             "id": key,
-            "vars": [Thing("variable", one) for one in fields],
+            "vars": [Thing("variable", value) for value in fields],
             "connections": [],
             "dicTrans": {},
             "dicToolTip": None,
@@ -296,8 +296,8 @@ class _Canvas:
             _end(block, INSIDE)
             self.stack(old.inside, block, INSIDE)
         left = block
-        for one in old.right:
-            right = self.block(one)
+        for operand in old.right:
+            right = self.block(operand)
             _connect(left, RIGHT, right, LEFT)
             left = right
         if old.is_value:
@@ -306,9 +306,9 @@ class _Canvas:
 
 
 def _end(block: Thing, kind: int) -> Thing:
-    for one in block.state["connections"]:
-        if one.state["_Connection__type"] == kind:
-            return one
+    for end in block.state["connections"]:
+        if end.state["_Connection__type"] == kind:
+            return end
     state = {
         "_Connection__parent": block,
         "_Connection__connect": None,
@@ -316,15 +316,15 @@ def _end(block: Thing, kind: int) -> Thing:
         "_Connection__idItem": None,
         "_Connection__type": kind,
     }
-    made = Thing("connection", state)
-    block.state["connections"].append(made)
-    return made
+    new = Thing("connection", state)
+    block.state["connections"].append(new)
+    return new
 
 
-def _connect(one: Thing, end: int, other: Thing, other_end: int) -> None:
-    first, second = _end(one, end), _end(other, other_end)
+def _connect(first_block: Thing, end: int, other: Thing, other_end: int) -> None:
+    first, second = _end(first_block, end), _end(other, other_end)
     first.state.update(_Connection__connect=second, _Connection__idItem=other.state["id"])
-    second.state.update(_Connection__connect=first, _Connection__idItem=one.state["id"])
+    second.state.update(_Connection__connect=first, _Connection__idItem=first_block.state["id"])
 
 
 def project(
@@ -349,9 +349,11 @@ def project(
 
 def read_text(text: str) -> None:
     """Import a file given as one character for each byte, and do all that a page does with it."""
-    made = import_project(text.encode("latin-1", "replace"), "fuzzed.blockProject", builtin())
-    program = language.parse(made.blocktext)
-    if language.from_workspace(made.workspace, builtin()).program != program:
+    import_result = import_project(
+        text.encode("latin-1", "replace"), "fuzzed.blockProject", builtin()
+    )
+    program = language.parse(import_result.blocktext)
+    if language.from_workspace(import_result.workspace, builtin()).program != program:
         raise AssertionError("the blocks are another program")
 
 

@@ -47,12 +47,12 @@ class Ordered:
     def _function(self, place: int) -> Lines:
         name, parameter = FUNCTIONS[place], self._parameters[FUNCTIONS[place]]
         blocktext, python = self._body(FUNCTIONS[place + 1 :])
-        shown = [f"print({parameter})"] if parameter else []
+        prints = [f"print({parameter})"] if parameter else []
         result = ["return 1"] if self._is(0.3) else []
         declared = _globals(python, parameter)
         return (
-            [f"def {name}({parameter}):", *_inside([*shown, *blocktext, *result]), "end"],
-            [f"def {name}({parameter}):", *_inside([*declared, *shown, *python, *result])],
+            [f"def {name}({parameter}):", *_inside([*prints, *blocktext, *result]), "end"],
+            [f"def {name}({parameter}):", *_inside([*declared, *prints, *python, *result])],
         )
 
     def _event(self, name: str) -> Lines:
@@ -70,8 +70,8 @@ class Ordered:
 
     def _body(self, callees: tuple[str, ...]) -> Lines:
         parts = [self._statement(1, callees) for _ in range(self._rng.randint(1, 2))]
-        return [one for lines, _ in parts for one in lines], [
-            one for _, lines in parts for one in lines
+        return [line for lines, _ in parts for line in lines], [
+            line for _, lines in parts for line in lines
         ]
 
     def _statement(self, depth: int, callees: tuple[str, ...]) -> Lines:
@@ -122,8 +122,12 @@ class Ordered:
 def _globals(body: list[str], parameter: str) -> list[str]:
     """The declaration of the variables that a function of Python sets and shares."""
     words = [line.split() for line in body]
-    found = {one[0] for one in words if len(one) > 1 and one[1] in {"=", "+="}}
-    shared = sorted(found - {parameter, "i"})
+    names = {
+        line_words[0]
+        for line_words in words
+        if len(line_words) > 1 and line_words[1] in {"=", "+="}
+    }
+    shared = sorted(names - {parameter, "i"})
     return [f"global {', '.join(shared)}"] if shared else []
 
 

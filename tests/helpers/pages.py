@@ -146,18 +146,20 @@ class Visitor:
             try:
                 message = self.next()
             except TimeoutError:
-                heard = {name: self.last[name] for name in (kind, "Failed") if name in self.last}
-                raise AssertionError(f"in vain: {kind} {values}; heard {heard}") from None
+                messages = {name: self.last[name] for name in (kind, "Failed") if name in self.last}
+                raise AssertionError(f"in vain: {kind} {values}; heard {messages}") from None
             if message["kind"] == kind and values.items() <= message.items():
                 return message
             assert message["kind"] != "Failed" or kind == "Failed", message
 
     def until(self, kind, **values):
         """Return all messages up to the next one of that kind."""
-        found = []
-        while not found or not (found[-1]["kind"] == kind and values.items() <= found[-1].items()):
-            found.append(self.next())
-        return found
+        messages = []
+        while not messages or not (
+            messages[-1]["kind"] == kind and values.items() <= messages[-1].items()
+        ):
+            messages.append(self.next())
+        return messages
 
     def open(self, name="program", text=None, **choices):
         """Create a project with a program; return the first messages about it."""
@@ -188,13 +190,15 @@ class Visitor:
         return self.hear("Projects")
 
 
-def english(sent) -> str:
+def english(message) -> str:
     """The English text of a phrase that the server sent."""
-    return str(phrase(sent))
+    return str(phrase(message))
 
 
-def phrase(sent):
+def phrase(message):
     """A phrase that the server sent, or a value of one."""
-    if isinstance(sent, dict):
-        return Phrase(sent["code"], **{key: phrase(value) for key, value in sent["values"].items()})
-    return tuple(map(phrase, sent)) if isinstance(sent, list) else sent
+    if isinstance(message, dict):
+        return Phrase(
+            message["code"], **{key: phrase(value) for key, value in message["values"].items()}
+        )
+    return tuple(map(phrase, message)) if isinstance(message, list) else message

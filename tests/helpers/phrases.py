@@ -5,5 +5,5 @@ from learnblock.i18n import Phrase
 
 def codes(phrase):
     """Return the code of a phrase, and those of the phrases in it."""
-    inner = [one for one in phrase.values.values() if isinstance(one, Phrase)]
-    return [phrase.code, *(code for one in inner for code in codes(one))]
+    inner = [part for part in phrase.values.values() if isinstance(part, Phrase)]
+    return [phrase.code, *(code for part in inner for code in codes(part))]

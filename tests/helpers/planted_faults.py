@@ -85,4 +85,6 @@ def tries(fault: Planted, folder: Path) -> Iterator[Tried]:
             yield Tried(fault, way, is_understood=False, lines=())
             continue
         sentences = answer(history, question).sentences[:FIRST]
-        yield Tried(fault, way, is_understood=True, lines=tuple(one.line for one in sentences))
+        yield Tried(
+            fault, way, is_understood=True, lines=tuple(sentence.line for sentence in sentences)
+        )

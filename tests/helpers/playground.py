@@ -64,8 +64,8 @@ class Playground(thymio.Emulator):
     def pose(self):
         """Return the robot's pose in our units."""
         values = self._call(self._robot, f"{PROPERTIES}.GetAll", OBJECT)
-        named = dict(re.findall(rf"'(\w+)': {NUMBER}", values))
-        return pose(self.world, *(float(named[name]) for name in ("x", "y", "angle")))
+        numbers = dict(re.findall(rf"'(\w+)': {NUMBER}", values))
+        return pose(self.world, *(float(numbers[name]) for name in ("x", "y", "angle")))
 
     @pose.setter
     def pose(self, there):
@@ -100,11 +100,11 @@ class Playground(thymio.Emulator):
         answers = []
 
         def answered():
-            done = subprocess.run(
+            process = subprocess.run(
                 command, env=self._environment, capture_output=True, text=True, check=False
             )
-            answers.append(done.stdout)
-            return done.returncode == 0
+            answers.append(process.stdout)
+            return process.returncode == 0
 
         # It listens slightly earlier than it appears on the bus.
         wait_for(answered, "the playground on the bus")

@@ -70,15 +70,15 @@ class Scores:
 
 def scores_of(paths: Iterable[Path]) -> Scores:
     """The scores of all files that are valid Python in UTF-8."""
-    found = Scores()
+    scores = Scores()
     for path in paths:
         try:
             text = path.read_bytes().decode()
             tree = ast.parse(text)
         except (SyntaxError, ValueError, RecursionError):
             continue
-        _add(found, text, tree)
-    return found
+        _add(scores, text, tree)
+    return scores
 
 
 def _add(scores: Scores, text: str, tree: ast.Module) -> None:
@@ -129,8 +129,8 @@ def _split(text: str, split: Split) -> list[Expression]:
     form = split(text)
     if form is None:
         return []
-    found = Sockets(Program()).values(text, form)
-    return [part for value in found for part in within(value)]
+    expressions = Sockets(Program()).values(text, form)
+    return [part for value in expressions for part in within(value)]
 
 
 def _comes_back(program: Program, tree: ast.Module) -> bool:

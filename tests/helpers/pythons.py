@@ -21,11 +21,11 @@ def interpreter(version: str) -> Path | None:
 
 def interpreters() -> dict[str, Path]:
     """Return all interpreters of the supported versions, by their full version, such as 3.11.2."""
-    found = {}
+    by_version = {}
     for version in VERSIONS:
         for python in filter(_works, _candidates(version)):
-            found.setdefault(_full_version(python), python)
-    return found
+            by_version.setdefault(_full_version(python), python)
+    return by_version
 
 
 def with_learnblock(version: str) -> Path | None:
@@ -35,8 +35,8 @@ def with_learnblock(version: str) -> Path | None:
 
 def _candidates(version: str) -> Iterator[Path]:
     for folder in os.get_exec_path():
-        if found := shutil.which(f"python{version}", path=folder):
-            yield Path(found)
+        if path := shutil.which(f"python{version}", path=folder):
+            yield Path(path)
     pyenv = Path(os.environ.get("PYENV_ROOT", Path.home() / ".pyenv")) / "versions"
     yield from pyenv.glob(f"{version}.*/bin/python")
 
@@ -48,5 +48,5 @@ def _full_version(python: Path) -> str:
 
 def _works(python: Path) -> bool:
     # pyenv puts a shim on the path even for versions that are not selected.
-    done = subprocess.run([python, "-c", ""], capture_output=True, check=False)
-    return done.returncode == 0
+    process = subprocess.run([python, "-c", ""], capture_output=True, check=False)
+    return process.returncode == 0

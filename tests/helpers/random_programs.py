@@ -46,8 +46,10 @@ RAW = (
 def call(rng: random.Random) -> str:
     """A call of a random skill, with values where it needs some."""
     skill = builtin()[rng.choice(sorted(builtin().keys() - LEFT_OUT))]
-    given = ", ".join(VALUES[one.type] for one in skill.parameters if one.required)
-    called = f"function.{skill.name}({given})"
+    arguments = ", ".join(
+        VALUES[parameter.type] for parameter in skill.parameters if parameter.required
+    )
+    called = f"function.{skill.name}({arguments})"
     return f"x = {called}" if skill.returns_value else called
 
 

@@ -40,7 +40,7 @@ def _or_none(strategy):
 
 
 def _operators(kind):
-    return st.sampled_from([found() for found in kind.__subclasses__()])
+    return st.sampled_from([operator() for operator in kind.__subclasses__()])
 
 
 @cache
@@ -73,7 +73,9 @@ def _nested_values(depth):
         st.builds(ast.UnaryOp, _operators(ast.unaryop), value),
         st.builds(ast.Lambda, _parameters(depth, typed=False), value),
         st.builds(ast.IfExp, value, value, value),
-        pairs.map(lambda found: ast.Dict([key for key, _ in found], [one for _, one in found])),
+        pairs.map(
+            lambda entries: ast.Dict([key for key, _ in entries], [item for _, item in entries])
+        ),
         st.builds(ast.Set, _few(starred, 1)),
         st.builds(ast.ListComp, value, loops),
         st.builds(ast.SetComp, value, loops),
@@ -83,8 +85,10 @@ def _nested_values(depth):
         st.builds(ast.Yield, _or_none(value)),
         st.builds(ast.YieldFrom, value),
         st.lists(st.tuples(_operators(ast.cmpop), value), min_size=1, max_size=2).flatmap(
-            lambda found: value.map(
-                lambda left: ast.Compare(left, [op for op, _ in found], [one for _, one in found])
+            lambda comparisons: value.map(
+                lambda left: ast.Compare(
+                    left, [op for op, _ in comparisons], [operand for _, operand in comparisons]
+                )
             )
         ),
         st.builds(ast.Call, value, _few(starred), _keywords(depth)),
@@ -93,7 +97,7 @@ def _nested_values(depth):
         st.builds(ast.Subscript, value, _keys(depth), st.just(ast.Load())),
         st.builds(ast.List, _few(starred), st.just(ast.Load())),
         st.builds(ast.Tuple, _few(starred), st.just(ast.Load())),
-        few.map(lambda found: ast.List(found, ast.Load())),
+        few.map(lambda elements: ast.List(elements, ast.Load())),
     ]
     return st.one_of(kinds)
 
@@ -112,14 +116,14 @@ def _comprehensions(depth):
 @cache
 def _keywords(depth):
     # Python refuses one name twice, though it parses it.
-    names = _few(NAMES).map(lambda found: list(dict.fromkeys(found)))
-    named = names.flatmap(
-        lambda found: st.tuples(
-            *(st.builds(ast.keyword, st.just(name), values(depth)) for name in found)
+    names = _few(NAMES).map(lambda choices: list(dict.fromkeys(choices)))
+    keywords = names.flatmap(
+        lambda choices: st.tuples(
+            *(st.builds(ast.keyword, st.just(name), values(depth)) for name in choices)
         )
     )
-    return st.tuples(named, _few(st.builds(ast.keyword, st.none(), values(depth)), most=1)).map(
-        lambda found: [*found[0], *found[1]]
+    return st.tuples(keywords, _few(st.builds(ast.keyword, st.none(), values(depth)), most=1)).map(
+        lambda parts: [*parts[0], *parts[1]]
     )
 
 
@@ -135,11 +139,11 @@ def _keys(depth):
 def _texts_with_values(depth, whole, part):
     # Before 3.12 a value in a text has no quote and no backslash of its own.
     value = values(depth) if HAS_TYPES else st.one_of(_name(ast.Load), NUMBERS.map(ast.Constant))
-    shown = st.builds(
+    fields = st.builds(
         part, value, st.sampled_from((-1, ord("r"), ord("s"), ord("a"))), _or_none(_formats(value))
     )
     text = st.text(st.sampled_from("ab {}ñ'"), min_size=1, max_size=4).map(ast.Constant)
-    return st.builds(whole, _few(shown | text, 0, 3))
+    return st.builds(whole, _few(fields | text, 0, 3))
 
 
 @cache
@@ -161,7 +165,9 @@ def _targets(depth):
             st.builds(ast.Tuple, _few(inner, 1), st.just(ast.Store())),
             st.builds(ast.List, _few(inner, 1), st.just(ast.Store())),
             st.tuples(inner, inner).map(
-                lambda found: ast.Tuple([found[0], ast.Starred(found[1], ast.Store())], ast.Store())
+                lambda targets: ast.Tuple(
+                    [targets[0], ast.Starred(targets[1], ast.Store())], ast.Store()
+                )
             ),
         ]
     return st.one_of(plain)
@@ -170,17 +176,19 @@ def _targets(depth):
 @st.composite
 def _parameters(draw, depth, *, typed=True):
     kind = _or_none(values(depth)) if typed else st.none()
-    made = [ast.arg(name) for name in draw(st.lists(NAMES, unique=True, max_size=5))]
-    for argument in made:
+    arguments = [ast.arg(name) for name in draw(st.lists(NAMES, unique=True, max_size=5))]
+    for argument in arguments:
         argument.annotation = draw(kind)
-    places = st.integers(0, len(made))
+    places = st.integers(0, len(arguments))
     first, second, third = sorted((draw(places), draw(places), draw(places)))
-    only, rest = made[second:third], made[third:]
+    only, rest = arguments[second:third], arguments[third:]
     defaults = draw(st.lists(values(depth), max_size=second))
     others = draw(st.lists(_or_none(values(depth)), min_size=len(only), max_size=len(only)))
     vararg = rest.pop() if rest else None
     kwarg = rest.pop() if rest else None
-    return ast.arguments(made[:first], made[first:second], vararg, only, others, kwarg, defaults)
+    return ast.arguments(
+        arguments[:first], arguments[first:second], vararg, only, others, kwarg, defaults
+    )
 
 
 # Statements.
@@ -268,7 +276,7 @@ def _compound_statements(depth):
     value, target = values(2), _targets(1)
     types = {"type_params": _type_parameters()} if HAS_TYPES else {}
     handlers = _few(
-        st.tuples(value, _or_none(NAMES), body).map(lambda found: ast.ExceptHandler(*found)), 1
+        st.tuples(value, _or_none(NAMES), body).map(lambda parts: ast.ExceptHandler(*parts)), 1
     )
     items = _few(st.builds(ast.withitem, value, _or_none(target)), 1)
     kinds = [
@@ -325,13 +333,16 @@ def _patterns(depth):
             st.builds(ast.MatchAs, inner, bound),
             st.builds(ast.MatchOr, _few(inner, 2, 3)),
             st.tuples(_few(st.tuples(value, inner)), _or_none(bound)).map(
-                lambda found: ast.MatchMapping(
-                    [key for key, _ in found[0]], [one for _, one in found[0]], found[1]
+                lambda parts: ast.MatchMapping(
+                    [key for key, _ in parts[0]], [pattern for _, pattern in parts[0]], parts[1]
                 )
             ),
             st.tuples(_name(ast.Load), _few(inner), _few(st.tuples(NAMES, inner))).map(
-                lambda found: ast.MatchClass(
-                    found[0], found[1], [key for key, _ in found[2]], [one for _, one in found[2]]
+                lambda parts: ast.MatchClass(
+                    parts[0],
+                    parts[1],
+                    [key for key, _ in parts[2]],
+                    [pattern for _, pattern in parts[2]],
                 )
             ),
         ]

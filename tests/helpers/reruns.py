@@ -31,5 +31,5 @@ def pytest_terminal_summary(terminalreporter):
 
 def _error_of(report):
     crash = getattr(report.longrepr, "reprcrash", None)
-    said = crash.message if crash else str(report.longrepr)
-    return said.strip().partition("\n")[0]
+    message = crash.message if crash else str(report.longrepr)
+    return message.strip().partition("\n")[0]

@@ -159,8 +159,8 @@ def person(name: str) -> Watcher:
 
 def refusal(name: str, robot: str) -> list[Diagnostic]:
     """Return the errors of the check, which prevent an example from running on a robot."""
-    found = running.check(running.read(EXAMPLES / name), robots.find(robot))
-    return [one for one in found if one.severity == "error"]
+    diagnostics = running.check(running.read(EXAMPLES / name), robots.find(robot))
+    return [diagnostic for diagnostic in diagnostics if diagnostic.severity == "error"]
 
 
 def able_twin(name: str) -> str:

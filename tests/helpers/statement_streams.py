@@ -76,11 +76,11 @@ STREAMS = {
 
 def stream(source: str) -> list[int]:
     """Run a program and return the statements that begin."""
-    seen: list[int] = []
+    statements: list[int] = []
     code = compile(source, "program.py", "exec")
-    with line_events(code, source, seen.append):
+    with line_events(code, source, statements.append):
         exec(code, {"__name__": "program", "c": contextlib.nullcontext})  # noqa: S102 - our own
-    return seen
+    return statements
 
 
 if __name__ == "__main__":

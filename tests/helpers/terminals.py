@@ -9,13 +9,13 @@ def shown_on_a_terminal(command) -> str:
     ours, theirs = os.openpty()
     process = subprocess.Popen(command, stdout=theirs, stderr=theirs)
     os.close(theirs)
-    shown = bytearray()
+    output = bytearray()
     try:
         while data := os.read(ours, 4096):
-            shown += data
+            output += data
     except OSError:
         # Linux reports in this way that the other end of a terminal is closed.
         pass
     os.close(ours)
     assert process.wait() == 0
-    return shown.decode()
+    return output.decode()

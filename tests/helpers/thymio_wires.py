@@ -64,7 +64,7 @@ def robot_texts():
         encoded(DONE.number, 1, 32, 0, 0),
     ]
     whole = frame(Message.ID_NODE_PRESENT, struct.pack("<H", 5)) + description()
-    return tuple(one.decode("latin-1") for one in (whole + b"".join(words), whole, *words))
+    return tuple(message.decode("latin-1") for message in (whole + b"".join(words), whole, *words))
 
 
 def description():
@@ -73,8 +73,10 @@ def description():
         [
             frame(Message.ID_DESCRIPTION, head),
             *(
-                frame(Message.ID_NAMED_VARIABLE_DESCRIPTION, struct.pack("<H", size) + name(one))
-                for one, size in READ.items()
+                frame(
+                    Message.ID_NAMED_VARIABLE_DESCRIPTION, struct.pack("<H", size) + name(variable)
+                )
+                for variable, size in READ.items()
             ),
             frame(Message.ID_LOCAL_EVENT_DESCRIPTION, name("timer0") + name("")),
             frame(Message.ID_NATIVE_FUNCTION_DESCRIPTION, name("leds.top") + name("") + b"\0\0"),
@@ -92,9 +94,11 @@ def frame(kind, payload):
 
 def suite_texts():
     """Return a handshake, and a free robot with its readings."""
-    sent = []
-    node = tdmclient.server.ServerNode(variables={one: [0] * size for one, size in READ.items()})
-    handler = tdmclient.server.ServerHandler(None, [node], sent.append)
+    messages = []
+    node = tdmclient.server.ServerNode(
+        variables={variable: [0] * size for variable, size in READ.items()}
+    )
+    handler = tdmclient.server.ServerHandler(None, [node], messages.append)
     handler.process_message(bytes(tdmclient.ThymioFB().create_msg_handshake()))
-    packets = [struct.pack("<I", len(packet)) + bytes(packet) for packet in sent]
-    return tuple(one.decode("latin-1") for one in (b"".join(packets), *packets))
+    packets = [struct.pack("<I", len(packet)) + bytes(packet) for packet in messages]
+    return tuple(message.decode("latin-1") for message in (b"".join(packets), *packets))

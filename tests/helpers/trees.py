@@ -172,8 +172,8 @@ class Trees:
 
     def arguments(self, depth):
         keywords = self.random.sample(KEYWORDS, self.choice((0, 0, 0, 1, 2)))
-        given = tuple(Keyword(keyword, self.expression(depth)) for keyword in keywords)
-        return self.some(3, self.expression, depth), given
+        values = tuple(Keyword(keyword, self.expression(depth)) for keyword in keywords)
+        return self.some(3, self.expression, depth), values
 
     def call(self, depth=2):
         return Call(self.choice(NAMES), *self.arguments(depth))

@@ -95,11 +95,11 @@ def remembered(job: Job, moments: int, seed: int, watcher: Callable[[], Watcher]
     last = round(plain.report.time / TICK)
     rng = random.Random(seed)  # noqa: S311 - not a secret
     steps = rng.sample(range(last), min(moments, last))
-    told = _Run(job, watcher(), log=True).run(steps)
+    with_log = _Run(job, watcher(), log=True).run(steps)
     # Endless recursion ends some calls earlier with a log.
     if "RecursionError" not in str(plain.report.error):
-        assert told.report.trace_sha256 == plain.report.trace_sha256, "the log changed the run"
-    return told
+        assert with_log.report.trace_sha256 == plain.report.trace_sha256, "the log changed the run"
+    return with_log
 
 
 def differences(run: Remembered, seed: int = 0) -> list[str]:
@@ -108,13 +108,13 @@ def differences(run: Remembered, seed: int = 0) -> list[str]:
     moments, world = Moments(EventHistory(recorded)), WorldAgain(recorded)
     while world.prepare():
         pass
-    found = []
+    lines = []
     for step in _order([*run.truths], seed):
         truth = run.truths[step]
         robot = world.seek(step * TICK)
         again = Truth(_world(robot), _pictures(robot), _told(moments, step * TICK))
-        found += [f"step {step}: {one}" for one in _unlike(truth, again)]
-    return found
+        lines += [f"step {step}: {difference}" for difference in _unlike(truth, again)]
+    return lines
 
 
 def _order(steps: list[int], seed: int) -> list[int]:
@@ -131,9 +131,9 @@ def _unlike(truth: Truth, again: Truth) -> Iterator[str]:
     if truth.pictures != again.pictures:
         yield "another picture"
     for name, was in truth.program.items():
-        told = again.program[name]
-        if was != told:
-            yield f"{name}: was {_only(was, told)}, told {_only(told, was)}"
+        answer = again.program[name]
+        if was != answer:
+            yield f"{name}: was {_only(was, answer)}, told {_only(answer, was)}"
 
 
 def _only(one: Any, other: Any) -> Any:
@@ -143,10 +143,10 @@ def _only(one: Any, other: Any) -> Any:
     return one
 
 
-def _first_difference(was: bytes, told: bytes) -> str:
-    same = next((i for i, (a, b) in enumerate(zip(was, told, strict=False)) if a != b), len(was))
+def _first_difference(was: bytes, answer: bytes) -> str:
+    same = next((i for i, (a, b) in enumerate(zip(was, answer, strict=False)) if a != b), len(was))
     first = max(0, same - 60)
-    return f"world: was {was[first : same + 30]!r}, told {told[first : same + 30]!r}"
+    return f"world: was {was[first : same + 30]!r}, told {answer[first : same + 30]!r}"
 
 
 class _Seen(Watcher):
@@ -186,12 +186,12 @@ class _Run:
 
     def run(self, steps: Collection[int]) -> Remembered:
         truths: dict[int, Truth] = {}
-        wanted = frozenset(steps)
+        sample = frozenset(steps)
         step, began = World.step, _Program.__init__
 
         def looked_at(world: World) -> None:
             self._touch(world)
-            if world.steps in wanted:
+            if world.steps in sample:
                 truths[world.steps] = self._truth()
             step(world)
 
@@ -280,7 +280,7 @@ def _world(robot: SimulatedRobot) -> bytes:
     monitor = WorldMonitor.of(robot)
     body = robot.body
     more = [body.odometry, body.distance_driven, body.wheels_rolled, body.log]
-    strokes = [[one.colour, one.width, one.points] for one in monitor.strokes()]
+    strokes = [[stroke.colour, stroke.width, stroke.points] for stroke in monitor.strokes()]
     # Order is that of dictionaries; every digit of each number is compared.
     return msgspec.json.encode([monitor.state(), more, strokes], order="sorted")
 
@@ -306,8 +306,8 @@ def _hands(seed: int | None) -> dict[int, list[Any]]:
 
 def random_job(folder: Path, seed: int) -> Job:
     """The run of a random program, every third one disturbed by hands."""
-    made = random_program(seed)
+    program = random_program(seed)
     path = folder / f"random{seed}.bt"
-    path.write_text(made.text, encoding="utf-8")
-    options = Options(world=made.world, seconds=20, seed=seed)
-    return Job(path, made.robot, options, seed if seed % 3 == 0 else None)
+    path.write_text(program.text, encoding="utf-8")
+    options = Options(world=program.world, seconds=20, seed=seed)
+    return Job(path, program.robot, options, seed if seed % 3 == 0 else None)

@@ -31,10 +31,10 @@ def let_pass(twin, seconds):
 
 def speed(twin):
     """Return its speed in mm/s over a tenth of a second."""
-    begun, before = _moment(twin)
+    start, before = _moment(twin)
     let_pass(twin, 0.1)
-    ended, after = _moment(twin)
-    return math.dist(after[:2], before[:2]) / (ended - begun)
+    end, after = _moment(twin)
+    return math.dist(after[:2], before[:2]) / (end - start)
 
 
 def stands_after(twin):

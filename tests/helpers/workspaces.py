@@ -48,15 +48,15 @@ def through_json(workspace):
 
 def blocks(workspace, shadows=True):
     """Return every block, a parent before its children."""
-    found = [block for stack in workspace.stacks for block in stack]
-    for block in found:
+    result = [block for stack in workspace.stacks for block in stack]
+    for block in result:
         for plug in block.inputs.values():
-            found += plug.stack
-            found += [one for one in (plug.block, shadows and plug.shadow) if one]
-    return found
+            result += plug.stack
+            result += [inner for inner in (plug.block, shadows and plug.shadow) if inner]
+    return result
 
 
 def only(workspace, kind):
     """Return the only block of a type."""
-    (found,) = (block for block in blocks(workspace) if block.type == kind)
-    return found
+    (match,) = (block for block in blocks(workspace) if block.type == kind)
+    return match

@@ -87,8 +87,8 @@ class BlockSet(Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=Tr
 
 def of_new_projects() -> str:
     """The name of the built-in set with which a project begins."""
-    chosen = os.environ.get(VARIABLE, EVERYTHING)
-    return chosen if chosen in BUILT_IN else EVERYTHING
+    name = os.environ.get(VARIABLE, EVERYTHING)
+    return name if name in BUILT_IN else EVERYTHING
 
 
 @cache
@@ -128,8 +128,8 @@ def read(file: Path) -> BlockSet:
         BlockSetError: it is invalid.
         OSError: the file cannot be read.
     """
-    found = toml_source.read(file, BlockSet, BlockSetError, lambda _: ())
-    return msgspec.structs.replace(found, name=file.stem)
+    block_set = toml_source.read(file, BlockSet, BlockSetError, lambda _: ())
+    return msgspec.structs.replace(block_set, name=file.stem)
 
 
 def parse(text: str, name: str) -> BlockSet:
@@ -144,10 +144,10 @@ def parse(text: str, name: str) -> BlockSet:
     """
     filename = f"{name}.toml"
     document = toml_source.parse(text, filename, BlockSetError)
-    found = toml_source.convert(
+    block_set = toml_source.convert(
         document, BlockSet, BlockSetError, lambda _: (), name=filename, source=text
     )
-    return msgspec.structs.replace(found, name=checked_name(name))
+    return msgspec.structs.replace(block_set, name=checked_name(name))
 
 
 def write(block_set: BlockSet) -> str:
@@ -178,8 +178,8 @@ def delete_own(name: str) -> None:
     """
     file = _own_file(name)
     if not file.is_file():
-        known = [path.stem for path in _own_folder().glob("*.toml")]
-        raise UnknownNameError("block-set", name, known)
+        names = [path.stem for path in _own_folder().glob("*.toml")]
+        raise UnknownNameError("block-set", name, names)
     file.unlink()
 
 

@@ -49,15 +49,15 @@ def definitions(
     configurations: Iterable[BlockConfiguration], language: str
 ) -> list[dict[str, Any]]:
     """All our blocks; the words of skills are in `language`, such as ``es``."""
-    shown = list(filter(is_skill_block, configurations))
-    paired = pairs(shown)
+    skill_blocks = list(filter(is_skill_block, configurations))
+    paired = pairs(skill_blocks)
     skills = [
         skill_definition(configuration, language, paired.get(configuration.name))
-        for configuration in shown
+        for configuration in skill_blocks
     ]
     hats = [
         _ready_hat(configuration, language)
-        for configuration in shown
+        for configuration in skill_blocks
         if ready_hat(configuration.name) in READY_HATS
     ]
     return [*_hats(), *hats, *_statements(), *_values(), *skills]
@@ -129,7 +129,7 @@ def _statements() -> list[Definition]:
     change_entry = [*entry, _choice("OP", ("+=", *CHANGES)), _value("VALUE")]
     set_entry = [*entry, _value("VALUE")]
     names, arguments, words = ["lb_when_names"], "lb_arguments_mutator", "lb_python_mutator"
-    found = [
+    statements = [
         _block("lb_activate", "lb_events", [_PLACE], extensions=names),
         _block("lb_deactivate", "lb_events", [_PLACE], extensions=names),
         _block("lb_return", "procedure_blocks", [_value("VALUE")]),
@@ -161,7 +161,7 @@ def _statements() -> list[Definition]:
         inputsInline=True,
         **_DO,
     )
-    return [{**definition, **_STATEMENT} for definition in (*found, forever, unpacking)]
+    return [{**definition, **_STATEMENT} for definition in (*statements, forever, unpacking)]
 
 
 def _values() -> list[Definition]:
@@ -283,10 +283,10 @@ def _arguments(configuration: BlockConfiguration, language: str) -> list[Definit
         argument for part in optional_parts(configuration, language) for argument in _optional(part)
     ]
     unit = units(configuration, language)
-    named = [
+    inputs = [
         _parameter(parameter, language, unit.get(parameter.name, "")) for parameter in parameters
     ]
-    return [*named, *directions, *parts]
+    return [*inputs, *directions, *parts]
 
 
 def _optional(part: OptionalPart) -> list[Definition]:
@@ -321,9 +321,9 @@ def _with_types(argument: Definition, pair: BlockPair) -> Definition:
 def _parameter(parameter: Parameter, language: str, unit: str) -> Definition:
     field = _field(parameter, language)
     value = _value(parameter.name, _CHECKS.get(parameter.type))
-    named = {**value, "label": parameter_name(parameter, language), "kind": parameter.type}
-    named |= {"unit": unit} if unit else {}
-    return {**named, "field": field} if field else named
+    definition = {**value, "label": parameter_name(parameter, language), "kind": parameter.type}
+    definition |= {"unit": unit} if unit else {}
+    return {**definition, "field": field} if field else definition
 
 
 def _field(parameter: Parameter, language: str) -> Definition:

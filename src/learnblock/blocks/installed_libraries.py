@@ -85,23 +85,23 @@ def functions_beside(
         LearnBlockError: one of the files is invalid.
         OSError: one of them cannot be read.
     """
-    known: dict[str, dict[str, UsedNames]] = {}
+    by_module: dict[str, dict[str, UsedNames]] = {}
 
     def defined(module: str) -> dict[str, UsedNames]:
-        file = None if module in known else _file(folder, module)
+        file = None if module in by_module else _file(folder, module)
         if file is not None:
             # Files may import each other.
-            known[module] = {}
+            by_module[module] = {}
             tree = skill_files.parse(skill_files.read(file), file.name)
             imported = imported_names(tree, defined)
-            known[module] = imported | uses_of(tree, imported)
-        return known.get(module, {})
+            by_module[module] = imported | uses_of(tree, imported)
+        return by_module.get(module, {})
 
     needs = {name: uses.needed(skills) for name, uses in imported_names(imports, defined).items()}
     return {
-        name: BlockConfiguration("others", "", name, needs=found)
-        for name, found in needs.items()
-        if found and name not in skills
+        name: BlockConfiguration("others", "", name, needs=function_needs)
+        for name, function_needs in needs.items()
+        if function_needs and name not in skills
     }
 
 
@@ -118,12 +118,14 @@ def blocks(name: str, files: Mapping[str, str]) -> tuple[BlockConfiguration, ...
     titles = _titles(files.get(MANIFEST, ""))
     category = titles.get("EN") or name.replace("_", " ").capitalize()
     skills = {skill.name: skill for file, text in files.items() for skill in skills_in(file, text)}
-    found = {name: replace(derived(skill, ""), category=category) for name, skill in skills.items()}
+    by_name = {
+        name: replace(derived(skill, ""), category=category) for name, skill in skills.items()
+    }
     for block in load_configurations(files[CONFIGURATIONS]) if CONFIGURATIONS in files else ():
-        if block.name in found:
-            found[block.name] = fitted(block, skills[block.name], found[block.name])
+        if block.name in by_name:
+            by_name[block.name] = fitted(block, skills[block.name], by_name[block.name])
     uses = {name: skill.uses for name, skill in skills.items()}
-    ready = with_needs(found.values(), uses, builtin())
+    ready = with_needs(by_name.values(), uses, builtin())
     return tuple(replace(block, library=name, titles=titles) for block in ready)
 
 
@@ -153,8 +155,8 @@ def texts(folder: Path) -> dict[str, str]:
 
 
 def _in_folder(folder: Path) -> Mapping[str, Path]:
-    found = sorted(folder.glob(f"*/{MANIFEST}"))
-    return {path.parent.name: path.parent for path in found if path.parent.name.isidentifier()}
+    manifests = sorted(folder.glob(f"*/{MANIFEST}"))
+    return {path.parent.name: path.parent for path in manifests if path.parent.name.isidentifier()}
 
 
 def _file(folder: Path, module: str) -> Path | None:

@@ -33,18 +33,18 @@ def all_configurations() -> Configurations:
     for point in skill_files.plugins():
         search.plugin(point)
     for block in installed_blocks():
-        search.found.setdefault(block.name, block)
+        search.blocks.setdefault(block.name, block)
     for path in sorted((home() / "blocks").glob("*.json")):
         search.configured(path)
     search.add_needs()
-    return Configurations(search.found, search.broken, tuple(search.problems))
+    return Configurations(search.blocks, search.broken, tuple(search.problems))
 
 
 @dataclass
 class _Search:
     """The blocks found so far; if several have the same name, the first one is used."""
 
-    found: dict[str, BlockConfiguration]
+    blocks: dict[str, BlockConfiguration]
     signatures: dict[str, Signature] = field(default_factory=dict)
     broken: dict[str, Phrase] = field(default_factory=dict)
     problems: list[LearnBlockError] = field(default_factory=list)
@@ -75,8 +75,8 @@ class _Search:
             self.problems.append(problem)
 
     def skill(self, signature: Signature, block: BlockConfiguration) -> None:
-        if block.name not in RESERVED and block.name not in self.found:
-            self.found[block.name] = block
+        if block.name not in RESERVED and block.name not in self.blocks:
+            self.blocks[block.name] = block
             self.signatures[block.name] = signature
 
     def configured(self, path: Path) -> None:
@@ -89,22 +89,22 @@ class _Search:
             self.problems.append(_unreadable(path, error))
             return
         for block in blocks:
-            self.found[block.name] = self.described(block)
+            self.blocks[block.name] = self.described(block)
 
     def add_needs(self) -> None:
         """Add what custom skills need by their source."""
         uses = {name: signature.uses for name, signature in self.signatures.items()}
         others = {
-            name: configuration for name, configuration in self.found.items() if name not in uses
+            name: configuration for name, configuration in self.blocks.items() if name not in uses
         }
-        own = [self.found[name] for name in uses]
-        self.found.update(
+        own = [self.blocks[name] for name in uses]
+        self.blocks.update(
             {configuration.name: configuration for configuration in with_needs(own, uses, others)}
         )
 
     def described(self, block: BlockConfiguration) -> BlockConfiguration:
         """A configured block, completed from its earlier configuration."""
-        before = self.found.get(block.name)
+        before = self.blocks.get(block.name)
         signature = self.signatures.get(block.name)
         if before is None:
             return block

@@ -79,9 +79,9 @@ def spoken(block: BlockConfiguration, language: str, values: Mapping[str, object
         return values.get(parameter.name, parameter.default)
 
     def field(parameter: Parameter) -> str:
-        shown = value(parameter)
-        is_directed = parameter.directions and isinstance(shown, int | float)
-        return str(abs(shown) if is_directed else shown)  # type: ignore[arg-type] # is_directed
+        content = value(parameter)
+        is_directed = parameter.directions and isinstance(content, int | float)
+        return str(abs(content) if is_directed else content)  # type: ignore[arg-type] # is_directed
 
     def unusual(parameters: Sequence[Parameter], words: str) -> str:
         return (
@@ -98,9 +98,9 @@ def spoken(block: BlockConfiguration, language: str, values: Mapping[str, object
 def _with_singular(block: BlockConfiguration, language: str, ones: set[str]) -> BlockConfiguration:
     """The block with a label in which the units of these parameters are in the singular."""
 
-    def unit(found: re.Match[str]) -> str:
-        words = translation.units().get(found[2], found[2]) if found[1] in ones else found[2]
-        return found[0].removesuffix(found[2]) + words
+    def unit(match: re.Match[str]) -> str:
+        words = translation.units().get(match[2], match[2]) if match[1] in ones else match[2]
+        return match[0].removesuffix(match[2]) + words
 
     text = _unit().sub(unit, translated(block.languages, language, ""))
     return replace(block, languages={language.upper(): text}) if text else block
@@ -142,14 +142,14 @@ def sentence(block: BlockConfiguration, language: str, filling: Filling) -> str:
         for name, parameter in parameters.items()
         if parameter.directions
     }
-    named = {name for name, directed in _PLACE.findall(text) if not directed}
+    names = {name for name, directed in _PLACE.findall(text) if not directed}
     placed = {name for name, directed in _PLACE.findall(text) if directed}
     for name in directions.keys() - placed:
         fields[name] = f"{directions.pop(name)} {fields[name]}"
     following = [
         f"{parameter_name(parameter, language)} {fields[name]}"
         for name, parameter in parameters.items()
-        if name not in named | left_out
+        if name not in names | left_out
     ]
 
     def filled(place: re.Match[str]) -> str:
@@ -177,12 +177,12 @@ def optional_parts(block: BlockConfiguration, language: str) -> tuple[OptionalPa
     parameters = {
         parameter.name: parameter for parameter in block.parameters if not parameter.required
     }
-    found = []
+    parts = []
     for words in _OPTIONAL.findall(translated(block.languages, language, block.name)):
         names = [name for name, directed in _PLACE.findall(words) if not directed]
         if names and parameters.keys() >= set(names):
-            found.append(OptionalPart(words, tuple(parameters[name] for name in names)))
-    return tuple(found)
+            parts.append(OptionalPart(words, tuple(parameters[name] for name in names)))
+    return tuple(parts)
 
 
 def direction(parameter: Parameter, value: object, language: str) -> str:

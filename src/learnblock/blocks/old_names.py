@@ -80,5 +80,5 @@ OLD_NAMES: Mapping[str, str] = MappingProxyType(
 
 def todays_name(name: str, skills: Container[str]) -> str | None:
     """Today's name of a skill with an old or Spanish name; None if `skills` lacks it."""
-    found = OLD_NAMES.get(name) or OLD_NAMES.get(name.casefold())
-    return found if found is not None and found in skills else None
+    name_today = OLD_NAMES.get(name) or OLD_NAMES.get(name.casefold())
+    return name_today if name_today is not None and name_today in skills else None

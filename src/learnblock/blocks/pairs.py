@@ -32,8 +32,8 @@ def pairs(configurations: Iterable[BlockConfiguration]) -> dict[str, BlockPair]:
     for configuration in configurations:
         if _turned(configuration) is not None:
             alike.setdefault(_said(configuration), []).append(configuration)
-    found = filter(None, map(_pair, alike.values()))
-    return {name: pair for pair in found for name in pair.names.values()}
+    all_pairs = filter(None, map(_pair, alike.values()))
+    return {name: pair for pair in all_pairs for name in pair.names.values()}
 
 
 def _pair(group: list[BlockConfiguration]) -> BlockPair | None:
@@ -51,12 +51,12 @@ def _direction(block: BlockConfiguration) -> str:
 
 def _turned(block: BlockConfiguration) -> Parameter | None:
     """The only parameter with words for its sign and a default with one."""
-    found = [
+    candidates = [
         parameter
         for parameter in block.parameters
         if parameter.directions and _number(parameter) != 0
     ]
-    return found[0] if len(found) == 1 else None
+    return candidates[0] if len(candidates) == 1 else None
 
 
 def _number(parameter: Parameter) -> float:

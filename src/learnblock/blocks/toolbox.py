@@ -345,8 +345,8 @@ def _item(entry: tuple[str, dict[str, Any]]) -> dict[str, Any]:
     kind, state = entry
     variant = state.get("variant") or state.get("extraState", {}).get("name")
     name = f"{kind}:{variant}" if variant else kind
-    shown = {key: value for key, value in state.items() if key != "variant"}
-    return {"kind": "block", "type": kind, "block": name, **shown, **_inputs(kind, state)}
+    attributes = {key: value for key, value in state.items() if key != "variant"}
+    return {"kind": "block", "type": kind, "block": name, **attributes, **_inputs(kind, state)}
 
 
 def _inputs(kind: str, state: Mapping[str, Any]) -> dict[str, Any]:
@@ -363,14 +363,14 @@ def _inputs(kind: str, state: Mapping[str, Any]) -> dict[str, Any]:
 def _skill_tabs(
     configurations: Iterable[BlockConfiguration], words: Mapping[str, str]
 ) -> list[dict[str, Any]]:
-    found = sorted(
+    skills = sorted(
         filter(is_skill_block, configurations), key=lambda configuration: configuration.category
     )
     by_category = {
         name: list(blocks)
-        for name, blocks in groupby(found, lambda configuration: configuration.category)
+        for name, blocks in groupby(skills, lambda configuration: configuration.category)
     }
-    paired = pairs(found)
+    paired = pairs(skills)
     order = dict.fromkeys(
         configuration.category for configuration in configurations if is_skill_block(configuration)
     )

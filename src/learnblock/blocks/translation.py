@@ -19,9 +19,9 @@ def languages() -> tuple[str, ...]:
 @cache
 def translation(language: str) -> Mapping[str, str]:
     """The words of the built-in blocks of the language, by message name."""
-    known = languages()
-    chosen = next((code for code in (language, language.partition("-")[0]) if code in known), "en")
-    return MappingProxyType({**_words("en"), **_words(chosen)})
+    codes = languages()
+    nearest = next((code for code in (language, language.partition("-")[0]) if code in codes), "en")
+    return MappingProxyType({**_words("en"), **_words(nearest)})
 
 
 @cache
@@ -33,18 +33,18 @@ def units() -> Mapping[str, str]:
     >>> units()["seconds"]
     'second'
     """
-    found: dict[str, str] = {}
+    singulars: dict[str, str] = {}
     for language in languages():
         words = _words(language)
-        found |= {
+        singulars |= {
             word: words.get(key + _AFTER_ONE, word)
             for key, word in words.items()
             if key.startswith(_UNIT) and not key.endswith(_AFTER_ONE)
         }
-    return MappingProxyType(found)
+    return MappingProxyType(singulars)
 
 
 @cache
 def _words(language: str) -> dict[str, str]:
-    found = json.loads((_FOLDER / f"{language}.json").read_text("utf-8"))
-    return {str(name): str(text) for name, text in found.items()}
+    entries = json.loads((_FOLDER / f"{language}.json").read_text("utf-8"))
+    return {str(name): str(text) for name, text in entries.items()}

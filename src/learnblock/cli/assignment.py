@@ -32,8 +32,8 @@ class Assigned(click.Path):
         super().__init__(exists=True, dir_okay=False)
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        found = None if Path(value).is_file() else _ASSIGNED.fullmatch(str(value))
-        if found is None:
+        match = None if Path(value).is_file() else _ASSIGNED.fullmatch(str(value))
+        if match is None:
             return Assignment(Path(str(super().convert(value, param, ctx))))
-        file = Path(str(super().convert(found["file"], param, ctx)))
-        return Assignment(file, found["robot"], int(found["count"] or 1))
+        file = Path(str(super().convert(match["file"], param, ctx)))
+        return Assignment(file, match["robot"], int(match["count"] or 1))

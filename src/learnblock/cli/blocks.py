@@ -55,17 +55,17 @@ def check(file: Path, configuration: Path | None, as_json: bool) -> None:  # noq
     from learnblock.storage import skill_files  # noqa: PLC0415
 
     source = skill_files.read(file)
-    chosen = skill_files.read(configuration) if configuration else ""
+    configuration_text = skill_files.read(configuration) if configuration else ""
     is_own = file.absolute() in [path.absolute() for path in skill_files.own_files()]
     replaces = file.stem if is_own else ""
-    checked = custom_blocks.check(source, chosen, name=file.stem, replaces=replaces)
-    files = {"configuration": (str(configuration), chosen)}
-    found = [
+    checked = custom_blocks.check(source, configuration_text, name=file.stem, replaces=replaces)
+    files = {"configuration": (str(configuration), configuration_text)}
+    rows = [
         (*files.get(problem.part, (str(file), source)), problem) for problem in checked.problems
     ]
     if as_json:
-        print_json([_as_object(name, problem) for name, _, problem in found])
-    for name, code, problem in found if not as_json else ():
+        print_json([_as_object(name, problem) for name, _, problem in rows])
+    for name, code, problem in rows if not as_json else ():
         print_diagnostics(name, [problem.diagnostic], code)
     sys.exit(ExitCode.MISTAKES if checked.errors else ExitCode.WELL)
 

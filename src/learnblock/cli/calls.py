@@ -92,12 +92,12 @@ def _show_beside(
 def _print_beside(both: "CallsBeside", names: tuple[str, str]) -> None:
     titles = _titles()
     click.echo(f"{'':{_WIDTH}} {_column(names[0])} {_column(names[1])}".rstrip())
-    shown = None
+    previous = None
     for pair in both.pairs:
         layer = pair.called.layer
-        if layer is not shown and layer.value:
+        if layer is not previous and layer.value:
             click.echo(titles[layer])
-        shown = layer
+        previous = layer
         name = f"{'*' if pair.differs else ' '} {pair.called.name}"
         counts = f"{_count(pair.first)} {_count(pair.second)}".rstrip()
         click.echo(f"{name:{_WIDTH}} {counts}")

@@ -77,10 +77,10 @@ def _answer(writer: FolderClaim, folder: Path) -> int:
     Raises:
         LearnBlockError: there is no terminal to ask on.
     """
-    used = Phrase("server-folder-used", folder=str(folder), owner=writer.owner_phrase)
+    conflict = Phrase("server-folder-used", folder=str(folder), owner=writer.owner_phrase)
     if not sys.stdin.isatty():
-        raise LearnBlockError("server-folder-refused", used=used)
-    click.echo(text(used))
+        raise LearnBlockError("server-folder-refused", used=conflict)
+    click.echo(text(conflict))
     say("cli-folder-choices")
     answer: int = click.prompt(
         text(Phrase("cli-folder-choice")), type=click.IntRange(_TAKE_OVER, _READ_ONLY)

@@ -57,17 +57,20 @@ def _compare(first: Path, second: Path, *, as_json: bool) -> None:
     from learnblock import why  # noqa: PLC0415 - `--help` needs none of it
     from learnblock.why.comparison import compared  # noqa: PLC0415
 
-    found = compared(why.EventHistory(why.read(first)), why.EventHistory(why.read(second)))
+    comparison = compared(why.EventHistory(why.read(first)), why.EventHistory(why.read(second)))
     if as_json:
-        print_json(found)
+        print_json(comparison)
         return
-    if found.parting is None:
+    if comparison.parting is None:
         say("why-same")
     else:
-        say("why-together", time=round(found.parting.together, 2))
-        for log, sentence in ((first, found.parting.first), (second, found.parting.second)):
+        say("why-together", time=round(comparison.parting.together, 2))
+        for log, sentence in (
+            (first, comparison.parting.first),
+            (second, comparison.parting.second),
+        ):
             say("why-run", name=log.name, sentence=text(sentence.phrase))
-    for cause in found.causes:
+    for cause in comparison.causes:
         click.echo(text(cause))
 
 
@@ -79,7 +82,7 @@ def _compare_with_twin(log: Path, world: str, *, as_json: bool) -> None:
 
     predicted = predict(why.read(log), world)
     drifted = drift(predicted)
-    found = findings(predicted, drifted)
+    facts = findings(predicted, drifted)
     missing = unrecorded(predicted, drifted)
     if as_json:
         print_json(
@@ -87,12 +90,12 @@ def _compare_with_twin(log: Path, world: str, *, as_json: bool) -> None:
                 "parting": predicted.parting,
                 "delay": predicted.delay,
                 "drift": drifted,
-                "findings": [_plain(finding) for finding in found],
+                "findings": [_plain(finding) for finding in facts],
                 "unrecorded": [text(phrase) for phrase in missing],
             }
         )
         return
-    for phrase in (*(finding.phrase for finding in found), *missing):
+    for phrase in (*(finding.phrase for finding in facts), *missing):
         click.echo(text(phrase))
 
 

@@ -64,6 +64,6 @@ def grade_command(handed_in: tuple[Path, ...], robots: str | None, **choices: An
     # Imported here because `--help` needs none of it.
     from learnblock.cli.grading import Choices, grade  # noqa: PLC0415
 
-    named = None if robots is None else tuple(filter(None, robots.split(",")))
-    finished = grade(handed_in, Choices(robots=named, **choices))
+    robot_names = None if robots is None else tuple(filter(None, robots.split(",")))
+    finished = grade(handed_in, Choices(robots=robot_names, **choices))
     sys.exit(ExitCode.WELL if finished else ExitCode.INTERRUPTED)

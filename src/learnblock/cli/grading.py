@@ -96,13 +96,13 @@ def _say_what_is_missing(grading: Grading) -> bool:
 
 def _show(grading: Grading, workers: OpenWorkers) -> None:
     """Make everything, with a bar that shows the remaining time."""
-    shown: Any = click.progressbar(
+    progress_bar: Any = click.progressbar(
         length=1,
         label=text(Phrase("grade-running")),
         show_pos=True,
         file=sys.stderr,
     )
-    with shown as bar:
+    with progress_bar as bar:
         for progress in grading.run(workers):
             bar.length = progress.total
             bar.update(progress.done - bar.pos)

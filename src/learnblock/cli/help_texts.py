@@ -43,21 +43,21 @@ def english(command: click.Command, path: tuple[str, ...]) -> Iterator[tuple[str
 
 def translated(command: click.Command, path: tuple[str, ...]) -> click.Command:
     """A copy of a command with help in the reader's language."""
-    found = copy.copy(command)
-    found.context_class = Context
-    found.help = _help(command.help, _command_code(path))
-    found.short_help = " ".join(found.help.partition("\n\n")[0].split()).rstrip(".")
-    found.options_metavar = _common("[OPTIONS]")
-    found.params = [_parameter(parameter, path) for parameter in command.params]
-    found.params.append(_help_option())
+    translation = copy.copy(command)
+    translation.context_class = Context
+    translation.help = _help(command.help, _command_code(path))
+    translation.short_help = " ".join(translation.help.partition("\n\n")[0].split()).rstrip(".")
+    translation.options_metavar = _common("[OPTIONS]")
+    translation.params = [_parameter(parameter, path) for parameter in command.params]
+    translation.params.append(_help_option())
     if command.epilog:
-        found.epilog = words(_EPILOG, command.epilog)
-    if isinstance(found, click.Group):
-        found.subcommand_metavar = _common("COMMAND [ARGS]...")
-        found.commands = {
-            name: translated(inner, (*path, name)) for name, inner in found.commands.items()
+        translation.epilog = words(_EPILOG, command.epilog)
+    if isinstance(translation, click.Group):
+        translation.subcommand_metavar = _common("COMMAND [ARGS]...")
+        translation.commands = {
+            name: translated(inner, (*path, name)) for name, inner in translation.commands.items()
         }
-    return found
+    return translation
 
 
 class _Formatter(click.HelpFormatter):
@@ -69,8 +69,8 @@ class _Formatter(click.HelpFormatter):
         super().write_usage(prog, args, prefix)
 
     def write_heading(self, heading: str) -> None:
-        known = heading in COMMON_CODES and not is_english()
-        super().write_heading(_common(heading) if known else heading)
+        is_common = heading in COMMON_CODES and not is_english()
+        super().write_heading(_common(heading) if is_common else heading)
 
 
 class Context(click.Context):
@@ -92,10 +92,10 @@ def _parts(text: str | None) -> tuple[str, str]:
 
 
 def _parameter(parameter: click.Parameter, path: tuple[str, ...]) -> click.Parameter:
-    found = copy.copy(parameter)
-    if isinstance(found, click.Option):
-        found.help = words(_option_code(path, found), found.help or "")
-    return found
+    translation = copy.copy(parameter)
+    if isinstance(translation, click.Option):
+        translation.help = words(_option_code(path, translation), translation.help or "")
+    return translation
 
 
 def _help_option() -> click.Option:
@@ -132,5 +132,5 @@ def _common(text: str) -> str:
 
 def words(code: str, otherwise: str, **values: str) -> str:
     """The words of a code of ``help.ftl`` in the reader's language, or else English ones."""
-    found = catalogue.words(code, {**values}, language())
-    return otherwise if found is None else found
+    translation = catalogue.words(code, {**values}, language())
+    return otherwise if translation is None else translation

@@ -74,16 +74,16 @@ def import_command(
         importing.ENDING: _program if notation == "block-text" else _project,
         importing.LIBRARY_ENDING: _library,
     }
-    done = [
+    outcomes = [
         _imported(source, output / place, convert, replace=replace)
         for source, place in _found(paths, convert)
     ]
     if as_json:
-        print_json([outcome.as_object() for outcome in done])
+        print_json([outcome.as_object() for outcome in outcomes])
     else:
-        for outcome in done:
+        for outcome in outcomes:
             outcome.print()
-    sys.exit(ExitCode.MISTAKES if any(outcome.error for outcome in done) else ExitCode.WELL)
+    sys.exit(ExitCode.MISTAKES if any(outcome.error for outcome in outcomes) else ExitCode.WELL)
 
 
 @dataclass(frozen=True)

@@ -106,7 +106,7 @@ class TerminalKeys:
     def _read(self) -> None:
         for key in self._terminal.typed():
             # Another thread may be looking at the dictionary.
-            others = {held: until for held, until in self._until.items() if held != key}
+            others = {other: until for other, until in self._until.items() if other != key}
             self._until = {**others, key: self._now() + HOLD}
 
 
@@ -144,8 +144,8 @@ def shared_keyboard(programs: Mapping[str, Program]) -> Iterator[Mapping[str, He
     if not listening:
         yield {}
         return
-    named = "; ".join(f"{name} {shown(program.keys)}" for name, program in listening.items())
-    with _listening(Phrase("report-team-listens", programs=named)) as terminal:
+    listeners = "; ".join(f"{name} {shown(program.keys)}" for name, program in listening.items())
+    with _listening(Phrase("report-team-listens", programs=listeners)) as terminal:
         yield {
             name: TerminalKeyboard(terminal, program.keys) for name, program in listening.items()
         }

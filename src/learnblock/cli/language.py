@@ -9,18 +9,18 @@ from learnblock.i18n import ENGLISH
 from learnblock.i18n.reader import system_language
 
 #: What ``--language`` names; a run's own thread sees it too, unlike click's context.
-_chosen: ContextVar[str | None] = ContextVar("language", default=None)
+_choice: ContextVar[str | None] = ContextVar("language", default=None)
 
 
-def choose(ctx: click.Context, _: click.Parameter, chosen: str | None) -> None:
+def choose(ctx: click.Context, _: click.Parameter, code: str | None) -> None:
     """Keep the language that ``--language`` names, for all commands of this call."""
-    if chosen is not None:
-        ctx.call_on_close(partial(_chosen.reset, _chosen.set(chosen)))
+    if code is not None:
+        ctx.call_on_close(partial(_choice.reset, _choice.set(code)))
 
 
 def language() -> str:
     """The code of the reader's language."""
-    return _chosen.get() or system_language()
+    return _choice.get() or system_language()
 
 
 def is_english() -> bool:

@@ -38,7 +38,7 @@ def lines_of(opened: OpenLesson, part: TeachersPart | None) -> Iterator[str]:
 def as_object(opened: OpenLesson, part: TeachersPart | None) -> dict[str, Any]:
     """A lesson for tools; texts are in the reader's language."""
     lesson = opened.lesson
-    found: dict[str, Any] = {
+    fields: dict[str, Any] = {
         "name": opened.name,
         "title": in_language(lesson.title, language()),
         "level": lesson.level,
@@ -48,11 +48,11 @@ def as_object(opened: OpenLesson, part: TeachersPart | None) -> dict[str, Any]:
         "steps": [_step_object(step) for step in lesson.step],
     }
     if part is not None:
-        found["notes"] = in_language(part.notes, language()) if part.notes else ""
-        for step, solved in zip(found["steps"], part.steps, strict=True):
+        fields["notes"] = in_language(part.notes, language()) if part.notes else ""
+        for step, solved in zip(fields["steps"], part.steps, strict=True):
             step["solution"] = solved.solution
             step["wrong"] = [*map(_wrong_object, solved.wrong)]
-    return found
+    return fields
 
 
 def _step(number: int, step: Step) -> Iterator[str]:

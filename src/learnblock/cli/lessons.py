@@ -49,7 +49,7 @@ def list_command(as_json: bool) -> None:  # noqa: FBT001 - a click flag
     from learnblock.lessons.reading import shipped, shipped_lesson  # noqa: PLC0415 - `--help`
     from learnblock.lessons.texts import in_language  # noqa: PLC0415 - `--help` needs none of it
 
-    found = [
+    rows = [
         {
             "name": opened.name,
             "title": in_language(opened.lesson.title, language()),
@@ -59,9 +59,9 @@ def list_command(as_json: bool) -> None:  # noqa: FBT001 - a click flag
         for opened in map(shipped_lesson, shipped())
     ]
     if as_json:
-        print_json(found)
+        print_json(rows)
         return
-    for lesson in found:
+    for lesson in rows:
         click.echo(f"{lesson['name']:<28} {lesson['minutes']:>3} min  {lesson['title']}")
 
 
@@ -164,25 +164,25 @@ def try_command(
     from learnblock.lessons.trying import attempts, read_program, try_step  # noqa: PLC0415
 
     opened = find_lesson(lesson)
-    wanted = attempts(opened, step, robots=robots or None, variants=variants)
+    plan = attempts(opened, step, robots=robots or None, variants=variants)
     source = running.read_text(program)
     runs: list[JudgedRun] = []
-    for judged in try_step(opened, step, source, wanted, filename=program.name):
+    for judged in try_step(opened, step, source, plan, filename=program.name):
         runs.append(judged)
         if not as_json:
             _print_judged(judged)
-    runs.sort(key=lambda judged: wanted.index(judged.attempt))
+    runs.sort(key=lambda judged: plan.index(judged.attempt))
     failed = next((judged for judged in runs if not is_done(judged.verdicts)), None)
-    given: tuple[Hint, ...] = ()
+    advice: tuple[Hint, ...] = ()
     if hints and failed:
         tree = read_program(source, program.name).tree
-        given = hints_for(opened, step, tree, failed)
+        advice = hints_for(opened, step, tree, failed)
     if as_json:
-        print_json([_as_object(judged, given if judged is failed else ()) for judged in runs])
+        print_json([_as_object(judged, advice if judged is failed else ()) for judged in runs])
     else:
-        _print_hints(given)
-    done = failed is None and len(runs) == len(wanted)
-    sys.exit(ExitCode.WELL if done else ExitCode.MISTAKES)
+        _print_hints(advice)
+    all_met = failed is None and len(runs) == len(plan)
+    sys.exit(ExitCode.WELL if all_met else ExitCode.MISTAKES)
 
 
 @lesson_group.command("pack")

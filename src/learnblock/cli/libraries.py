@@ -33,18 +33,18 @@ def list_command(as_json: bool) -> None:  # noqa: FBT001 - a click flag
     """List the installed libraries."""
     from learnblock.extensions.libraries import shelved  # noqa: PLC0415 - `--help` needs none of it
 
-    found = shelved()
+    shelf = shelved()
     if as_json:
-        print_json([_row(entry.name, entry.library, entry.problem) for entry in found])
+        print_json([_row(entry.name, entry.library, entry.problem) for entry in shelf])
         return
-    for entry in found:
+    for entry in shelf:
         if entry.library is None:
             problem = Phrase("cli-library-broken", problem=entry.problem)
             click.echo(f"{entry.name:<16} {text(problem)}")
         else:
             version = entry.library.manifest.version
             click.echo(f"{entry.name:<16} {version:<8} {', '.join(entry.library.skills)}")
-    if not found:
+    if not shelf:
         say("cli-library-none")
 
 
@@ -139,19 +139,19 @@ def import_command(addresses: tuple[str, ...], renames: tuple[str, ...], *, repl
     """
     from learnblock.extensions import libraries  # noqa: PLC0415
 
-    found = [libraries.find(address) for address in addresses]
+    originals = [libraries.find(address) for address in addresses]
     names = dict(map(_renaming, renames))
     for name in names:
-        if not any(name in library.skills for library in found):
+        if not any(name in library.skills for library in originals):
             raise LearnBlockError("cli-library-rename-unknown", skill=name)
-    chosen = [
+    copies = [
         libraries.renamed(
             library, {old: new for old, new in names.items() if old in library.skills}
         )
-        for library in found
+        for library in originals
     ]
-    new = libraries.install(chosen, replace=replace)
-    for library in chosen:
+    new = libraries.install(copies, replace=replace)
+    for library in copies:
         code = "cli-library-imported" if library in new else "cli-library-unchanged"
         say(code, name=library.name, version=library.manifest.version, skills=tuple(library.skills))
 

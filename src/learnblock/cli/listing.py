@@ -23,7 +23,7 @@ def worlds(as_json: bool) -> None:  # noqa: FBT001 - a click flag
         worlds as all_worlds,
     )
 
-    listed = [
+    rows = [
         {
             "name": world.name,
             "title": world.title,
@@ -32,9 +32,9 @@ def worlds(as_json: bool) -> None:  # noqa: FBT001 - a click flag
         for world in all_worlds()
     ]
     if as_json:
-        print_json(listed)
+        print_json(rows)
         return
-    for world in listed:
+    for world in rows:
         click.echo(f"{world['name']:<14} {world['title']}")
 
 
@@ -49,32 +49,32 @@ def skills(name: str | None, as_json: bool) -> None:  # noqa: FBT001 - a click f
     from learnblock.blocks.known import all_configurations  # noqa: PLC0415
     from learnblock.errors import UnknownNameError  # noqa: PLC0415
 
-    known = all_configurations()
-    if name is not None and name not in known:
-        raise UnknownNameError("skill", name, known)
-    listed = [known[name]] if name else list(known.values())
+    configurations = all_configurations()
+    if name is not None and name not in configurations:
+        raise UnknownNameError("skill", name, configurations)
+    selection = [configurations[name]] if name else list(configurations.values())
     if as_json:
-        print_json([_skill(skill) for skill in listed])
+        print_json([_skill(skill) for skill in selection])
     elif name:
-        _describe(listed[0])
+        _describe(selection[0])
     else:
-        _print_by_category(listed)
+        _print_by_category(selection)
 
 
 def robot_list(*, as_json: bool) -> None:
     """Print every robot with its devices."""
     from learnblock import robots  # noqa: PLC0415 - `--help` needs none of it
 
-    listed = [_robot(entry) for entry in robots.entries().values()]
+    rows = [_robot(entry) for entry in robots.entries().values()]
     if as_json:
-        print_json(listed)
+        print_json(rows)
         return
-    width = max(len(robot["name"]) for robot in listed)
-    for robot in listed:
-        shown = [", ".join(robot["devices"])] if robot["devices"] else []
+    width = max(len(robot["name"]) for robot in rows)
+    for robot in rows:
+        parts = [", ".join(robot["devices"])] if robot["devices"] else []
         if robot["problem"]:
-            shown.insert(0, text(robot["problem"]))
-        click.echo(f"{robot['name']:<{width}} {'; '.join(shown)}")
+            parts.insert(0, text(robot["problem"]))
+        click.echo(f"{robot['name']:<{width}} {'; '.join(parts)}")
 
 
 def _robot(entry: "RobotEntry") -> dict[str, Any]:

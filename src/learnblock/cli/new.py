@@ -131,9 +131,9 @@ def world(
     world = made_world(template, size, seed) if template else None
     files = world_files(name, folder or home(), world)
     _write(files, force=force)
-    given = name if folder is None else str(next(iter(files)))
+    world_argument = name if folder is None else str(next(iter(files)))
     say("cli-new-next")
-    print_command("learnblock", "run", "PROGRAM", "--world", given)
+    print_command("learnblock", "run", "PROGRAM", "--world", world_argument)
 
 
 def _plan(name: str | None, description: Path | None) -> "RobotPlan":

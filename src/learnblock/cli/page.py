@@ -70,8 +70,8 @@ def open_page(
     from learnblock.storage.home import home  # noqa: PLC0415 - `--help` needs none of it
 
     folder = projects or home() / "projects"
-    chosen = {name: value for name, value in place.items() if value is not None}
-    joins = not any(value for name, value in chosen.items() if name != "port")
+    options = {name: value for name, value in place.items() if value is not None}
+    joins = not any(value for name, value in options.items() if name != "port")
     with claimed(folder, take_over=take_over, read_only=read_only, joins=joins) as access:
         if not isinstance(access, Access):
             _join(access, folder, file, no_browser=no_browser, window=window)
@@ -83,7 +83,7 @@ def open_page(
             announce=_announce,
             access=access,
             classes=_own_classes,
-            **chosen,
+            **options,
         )
         if window:
             serve.serve_in_window(service)

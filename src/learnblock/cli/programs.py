@@ -163,23 +163,23 @@ def check(
         from learnblock.cli.robot_table import print_robots  # noqa: PLC0415
 
         sys.exit(print_robots(files, as_json=as_json))
-    found = {file: _diagnose(file, robot) for file in files}
+    results = {file: _diagnose(file, robot) for file in files}
     if as_json:
         print_json(
             [
                 _as_object(file, diagnostic)
-                for file, (all_, _) in found.items()
+                for file, (all_, _) in results.items()
                 for diagnostic in all_
             ]
         )
     else:
-        for file, (diagnostics, text) in found.items():
+        for file, (diagnostics, text) in results.items():
             print_diagnostics(str(file), diagnostics, text)
             if not diagnostics:
                 say("cli-no-problems", file=str(file))
     errors = [
         diagnostic
-        for all_, _ in found.values()
+        for all_, _ in results.values()
         for diagnostic in all_
         if diagnostic.severity == "error"
     ]
@@ -201,13 +201,15 @@ def format_command(
 
     The style is fixed: four spaces per level, and one space where needed.
     """
-    changed = [file for file in files if _format(file, only_check=only_check, to_stdout=to_stdout)]
+    changed_files = [
+        file for file in files if _format(file, only_check=only_check, to_stdout=to_stdout)
+    ]
     if as_json:
-        print_json({"changed": [str(file) for file in changed]})
+        print_json({"changed": [str(file) for file in changed_files]})
     elif not to_stdout:
-        for file in changed:
+        for file in changed_files:
             say("cli-would-change" if only_check else "cli-formatted", file=str(file))
-    sys.exit(ExitCode.MISTAKES if only_check and changed else ExitCode.WELL)
+    sys.exit(ExitCode.MISTAKES if only_check and changed_files else ExitCode.WELL)
 
 
 @click.command()
@@ -236,8 +238,8 @@ def convert(file: Path, notation: str, robot: str | None, as_json: bool) -> None
     if notation == "block-text":
         text = language.format(source.tree)
     else:
-        chosen = robots.module_of(robot or running.DEFAULT_ROBOT)
-        module = None if source.is_python and not robot else chosen
+        robot_module = robots.module_of(robot or running.DEFAULT_ROBOT)
+        module = None if source.is_python and not robot else robot_module
         text = language.to_python(source.tree, module).text
     if as_json:
         print_json({"file": str(file), "to": notation, "text": text})
@@ -267,12 +269,12 @@ def _format(file: Path, *, only_check: bool, to_stdout: bool) -> bool:
         raise LearnBlockError("cli-format-only-block-text", file=str(file))
     source = running.read(file)
     text = language.format(source.tree)
-    changed = text != source.text
+    is_different = text != source.text
     if to_stdout:
         click.echo(text, nl=False)
-    elif changed and not only_check:
+    elif is_different and not only_check:
         save(file, text.encode())
-    return changed
+    return is_different
 
 
 def _as_object(file: Path, diagnostic: Diagnostic) -> dict[str, object]:

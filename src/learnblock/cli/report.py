@@ -83,8 +83,8 @@ def ending(report: Report, limit: float | None) -> str:
         return text(Phrase(_HOW.get(How(report.ended), "report-ended-otherwise")))
     place = f"{error['file']}:{error['line']}: " if error["line"] else ""
     message = error["message"]
-    shown = text(message) if isinstance(message, Phrase) else str(message)
-    return text(f"{place}{shown}{_quoted(error)}{_within(error.get('within'))}")
+    sentence = text(message) if isinstance(message, Phrase) else str(message)
+    return text(f"{place}{sentence}{_quoted(error)}{_within(error.get('within'))}")
 
 
 def _within(place: object) -> str:

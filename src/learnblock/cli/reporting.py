@@ -73,16 +73,16 @@ def prepared(file: Path, *, as_json: bool, **choices: Any) -> Iterator[PreparedP
     """A program, read and checked; None, and a report, if it has mistakes."""
     with ExitStack() as stack:
         try:
-            found = stack.enter_context(opened(file, warn))
+            program_file = stack.enter_context(opened(file, warn))
         except FileError as error:
             if as_json:
                 print_json(refused_report(str(file), error.diagnostics))
             raise
-        yield _prepare(found, file, as_json=as_json, **choices)
+        yield _prepare(program_file, file, as_json=as_json, **choices)
 
 
 def _prepare(
-    found: ProgramFile,
+    program_file: ProgramFile,
     file: Path,
     *,
     robot: str | None,
@@ -96,16 +96,16 @@ def _prepare(
     allow_network: bool,
     as_json: bool,
 ) -> PreparedProgram | None:
-    source = found.source
-    entry = running.choose_robot(source, robot or found.robot)
+    source = program_file.source
+    entry = running.choose_robot(source, robot or program_file.robot)
     if world is None and entry.load().lockstep:
         # A real robot is in the world where it is.
-        world = found.world
+        world = program_file.world
     if errors := mistakes(source, entry, anyway=anyway, quiet=as_json):
         if as_json:
             print_json(refused_report(str(source.path), errors))
         return None
-    program = replace(running.program(source, entry), tags=found.tags)
+    program = replace(running.program(source, entry), tags=program_file.tags)
     recorded = RecordedKeyboard(read_keys(keys)) if keys else None
     if pace is None and not (recorded or as_json) and listens_to_terminal(program):
         # At full speed a run is over before a person has pressed a key.
@@ -138,12 +138,12 @@ def run_and_report(
         standby: the process for the program, if it has been started before.
         choices: the options of the run.
     """
-    with prepared(file, as_json=as_json, **choices) as found:
-        if found is None:
+    with prepared(file, as_json=as_json, **choices) as program:
+        if program is None:
             return ExitCode.MISTAKES
         check_picture(picture)
-        log = _log(found.job.program, why) if why else None
-        return _run_found(found, trace, picture, log, standby, as_json=as_json)
+        log = _log(program.job.program, why) if why else None
+        return _run_prepared(program, trace, picture, log, standby, as_json=as_json)
 
 
 def _log(program: Program, path: Path) -> RunLog:
@@ -157,8 +157,8 @@ def say_if_not_whole(log: RunLog) -> None:
         say("report-why-not-whole", reason=log.failure, err=True)
 
 
-def _run_found(
-    found: PreparedProgram,
+def _run_prepared(
+    program: PreparedProgram,
     trace: Path | None,
     picture: Path | None,
     log: RunLog | None,
@@ -166,31 +166,31 @@ def _run_found(
     *,
     as_json: bool,
 ) -> int:
-    with opened_trace(trace) as trace_file, _keyboard(found, as_json=as_json) as keyboard:
+    with opened_trace(trace) as trace_file, _keyboard(program, as_json=as_json) as keyboard:
         watcher = Collector(keyboard) if as_json else _Terminal(keyboard)
-        shown = 0
-        if not (picture or log) and (job := _shared(found, keyboard, trace_file)):
+        offset = 0
+        if not (picture or log) and (job := _shared(program, keyboard, trace_file)):
             if standby:
                 standby.end()
             shared = watcher.session = SharedRun(job, watcher)
             if result := _watched(shared.run, shared.stop, watcher):
                 if trace_file:
                     trace_file.write(result.trace)
-                return _reported(result.report, found.job, watcher, as_json=as_json)
+                return _reported(result.report, program.job, watcher, as_json=as_json)
             # It is made again, and prints the same again.
-            standby, shown = None, shared.shown
+            standby, offset = None, shared.shown
         session = ProgramRun(
-            found.job,
+            program.job,
             trace=trace_file,
             watcher=watcher,
             log=log,
-            lacking=partial(running.lacking, found.source),
+            lacking=partial(running.lacking, program.source),
             standby=standby,
         )
         watcher.session = session
-        watcher.skip(shown)
+        watcher.skip(offset)
         report = _watched(session.run, session.stop, watcher)
-        code = _reported(report, found.job, watcher, as_json=as_json)
+        code = _reported(report, program.job, watcher, as_json=as_json)
     if picture:
         _draw(session, picture)
         print_row("report-label-picture", str(picture))
@@ -213,21 +213,21 @@ def _reported(report: Report, job: Job, watcher: "Collector", *, as_json: bool) 
     return EXIT_CODES.get(How(report.ended), ExitCode.WELL)
 
 
-def _shared(found: PreparedProgram, keyboard: HeldKeys, trace: BinaryIO | None) -> Job | None:
+def _shared(program: PreparedProgram, keyboard: HeldKeys, trace: BinaryIO | None) -> Job | None:
     """The run in one process for host and program; None if that isn't possible."""
     if not isinstance(keyboard, NoKeys):
         # A person presses keys meanwhile.
         return None
-    keys = found.keys.keys if found.keys else None
-    job = replace(found.job, keys=keys, with_trace=trace is not None)
+    keys = program.keys.keys if program.keys else None
+    job = replace(program.job, keys=keys, with_trace=trace is not None)
     return job if can_share(job) else None
 
 
-def _keyboard(found: PreparedProgram, *, as_json: bool) -> AbstractContextManager[HeldKeys]:
+def _keyboard(program: PreparedProgram, *, as_json: bool) -> AbstractContextManager[HeldKeys]:
     """The keyboard of a run; one whose output is for a script does not listen to the terminal."""
-    if found.keys or as_json:
-        return nullcontext(found.keys or NoKeys())
-    return terminal_keyboard(found.job.program)
+    if program.keys or as_json:
+        return nullcontext(program.keys or NoKeys())
+    return terminal_keyboard(program.job.program)
 
 
 def demonstrate(picture: Path) -> int:

@@ -176,13 +176,13 @@ def _ask(key: str, struct: type[Struct], field: str, default: Any) -> Any:
     return click.prompt(f"{key} ({note})", default=default, value_proc=converted)
 
 
-def _ask_several(question: str, known: tuple[str, ...], default: str) -> list[str]:
+def _ask_several(question: str, options: tuple[str, ...], default: str) -> list[str]:
     def split(text: str) -> list[str]:
-        chosen = _split(text)
-        for choice in chosen:
-            if choice not in known:
-                raise _refused("new-ask-unknown", value=choice[:80], known=known)
-        return chosen
+        choices = _split(text)
+        for choice in choices:
+            if choice not in options:
+                raise _refused("new-ask-unknown", value=choice[:80], known=options)
+        return choices
 
     answer: list[str] = click.prompt(question, default=default, value_proc=split)
     return answer

@@ -19,19 +19,19 @@ from learnblock.senses import UNSERVED, served_by
 def print_robots(files: Iterable[Path], *, as_json: bool) -> ExitCode:
     """Print which robots can run each program, and why others can't; return the exit code."""
     failed = False
-    found: dict[str, Mapping[str, Verdict | Phrase]] = {}
+    table: dict[str, Mapping[str, Verdict | Phrase]] = {}
     for file in files:
         try:
-            found[str(file)] = running.runs_on(read(file, warn))
+            table[str(file)] = running.runs_on(read(file, warn))
         except FileError as error:
             failed = True
             print_diagnostics(str(file), error.diagnostics, error.source, err=True)
     if as_json:
         print_json(
-            [{"file": file, "robots": _objects(verdicts)} for file, verdicts in found.items()]
+            [{"file": file, "robots": _objects(verdicts)} for file, verdicts in table.items()]
         )
     else:
-        for name, verdicts in found.items():
+        for name, verdicts in table.items():
             click.echo(name)
             _print({robot: _phrase(verdict) for robot, verdict in verdicts.items()})
     return ExitCode.MISTAKES if failed else ExitCode.WELL
@@ -41,8 +41,8 @@ def print_serving(skill: BlockConfiguration) -> None:
     """Print what serves the needs of a skill on each robot."""
     served = serving(skill)
     kinds = {need.partition(":")[0] for need in skill.needed()}
-    known = [ways for ways in served.values() if ways is not None]
-    if kinds & UNSERVED and not any(map(_is_served, known)):
+    known_senses = [ways for ways in served.values() if ways is not None]
+    if kinds & UNSERVED and not any(map(_is_served, known_senses)):
         click.echo(f"  {text(Phrase('cli-served-by-no-robot'))}")
     else:
         _print({robot: _told(senses) for robot, senses in served.items()})
@@ -53,7 +53,7 @@ def serving(skill: BlockConfiguration) -> dict[str, dict[str, str | None] | None
 
     A robot whose devices depend on its settings has None instead.
     """
-    found: dict[str, dict[str, str | None] | None] = {}
+    table: dict[str, dict[str, str | None] | None] = {}
     for entry in robots.entries().values():
         try:
             equipment = entry.load().known_equipment()
@@ -61,10 +61,10 @@ def serving(skill: BlockConfiguration) -> dict[str, dict[str, str | None] | None
             # `learnblock robots` reports what is wrong with it.
             continue
         if equipment is None:
-            found[entry.name] = None
+            table[entry.name] = None
         else:
-            found[entry.name] = {need: served_by(need, equipment) for need in skill.needed()}
-    return found
+            table[entry.name] = {need: served_by(need, equipment) for need in skill.needed()}
+    return table
 
 
 def _is_served(ways: Mapping[str, str | None]) -> bool:

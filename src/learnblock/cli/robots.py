@@ -75,12 +75,12 @@ def set_command(
         raise usage_error("cli-default-without-value")
     if setting is not None and (value is not None or default):
         settings.change(robot.name(), robot.settings_type, setting, value)
-    known = {
+    by_name = {
         setting.name: setting for setting in settings.describe(robot.name(), robot.settings_type)
     }
-    if setting is not None and setting not in known:
-        raise UnknownNameError("setting", setting, known)
-    print_settings([known[setting]] if setting else list(known.values()), as_json=as_json)
+    if setting is not None and setting not in by_name:
+        raise UnknownNameError("setting", setting, by_name)
+    print_settings([by_name[setting]] if setting else list(by_name.values()), as_json=as_json)
 
 
 @robots_group.command()
@@ -95,15 +95,15 @@ def set_command(
 @json_option
 def scan(names: tuple[str, ...], seconds: float, as_json: bool) -> None:  # noqa: FBT001
     """Find real robots on serial ports, on the network and on this computer."""
-    found, problems = _scan(_kinds(names), seconds)
+    rows, problems = _scan(_kinds(names), seconds)
     if as_json:
-        print_json([*found, *problems])
+        print_json([*rows, *problems])
         return
-    for row in found:
+    for row in rows:
         click.echo(f"{row['robot']:<12} {_spelled(row['settings'])}")
     for problem in problems:
         click.echo(f"{problem['robot']:<12} {text(problem['problem'])}")
-    if not found:
+    if not rows:
         say("cli-no-robot-found")
 
 
@@ -117,10 +117,10 @@ def test(name: str, yes: bool) -> None:  # noqa: FBT001 - a click flag
 
     works = True
     with find(name).load()() as robot:
-        for tried in try_out(robot, _agree if yes else _ask):
-            works = works and tried.works is not False
-            verdict = text(_VERDICTS[tried.works])
-            click.echo(f"{verdict:<9} {tried.what:<24} {text(tried.detail)}")
+        for trial in try_out(robot, _agree if yes else _ask):
+            works = works and trial.works is not False
+            verdict = text(_VERDICTS[trial.works])
+            click.echo(f"{verdict:<9} {trial.what:<24} {text(trial.detail)}")
     sys.exit(ExitCode.WELL if works else ExitCode.MISTAKES)
 
 
@@ -206,7 +206,7 @@ def _scan(kinds: list[Any], seconds: float) -> tuple[list[Row], list[Row]]:
     """
     from learnblock.runtime.containment.driver import OwnThread  # noqa: PLC0415
 
-    found: list[Row] = []
+    rows: list[Row] = []
     problems: list[Row] = []
     looks = [(kind.name(), OwnThread(partial(_look, kind, seconds))) for kind in kinds]
     for name, look in looks:
@@ -217,8 +217,8 @@ def _scan(kinds: list[Any], seconds: float) -> tuple[list[Row], list[Row]]:
         except LearnBlockError as error:
             problems.append({"robot": name, "problem": error.phrase})
         else:
-            found += ({"robot": name, "settings": dict(settings)} for settings in robots)
-    return found, problems
+            rows += ({"robot": name, "settings": dict(settings)} for settings in robots)
+    return rows, problems
 
 
 def _look(kind: Any, seconds: float) -> list[Mapping[str, Any]]:
@@ -227,5 +227,5 @@ def _look(kind: Any, seconds: float) -> list[Mapping[str, Any]]:
     return list(kind.scan(seconds))
 
 
-def _spelled(chosen: Any) -> str:
-    return "  ".join(f"{name}={typed(value)}" for name, value in chosen.items())
+def _spelled(values: Any) -> str:
+    return "  ".join(f"{name}={typed(value)}" for name, value in values.items())

@@ -45,9 +45,9 @@ class RunningServer:
         # Another user of the folder could write an address into it. The token is not sent there.
         if owner is None or not owner.is_here or not owner.knows(token):
             return None
-        found = cls(owner.address, token)
-        with suppress(OSError, LearnBlockError), found._visit():
-            return found
+        server = cls(owner.address, token)
+        with suppress(OSError, LearnBlockError), server._visit():
+            return server
         return None
 
     def page(self, project: str | None = None) -> str:
@@ -60,9 +60,9 @@ class RunningServer:
         Raises:
             LearnBlockError: it can't.
         """
-        wanted = messages.Import(f"{project.name}{ENDING}", encode(project).decode())
+        request = messages.Import(f"{project.name}{ENDING}", encode(project).decode())
         with self._visit() as page:
-            page.send(msgspec.json.encode(wanted), text=True)
+            page.send(msgspec.json.encode(request), text=True)
             for received in _received(page):
                 match msgspec.json.decode(received)["kind"]:
                     case "Opened":

@@ -16,11 +16,11 @@ def sets_command(as_json: bool) -> None:  # noqa: FBT001 - a click flag
     from learnblock.blocks import block_sets  # noqa: PLC0415 - `--help` needs none of it
 
     own, wrong = block_sets.own()
-    found = (*block_sets.built_in().values(), *own)
+    sets = (*block_sets.built_in().values(), *own)
     if as_json:
-        print_json(found)
+        print_json(sets)
         return
-    for block_set in found:
+    for block_set in sets:
         about = _in_language(block_set.description) or _in_language(block_set.title)
         click.echo(f"{block_set.name:<20} {about}".rstrip())
     for error in wrong:

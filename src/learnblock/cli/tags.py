@@ -59,9 +59,9 @@ def import_command(file: Path, replace: bool) -> None:  # noqa: FBT001 - a click
     """
     from learnblock.perception import tag_names  # noqa: PLC0415 - `--help` needs none of it
 
-    found = tag_names.read(file)
-    _save({**({} if replace else _names()), **found})
-    say("cli-tags-imported", count=len(found), file=str(file))
+    names = tag_names.read(file)
+    _save({**({} if replace else _names()), **names})
+    say("cli-tags-imported", count=len(names), file=str(file))
 
 
 @tags_group.command()
@@ -98,9 +98,9 @@ def print_command(tags: tuple[str, ...], side: float, output: Path) -> None:
     from learnblock.perception.tag_names import tag_id  # noqa: PLC0415 - as above
 
     names = _names()
-    wanted = [(tag_id(tag), tag if tag in names else "") for tag in tags]
-    named = [(number, name) for name, number in names.items()]
-    save(output, sheet(wanted or named, side).encode())
+    selection = [(tag_id(tag), tag if tag in names else "") for tag in tags]
+    all_tags = [(number, name) for name, number in names.items()]
+    save(output, sheet(selection or all_tags, side).encode())
     say("cli-tags-print", file=str(output))
 
 

@@ -55,20 +55,20 @@ class _Part:
     """A program that was read, and its robots.
 
     Args:
-        found: the program, with what its project says.
+        file: the program, with what its project says.
         entry: the robot.
         assignment: the program and its robots as the user gave them.
     """
 
-    found: ProgramFile
+    file: ProgramFile
     entry: RobotEntry
     assignment: Assignment
 
     @cached_property
     def program(self) -> Program:
         """The program as it runs on the robot."""
-        program = running.program(self.found.source, self.entry)
-        return replace(program, tags=self.found.tags)
+        program = running.program(self.file.source, self.entry)
+        return replace(program, tags=self.file.tags)
 
 
 def run_team(
@@ -103,7 +103,7 @@ def run_team(
         if pace is None and (listens or not all(part.entry.load().lockstep for part in parts)):
             # A world at full speed would be over before a real robot or a person has moved.
             pace = "real"
-        worlds = (part.found.world for part in parts if part.entry.load().lockstep)
+        worlds = (part.file.world for part in parts if part.entry.load().lockstep)
         options = Options(world or next(filter(None, worlds), None), seed, pace, variant=variant)
         options = replace(options, seconds=time_limit(pace, seconds), anyway=anyway)
         jobs = _jobs(parts, options, network=allow_network)
@@ -263,10 +263,10 @@ def _read(
         if as_json:
             _print_refused(assignment, refused_report(str(assignment.file), error.diagnostics))
         raise
-    chosen = assignment.robot or robot
+    robot_name = assignment.robot or robot
     return [
-        _Part(found, running.choose_robot(found.source, chosen or found.robot), assignment)
-        for found in files
+        _Part(file, running.choose_robot(file.source, robot_name or file.robot), assignment)
+        for file in files
     ]
 
 
@@ -274,7 +274,7 @@ def _refuse(parts: Sequence[_Part], *, anyway: bool, as_json: bool) -> bool:
     """Print what the check finds in the programs; return whether one of them may not run."""
     refused = False
     for part in parts:
-        source = part.found.source
+        source = part.file.source
         errors = mistakes(source, part.entry, anyway=anyway, quiet=as_json)
         if errors and as_json and not refused:
             _print_refused(part.assignment, refused_report(str(source.path), errors))
@@ -283,8 +283,8 @@ def _refuse(parts: Sequence[_Part], *, anyway: bool, as_json: bool) -> bool:
 
 
 def _print_refused(assignment: Assignment, report: Report) -> None:
-    named = {"name": _stem(assignment), "program": assignment.file.name}
-    row = {**named, "robot": assignment.robot, **_own(report)}
+    identity = {"name": _stem(assignment), "program": assignment.file.name}
+    row = {**identity, "robot": assignment.robot, **_own(report)}
     print_json({"robots": [row], "goals": (), "trace_sha256": None})
 
 
@@ -300,11 +300,11 @@ def _jobs(parts: Sequence[_Part], options: Options, *, network: bool) -> dict[st
 
 
 def _count(part: _Part) -> int:
-    return part.assignment.count * part.found.count
+    return part.assignment.count * part.file.count
 
 
 def _name(part: _Part) -> str:
-    return part.found.name or _stem(part.assignment)
+    return part.file.name or _stem(part.assignment)
 
 
 def _stem(assignment: Assignment) -> str:
@@ -356,8 +356,8 @@ def _as_object(report: TeamReport, session: TeamRun, screen: _Screen) -> dict[st
 
 
 def _robot_as_object(name: str, job: Job, report: Report) -> dict[str, object]:
-    named = {"name": name, "program": job.program.name, "robot": job.robot.name}
-    return {**named, **_own(report)}
+    identity = {"name": name, "program": job.program.name, "robot": job.robot.name}
+    return {**identity, **_own(report)}
 
 
 def _own(report: Report) -> dict[str, object]:
@@ -373,13 +373,13 @@ def _own(report: Report) -> dict[str, object]:
 def _draw(session: TeamRun, path: Path) -> None:
     from learnblock.robots.simulated import draw  # noqa: PLC0415 - only a simulated world is drawn
 
-    drawn = {}
+    recordings = {}
     for name in session.jobs:
         client, recorder = session.client(name), session.recorder(name)
         if client and recorder:
-            drawn[name] = client, recorder
-    if not drawn:
+            recordings[name] = client, recorder
+    if not recordings:
         raise LearnBlockError("report-no-picture")
     programs = ", ".join(dict.fromkeys(job.program.name for job in session.jobs.values()))
-    draw(drawn, path, programs)
+    draw(recordings, path, programs)
     print_row("report-label-picture", str(path))

@@ -74,11 +74,11 @@ class PosixTerminal:
         termios.tcsetattr(self._file, termios.TCSAFLUSH, modes)
 
 
-def keys_in(sent: str) -> list[str]:
+def keys_in(text: str) -> list[str]:
     r"""The keys in what a terminal has sent that programs can ask for.
 
     >>> keys_in("a\x1b[AW\x1b[5~")
     ['a', 'up', 'w']
     """
-    keys = [_SENT.get(key, key.lower()) for key in _ONE_KEY.findall(sent)]
+    keys = [_SENT.get(key, key.lower()) for key in _ONE_KEY.findall(text)]
     return [key for key in keys if key in KEYS]

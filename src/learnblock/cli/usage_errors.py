@@ -92,8 +92,8 @@ def reported_in_own_language() -> Iterator[None]:
 def translated(english: str) -> str:
     """A message of click in the reader's language; any other unchanged."""
     for pattern, code in _PATTERNS:
-        if found := pattern.fullmatch(english):
-            values = found.groupdict()
+        if match := pattern.fullmatch(english):
+            values = match.groupdict()
             if "message" in values:
                 values["message"] = translated(values["message"])
             return words(code, english, **values)

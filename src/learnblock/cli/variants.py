@@ -21,15 +21,15 @@ def run_variants(file: Path, *, variants: int, as_json: bool, **choices: Any) ->
     """Run a program in the variants 1 to `variants`, print a table, and return the exit code."""
     if any(choices.pop(name) is not None for name in ("trace", "picture")) or choices["variant"]:
         raise usage_error("report-variants-alone")
-    with prepared(file, as_json=as_json, **choices) as found:
-        if found is None:
+    with prepared(file, as_json=as_json, **choices) as program:
+        if program is None:
             return ExitCode.MISTAKES
-        return _run_all(found, variants, as_json=as_json)
+        return _run_all(program, variants, as_json=as_json)
 
 
-def _run_all(found: PreparedProgram, variants: int, *, as_json: bool) -> int:
+def _run_all(program: PreparedProgram, variants: int, *, as_json: bool) -> int:
     numbers = range(1, variants + 1)
-    job = replace(found.job, keys=found.keys.keys if found.keys else None)
+    job = replace(program.job, keys=program.keys.keys if program.keys else None)
     jobs = [replace(job, options=replace(job.options, variant=number)) for number in numbers]
     batch = Batch(jobs)
     # They end in any order.
@@ -39,12 +39,12 @@ def _run_all(found: PreparedProgram, variants: int, *, as_json: bool) -> int:
         for index, result in batch.results():
             ended[index + 1] = result.report
             if not as_json:
-                printed = _print_rows(ended, printed, found.job.options.seconds)
+                printed = _print_rows(ended, printed, program.job.options.seconds)
     reports = dict(sorted(ended.items()))
     if not as_json:
         # Those that ended after one that was stopped.
         for number in list(reports)[printed:]:
-            click.echo(_row(number, reports[number], found.job.options.seconds), err=True)
+            click.echo(_row(number, reports[number], program.job.options.seconds), err=True)
     _print(reports, as_json=as_json)
     codes = (EXIT_CODES.get(How(report.ended), ExitCode.WELL) for report in reports.values())
     return max(codes) if len(reports) == variants else ExitCode.INTERRUPTED
@@ -81,8 +81,8 @@ def _has_reached_all(report: Report) -> bool:
 def _print(reports: Mapping[int, Report], *, as_json: bool) -> None:
     reached = sum(map(_has_reached_all, reports.values()))
     if as_json:
-        listed = [{"variant": number, "report": report} for number, report in reports.items()]
-        print_json({"reached": reached, "variants": listed})
+        rows = [{"variant": number, "report": report} for number, report in reports.items()]
+        print_json({"reached": reached, "variants": rows})
     else:
         total = Phrase("report-variants-reached", reached=reached, all=len(reports))
         click.echo(text(total), err=True)

@@ -33,8 +33,8 @@ class WindowsTerminal:
 
     def _waiting(self) -> Iterator[str]:
         while self._console.kbhit():
-            sent = self._console.getch()
-            if sent not in _SPECIAL:
-                yield _NAMED.get(sent, sent.decode("ascii", "replace").lower())
+            code = self._console.getch()
+            if code not in _SPECIAL:
+                yield _NAMED.get(code, code.decode("ascii", "replace").lower())
             elif self._console.kbhit():
                 yield _ARROWS.get(self._console.getch(), "")

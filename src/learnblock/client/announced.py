@@ -45,19 +45,19 @@ class Announced:
         names = cls.known_devices()
         if names is None:
             return None
-        found = senses.equipment(names, cls.abilities()) - _EMOTIONS
-        return found | _EMOTIONS if cls._recognises_emotions(names) else found
+        equipment = senses.equipment(names, cls.abilities()) - _EMOTIONS
+        return equipment | _EMOTIONS if cls._recognises_emotions(names) else equipment
 
     @classmethod
     def _recognises_emotions(cls, names: frozenset[str]) -> bool:
         if not any(name.startswith("Camera:") for name in names):
             return False
         # A camera that the user's settings add is a real one.
-        drawn = cls.sees_drawn_faces and "Camera:ROBOT" in names
+        is_drawn = cls.sees_drawn_faces and "Camera:ROBOT" in names
         from learnblock.perception.settings import TABLE  # noqa: PLC0415 - rarely used
 
         try:
-            return TABLE.load().permits("emotions", drawn=drawn)
+            return TABLE.load().permits("emotions", drawn=is_drawn)
         except SettingsError:
             # As in `known_devices`.
             return False

@@ -224,12 +224,12 @@ class Client(Announced, Driver, Events):
         camera = self.device(Camera, key)
         if camera is None:
             return None
-        found = self._seen((Camera, key, name), lambda: camera.detect(name))
-        if found is None:
+        detection = self._seen((Camera, key, name), lambda: camera.detect(name))
+        if detection is None:
             self.note_missing(f"Detector:{name}")
         else:
-            self.detected[name] = found
-        return found
+            self.detected[name] = detection
+        return detection
 
     def await_reading(self, subject: Hashable, pace: str = SENSORS) -> None:
         """Wait for a new reading if the present one has already answered this question.
@@ -317,7 +317,9 @@ class Client(Announced, Driver, Events):
         self._attach({name})
         if name in vars(self):
             return vars(self)[name]
-        suggestion = nearest(name, [known for known in dir(self) if not known.startswith("_")])
+        suggestion = nearest(
+            name, [attribute for attribute in dir(self) if not attribute.startswith("_")]
+        )
         if suggestion is None:
             raise RobotAttributeError("robot-unknown-skill", name=name)
         raise RobotAttributeError("robot-unknown-skill-like", name=name, suggestion=suggestion)

@@ -42,9 +42,11 @@ class Driver:
         from learnblock.perception.sources import TABLE  # noqa: PLC0415 - slow, and for traces only
 
         # Names only: a trace must not reveal addresses and paths.
-        chosen = [setting.name for setting in TABLE.describe() if setting.value != setting.default]
+        setting_names = [
+            setting.name for setting in TABLE.describe() if setting.value != setting.default
+        ]
         robot = type(self).__module__.rpartition(".")[2].replace("_", "-")
-        return {"robot": robot, **({"perception": chosen} if chosen else {})}
+        return {"robot": robot, **({"perception": setting_names} if setting_names else {})}
 
     def surroundings(self) -> Mapping[str, object]:
         """What the log of a run must know: a simulated robot's world, a real one's calibration."""

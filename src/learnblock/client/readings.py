@@ -151,12 +151,12 @@ class SteppedReadings(Readings):
             return
         self._asking = question
         # As text, since a question's arguments may not be comparable.
-        asked = repr(question)
+        question_text = repr(question)
         interval = self._interval(pace)
-        if asked in interval.answered:
+        if question_text in interval.answered:
             self._clock.sleep(interval.end - self._clock.time())
             interval = self._interval(pace)
-        interval.answered.add(asked)
+        interval.answered.add(question_text)
 
     def forget_questions(self) -> None:
         for interval in self._intervals.values():
@@ -295,13 +295,13 @@ class PolledReadings(Readings):
             self._renew(key, read)
 
     def _renew(self, key: Key, read: Read) -> None:
-        changed = self._changed
+        version = self._changed
         result = _outcome(read)
         if result[1] is None:
             self._last_read = self._clock.time()
         with self._lock:
             # A reading that overlaps a change of the sensor, such as a reset, is out of date.
-            if changed == self._changed:
+            if version == self._changed:
                 self._results[key] = result
 
 

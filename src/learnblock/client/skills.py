@@ -70,23 +70,25 @@ def find(names: Collection[str] | None = None) -> dict[str, Skill]:
     A user's file runs only when one of its skills is first called, so a mistake in it does
     not affect other programs.
     """
-    found: dict[str, Skill] = {}
+    skills: dict[str, Skill] = {}
     for search in (_ours, _imported, _users, _plugins):
-        missing = None if names is None else set(names) - found.keys()
-        found = search(missing) | found
-    return found
+        missing = None if names is None else set(names) - skills.keys()
+        skills = search(missing) | skills
+    return skills
 
 
 def _of_modules(modules: Iterator[ModuleType], names: Collection[str] | None) -> dict[str, Skill]:
     """The skills in modules; stops importing once all names are found."""
-    found: dict[str, Skill] = {}
-    while names is None or not found.keys() >= set(names):
+    matches: dict[str, Skill] = {}
+    while names is None or not matches.keys() >= set(names):
         module = next(modules, None)
         if module is None:
             break
         skills = _skills_of(module)
-        found = {name: skill for name, skill in skills if names is None or name in names} | found
-    return found
+        matches = {
+            name: skill for name, skill in skills if names is None or name in names
+        } | matches
+    return matches
 
 
 def functions(module: ModuleType) -> Iterator[tuple[str, Skill]]:
@@ -102,10 +104,10 @@ def functions(module: ModuleType) -> Iterator[tuple[str, Skill]]:
 
 def _skills_of(module: ModuleType) -> Iterator[tuple[str, Skill]]:
     """The skills of a module; in a library, only the functions whose first parameter is `robot`."""
-    taken = functions(module)
+    candidates = functions(module)
     if not module.__name__.startswith(_LIBRARIES):
-        return taken
-    return ((name, skill) for name, skill in taken if _takes_robot(skill))
+        return candidates
+    return ((name, skill) for name, skill in candidates if _takes_robot(skill))
 
 
 def _takes_robot(function: Skill) -> bool:
@@ -131,12 +133,12 @@ def _plugins(names: Collection[str] | None) -> dict[str, Skill]:
 
 
 def _users(names: Collection[str] | None) -> dict[str, Skill]:
-    found: dict[str, Skill] = {}
+    skills: dict[str, Skill] = {}
     for path in skill_files.own_files() if names is None or names else ():
         for name in skill_files.names(path):
             if names is None or name in names:
-                found.setdefault(name, _later(path, name))
-    return found
+                skills.setdefault(name, _later(path, name))
+    return skills
 
 
 def _later(path: Path, name: str) -> Skill:

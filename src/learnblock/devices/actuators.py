@@ -121,9 +121,9 @@ class Display(Device):
 
     def show_emotion(self, emotion: Emotion | str) -> None:
         """Show an emotion or the emotion with this name."""
-        shown = _emotion(emotion)
-        self.functions["show_emotion"](shown.value)
-        self.emotion = shown
+        expression = _emotion(emotion)
+        self.functions["show_emotion"](expression.value)
+        self.emotion = expression
 
     def show_image(self, frame: "Frame") -> bool:
         """Show a picture; return False if the face can only show emotions."""
@@ -293,7 +293,7 @@ def _emotion(emotion: str) -> Emotion:
     try:
         return Emotion(emotion)
     except ValueError:
-        names = tuple(known.value for known in Emotion)
+        names = tuple(member.value for member in Emotion)
         suggestion = nearest(str(emotion), names)
         if suggestion is None:
             raise DeviceValueError(

@@ -16,10 +16,10 @@ def positive(name: str, value: object, code: str) -> float:
     Raises:
         DeviceValueError: the parameter has any other value.
     """
-    found = number(name, value)
-    if found <= 0:
-        raise DeviceValueError(code, value=found)
-    return found
+    result = number(name, value)
+    if result <= 0:
+        raise DeviceValueError(code, value=result)
+    return result
 
 
 def number(name: str, value: object) -> float:

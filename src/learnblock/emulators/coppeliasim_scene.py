@@ -42,7 +42,9 @@ class TwinScene:
         with twin.body() as body:
             self._about = body.description
             self._sides = {
-                side: range(len(seen)) for side, seen in body.distances().items() if seen
+                side: range(len(readings))
+                for side, readings in body.distances().items()
+                if readings
             }
         self._state = STOPPED
         self._wheels = {"left": 0.0, "right": 0.0}
@@ -95,8 +97,8 @@ class TwinScene:
     # The API.
 
     def _paths(self) -> list[str]:
-        named = (value for value in self.parts.values() if not isinstance(value, float))
-        paths = (path for value in named for path in ([value] if isinstance(value, str) else value))
+        parts = (value for value in self.parts.values() if not isinstance(value, float))
+        paths = (path for value in parts for path in ([value] if isinstance(value, str) else value))
         return ["/LearnBlock", "/Funciones", *(path for path in paths if path.startswith("/"))]
 
     def _object(self, path: str) -> int:
@@ -105,8 +107,8 @@ class TwinScene:
         return self._handles[path]
 
     def _path(self, handle: int) -> str:
-        for path, known in self._handles.items():
-            if known == handle:
+        for path, other in self._handles.items():
+            if other == handle:
                 return path
         raise SceneError(f"Object does not exist: {handle}.")
 
@@ -123,10 +125,10 @@ class TwinScene:
     def _call_script_function(self, function: str, handle: int, *arguments: Any) -> Any:
         if self._state == STOPPED:
             raise SceneError("the script is not initialized: the simulation is stopped")
-        known = self._scripts.get(self._path(handle), {})
-        if function not in known:
+        functions = self._scripts.get(self._path(handle), {})
+        if function not in functions:
             raise SceneError(f"Failed calling script function '{function}'")
-        return known[function](*arguments)
+        return functions[function](*arguments)
 
     def _move(self, adv: float, rot: float) -> None:
         with self._twin.body() as body:
@@ -165,10 +167,10 @@ class TwinScene:
         side = self._path(handle).removeprefix("/Robot/").rstrip("0123456789")
         number = int(self._path(handle).removeprefix(f"/Robot/{side}"))
         with self._twin.body() as body:
-            seen = body.distances()[side][number]
-        if seen >= NOTHING_SEEN:
+            distance = body.distances()[side][number]
+        if distance >= NOTHING_SEEN:
             return 0, 0.0, [0.0, 0.0, 0.0], -1, [0.0, 0.0, 0.0]
-        return 1, seen / 1000, [0.0, 0.0, seen / 1000], 99, [0.0, 0.0, -1.0]
+        return 1, distance / 1000, [0.0, 0.0, distance / 1000], 99, [0.0, 0.0, -1.0]
 
     def _vision(self, handle: int) -> Any:
         """A detection and 15 numbers, of which the eleventh is the average intensity."""

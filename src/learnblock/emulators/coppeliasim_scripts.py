@@ -76,8 +76,10 @@ class OurScript:
     def _sense(self) -> Mapping[str, Any]:
         self._hear()
         with self._twin.body() as body:
-            distances = {side: seen for side, seen in body.distances().items() if seen}
-            grounds = {side: seen for side, seen in body.ground().items() if seen is not None}
+            distances = {side: readings for side, readings in body.distances().items() if readings}
+            grounds = {
+                side: reading for side, reading in body.ground().items() if reading is not None
+            }
             light = body.light() if body.description.light else 0.0
             senses = {"pose": body.pose, "distances": distances, "ground": grounds, "light": light}
         # An empty Lua table could also be a list, so it is left out.
@@ -128,5 +130,5 @@ class PaperScript:
     def _nearest(self) -> float:
         """The distance in m; 0 if nothing is seen, as from V-REP's proximity sensors."""
         with self._twin.body() as body:
-            seen = min(body.distances()["front"], default=NOTHING_SEEN)
-        return 0.0 if seen >= NOTHING_SEEN else seen / 1000
+            distance = min(body.distances()["front"], default=NOTHING_SEEN)
+        return 0.0 if distance >= NOTHING_SEEN else distance / 1000

@@ -26,8 +26,8 @@ _FOLDERS = ("/usr/sbin", "/usr/local/sbin")
 
 def find_broker() -> str | None:
     """The path of the program mosquitto; None if it is not installed."""
-    found = (shutil.which("mosquitto", path=folder) for folder in (None, *_FOLDERS))
-    return next((path for path in found if path), None)
+    paths = (shutil.which("mosquitto", path=folder) for folder in (None, *_FOLDERS))
+    return next((path for path in paths if path), None)
 
 
 class Broker:

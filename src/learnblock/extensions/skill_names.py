@@ -36,11 +36,11 @@ def places(tree: ast.Module, source: str, names: Collection[str]) -> Iterator[Na
         yield NamePosition(line, column, name, lines[line - 1][column : column + len(text)] == text)
 
 
-def replaced(source: str, found: Iterable[NamePosition], names: Mapping[str, str]) -> str:
+def replaced(source: str, positions: Iterable[NamePosition], names: Mapping[str, str]) -> str:
     """The source with other names at these positions, which must be plain."""
     lines = _lines(source)
     # From the end, so that earlier positions stay valid.
-    for place in sorted(found, reverse=True):
+    for place in sorted(positions, reverse=True):
         text, end = lines[place.line - 1], place.column + len(place.name.encode())
         lines[place.line - 1] = text[: place.column] + names[place.name].encode() + text[end:]
     return b"\n".join(lines).decode("utf-8", "surrogatepass")

@@ -10,6 +10,6 @@ def goal_phrase(name: str) -> str | Phrase:
     """A goal of one of our worlds in the reader's words; other names as they are."""
     word = re.sub(r"[^a-z0-9]+", "-", name.casefold())
     code = f"page-catalog-name-{word}"
-    if found := re.fullmatch(r"tag (\d+)", name):
-        return Phrase("page-catalog-goal-tag", number=found[1])
+    if match := re.fullmatch(r"tag (\d+)", name):
+        return Phrase("page-catalog-goal-tag", number=match[1])
     return Phrase(code) if is_known(code) else name

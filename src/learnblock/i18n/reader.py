@@ -18,9 +18,9 @@ def system_language() -> str:
 def _names() -> Iterator[str]:
     """The locales from the environment, else from the system, the most important first."""
     variables = (VARIABLE, "LC_ALL", "LC_MESSAGES", "LANG")
-    named = [value for name in variables if (value := os.environ.get(name, ""))]
+    locales = [value for name in variables if (value := os.environ.get(name, ""))]
     # The first one is used, even if we do not have its language.
-    yield from named[:1] or [locale.getlocale()[0] or ""]
+    yield from locales[:1] or [locale.getlocale()[0] or ""]
 
 
 def _code(name: str) -> str:

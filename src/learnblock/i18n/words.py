@@ -26,8 +26,8 @@ _THOUSAND = 1000
 @cache
 def languages() -> tuple[str, ...]:
     """The codes of the available languages, English first."""
-    found = sorted(folder.name for folder in _FOLDER.iterdir() if _is_language(folder))
-    return (ENGLISH, *(name for name in found if name != ENGLISH))
+    codes = sorted(folder.name for folder in _FOLDER.iterdir() if _is_language(folder))
+    return (ENGLISH, *(name for name in codes if name != ENGLISH))
 
 
 def is_code(text: str) -> bool:
@@ -82,8 +82,8 @@ def _text(language: str, area: str) -> str | None:
 @cache
 def _plain(language: str, area: str) -> dict[str, str]:
     """By code the words that are text and places for values, which need no Fluent."""
-    found = _ONE_LINE.findall(_text(language, area) or "")
-    return {code: text.rstrip() for code, text in found if not _BRACE.search(_PLACE.sub("", text))}
+    pairs = _ONE_LINE.findall(_text(language, area) or "")
+    return {code: text.rstrip() for code, text in pairs if not _BRACE.search(_PLACE.sub("", text))}
 
 
 def _is_plain(value: str | float | None) -> bool:

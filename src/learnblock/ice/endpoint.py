@@ -51,8 +51,8 @@ class Endpoint(Closing):
         try:
             return connection.call(opening, parameters, deadline)
         except IceLinkError as error:
-            heard = not isinstance(error, NeverReadError)
-            if is_new or (heard and not again) or deadline.is_over:
+            is_read = not isinstance(error, NeverReadError)
+            if is_new or (is_read and not again) or deadline.is_over:
                 raise
         connection, _ = self._connected(deadline)
         return connection.call(opening, parameters, deadline)

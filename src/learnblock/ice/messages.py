@@ -168,14 +168,14 @@ def open_reply(reader: Reader) -> Reader:
     raise _read_exception(status, reader)
 
 
-def reply(asked: Request, gives: Writer) -> bytes:
+def reply(call: Request, gives: Writer) -> bytes:
     """The message with the results of an operation."""
-    return _reply(asked, Status.OK, gives.encapsulated())
+    return _reply(call, Status.OK, gives.encapsulated())
 
 
-def refusal(asked: Request, refused: Refusal, sentence: str) -> bytes:
+def refusal(call: Request, refused: Refusal, sentence: str) -> bytes:
     """The message with a user exception."""
-    version = asked.parameters.version
+    version = call.parameters.version
     members = Writer(version)
     members.text(sentence)
     writer = Writer(version)
@@ -188,30 +188,30 @@ def refusal(asked: Request, refused: Refusal, sentence: str) -> bytes:
         writer.text(refused.type_id)
         writer.pack(_INT, _INT.size + len(members.data))
     writer.data += members.data
-    return _reply(asked, Status.USER_EXCEPTION, writer.encapsulated())
+    return _reply(call, Status.USER_EXCEPTION, writer.encapsulated())
 
 
-def not_there(asked: Request, status: Status) -> bytes:
+def not_there(call: Request, status: Status) -> bytes:
     """The message for a missing object or operation."""
     writer = Writer()
-    writer.text(asked.identity)
+    writer.text(call.identity)
     writer.text("")
-    writer.size(len(asked.facet))
-    for name in asked.facet:
+    writer.size(len(call.facet))
+    for name in call.facet:
         writer.text(name)
-    writer.text(asked.operation)
-    return _reply(asked, status, bytes(writer.data))
+    writer.text(call.operation)
+    return _reply(call, status, bytes(writer.data))
 
 
-def failure(asked: Request, status: Status, sentence: str) -> bytes:
+def failure(call: Request, status: Status, sentence: str) -> bytes:
     """The message for an unexpected failure of an operation."""
     writer = Writer()
     writer.text(sentence)
-    return _reply(asked, status, bytes(writer.data))
+    return _reply(call, status, bytes(writer.data))
 
 
-def _reply(asked: Request, status: Status, body: bytes) -> bytes:
-    return message(MessageKind.REPLY, _INT.pack(asked.number) + bytes((status,)) + body)
+def _reply(call: Request, status: Status, body: bytes) -> bytes:
+    return message(MessageKind.REPLY, _INT.pack(call.number) + bytes((status,)) + body)
 
 
 def _read_exception(status: Status, reader: Reader) -> IceRefusedError:

@@ -93,9 +93,9 @@ class Stream:
             if not data:
                 raise ConnectionResetError
             self._received += data
-        taken = bytes(memoryview(self._received)[:size])
+        part = bytes(memoryview(self._received)[:size])
         del self._received[:size]
-        return taken
+        return part
 
 
 def _left(deadline: Deadline) -> float:

@@ -95,12 +95,12 @@ def _found(
             yield parse_old(data, f"{shown(name)}.lb", skills, reporting)
 
 
-def _from_libraries(libraries: Iterable[Program], taken: set[str]) -> Iterator[ProgramPart]:
+def _from_libraries(libraries: Iterable[Program], names: set[str]) -> Iterator[ProgramPart]:
     """The functions of libraries, which become part of the program."""
     for function in (function for library in libraries for function in library.functions.values()):
         name = f"def {function.name}"
-        if name not in taken:
-            taken.add(name)
+        if name not in names:
+            names.add(name)
             yield ProgramPart(
                 tuple(language.format(Program((function,))).splitlines()), _NOWHERE, name
             )
@@ -117,8 +117,10 @@ def _missing(writer: OldProgramWriter, parts: Sequence[ProgramPart]) -> Iterator
         reporting.change(Phrase("import-heard", event=event, condition=condition))
         header = f"when {event} = {condition}:"
         yield ProgramPart((header, "pass", "end"), _NOWHERE, f"when {event}")
-    heard = lines.heard.keys()
-    for name in undefined(parts, [event for event in lines.events if event not in heard], "when"):
+    messages = lines.heard.keys()
+    for name in undefined(
+        parts, [event for event in lines.events if event not in messages], "when"
+    ):
         reporting.miss(Phrase("import-no-event", name=name))
         yield ProgramPart((f"when {name}:", "pass", "end"), _NOWHERE, f"when {name}")
 
@@ -181,15 +183,15 @@ class _Conversion:
 
     def workspace(self) -> Workspace:
         program = self.parsed(self.text(with_loose=True))
-        found = language.to_workspace(program, self.skills)
+        conversion = language.to_workspace(program, self.skills)
         places: dict[str, ProgramPart] = {}
-        named = {part.name: part for part in self.parts}
-        named |= {f"def {_LOOSE}{number}": part for number, part in enumerate(self.loose)}
+        by_name = {part.name: part for part in self.parts}
+        by_name |= {f"def {_LOOSE}{number}": part for number, part in enumerate(self.loose)}
         for node in (*program.items, *([program.main] if program.main else ())):
-            if (part := named.get(_name(node))) is not None:
-                places[found.block_ids[id(node)]] = part
-        stacks = [_placed(stack, places.get(stack[0].id)) for stack in found.workspace.stacks]
-        return Workspace([stack for stack in stacks if stack], found.workspace.variables)
+            if (part := by_name.get(_name(node))) is not None:
+                places[conversion.block_ids[id(node)]] = part
+        stacks = [_placed(stack, places.get(stack[0].id)) for stack in conversion.workspace.stacks]
+        return Workspace([stack for stack in stacks if stack], conversion.workspace.variables)
 
 
 def _as_statements(part: ProgramPart) -> Iterable[str]:

@@ -95,8 +95,8 @@ def import_library(
         raise ProjectError(files.filename, [Diagnostic("no-functions", message)])
     described = _described(files, program, reporting)
     _report_python(files, program, reporting)
-    written = _made(files.filename, program, described, reporting)
-    return ImportedLibrary(format_program(program), written, reporting.report())
+    library = _made(files.filename, program, described, reporting)
+    return ImportedLibrary(format_program(program), library, reporting.report())
 
 
 def import_text(data: bytes, filename: str, skills: Mapping[str, BlockConfiguration]) -> Imported:
@@ -115,9 +115,9 @@ def find_library(folder: Path, name: str) -> bytes | None:
     if not _NAME.fullmatch(name):
         return None
     for place in (folder / name, folder.parent / name):
-        found = _read_if_there(place / f"{name}{LIBRARY_ENDING}")
-        if found is not None:
-            return found
+        content = _read_if_there(place / f"{name}{LIBRARY_ENDING}")
+        if content is not None:
+            return content
     return None
 
 
@@ -152,14 +152,14 @@ def _described(files: LibraryFiles, program: Program, reporting: Reporting) -> d
         return {}
     name = files.beside(".conf")
     try:
-        found = msgspec.json.decode(decoded(files.configuration, name), type=list[_OldBlock])
+        blocks = msgspec.json.decode(decoded(files.configuration, name), type=list[_OldBlock])
     except (msgspec.MsgspecError, RecursionError) as error:
         reporting.miss(Phrase("import-not-readable", name=name, reason=str(error)))
         return {}
-    for block in found:
+    for block in blocks:
         if block.name not in program.functions:
             reporting.miss(Phrase("import-no-block", name=block.name[:100]))
-    return {block.name: block for block in found}
+    return {block.name: block for block in blocks}
 
 
 def _report_python(files: LibraryFiles, program: Program, reporting: Reporting) -> None:

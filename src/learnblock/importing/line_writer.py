@@ -134,14 +134,14 @@ class LineWriter:
 
     def switch(self, name: str, event: str) -> str:
         """``activate X`` or ``deactivate X``."""
-        word, _, given = name.partition(" ")
-        target = given.strip() or event
+        word, _, event_name = name.partition(" ")
+        target = event_name.strip() or event
         return f"{word} {self.event(target)}" if target else word
 
     def event(self, name: str) -> str:
-        found = self.names.legal(name)
-        self.events.setdefault(found)
-        return found
+        legal_name = self.names.legal(name)
+        self.events.setdefault(legal_name)
+        return legal_name
 
     def variable(self, block: OldBlock) -> str:
         if block.name.split(" ")[0] in _EVENT_WORDS and " " in block.name:
@@ -185,24 +185,24 @@ class LineWriter:
             self.reporting.miss(
                 Phrase("import-argument-dropped", skill=block.name, value=shown(value.text))
             )
-        given = block.values[: len(parameters)]
-        for value, parameter in zip(given, parameters, strict=False):
+        values = block.values[: len(parameters)]
+        for value, parameter in zip(values, parameters, strict=False):
             yield self.argument(block.name, value, parameter)
-        for parameter in parameters[len(given) :]:
+        for parameter in parameters[len(values) :]:
             if parameter.required:
                 yield self.instead(block.name, parameter)
 
     def argument(self, skill: str, value: Value, parameter: Parameter) -> str:
         in_radians = self.project.in_radians
         exact = argument(value, parameter, self.project.variables)
-        found = argument(value, parameter, self.project.variables, in_radians=in_radians)
-        if found is None:
+        result = argument(value, parameter, self.project.variables, in_radians=in_radians)
+        if result is None:
             return self.instead(skill, parameter)
-        if exact is not None and exact != found:
+        if exact is not None and exact != result:
             self.reporting.change(
-                Phrase("import-degrees", skill=skill, radians=exact, degrees=found)
+                Phrase("import-degrees", skill=skill, radians=exact, degrees=result)
             )
-        return found
+        return result
 
     def instead(self, skill: str, parameter: Parameter) -> str:
         """A value for a field that holds none."""
@@ -222,8 +222,8 @@ class LineWriter:
 
 def event_of(block: OldBlock) -> str:
     """The name of the event for the message that a block announces."""
-    given = block.values[0].text.strip("\"' ") if block.values else ""
-    return legal(given) if given else "message"
+    message = block.values[0].text.strip("\"' ") if block.values else ""
+    return legal(message) if message else "message"
 
 
 def is_value(text: str) -> bool:

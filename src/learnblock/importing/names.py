@@ -20,16 +20,16 @@ class Names:
 
     def legal(self, name: str) -> str:
         """The name as Block-Text allows it: ``my lines`` becomes ``my_lines``."""
-        found = legal(name)
-        if found != name:
-            self.reporting.change(Phrase("import-renamed", name=name[:_LONGEST], new=found))
-        return found
+        new = legal(name)
+        if new != name:
+            self.reporting.change(Phrase("import-renamed", name=name[:_LONGEST], new=new))
+        return new
 
 
 def legal(name: str) -> str:
     """The name as Block-Text allows it."""
-    found = _NOT_IN_NAMES.sub("_", unicodedata.normalize("NFKC", name))[:_LONGEST]
-    found = found if found.isidentifier() else f"_{found}"
-    if found.isidentifier() and found not in KEYWORDS:
-        return found
-    return f"{found}_" if found in KEYWORDS else "_"
+    candidate = _NOT_IN_NAMES.sub("_", unicodedata.normalize("NFKC", name))[:_LONGEST]
+    candidate = candidate if candidate.isidentifier() else f"_{candidate}"
+    if candidate.isidentifier() and candidate not in KEYWORDS:
+        return candidate
+    return f"{candidate}_" if candidate in KEYWORDS else "_"

@@ -29,11 +29,11 @@ def parse_old(
 
     def today(match: re.Match[str]) -> str:
         name = match[1]
-        found = None if name in skills else todays_name(name, skills)
-        if found is None:
+        name_today = None if name in skills else todays_name(name, skills)
+        if name_today is None:
             return match[0]
-        reporting.change(Phrase("import-old-name", name=name, today=found))
-        return f"function.{found}"
+        reporting.change(Phrase("import-old-name", name=name, today=name_today))
+        return f"function.{name_today}"
 
     text = decoded(data, filename).removeprefix("\ufeff")
     mended, printed = _PRINT.subn(r"\1print(\2)", text)

@@ -123,8 +123,8 @@ class _Reader:
     # Errors.
 
     def damaged(self, code: str = "damaged", message: Phrase | None = None) -> ProjectError:
-        shown = message or Phrase("import-damaged", byte=str(self.position))
-        return refusal(self.filename, code, shown)
+        phrase = message or Phrase("import-damaged", byte=str(self.position))
+        return refusal(self.filename, code, phrase)
 
     def forbidden(self, what: str) -> ProjectError:
         message = Phrase("import-forbidden", what=what, byte=str(self.position))
@@ -133,19 +133,19 @@ class _Reader:
     # Bytes.
 
     def take(self, size: int) -> bytes:
-        taken = self.data[self.position : self.position + size]
-        if len(taken) < size:
+        part = self.data[self.position : self.position + size]
+        if len(part) < size:
             raise self.damaged()
         self.position += size
-        return taken
+        return part
 
     def line(self) -> bytes:
         end = self.data.find(b"\n", self.position)
         if end < 0:
             raise self.damaged()
-        taken = self.data[self.position : end]
+        part = self.data[self.position : end]
         self.position = end + 1
-        return taken
+        return part
 
     def unpacked(self, form: str) -> Any:
         return struct.unpack(form, self.take(struct.calcsize(form)))[0]
@@ -244,12 +244,12 @@ class _Reader:
     def add_items(self, values: list[Any]) -> None:
         if len(values) % 2:
             raise self.damaged()
-        found = self.top(dict)
+        mapping = self.top(dict)
         for key, value in zip(values[::2], values[1::2], strict=True):
             # Other keys may take forever to hash.
             if not isinstance(key, str | int):
                 raise self.damaged()
-            found[key] = value
+            mapping[key] = value
 
     def set_item(self) -> None:
         self.add_items(list(self.last(2)))
@@ -276,12 +276,12 @@ class _Reader:
         return PickledName(kind)
 
     def instance(self) -> None:
-        found = self.named()
-        self.push(self.made(found, tuple(self.pop_to_mark())))
+        name = self.named()
+        self.push(self.made(name, tuple(self.pop_to_mark())))
 
     def instance_below_mark(self) -> None:
-        found, *arguments = self.pop_to_mark() or [None]
-        self.push(self.made(found, tuple(arguments)))
+        name, *arguments = self.pop_to_mark() or [None]
+        self.push(self.made(name, tuple(arguments)))
 
     def call(self) -> None:
         called, arguments = self.last(2)
@@ -296,14 +296,14 @@ class _Reader:
             raise self.damaged()
         return arguments[0]
 
-    def made(self, found: object, arguments: object) -> Object | Point:
-        if not isinstance(found, PickledName) or not isinstance(arguments, tuple):
+    def made(self, name: object, arguments: object) -> Object | Point:
+        if not isinstance(name, PickledName) or not isinstance(arguments, tuple):
             raise self.damaged()
-        if found.kind == "point" and len(arguments) == 2:
+        if name.kind == "point" and len(arguments) == 2:
             return self.point(*arguments)
-        if found.kind not in _CLASSES or arguments:
-            raise self.forbidden(found.kind)
-        return Object(found.kind)
+        if name.kind not in _CLASSES or arguments:
+            raise self.forbidden(name.kind)
+        return Object(name.kind)
 
     def point(self, x: object, y: object) -> Point:
         if isinstance(x, int | float) and isinstance(y, int | float):
@@ -312,12 +312,12 @@ class _Reader:
 
     def build(self) -> None:
         state = self.pop()
-        found = self.top(Object)
+        target = self.top(Object)
         if not isinstance(state, dict) or len(state) > MOST_ATTRIBUTES:
             raise self.damaged()
         if not all(isinstance(key, str) for key in state):
             raise self.damaged()
-        found.state.update(state)
+        target.state.update(state)
 
 
 #: The escapes in a text that Python 2 wrote.

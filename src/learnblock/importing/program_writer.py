@@ -172,13 +172,13 @@ class OldProgramWriter:
 
     def chain(self, first: str | None) -> list[OldBlock]:
         """A block and those below it, unless they are written already."""
-        found: list[OldBlock] = []
+        blocks: list[OldBlock] = []
         block = self.block(first)
         while block is not None and block.id not in self.written:
             self.written.add(block.id)
-            found.append(block)
+            blocks.append(block)
             block = self.block(block.below)
-        return found
+        return blocks
 
 
 def undefined(parts: Collection[ProgramPart], names: Collection[str], word: str) -> list[str]:

@@ -181,8 +181,8 @@ class _Reader:
         if not isinstance(value, Object) or value.kind != "variable":
             raise self.wrong(place)
         text = value.state.get("defaul")
-        shown = text if isinstance(text, str) else "" if text is None else self.plain(text, place)
-        return Value(self.text(value.state.get("type"), place), self.text(shown, place).strip())
+        default = text if isinstance(text, str) else "" if text is None else self.plain(text, place)
+        return Value(self.text(value.state.get("type"), place), self.text(default, place).strip())
 
     def plain(self, value: object, place: str) -> str:
         if isinstance(value, int | float):
@@ -194,26 +194,26 @@ class _Reader:
         place = f"{name[:100]}.connections"
         if not isinstance(values, list) or len(values) > MOST_VARIABLES:
             raise self.wrong(place)
-        found: dict[str, Any] = {}
+        ends: dict[str, Any] = {}
         for value in values:
             if not isinstance(value, Object) or value.kind != "connection":
                 raise self.wrong(place)
             end = value.state.get("_Connection__type")
             if not isinstance(end, int) or end not in _ENDS:
                 raise self.wrong(place)
-            self.add_end(found, _ENDS[end], value.state.get("_Connection__idItem"), place)
-        return found
+            self.add_end(ends, _ENDS[end], value.state.get("_Connection__idItem"), place)
+        return ends
 
-    def add_end(self, found: dict[str, Any], end: str, other: object, place: str) -> None:
+    def add_end(self, ends: dict[str, Any], end: str, other: object, place: str) -> None:
         if end == "inside":
-            found["holds_blocks"] = True
+            ends["holds_blocks"] = True
         if end == "left":
-            found["is_value"] = True
+            ends["is_value"] = True
         if other is None or end in {"above", "left"}:
             return
         if not isinstance(other, str | int):
             raise self.wrong(place)
-        found[end] = str(other)
+        ends[end] = str(other)
 
 
 def _place(point: Point) -> dict[str, Any]:

@@ -53,8 +53,8 @@ def own_texts(opened: OpenLesson) -> dict[str, Texts]:
     """
     own: dict[str, Texts] = {}
     for path in sorted(opened.files):
-        if found := TEXTS_OF_CHECKS.fullmatch(path):
-            own[found[1]] = _read(opened, path, own)
+        if match := TEXTS_OF_CHECKS.fullmatch(path):
+            own[match[1]] = _read(opened, path, own)
     return own
 
 

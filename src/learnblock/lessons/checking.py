@@ -116,67 +116,67 @@ def count_attempts(opened: OpenLesson) -> int:
 
 
 def _solution(
-    opened: OpenLesson, step: int, file: str, wanted: Sequence[Attempt], follow: Follow
+    opened: OpenLesson, step: int, file: str, plan: Sequence[Attempt], follow: Follow
 ) -> ProgramCheck:
     source = opened.text(f"teacher/solutions/{file}")
     try:
-        tried = _tried(opened, step, (source, file), wanted, follow)
+        runs = _tried(opened, step, (source, file), plan, follow)
     except ProgramError as error:
-        return ProgramCheck("solution", step, file, 0, len(wanted), (error.phrase,))
-    tried.sort(key=lambda run: wanted.index(run.attempt))
-    failed = [(run, verdict) for run in tried for verdict in run.verdicts if not _is_met(verdict)]
-    right = sum(all(map(_is_met, run.verdicts)) for run in tried)
+        return ProgramCheck("solution", step, file, 0, len(plan), (error.phrase,))
+    runs.sort(key=lambda run: plan.index(run.attempt))
+    failed = [(run, verdict) for run in runs for verdict in run.verdicts if not _is_met(verdict)]
+    right = sum(all(map(_is_met, run.verdicts)) for run in runs)
     problems = tuple(_not_met(run, verdict) for run, verdict in failed[:_MOST_PROBLEMS])
-    return ProgramCheck("solution", step, file, right, len(wanted), problems)
+    return ProgramCheck("solution", step, file, right, len(plan), problems)
 
 
 def _tried(
     opened: OpenLesson,
     step: int,
     program: tuple[str, str],
-    wanted: Sequence[Attempt],
+    plan: Sequence[Attempt],
     follow: Follow,
 ) -> list[JudgedRun]:
     """Try a program, given by its text and its file's name."""
     source, file = program
-    tried = []
-    for run in try_step(opened, step, source, wanted, filename=file, switch=follow.switch):
+    runs = []
+    for run in try_step(opened, step, source, plan, filename=file, switch=follow.switch):
         follow.watch(run)
-        tried.append(run)
-    return tried
+        runs.append(run)
+    return runs
 
 
-def _usual(wanted: Sequence[Attempt]) -> list[Attempt]:
+def _usual(plan: Sequence[Attempt]) -> list[Attempt]:
     """The attempts with the usual robot."""
-    return [attempt for attempt in wanted if attempt.robot == wanted[0].robot]
+    return [attempt for attempt in plan if attempt.robot == plan[0].robot]
 
 
 def _is_met(verdict: Verdict) -> bool:
     return verdict.state == "met"
 
 
-def _not_met(tried: JudgedRun, verdict: Verdict) -> Phrase:
+def _not_met(run: JudgedRun, verdict: Verdict) -> Phrase:
     return Phrase(
         "lesson-cli-not-met",
-        robot=tried.attempt.robot,
-        variant=str(tried.attempt.variant),
+        robot=run.attempt.robot,
+        variant=str(run.attempt.variant),
         check=describe(verdict.check),
         reason=verdict.explanation or "",
     )
 
 
 def _wrong(
-    opened: OpenLesson, wrong: Wrong, wanted: Sequence[Attempt], follow: Follow
+    opened: OpenLesson, wrong: Wrong, plan: Sequence[Attempt], follow: Follow
 ) -> ProgramCheck:
     """Try a wrong program with its usual robot: in the world as it is, and where that passes."""
-    usual = _usual(wanted)
+    usual = _usual(plan)
     source = opened.text(f"teacher/wrong/{wrong.program}")
     try:
-        tried = _tried(opened, wrong.step, (source, wrong.program), usual, follow)
+        runs = _tried(opened, wrong.step, (source, wrong.program), usual, follow)
     except ProgramError as error:
         return ProgramCheck("wrong", wrong.step, wrong.program, 0, len(usual), (error.phrase,))
     failing = sorted(
-        (run for run in tried if _fails(run, wrong.check)), key=lambda run: run.attempt.variant
+        (run for run in runs if _fails(run, wrong.check)), key=lambda run: run.attempt.variant
     )
     if not failing:
         problem = Phrase("lesson-cli-not-caught", check=wrong.check)
@@ -185,19 +185,19 @@ def _wrong(
     return ProgramCheck("wrong", wrong.step, wrong.program, len(failing), len(usual), problems)
 
 
-def _fails(tried: JudgedRun, name: str) -> bool:
+def _fails(run: JudgedRun, name: str) -> bool:
     return any(
         verdict.state == "failed"
         and name in (verdict.check.name, verdict.check.__struct_config__.tag)
-        for verdict in tried.verdicts
+        for verdict in run.verdicts
     )
 
 
 def _hint_problems(
-    opened: OpenLesson, wrong: Wrong, source: str, tried: JudgedRun
+    opened: OpenLesson, wrong: Wrong, source: str, run: JudgedRun
 ) -> tuple[Phrase, ...]:
     tree = read_program(source, wrong.program).tree
-    rules = tuple(hint.rule for hint in hints_for(opened, wrong.step, tree, tried))
+    rules = tuple(hint.rule for hint in hints_for(opened, wrong.step, tree, run))
     if rules[:1] == (wrong.hint,):
         return ()
     hinted = rules or (Phrase("lesson-cli-no-hint"),)
@@ -205,7 +205,7 @@ def _hint_problems(
 
 
 def hints_for(
-    opened: OpenLesson, number: int, program: Program, tried: JudgedRun
+    opened: OpenLesson, number: int, program: Program, run: JudgedRun
 ) -> tuple[Hint, ...]:
     """The hints for the first attempt of a program that fails, the best first.
 
@@ -213,17 +213,17 @@ def hints_for(
         opened: the lesson.
         number: the number of the step.
         program: the program.
-        tried: the attempt; the attempts before it have passed.
+        run: the attempt; the attempts before it have passed.
     """
     # A variant counts only if the world as it is passes.
-    is_variant = tried.attempt.variant > 0
+    is_variant = run.attempt.variant > 0
     elsewhere = Elsewhere(is_variant=is_variant, passes_usually=is_variant)
     world = opened.described_world(number)
     return hints(
         opened.step(number),
         program,
-        tried.verdicts,
-        tried.evidence,
+        run.verdicts,
+        run.evidence,
         world=world,
         elsewhere=elsewhere,
     )

@@ -92,8 +92,8 @@ def _reaches(check: Reaches) -> Phrase:
     if not check.goals:
         return Phrase("lesson-check-all-goals", within=within)
     goals = tuple(map(goal_phrase, check.goals))
-    shown = goals[0] if len(goals) == 1 else goals
-    return Phrase("lesson-check-goals", count=len(goals), goals=shown, within=within)
+    goal_words = goals[0] if len(goals) == 1 else goals
+    return Phrase("lesson-check-goals", count=len(goals), goals=goal_words, within=within)
 
 
 def _happens(check: Happens) -> Phrase:

@@ -47,7 +47,7 @@ def draft(title: str, world: str, programs: Sequence[Drafted], blocks: str = "")
             {"name": partner.name, "robot": _simulated(partner.robot), "program": _file(index)}
             for index, partner in enumerate(others)
         ]
-    written = WrittenProgram(own.program)
+    program = WrittenProgram(own.program)
     return EditedLesson(
         content={
             "lesson": VERSION,
@@ -58,7 +58,7 @@ def draft(title: str, world: str, programs: Sequence[Drafted], blocks: str = "")
             "robots": [_simulated(own.robot)],
             "step": [step],
         },
-        steps=(EditedStep(program=written, solution=written),),
+        steps=(EditedStep(program=program, solution=program),),
         programs={_file(index): partner.program for index, partner in enumerate(others)},
     )
 

@@ -24,8 +24,8 @@ def on_line(check: StaysOnLine, run: RunSoFar) -> Finding:
     first = is_on.index(True)
     on, total = is_on.count(True), len(path) - first
     # Even if it stays on the line from now on.
-    left = 0.0 if run.has_ended else max(0.0, run.seconds - run.now) * _POSES_PER_SECOND
-    if on + left < check.share * (total + left):
+    remaining = 0.0 if run.has_ended else max(0.0, run.seconds - run.now) * _POSES_PER_SECOND
+    if on + remaining < check.share * (total + remaining):
         code = "lesson-line-share" if run.has_ended else "lesson-line-lost"
         return failed_at(run.now, code, **_shares(on / total, check.share))
     if not run.has_ended:
@@ -40,9 +40,9 @@ def _long_enough(check: StaysOnLine, run: RunSoFar, path: Sequence[TimedPose]) -
     return failed_at(run.now, "lesson-line-short", driven=round(driven), least=round(check.least))
 
 
-def _shares(share: float, asked: float) -> dict[str, int]:
+def _shares(share: float, minimum: float) -> dict[str, int]:
     # Down, so that a share that is too small never reads like the one that is asked.
-    return {"share": math.floor(share * 100), "asked": round(asked * 100)}
+    return {"share": math.floor(share * 100), "asked": round(minimum * 100)}
 
 
 def drives(check: Drives, run: RunSoFar) -> Finding:

@@ -129,7 +129,7 @@ def edited_lesson(opened: OpenLesson) -> EditedLesson:
     for step in content["step"]:
         step.pop("program", None)
     programs = {path.name: opened.program(path.name) for path in _programs(opened)}
-    named = {file for file, _ in _named_programs(content)}
+    named_files = {file for file, _ in _named_programs(content)}
     return EditedLesson(
         content=content,
         steps=tuple(
@@ -141,7 +141,7 @@ def edited_lesson(opened: OpenLesson) -> EditedLesson:
             for number, step in enumerate(opened.lesson.step, start=1)
         ),
         lesson=opened.name,
-        programs={file: text for file, text in programs.items() if file in named},
+        programs={file: text for file, text in programs.items() if file in named_files},
         notes=notes_of(opened),
     )
 
@@ -273,8 +273,8 @@ def _content_and_files(
     edited: EditedLesson, saved: OpenLesson | None
 ) -> tuple[dict[str, Any], dict[str, bytes]]:
     content = {**_plain(edited.content), "lesson": VERSION}
-    named = {file for file, _ in _named_programs(content)}
-    programs = {file: text for file, text in edited.programs.items() if file in named}
+    named_files = {file for file, _ in _named_programs(content)}
+    programs = {file: text for file, text in edited.programs.items() if file in named_files}
     files = {f"programs/{file}": text.encode() for file, text in programs.items()}
     files |= _kept(saved) if saved else {}
     files |= dict(_own_worlds(content))
@@ -300,17 +300,17 @@ def _kept(saved: OpenLesson) -> dict[str, bytes]:
 
 def _own_worlds(content: Mapping[str, Any]) -> Iterator[tuple[str, bytes]]:
     """The files of the user's own worlds that steps name: pupils don't have them."""
-    named = {str(step.get("world")) for step in _tables(content.get("step"))}
-    for name in sorted(named.intersection(worlds.own_names())):
+    names = {str(step.get("world")) for step in _tables(content.get("step"))}
+    for name in sorted(names.intersection(worlds.own_names())):
         packed = worlds.find(name)
         yield f"worlds/{name}.toml", packed.text.encode()
         if packed.picture is not None:
             yield f"worlds/{picture_name(packed)}", packed.picture
 
 
-def _free_name(number: int, ending: str, taken: Mapping[str, str]) -> str:
+def _free_name(number: int, ending: str, programs: Mapping[str, str]) -> str:
     names = (f"step-{number}{'-' * more}.{ending}" for more in count())
-    return next(name for name in names if name not in taken)
+    return next(name for name in names if name not in programs)
 
 
 def _teachers_files(edited: EditedLesson, saved: OpenLesson | None) -> dict[str, bytes]:
@@ -347,8 +347,8 @@ def _too_long(edited: EditedLesson) -> Phrase | None:
     size, limit = len(json.encode(edited.content)), toml_source.MAXIMUM_FILE_SIZE
     if size > limit:
         return Phrase("file-too-many-bytes", size=size, limit=limit)
-    written = [program for step in edited.steps for program in (step.program, step.solution)]
-    length = sum(len(program.text) for program in written if program) + sum(
+    programs = [program for step in edited.steps for program in (step.program, step.solution)]
+    length = sum(len(program.text) for program in programs if program) + sum(
         map(len, edited.programs.values())
     )
     if length > LONGEST_PROGRAMS:

@@ -145,11 +145,11 @@ class _StepExamination:
             for picture in _PICTURE.findall(translation):
                 yield from _missing(self._opened, ("text",), f"pictures/{picture}")
         texts = [text] if isinstance(text, str) else text.values()
-        drawn = dict.fromkeys(
+        drawings = dict.fromkeys(
             blocks for translation in texts for blocks in drawn_blocks(translation)
         )
         # The page draws no more of a step.
-        for blocks in islice(drawn, MOST_DRAWINGS):
+        for blocks in islice(drawings, MOST_DRAWINGS):
             yield from _unreadable(blocks)
 
     def _puzzle(self) -> Iterator[FileMistake]:
@@ -255,8 +255,8 @@ def _unreadable(blocks: str) -> Iterator[FileMistake]:
         yield FileMistake(("text",), "wrong-blocks", problem)
 
 
-def _unknown(path: KeyPath, kind: str, name: str, known: Iterable[str]) -> FileMistake:
-    return FileMistake(path, "unknown-name", UnknownNameError(kind, name, known).phrase)
+def _unknown(path: KeyPath, kind: str, name: str, names: Iterable[str]) -> FileMistake:
+    return FileMistake(path, "unknown-name", UnknownNameError(kind, name, names).phrase)
 
 
 def _check_programs(opened: OpenLesson, folder: str) -> None:

@@ -20,9 +20,9 @@ def main() -> None:
     The task arrives there, and the answer is sent there. If it is a fork server's end of its
     orders, each order makes a process that does this.
     """
-    given = socket.socket(fileno=int(sys.argv[1]))
-    is_task = given.type is socket.SOCK_STREAM
-    connection = given if is_task else next_program(given, fence.prepare)
+    endpoint = socket.socket(fileno=int(sys.argv[1]))
+    is_task = endpoint.type is socket.SOCK_STREAM
+    connection = endpoint if is_task else next_program(endpoint, fence.prepare)
     if connection is not None:
         _judge(connection)
 
@@ -40,8 +40,8 @@ def _judge(connection: socket.socket) -> None:
 
 def seen_run(run: Mapping[str, Any], texts: Mapping[str, Mapping[str, str]]) -> SimpleNamespace:
     """What a check sees: a run, and each of the lesson's texts in all its languages."""
-    names = dict.fromkeys(name for named in texts.values() for name in named)
-    every = {name: [named[name] for named in texts.values()] for name in names}
+    names = dict.fromkeys(name for language_texts in texts.values() for name in language_texts)
+    every = {name: [language_texts[name] for language_texts in texts.values()] for name in names}
     return SimpleNamespace(**run, texts=every)
 
 
@@ -60,14 +60,17 @@ def reason(verdict: object, texts: Mapping[str, Mapping[str, str]]) -> str | dic
     if isinstance(verdict, dict):
         return {str(language): str(text) for language, text in verdict.items()}
     if isinstance(verdict, str):
-        if not any(verdict in named for named in texts.values()):
+        if not any(verdict in language_texts for language_texts in texts.values()):
             return verdict
         verdict = (verdict, {})
     if not isinstance(verdict, tuple):
         return ""
     if not texts:
         raise LookupError("there is no checks.en.toml")
-    return {language: str(_in_language(verdict, named)) for language, named in texts.items()}
+    return {
+        language: str(_in_language(verdict, language_texts))
+        for language, language_texts in texts.items()
+    }
 
 
 def _in_language(value: object, texts: Mapping[str, str]) -> object:

@@ -126,16 +126,16 @@ class _Judgement:
 
 
 def _reaches(check: Reaches, run: RunSoFar) -> Finding:
-    wanted = check.goals or _goals(run)
-    for name in wanted:
+    goals = check.goals or _goals(run)
+    for name in goals:
         if lost := _lost(name, check, run):
             return lost
-    missing = [name for name in wanted if name not in run.evidence.reached]
-    if wanted and not missing:
-        return met_at(max(run.evidence.reached[name].time for name in wanted))
+    missing = [name for name in goals if name not in run.evidence.reached]
+    if goals and not missing:
+        return met_at(max(run.evidence.reached[name].time for name in goals))
     if not run.has_ended:
         return OPEN
-    if not wanted:
+    if not goals:
         return failed_at(run.now, "lesson-no-goals")
     return failed_at(run.now, "lesson-goal-open", goal=goal_phrase(missing[0]))
 
@@ -281,9 +281,9 @@ _ENDINGS: Mapping[str, str] = {
 
 
 def _prints(check: Prints, run: RunSoFar) -> Finding:
-    left = iter(run.evidence.prints)
+    rest = iter(run.evidence.prints)
     for number, pattern in enumerate(check.lines):
-        at = next((moment.time for moment, text in left if fits(text, pattern)), None)
+        at = next((moment.time for moment, text in rest if fits(text, pattern)), None)
         if at is None:
             if not run.has_ended:
                 return OPEN

@@ -153,9 +153,9 @@ def _on_line(check: StaysOnLine, run: RunInWorld) -> Miss | None:
     lost = next((index for index in range(first, len(is_on)) if not is_on[index]), None)
     if lost is None:
         return None
-    left, at = run.path[lost - 1], run.path[lost]
+    last, at = run.path[lost - 1], run.path[lost]
     words = Phrase("miss-left-line", at=rounded_seconds(at.moment.time))
-    return Miss(words, xy(left), xy(at))
+    return Miss(words, xy(last), xy(at))
 
 
 _CHECKS: Mapping[type, Callable[[Any, RunInWorld], Miss | None]] = {

@@ -101,13 +101,13 @@ def mutants(source: str, seed: int = 0) -> Iterator[Mutant]:
     """
     rng = random.Random(seed)  # noqa: S311 - an order, not a secret
     program = parse(source)
-    seen = {format_program(program)}
-    programs = list(_new(program, "", seen))
+    sources = {format_program(program)}
+    programs = list(_new(program, "", sources))
     if len(programs) < LEAST:
         again = list(programs)
         rng.shuffle(again)
         for mutant in again[:_CHANGED_AGAIN]:
-            programs += islice(_new(parse(mutant.source), f"{mutant.what}; ", seen), LEAST)
+            programs += islice(_new(parse(mutant.source), f"{mutant.what}; ", sources), LEAST)
         first, more = programs[: len(again)], programs[len(again) :]
         rng.shuffle(more)
         programs = first + more[: LEAST - len(first)]
@@ -115,12 +115,12 @@ def mutants(source: str, seed: int = 0) -> Iterator[Mutant]:
     yield from programs
 
 
-def _new(program: Program, before: str, seen: set[str]) -> Iterator[Mutant]:
+def _new(program: Program, before: str, sources: set[str]) -> Iterator[Mutant]:
     """The mutants with one mistake more that are not among those seen."""
-    for changed, what in _changes(program):
-        source = format_program(changed)
-        if source not in seen and not recover(source)[1]:
-            seen.add(source)
+    for mutation, what in _changes(program):
+        source = format_program(mutation)
+        if source not in sources and not recover(source)[1]:
+            sources.add(source)
             yield Mutant(source, before + what)
 
 

@@ -86,12 +86,12 @@ class OpenLesson:
 
     def world(self, step: int) -> str | None:
         """The name of a step's world; without one of its own that of the step before."""
-        named = (
+        worlds = (
             earlier.world
             for earlier in reversed(self.lesson.step[:step])
             if earlier.world is not None
         )
-        return next(named, None)
+        return next(worlds, None)
 
     def robots(self, step: int) -> tuple[str, ...]:
         """The robots that a step is meant for, the usual one first."""
@@ -99,12 +99,12 @@ class OpenLesson:
 
     def blocks(self, step: int) -> str | tuple[str, ...] | None:
         """The blocks shown in a step: a block set, or blocks; None for all blocks."""
-        named = (
+        choices = (
             earlier.blocks
             for earlier in reversed(self.lesson.step[:step])
             if earlier.blocks is not None
         )
-        return next(named, None)
+        return next(choices, None)
 
     @cached_property
     def own_worlds(self) -> frozenset[str]:

@@ -55,9 +55,9 @@ def right_orders(opened: OpenLesson, puzzle: Puzzle) -> tuple[Order, ...]:
     return tuple(dict.fromkeys(map(pieces, sources)))
 
 
-def judge(given: Sequence[str], orders: Sequence[Order]) -> Judged:
+def judge(sequence: Sequence[str], orders: Sequence[Order]) -> Judged:
     """Judge an order of pieces by those that are right."""
-    order = _without_implied_ends(given)
+    order = _without_implied_ends(sequence)
     return Judged(order in orders, max(_shared(order, right) for right in orders))
 
 

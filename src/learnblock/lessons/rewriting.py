@@ -37,7 +37,7 @@ class StatementSequence:
 
 def places(program: Program) -> Iterator[Slot]:
     """Every node of a program, the outer ones first, in source order."""
-    yield from _places(program, lambda changed: replace(changed, python=None))
+    yield from _places(program, lambda new: replace(new, python=None))
 
 
 def sequences(program: Program) -> Iterator[StatementSequence]:
@@ -56,8 +56,8 @@ def substitute(program: Program, changes: Mapping[int, Any]) -> Program:
         program: the program.
         changes: the nodes instead, by the identity of each; nothing inside them is changed.
     """
-    changed: Program = _substituted(replace(program, python=None), changes)
-    return changed
+    result: Program = _substituted(replace(program, python=None), changes)
+    return result
 
 
 def _substituted(node: Any, changes: Mapping[int, Any]) -> Any:

@@ -71,13 +71,13 @@ def swaps(source: str) -> Iterator[tuple[Kind, Mutant]]:
         ProgramError: the program is invalid.
     """
     program = parse(source)
-    seen = {format_program(program)}
+    sources = {format_program(program)}
     for kind, find in _KINDS.items():
         for changes, what in find(program):
-            changed = format_program(substitute(program, changes))
-            if changed not in seen and not recover(changed)[1]:
-                seen.add(changed)
-                yield kind, Mutant(changed, what)
+            variant = format_program(substitute(program, changes))
+            if variant not in sources and not recover(variant)[1]:
+                sources.add(variant)
+                yield kind, Mutant(variant, what)
 
 
 def _exchanged(first: Any, second: Any) -> _Changes:

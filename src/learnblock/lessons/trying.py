@@ -103,9 +103,9 @@ def attempts(
         robots: the robots; without them those that the step is meant for.
         variants: how many variants, besides the world as it is; without it those of the step.
     """
-    named = robots or opened.robots(step)
+    robot_names = robots or opened.robots(step)
     count = opened.step(step).variants if variants is None else variants
-    return tuple(Attempt(robot, variant) for robot in named for variant in range(count + 1))
+    return tuple(Attempt(robot, variant) for robot in robot_names for variant in range(count + 1))
 
 
 def read_program(source: str, filename: str = "program.bt") -> Source:
@@ -121,7 +121,7 @@ def try_step(
     opened: OpenLesson,
     step: int,
     source: str,
-    wanted: Sequence[Attempt],
+    plan: Sequence[Attempt],
     *,
     limits: Limits | None = None,
     filename: str = "program.bt",
@@ -135,7 +135,7 @@ def try_step(
         opened: the lesson.
         step: the number of the step.
         source: the text of the program.
-        wanted: the attempts.
+        plan: the attempts.
         limits: the resources that the program may use.
         filename: its name, which tells its notation.
         tags: the numbers of tags, by name, that it uses besides the user's.
@@ -146,15 +146,15 @@ def try_step(
         ProgramError: the program is invalid.
         LearnBlockError: a run could not be made, which is not the program's fault.
     """
-    written = read_program(source, filename)
+    program = read_program(source, filename)
     with opened.world_file(step) as world, expert_processes() as processes:
         switch = switch or StopSwitch()
         experts = Experts(opened, processes=processes)
         limits = limits or Limits()
         runs = StepRuns(
-            opened, step, written, world, limits, switch, tags=tags or {}, experts=experts
+            opened, step, program, world, limits, switch, tags=tags or {}, experts=experts
         )
-        for attempt, result in runs.results(wanted, at_once):
+        for attempt, result in runs.results(plan, at_once):
             yield runs.judged(attempt, result)
 
 
@@ -185,19 +185,19 @@ class StepRuns:
     experts: Experts | None = None
 
     def results(
-        self, wanted: Sequence[Attempt], at_once: int | None = None
+        self, plan: Sequence[Attempt], at_once: int | None = None
     ) -> Iterator[tuple[Attempt, RunResult]]:
         """Make the runs of attempts, and yield each with its result, as they end.
 
         Args:
-            wanted: the attempts.
+            plan: the attempts.
             at_once: how many runs are made at the same time.
 
         Raises:
             LearnBlockError: a run could not be made, which is not the program's fault.
         """
         has_partners = bool(self.opened.step(self.step).partners)
-        return self._teams(wanted) if has_partners else self._batch(wanted, at_once)
+        return self._teams(plan) if has_partners else self._batch(plan, at_once)
 
     def judged(self, attempt: Attempt, result: RunResult) -> JudgedRun:
         """What the checks say of the run of an attempt."""
@@ -238,19 +238,19 @@ class StepRuns:
         return self._job_of(read_program(text, partner.program), partner.robot, attempt)
 
     def _batch(
-        self, wanted: Sequence[Attempt], at_once: int | None
+        self, plan: Sequence[Attempt], at_once: int | None
     ) -> Iterator[tuple[Attempt, RunResult]]:
         """Make the runs of attempts with one robot, many at once."""
-        batch = Batch([*map(self.job, wanted)], at_once)
+        batch = Batch([*map(self.job, plan)], at_once)
         with self.switch.ends(batch.stop):
             for number, result in batch.results():
                 if result.lost:
                     raise LearnBlockError("run-lost", reason=result.lost)
-                yield wanted[number], result
+                yield plan[number], result
 
-    def _teams(self, wanted: Sequence[Attempt]) -> Iterator[tuple[Attempt, RunResult]]:
+    def _teams(self, plan: Sequence[Attempt]) -> Iterator[tuple[Attempt, RunResult]]:
         """Make the runs of attempts with partners, one after the other."""
-        for attempt in wanted:
+        for attempt in plan:
             if self.switch.is_stopped:
                 return
             lines = TraceLines()

@@ -89,22 +89,22 @@ def variations(source: str, seed: int = 0) -> Iterator[Variation]:
         ProgramError: the program is invalid.
     """
     rng = random.Random(seed)  # noqa: S311 - an order, not a secret
-    seen = {format_program(parse(source))}
+    sources = {format_program(parse(source))}
     round_: list[Variation] = [Variation(source, "")]
     while round_:
-        others = [new for variation in round_ for new in _new(variation, seen)]
+        others = [new for variation in round_ for new in _new(variation, sources)]
         rng.shuffle(others)
         yield from others
         # Every further round makes some hundred from each: a few go on.
         round_ = others[:20]
 
 
-def _new(before: Variation, seen: set[str]) -> Iterator[Variation]:
+def _new(before: Variation, sources: set[str]) -> Iterator[Variation]:
     program = parse(before.source)
-    for changed, what, without in _changes(program):
-        source = format_program(changed)
-        if source not in seen and not recover(source)[1]:
-            seen.add(source)
+    for variant, what, without in _changes(program):
+        source = format_program(variant)
+        if source not in sources and not recover(source)[1]:
+            sources.add(source)
             text = f"{before.what}; {what}" if before.what else what
             yield Variation(source, text, before.without | without)
 
@@ -156,10 +156,10 @@ def _number_in_variable(program: Program) -> Iterator[_Change]:
             continue
         first = call.arguments[0]
         if isinstance(first, Number):
-            changed = place.put(replace(call, arguments=(Name(name), *call.arguments[1:])))
+            variant = place.put(replace(call, arguments=(Name(name), *call.arguments[1:])))
             setting = Assign(Name(name), "=", first)
-            items = (*_imports(changed), setting, *_rest(changed))
-            yield replace(changed, items=items), f"number {first.text} in a variable", _NONE
+            items = (*_imports(variant), setting, *_rest(variant))
+            yield replace(variant, items=items), f"number {first.text} in a variable", _NONE
 
 
 def _is_heading(item: Any) -> bool:
@@ -198,8 +198,8 @@ def _as_events(program: Program) -> Iterator[_Change]:
         whens.append(When(_new_name(program, f"case_{number}"), state, (*body, *after)))
         earlier = (*earlier, condition)
     start = (When("start", None, tuple(before)),) if before else ()
-    changed = replace(program, items=(*program.items, *start, *whens), main=None)
-    yield changed, "an event for each case", frozenset({"loop", "forever", "if", "else"})
+    variant = replace(program, items=(*program.items, *start, *whens), main=None)
+    yield variant, "an event for each case", frozenset({"loop", "forever", "if", "else"})
 
 
 # Loops and conditions.
@@ -352,10 +352,10 @@ def _extracted(program: Program, sequence: StatementSequence) -> Iterator[_Chang
         if _is_local(pair):
             continue
         before, after = sequence.statements[:index], sequence.statements[index + 2 :]
-        changed = sequence.put((*before, Perform(FunctionCall(name)), *after))
-        items = (*changed.items, Def(name, (), pair))
+        variant = sequence.put((*before, Perform(FunctionCall(name)), *after))
+        items = (*variant.items, Def(name, (), pair))
         line = pair[0].span.line
-        yield replace(changed, items=items), f"line {line}: a function for two statements", _NONE
+        yield replace(variant, items=items), f"line {line}: a function for two statements", _NONE
 
 
 def _is_local(pair: tuple[Any, ...]) -> bool:

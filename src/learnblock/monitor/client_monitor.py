@@ -169,15 +169,15 @@ class ClientMonitor:
             kind = type(device).__name__
             if kind in SENSOR_TYPES:
                 self._keep(client, device, key)
-        shown = sorted(self._sensors, key=lambda entry: SENSOR_TYPES.index(entry[0]))
-        return tuple(sensor for kind in shown for sensor in self._sensors[kind])
+        kinds = sorted(self._sensors, key=lambda entry: SENSOR_TYPES.index(entry[0]))
+        return tuple(sensor for kind in kinds for sensor in self._sensors[kind])
 
     def _keep(self, client: Client, device: Device, key: str) -> None:
         """Keep a device's readings; without new ones, its sensors remain, without values."""
         kind = type(device).__name__
         sensors = tuple(sensors_of(kind, _newest(client, device, key), key))
-        known = self._sensors.get((kind, key), ())
-        self._sensors[kind, key] = sensors or tuple(sensor.without_value() for sensor in known)
+        earlier = self._sensors.get((kind, key), ())
+        self._sensors[kind, key] = sensors or tuple(sensor.without_value() for sensor in earlier)
 
     def _all_readings_fail(self, client: Client) -> bool:
         """Whether no sensor at all can be read; a single one may just be unplugged."""

@@ -68,8 +68,8 @@ class ManualDrive:
 
     def _goes_on(self) -> bool:
         with self._state:
-            held = monotonic() < self._until
-            if self._closed or not (held or self._moves):
+            is_held = monotonic() < self._until
+            if self._closed or not (is_held or self._moves):
                 self._thread = None
                 return False
             return True

@@ -32,13 +32,13 @@ def develop(frame: "Frame", time: float, *, drawn: bool) -> Picture:
     """
     height, width = frame.shape[:2]
     sight, settings = Sight(frame), TABLE.load()
-    seen = tuple(
-        seen
+    findings = tuple(
+        finding
         for name, describe in _FINDINGS.items()
         if settings.permits(name, drawn=drawn)
-        for seen in describe(sight.detect(name))
+        for finding in describe(sight.detect(name))
     )
-    return Picture(_jpeg(frame), width, height, time, seen)
+    return Picture(_jpeg(frame), width, height, time, findings)
 
 
 def found(detected: Mapping[str, Any]) -> tuple[Seen, ...] | None:
@@ -48,11 +48,14 @@ def found(detected: Mapping[str, Any]) -> tuple[Seen, ...] | None:
     """
     if not detected:
         return None
-    known = {**detected}
-    if "emotions" in known:
-        known.pop("faces", None)
+    results = {**detected}
+    if "emotions" in results:
+        results.pop("faces", None)
     return tuple(
-        seen for name, describe in _ASKED.items() if name in known for seen in describe(known[name])
+        finding
+        for name, describe in _ASKED.items()
+        if name in results
+        for finding in describe(results[name])
     )
 
 
@@ -75,7 +78,7 @@ def _tags(tags: tuple[Tag, ...]) -> Iterator[Seen]:
 
 
 def _faces(faces: tuple[FaceEmotion, ...]) -> Iterator[Seen]:
-    return (Seen("face", found.emotion, _box(found.face)) for found in faces)
+    return (Seen("face", face.emotion, _box(face.face)) for face in faces)
 
 
 def _plain_faces(faces: tuple[Face, ...]) -> Iterator[Seen]:
@@ -97,9 +100,9 @@ def _line(view: LineView) -> Seen:
     return Seen("line", f"{view.colour} {side}", _rectangle(left, top, right, bottom))
 
 
-def _box(found: Face | ColouredObject) -> Corners:
-    left, top = float(found.x), float(found.y)
-    return _rectangle(left, top, left + found.width, top + found.height)
+def _box(detection: Face | ColouredObject) -> Corners:
+    left, top = float(detection.x), float(detection.y)
+    return _rectangle(left, top, left + detection.width, top + detection.height)
 
 
 def _rectangle(left: float, top: float, right: float, bottom: float) -> Corners:

@@ -81,8 +81,8 @@ def unreachable(world: WorldFile, robot: str) -> tuple[tuple[str, int, Phrase], 
     """The goals that a kind of robot can't reach: kind, index and reason."""
     from learnblock.simulator import unreachable_goals  # noqa: PLC0415 - it loads OpenCV
 
-    found = unreachable_goals(world, _radius(robot))
-    return tuple((goal.kind, goal.index, goal.reason) for goal in found)
+    goals = unreachable_goals(world, _radius(robot))
+    return tuple((goal.kind, goal.index, goal.reason) for goal in goals)
 
 
 def _radius(robot: str) -> float:

@@ -126,11 +126,11 @@ def _imports(kinds: list[str], plan: RobotPlan) -> Iterator[str]:
 
 def _import(module: str, names: list[str]) -> str:
     # Import sorters put CONSTANTS first: names without lower-case letters.
-    listed = sorted(names, key=lambda name: (not name.isupper(), name))
-    line = f"from {module} import {', '.join(listed)}"
+    sorted_names = sorted(names, key=lambda name: (not name.isupper(), name))
+    line = f"from {module} import {', '.join(sorted_names)}"
     if len(line) <= _WIDTH:
         return line
-    return "\n".join([f"from {module} import (", *(f"    {name}," for name in listed), ")"])
+    return "\n".join([f"from {module} import (", *(f"    {name}," for name in sorted_names), ")"])
 
 
 def _settings(plan: RobotPlan) -> Iterator[str]:
@@ -199,5 +199,5 @@ def _table(meaning: str, name: str, rows: Sequence[str]) -> str:
 
 
 def _tuple(items: Iterable[str]) -> str:
-    listed = list(items)
-    return f"({listed[0]},)" if len(listed) == 1 else f"({', '.join(listed)})"
+    parts = list(items)
+    return f"({parts[0]},)" if len(parts) == 1 else f"({', '.join(parts)})"

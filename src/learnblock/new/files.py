@@ -18,8 +18,8 @@ def write_new(files: Mapping[Path, str], *, force: bool = False) -> None:
         FileTakenError: one of them exists, so nothing is written.
         OSError: one cannot be written.
     """
-    taken = tuple(str(path) for path in files if path.exists())
-    if taken and not force:
-        raise FileTakenError("new-files-exist", files=taken)
+    existing = tuple(str(path) for path in files if path.exists())
+    if existing and not force:
+        raise FileTakenError("new-files-exist", files=existing)
     for path, text in files.items():
         save(path, text.encode())

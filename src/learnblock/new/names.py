@@ -29,10 +29,10 @@ def check_robot_name(name: str) -> None:
         raise NewNameError("new-bad-robot-name", name=name[:60], most=LONGEST, example=example)
     if name.startswith("sim-"):
         raise NewNameError("new-twin-name", name=name)
-    for taken in (name, f"sim-{name}"):
-        entry = entries().get(taken)
+    for candidate in (name, f"sim-{name}"):
+        entry = entries().get(candidate)
         if entry and entry.path is None:
-            raise NewNameError("new-robot-exists", name=taken)
+            raise NewNameError("new-robot-exists", name=candidate)
 
 
 def check_skill_name(name: str, file: Path) -> None:

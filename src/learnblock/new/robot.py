@@ -140,8 +140,8 @@ def _suitable(plan: RobotPlan) -> list[tuple[str, str]]:
 
 def _can_run(plan: RobotPlan, example: str) -> bool:
     tree = running.read(running.example(example)).tree
-    found = check(tree, builtin(), equipment(plan.devices(), plan.abilities()))
-    return not any(diagnostic.severity == "error" for diagnostic in found)
+    diagnostics = check(tree, builtin(), equipment(plan.devices(), plan.abilities()))
+    return not any(diagnostic.severity == "error" for diagnostic in diagnostics)
 
 
 def _excused(plan: RobotPlan) -> str:
@@ -151,23 +151,23 @@ def _excused(plan: RobotPlan) -> str:
 
 def unkept(plan: RobotPlan) -> Mapping[str, str]:
     """The claims of `check_robot` that such a robot cannot meet, with the reasons."""
-    found = {}
+    reasons = {}
     ahead, turned = _driven(plan, 50, 0)[0], _driven(plan, 0, 45)[1]
     if not _FORWARD[0] < ahead < _FORWARD[1]:
-        found["positive speed is forward"] = (
+        reasons["positive speed is forward"] = (
             f"at 50 mm/s it drives {ahead:.0f} mm in the first second"
         )
     if not _RIGHT[0] < turned < _RIGHT[1]:
         claim = "positive rotation is to the right"
-        found[claim] = f"at 45 degrees/s it turns {turned:.0f} degrees in the first second"
+        reasons[claim] = f"at 45 degrees/s it turns {turned:.0f} degrees in the first second"
     if any(not joint.minimum <= 10 <= joint.maximum for joint in plan.joint):
         claim = "its joints move to the commanded angle"
-        found[claim] = "one of its joints cannot reach 10 degrees"
+        reasons[claim] = "one of its joints cannot reach 10 degrees"
     if plan.gyroscope and plan.gyroscope.noise > 0.5:
-        found["its gyroscope reads 0 after a reset"] = "its gyroscope is noisy"
+        reasons["its gyroscope reads 0 after a reset"] = "its gyroscope is noisy"
     if plan.accelerometer and plan.accelerometer.noise > 0.3:
-        found["its accelerometer shows 1 g upwards at rest"] = "its accelerometer is noisy"
-    return found
+        reasons["its accelerometer shows 1 g upwards at rest"] = "its accelerometer is noisy"
+    return reasons
 
 
 def _driven(plan: RobotPlan, adv: float, rot: float) -> tuple[float, float]:

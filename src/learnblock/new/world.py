@@ -10,13 +10,13 @@ from learnblock.robots.simulated import check_file_name, known_worlds, own_world
 from learnblock.simulator import WorldFile, write_world
 
 
-def world_files(name: str, folder: Path, made: WorldFile | None = None) -> dict[Path, str]:
+def world_files(name: str, folder: Path, world: WorldFile | None = None) -> dict[Path, str]:
     """A new world.
 
     Args:
         name: the name of the world and its file.
         folder: `learnblock.storage.home.home`, or another folder with the same structure.
-        made: what is in it; by default one object of most kinds.
+        world: what is in it; by default one object of most kinds.
 
     Raises:
         WorldError: the name is not allowed.
@@ -27,6 +27,6 @@ def world_files(name: str, folder: Path, made: WorldFile | None = None) -> dict[
         raise NewNameError("new-world-exists", name=name)
     title = name.replace("_", " ").replace("-", " ").capitalize()
     text = fill("world.toml", title=title)
-    if made is not None:
-        text = write_world(msgspec.structs.replace(made, title=title), name)
+    if world is not None:
+        text = write_world(msgspec.structs.replace(world, title=title), name)
     return {folder / "worlds" / f"{name}.toml": text}

@@ -156,10 +156,10 @@ def wait_for_silence(hear: Hear, is_busy: Callable[[], bool]) -> None:
     """
     silent = 0
     while silent < SILENT_STEPS or (silent < BUSY_STEPS and is_busy()):
-        heard = hear(STEP)
-        if heard == b"":
+        sign = hear(STEP)
+        if sign == b"":
             return
-        silent = 0 if heard else silent + 1
+        silent = 0 if sign else silent + 1
 
 
 def insist_on(halt: Callable[[], object], clock: SteadyClock) -> bool:

@@ -57,18 +57,20 @@ class RobotSettings(Settings, frozen=True, kw_only=True):
 SettingsT = TypeVar("SettingsT", bound=RobotSettings)
 
 
-def load(robot: str, kind: type[SettingsT], chosen: Mapping[str, Any] | None = None) -> SettingsT:
+def load(
+    robot: str, kind: type[SettingsT], overrides: Mapping[str, Any] | None = None
+) -> SettingsT:
     """The settings of a robot.
 
     Args:
         robot: its id, such as ``cozmo``.
         kind: the robot's settings class.
-        chosen: settings by name, which override those of the file.
+        overrides: settings by name, which override those of the file.
 
     Raises:
-        SettingsError: a value or a name in the file or in `chosen` is invalid.
+        SettingsError: a value or a name in the file or in `overrides` is invalid.
     """
-    return table(robot, kind).load(chosen)
+    return table(robot, kind).load(overrides)
 
 
 def change(robot: str, kind: type[SettingsT], name: str, text: str | None) -> SettingsT:

@@ -98,21 +98,21 @@ class Batch:
             report = replace(self._here.run(), output=watcher.text)
             if self._is_stopped:
                 return
-            written = trace.getvalue() if trace else b""
-            yield number, RunResult(report, written)
+            trace_bytes = trace.getvalue() if trace else b""
+            yield number, RunResult(report, trace_bytes)
 
     def _forked(self) -> Iterator[tuple[int, RunResult]]:
-        left = [*range(len(self.jobs))]
+        remaining = [*range(len(self.jobs))]
         for process in (self._kept, None):
             if process and not process.is_running:
                 continue
-            for number, result in self._made_by(process, left):
-                left.remove(number)
+            for number, result in self._made_by(process, remaining):
+                remaining.remove(number)
                 if result.report.ended != How.STOPPED:
                     yield number, result
-            if self._is_stopped or not left:
+            if self._is_stopped or not remaining:
                 return
-        for number in left:
+        for number in remaining:
             yield number, warm.lost(_PROCESS_ENDED)
 
     def _made_by(
@@ -199,16 +199,16 @@ def processors() -> int:
 def checked_result(data: bytes, *, isolated: bool) -> RunResult:
     """The result that a child has sent; a program that was not isolated may have had a part."""
     try:
-        sent = unpacked(data)
-        How(sent.report.ended)
+        result = unpacked(data)
+        How(result.report.ended)
     except (msgspec.MsgspecError, ValueError):
         return RunResult(_failed(How.KILLED, Phrase("run-link-closed")))
-    message = sent.report.message
+    message = result.report.message
     if message is not None and not is_sayable(message):
         reason = refused("an error that is not known").phrase
         return RunResult(_failed(How.ERROR, reason), isolated=isolated)
     # Only a host that no program shares can say that a run is lost.
-    return RunResult(sent.report, sent.trace, isolated, sent.lost if isolated else "")
+    return RunResult(result.report, result.trace, isolated, result.lost if isolated else "")
 
 
 def _start(handle: int) -> "subprocess.Popen[bytes]":

@@ -47,9 +47,9 @@ def example_text(name: str, language: str = "en") -> str:
     text = read_text(example(f"{name}.bt"))
     words = _words(language).get(name, {})
 
-    def translated(found: re.Match[str]) -> str:
-        word = found[found.lastgroup or 0]
-        return found[0].replace(word, words.get(word, word)) if word else found[0]
+    def translated(match: re.Match[str]) -> str:
+        word = match[match.lastgroup or 0]
+        return match[0].replace(word, words.get(word, word)) if word else match[0]
 
     return _WORDS.sub(translated, text)
 

@@ -58,18 +58,18 @@ def find(
     if kind is None:
         return ()
 
-    found: list[Mapping[str, Any]] = []
+    matches: list[Mapping[str, Any]] = []
 
     def scan() -> None:
         give_up(kind.known_rights())
         for settings in kind.scan(min(kind.scan_seconds, LONGEST_SCAN)):
-            found.append(settings)
+            matches.append(settings)
             report(settings)
 
     # A driver may raise any exception; connecting says what.
     with suppress(Exception):
         in_own_thread(scan, seconds=LONGEST_SCAN + _LATE)
-    return tuple(found)
+    return tuple(matches)
 
 
 def missing_add_on(entry: RobotEntry) -> str:

@@ -58,11 +58,11 @@ class Hands:
         """
         clock = self.client.clock
         until = clock.time() + seconds
-        while (left := until - clock.time()) > 0:
+        while (remaining := until - clock.time()) > 0:
             if self._halting.is_set():
                 raise InterruptedActionError
             self.client.require_link()
-            clock.sleep(min(LOOK, left))
+            clock.sleep(min(LOOK, remaining))
 
 
 Action = Callable[[Hands], None]

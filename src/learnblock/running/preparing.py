@@ -110,8 +110,8 @@ def _verdict(demanded: tuple[Demand, ...], robot: RobotEntry) -> Verdict | Phras
 def _skills(source: Source) -> Configurations:
     """The skills that a program can use."""
     beside = installed_libraries.blocks_beside(_folder(source), source.libraries)
-    named = {block.name: block for block in beside}
-    return all_configurations().extended({**named, **builtin()})
+    by_name = {block.name: block for block in beside}
+    return all_configurations().extended({**by_name, **builtin()})
 
 
 def _folder(source: Source) -> Path:

@@ -147,10 +147,10 @@ class ProgramRun:
             LearnBlockError: it was interrupted, and could not be ended.
         """
         in_own_thread(self._serve, self._patience.measures(self.stop, self.abort))
-        done = report(self.program, self._run, self.trace.sha256)
+        result = report(self.program, self._run, self.trace.sha256)
         if self.trace.log:
-            self.trace.log.end(msgspec.to_builtins(done, enc_hook=plain))
-        return done
+            self.trace.log.end(msgspec.to_builtins(result, enc_hook=plain))
+        return result
 
     # The methods below can be called from any thread at any time.
 

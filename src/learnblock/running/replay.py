@@ -48,7 +48,7 @@ class Replay:
         """The time in s of the first difference; infinite if there is none."""
         pairs = zip_longest(self.recorded, self.repeated)
         different = ((recorded or repeated) for recorded, repeated in pairs if recorded != repeated)
-        return next((float(seen[2]) for seen in different if seen), math.inf)
+        return next((float(sighting[2]) for sighting in different if sighting), math.inf)
 
 
 def replay(trace: bytes, world: str | None = None) -> Replay:
@@ -86,14 +86,14 @@ class _Eye(Witness):
     """Sees how one robot moves and which goals it reaches, as the recorder of its trace."""
 
     name: str
-    seen: list[Seen]
+    sightings: list[Seen]
 
     def pose(self, time: float, pose: Pose) -> None:
         rounded = [round(value, 3) + 0.0 for value in pose]
-        self.seen.append((self.name, "pose", round(time, 6), rounded))
+        self.sightings.append((self.name, "pose", round(time, 6), rounded))
 
     def goal(self, time: float, name: str, state: str) -> None:
-        self.seen.append((self.name, "goal", round(time, 6), name, state))
+        self.sightings.append((self.name, "goal", round(time, 6), name, state))
 
 
 class _Stage:

@@ -12,11 +12,11 @@ def robot_names(wishes: Sequence[str]) -> Iterator[str]:
     ['swarm-2', 'swarm-3', 'swarm-1']
     """
     uses = Counter(wishes)
-    taken = {wish for wish in wishes if uses[wish] == 1}
+    unique = {wish for wish in wishes if uses[wish] == 1}
     numbers = {wish: count(1) for wish in uses}
     for wish in wishes:
         if uses[wish] == 1:
             yield wish
         else:
             numbered = (f"{wish}-{number}" for number in numbers[wish])
-            yield next(name for name in numbered if name not in taken)
+            yield next(name for name in numbered if name not in unique)

@@ -140,25 +140,25 @@ class SharedRun:
         status = 1
         try:
             _keep_only(connection.fileno())
-            told = _Told(connection)
-            watcher = _Prints(self.job, told)
-            made = warm.made_together(self.job, watcher, lambda run: self._prepare(run, told))
-            told.tell(MadeRun(packed(made)))
+            channel = _ParentChannel(connection)
+            watcher = _Prints(self.job, channel)
+            result = warm.made_together(self.job, watcher, lambda run: self._prepare(run, channel))
+            channel.tell(MadeRun(packed(result)))
             status = 0
         finally:
             # The child must not clean up for its parent, nor say why it failed: it is run again.
             os._exit(status)
 
-    def _prepare(self, run: ProgramRun, told: "_Told") -> None:
+    def _prepare(self, run: ProgramRun, channel: "_ParentChannel") -> None:
         # Ctrl-C in a terminal reaches this process, too: our parent decides how the run ends.
         signal.signal(signal.SIGINT, signal.SIG_IGN)
         signal.signal(signal.SIGTERM, lambda *_: run.stop())
         if self._deadline:
             run.stop()
-        threading.Thread(target=told.tell_where, args=(run,), daemon=True).start()
+        threading.Thread(target=channel.tell_where, args=(run,), daemon=True).start()
 
 
-class _Told:
+class _ParentChannel:
     """What the child tells its parent.
 
     Args:
@@ -186,12 +186,12 @@ class _Told:
 class _Prints(warm.Prints):
     """Tells the parent what the program prints."""
 
-    def __init__(self, job: Job, told: _Told) -> None:
+    def __init__(self, job: Job, channel: _ParentChannel) -> None:
         super().__init__(job.keys)
-        self._told = told
+        self._channel = channel
 
     def printed(self, text: str) -> None:
-        self._told.tell(ShownText(text))
+        self._channel.tell(ShownText(text))
 
 
 def _taken(data: bytearray) -> Iterator[_Message | None]:

@@ -409,8 +409,8 @@ def _made(
     run = ProgramRun(job, trace=trace, watcher=prints, worker=worker, standby=standby)
     prepare(run)
     report = replace(run.run(), output=prints.text)
-    written = trace.getvalue() if trace else b""
-    return RunResult(report, written, isolated=worker is ProcessWorker)
+    trace_bytes = trace.getvalue() if trace else b""
+    return RunResult(report, trace_bytes, isolated=worker is ProcessWorker)
 
 
 if __name__ == "__main__":

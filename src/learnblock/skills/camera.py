@@ -192,7 +192,7 @@ def _tags(robot: "Client") -> "Sequence[Tag]":
     return robot.detect("tags") or ()
 
 
-def _find(robot: "Client", wanted: int | str | None) -> "Tag | None":
+def _find(robot: "Client", target: int | str | None) -> "Tag | None":
     """The first wanted tag in the picture: by number, by name, or None for any tag."""
-    number = None if wanted is None else tag_id(wanted)
+    number = None if target is None else tag_id(target)
     return next((tag for tag in _tags(robot) if number is None or tag.id == number), None)

@@ -68,8 +68,8 @@ def get_min_distance(
         front: look ahead.
         right: look to the right; without any side, all three are used.
     """
-    asked = {"left": left, "front": front, "right": right}
-    sides = [side for side, wanted in asked.items() if wanted] or list(asked)
+    choices = {"left": left, "front": front, "right": right}
+    sides = [side for side, is_on in choices.items() if is_on] or list(choices)
     distances = (robot.senses.distance(side) for side in sides)
     return min((mm for mm in distances if mm is not None), default=None)
 

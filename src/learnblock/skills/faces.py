@@ -81,5 +81,5 @@ def _faces(robot: "Client") -> "Sequence[Face]":
 
 def _is_any_face(robot: "Client", emotion: Emotion) -> bool:
     # The detector returns None if recognising emotions is not allowed.
-    found: Sequence[FaceEmotion] = robot.detect("emotions") or ()
-    return any(face.emotion == emotion for face in found)
+    faces: Sequence[FaceEmotion] = robot.detect("emotions") or ()
+    return any(face.emotion == emotion for face in faces)

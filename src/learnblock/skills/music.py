@@ -76,10 +76,10 @@ def _frequency(note: str) -> float:
     Raises:
         UnknownNameError: there is no such note.
     """
-    found = _NOTE.fullmatch(note) if isinstance(note, str) else None
-    if found is None:
+    match = _NOTE.fullmatch(note) if isinstance(note, str) else None
+    if match is None:
         raise UnknownNameError("note", str(note), NOTES)
-    name, accidental, octave = found.groups()
+    name, accidental, octave = match.groups()
     semitones = _SEMITONES[name] + _ACCIDENTALS[accidental] + 12 * (int(octave) - 4)
     return float(round(440 * 2 ** ((semitones - _SEMITONES["A"]) / 12), 2))
 

@@ -38,8 +38,8 @@ def is_left_object(
     Raises:
         UnknownNameError: there is no such colour.
     """
-    found = _largest(robot, colour)
-    return found is not None and found.is_left
+    largest = _largest(robot, colour)
+    return largest is not None and largest.is_left
 
 
 def is_center_object(
@@ -54,8 +54,8 @@ def is_center_object(
     Raises:
         UnknownNameError: there is no such colour.
     """
-    found = _largest(robot, colour)
-    return found is not None and found.is_center
+    largest = _largest(robot, colour)
+    return largest is not None and largest.is_center
 
 
 def is_right_object(
@@ -70,8 +70,8 @@ def is_right_object(
     Raises:
         UnknownNameError: there is no such colour.
     """
-    found = _largest(robot, colour)
-    return found is not None and found.is_right
+    largest = _largest(robot, colour)
+    return largest is not None and largest.is_right
 
 
 def get_object_size(
@@ -90,17 +90,19 @@ def get_object_size(
     """
     if _objects(robot) is None:
         return None
-    found = _largest(robot, colour)
-    return 0.0 if found is None else 100 * found.share
+    largest = _largest(robot, colour)
+    return 0.0 if largest is None else 100 * largest.share
 
 
 def _objects(robot: "Client") -> "tuple[ColouredObject, ...] | None":
-    found: tuple[ColouredObject, ...] | None = robot.detect("objects")
-    return found
+    objects: tuple[ColouredObject, ...] | None = robot.detect("objects")
+    return objects
 
 
 def _largest(robot: "Client", colour: str) -> "ColouredObject | None":
     if colour not in _COLOURS:
         raise UnknownNameError("colour", str(colour), _COLOURS)
     # The detector sorts them by size.
-    return next((seen for seen in _objects(robot) or () if seen.colour == colour), None)
+    return next(
+        (candidate for candidate in _objects(robot) or () if candidate.colour == colour), None
+    )

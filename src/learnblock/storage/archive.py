@@ -134,12 +134,12 @@ class ZipReader:
             # As above.
             raise RefusedError(ZipRule.NO_ZIP) from error
         with archive:
-            found = [Entry(archive, info, _name(info)) for info in archive.infolist()]
-            wanted = [entry for entry in found if not self._ignores(entry.name)]
-            self._entries -= len(wanted)
+            entries = [Entry(archive, info, _name(info)) for info in archive.infolist()]
+            own_entries = [entry for entry in entries if not self._ignores(entry.name)]
+            self._entries -= len(own_entries)
             if self._entries < 0:
                 raise RefusedError(ZipRule.TOO_MANY_FILES)
-            yield from wanted
+            yield from own_entries
 
     def _ignores(self, name: str) -> bool:
         """Whether its author has not put an entry there; one that leads out is for the rules."""
@@ -264,14 +264,14 @@ def read_files(
         RefusedError: the zip breaks a rule.
     """
     reader = ZipReader(rules.entries, rules.total, ignored)
-    known: set[str] = set()
+    paths: set[str] = set()
     for entry in reader.entries(opened):
         if entry.is_folder:
             continue
         path = _path(entry.name)
-        if path in known:
+        if path in paths:
             raise RefusedError(ZipRule.TWO_FILES, path)
-        known.add(path)
+        paths.add(path)
         content = reader.read(entry, rules.file + 1)
         if len(content) > rules.file:
             raise RefusedError(ZipRule.TOO_LARGE, path)

@@ -32,8 +32,8 @@ def _stamps() -> Iterator[tuple[Path, int, int]]:
     for pattern in _PATTERNS:
         for path in folder.glob(pattern):
             try:
-                found = path.stat()
+                status = path.stat()
             except OSError:
                 # It was deleted just now.
                 continue
-            yield path, found.st_mtime_ns, found.st_size
+            yield path, status.st_mtime_ns, status.st_size

@@ -11,9 +11,9 @@ def place(path: str) -> Phrase:
     return Phrase("file-place", path=path) if path else Phrase("file-itself")
 
 
-def unknown_key(key: str, path: str, known: Iterable[str]) -> Phrase:
+def unknown_key(key: str, path: str, known_keys: Iterable[str]) -> Phrase:
     """Report an unknown key, with the nearest of the known keys or with all of them."""
-    names = tuple(known)
+    names = tuple(known_keys)
     suggestion = nearest(key, names)
     if suggestion is not None:
         return Phrase("file-unknown-key-like", key=key, place=place(path), suggestion=suggestion)

@@ -14,9 +14,9 @@ _IMPORTING = threading.RLock()
 
 def home() -> Path:
     """The path in ``LEARNBLOCK_HOME``, or else the system's folder for user configuration."""
-    chosen = os.environ.get("LEARNBLOCK_HOME")
-    if chosen:
-        return Path(chosen)
+    folder = os.environ.get("LEARNBLOCK_HOME")
+    if folder:
+        return Path(folder)
     from platformdirs import user_config_path  # noqa: PLC0415 - most programs never need it
 
     return user_config_path("learnblock", appauthor=False)

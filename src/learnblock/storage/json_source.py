@@ -175,8 +175,8 @@ class _Source:
             place = self._place_at(at)
         diagnostic = Diagnostic(code, message, place.line, place.column, place.end_column)
         # A file that is too large is not shown, so it needs no caret.
-        shown = self._text if len(self._text) <= LARGEST else ""
-        raise BlockConfigurationError(self._filename, [diagnostic], shown)
+        source = self._text if len(self._text) <= LARGEST else ""
+        raise BlockConfigurationError(self._filename, [diagnostic], source)
 
 
 class _Walk:

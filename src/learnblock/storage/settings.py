@@ -74,20 +74,20 @@ class SettingsSection(Generic[SettingsT]):
     owner: str
     kind: type[SettingsT]
 
-    def load(self, chosen: Mapping[str, Any] | None = None) -> SettingsT:
+    def load(self, overrides: Mapping[str, Any] | None = None) -> SettingsT:
         """Load the settings.
 
         Args:
-            chosen: settings by name, which take precedence over the file.
+            overrides: settings by name, which take precedence over the file.
 
         Raises:
-            SettingsError: a value or a name in the file or in `chosen` is invalid.
+            SettingsError: a value or a name in the file or in `overrides` is invalid.
         """
         if not file().exists():
-            return self._converted(dict(chosen or {}))
+            return self._converted(dict(overrides or {}))
         whole = toml_source.read(file(), self._file_kind(), SettingsError, lambda _: ())
         saved: SettingsT = reduce(getattr, map(_identifier, self.path), whole)
-        return self._converted({**_as_dict(saved), **(chosen or {})}) if chosen else saved
+        return self._converted({**_as_dict(saved), **(overrides or {})}) if overrides else saved
 
     def change(self, name: str, text: str | None) -> SettingsT:
         """Change one setting, given as text, in the user's file; None restores its default.
@@ -100,20 +100,20 @@ class SettingsSection(Generic[SettingsT]):
             (field for field in msgspec.structs.fields(self.kind) if field.name == name), None
         )
         if field is None:
-            known = [field.name for field in msgspec.structs.fields(self.kind)]
-            raise UnknownNameError("setting", name, known)
+            names = [field.name for field in msgspec.structs.fields(self.kind)]
+            raise UnknownNameError("setting", name, names)
         value = field.default if text is None else _value(text, self._types()[name])
         return self.change_all({name: value})
 
     def wrong(self, values: Mapping[str, Any]) -> dict[str, Phrase]:
         """Explain by name which of these values are not allowed, and why."""
-        found = {}
+        phrases = {}
         for name, value in values.items():
             try:
                 self._converted({name: value})
             except SettingsError as error:
-                found[name] = error.phrase
-        return found
+                phrases[name] = error.phrase
+        return phrases
 
     def change_all(self, values: Mapping[str, Any]) -> SettingsT:
         """Change several settings in the user's file, all of them or none.
@@ -139,10 +139,10 @@ class SettingsSection(Generic[SettingsT]):
         file().parent.mkdir(parents=True, exist_ok=True)
         with FileLock(file().with_name(".settings.lock")):
             present = self.load()
-            changed = self._converted({**_as_dict(present), **change(present)})
-            if changed != present:
-                self._save(changed)
-        return changed
+            new = self._converted({**_as_dict(present), **change(present)})
+            if new != present:
+                self._save(new)
+        return new
 
     def describe(self) -> Iterator[Described]:
         """Describe every setting with its current value.
@@ -160,9 +160,9 @@ class SettingsSection(Generic[SettingsT]):
         return toml_source.convert(values, self.kind, SettingsError, lambda _: (), name=name)
 
     def _types(self) -> dict[str, inspect.Type]:
-        found = inspect.type_info(self.kind)
-        assert isinstance(found, inspect.StructType)  # noqa: S101 - for the type checker
-        return {field.name: field.type for field in found.fields}
+        struct = inspect.type_info(self.kind)
+        assert isinstance(struct, inspect.StructType)  # noqa: S101 - for the type checker
+        return {field.name: field.type for field in struct.fields}
 
     def _save(self, settings: SettingsT) -> None:
         """Write what differs from the defaults; the rest of the file stays, with its comments."""
@@ -198,11 +198,11 @@ def _value(text: str, kind: inspect.Type) -> Any:
     if _is_text(kind):
         return text
     try:
-        written = loads(f"value = {text}")
+        values = loads(f"value = {text}")
     except (tomllib.TOMLDecodeError, RecursionError):
         # One of the allowed words, or an invalid value, which is reported later.
         return text
-    return written["value"] if len(written) == 1 else text
+    return values["value"] if len(values) == 1 else text
 
 
 def _is_text(kind: inspect.Type) -> bool:

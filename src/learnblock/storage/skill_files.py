@@ -111,8 +111,8 @@ def names(path: Path) -> tuple[str, ...]:
     Raises:
         OSError: it cannot be read.
     """
-    found = path.stat()
-    return _names(path, (found.st_mtime_ns, found.st_size))
+    status = path.stat()
+    return _names(path, (status.st_mtime_ns, status.st_size))
 
 
 def names_in(source: str) -> tuple[str, ...]:

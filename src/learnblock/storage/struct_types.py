@@ -121,9 +121,9 @@ def _chosen(allowed: inspect.Type, value: object) -> inspect.Type:
     tagged = tag(allowed)
     if tagged is None or not isinstance(value, Mapping):
         return allowed
-    wanted = value.get(tagged[0])
+    tag_value = value.get(tagged[0])
     kinds = [kind for kind in alternatives(allowed) if isinstance(kind, inspect.StructType)]
-    return next((kind for kind in kinds if kind.tag == wanted), allowed)
+    return next((kind for kind in kinds if kind.tag == tag_value), allowed)
 
 
 def _entry(allowed: inspect.Type, step: str | int) -> inspect.Type:

@@ -10,12 +10,12 @@ _HEADER = re.compile(r"\s*\[\[?\s*([^\]]+?)\s*\]\]?\s*(#.*)?$")
 def find_key(path: KeyPath, source: str) -> tuple[int, int, int]:
     """Find the line, column and end column of a key, or else of the header above it."""
     here: KeyPath = ()
-    seen: dict[str, int] = {}
+    counts: dict[str, int] = {}
     best, best_depth = (0, 0, 0), 0
     for number, text in enumerate(source.splitlines(), start=1):
         header = _HEADER.match(text)
         if header:
-            here = _header_path(header[1], seen, is_list=text.lstrip().startswith("[["))
+            here = _header_path(header[1], counts, is_list=text.lstrip().startswith("[["))
         key = None if header else re.match(r"\s*([\w.-]+)\s*=", text)
         stop = header or key
         if stop is None:
@@ -28,7 +28,7 @@ def find_key(path: KeyPath, source: str) -> tuple[int, int, int]:
     return best
 
 
-def _header_path(header: str, seen: dict[str, int], *, is_list: bool) -> KeyPath:
+def _header_path(header: str, counts: dict[str, int], *, is_list: bool) -> KeyPath:
     """Read a header; ``[[line.part]]`` below the second ``[[line]]`` gives ``line, 1, part, n``."""
     path: KeyPath = ()
     parts = [part.strip() for part in header.split(".")]
@@ -36,7 +36,7 @@ def _header_path(header: str, seen: dict[str, int], *, is_list: bool) -> KeyPath
         path = (*path, part)
         key = repr(path)
         if is_list and depth == len(parts) - 1:
-            seen[key] = seen.get(key, -1) + 1
-        if key in seen:
-            path = (*path, seen[key])
+            counts[key] = counts.get(key, -1) + 1
+        if key in counts:
+            path = (*path, counts[key])
     return path

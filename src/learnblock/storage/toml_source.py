@@ -114,9 +114,9 @@ def convert(
         name: the name of the file.
         source: the file's text, for the lines of mistakes.
     """
-    described, found = examine(document, struct, check)
-    if described is None or found:
-        diagnostics = [_diagnostic(finding, source) for finding in found]
+    described, mistakes = examine(document, struct, check)
+    if described is None or mistakes:
+        diagnostics = [_diagnostic(finding, source) for finding in mistakes]
         raise error(name, sorted(diagnostics, key=lambda d: (d.line, d.column)), source)
     return described
 
@@ -279,8 +279,8 @@ def _wrong_value(path: KeyPath, value: object, allowed: inspect.Type) -> Phrase:
         "value": _show(value),
         "allowed": describe(allowed),
     }
-    known = list(map(str, choices(allowed)))
-    suggestion = nearest(value, known) if isinstance(value, str) else None
+    options = list(map(str, choices(allowed)))
+    suggestion = nearest(value, options) if isinstance(value, str) else None
     if suggestion is None:
         return Phrase("toml-wrong-value", **values)
     return Phrase("toml-wrong-value-like", suggestion=suggestion, **values)

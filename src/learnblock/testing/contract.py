@@ -72,13 +72,13 @@ def check_function(robot: Client, name: str) -> None:
         UnknownNameError: the robot has no such function.
         NotConformingError: the value that it returns has the wrong form.
     """
-    known = functions_of(robot)
-    if name not in known:
-        raise UnknownNameError("device-function", name, known)
+    functions = functions_of(robot)
+    if name not in functions:
+        raise UnknownNameError("device-function", name, functions)
     whole, _, function = name.rpartition(".")
     device = {f"{type(device).__name__}:{key}": device for key, device in robot.devices()}[whole]
-    given = () if function == "read" else _COMMANDS[f"{type(device).__name__}.{function}"]
-    answer = device.functions[function](*given)
+    arguments = () if function == "read" else _COMMANDS[f"{type(device).__name__}.{function}"]
+    answer = device.functions[function](*arguments)
     if not _is_right(device, function, answer):
         raise NotConformingError(f"{name} returns {answer!r:.120}")
 

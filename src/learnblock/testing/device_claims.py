@@ -26,11 +26,13 @@ def connects(bench: Bench) -> str:
 def has_announced_devices(bench: Bench) -> str:
     """Check that it has exactly the devices that its class announces."""
     with bench.robot() as robot:
-        found = {f"{type(device).__name__}:{key}" for key, device in robot.devices()}
+        devices = {f"{type(device).__name__}:{key}" for key, device in robot.devices()}
         announced = robot.known_devices()
-    require(bool(found), "it has no device")
-    require(announced is None or announced == found, f"it announces {announced}, but has {found}")
-    return ", ".join(sorted(found))
+    require(bool(devices), "it has no device")
+    require(
+        announced is None or announced == devices, f"it announces {announced}, but has {devices}"
+    )
+    return ", ".join(sorted(devices))
 
 
 def has_words_as_keys(bench: Bench) -> str:

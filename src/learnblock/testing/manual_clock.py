@@ -109,20 +109,20 @@ class ManualClock:
             Exception: the function raises it.
             TimeoutError: it neither waits on this clock nor returns.
         """
-        done: Future[Result] = Future()
+        outcome: Future[Result] = Future()
 
         def work() -> None:
             try:
-                done.set_result(call())
+                outcome.set_result(call())
             except BaseException as error:  # noqa: BLE001 - raised in the test
-                done.set_exception(error)
+                outcome.set_exception(error)
 
         thread = threading.Thread(target=work, name="run by a manual clock", daemon=True)
         thread.start()
         while self._waits_again(thread):
             if wait := self._first(math.inf):
                 self._end(wait)
-        return done.result()
+        return outcome.result()
 
     @contextmanager
     def _waiting(self, seconds: float, has_happened: Callable[[], bool]) -> Iterator[_Wait]:

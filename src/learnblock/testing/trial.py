@@ -124,11 +124,11 @@ def _pose(base: Base) -> tuple[float, float, float] | None:
 
 
 def _odometry(poses: list[tuple[float, float, float] | None]) -> Phrase:
-    known = [pose for pose in poses if pose is not None]
-    if len(known) < len(poses):
+    readings = [pose for pose in poses if pose is not None]
+    if len(readings) < len(poses):
         return Phrase("testing-drives")
-    ahead = math.dist(known[0][:2], known[1][:2])
-    turned = known[3][2] - known[2][2]
+    ahead = math.dist(readings[0][:2], readings[1][:2])
+    turned = readings[3][2] - readings[2][2]
     return Phrase("testing-drives-by-odometry", distance=round(ahead), angle=round(turned))
 
 
@@ -137,25 +137,25 @@ def _bend(robot: Client, joint: JointMotor, ask: Ask) -> Phrase:
     robot.clock.sleep(1)
     read = joint.functions.get("read")
     angle = Phrase("testing-angle", angle=round(read())) if read else Phrase("testing-no-angle")
-    seen = ask(Phrase("testing-ask-joint"))
+    is_visible = ask(Phrase("testing-ask-joint"))
     joint.move(0)
-    return _require(seen, angle)
+    return _require(is_visible, angle)
 
 
 def _show(robot: Client, display: Display, ask: Ask) -> Phrase:
     display.show_emotion(Emotion.JOY)
     robot.clock.sleep(1)
-    seen = ask(Phrase("testing-ask-joy"))
+    is_visible = ask(Phrase("testing-ask-joy"))
     display.show_emotion(Emotion.NEUTRAL)
-    return _require(seen, Phrase("testing-shows-joy"))
+    return _require(is_visible, Phrase("testing-shows-joy"))
 
 
 def _light(robot: Client, led: Led | RGBLed, ask: Ask) -> Phrase:
     del robot
     _switch(led, on=True)
-    seen = ask(Phrase("testing-ask-light"))
+    is_visible = ask(Phrase("testing-ask-light"))
     _switch(led, on=False)
-    return _require(seen, Phrase("testing-lights"))
+    return _require(is_visible, Phrase("testing-lights"))
 
 
 def _switch(led: Led | RGBLed, *, on: bool) -> None:
@@ -172,8 +172,8 @@ def _sound(robot: Client, speaker: Speaker, ask: Ask) -> Phrase:
     return _require(ask(Phrase("testing-ask-beep")), Phrase("testing-beeps"))
 
 
-def _require(seen: bool, detail: Phrase) -> Phrase:  # noqa: FBT001 - it was seen or it was not
-    if not seen:
+def _require(is_visible: bool, detail: Phrase) -> Phrase:  # noqa: FBT001 - a yes or a no
+    if not is_visible:
         raise LearnBlockError("testing-not-seen")
     return detail
 

@@ -59,19 +59,19 @@ def given(ice):
     yield failure(base.stopBase)
     yield failure(base.resetOdometer)
     yield failure(lambda: base.setOdometerPose(1, 2, 0.5))
-    yield [vars(one) for one in laser.getLaserData()]
+    yield [vars(value) for value in laser.getLaserData()]
     yield vars(laser.getLaserConfData())
     goal = RoboCompJointMotor.MotorGoalPosition(name="servo", position=0.5, maxSpeed=2.0)
     yield joints.setPosition(goal)
     yield vars(joints.getMotorState("servo"))
-    yield {name: vars(one) for name, one in joints.getAllMotorState().items()}
+    yield {name: vars(value) for name, value in joints.getAllMotorState().items()}
     colours, depths, _, state = eyes.getData()
     yield [len(colours), sum(colours), list(depths), state.alpha]
     yield str(eyes.getRegistration())
     picture = RoboCompApriltag.TImage(width=2, height=1, depth=3, image=bytes(6))
-    yield [vars(one) for one in tags.processimage(picture)]
+    yield [vars(value) for value in tags.processimage(picture)]
     yield str(behaviour.getState())
-    yield {name: vars(one) for name, one in behaviour.getParameterList().items()}
+    yield {name: vars(value) for name, value in behaviour.getParameterList().items()}
 
 
 with Ice.initialize() as ice:

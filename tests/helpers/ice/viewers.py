@@ -31,7 +31,7 @@ KINDS = {
 def found(proxy, picture):
     """Return what is found in a picture, or the reason why detection is refused."""
     try:
-        return [vars(one) for one in proxy.processimage(picture)]
+        return [vars(detection) for detection in proxy.processimage(picture)]
     except Ice.UnknownException as error:
         return error.unknown
 

@@ -121,35 +121,35 @@ class BlockConfiguration:
         return "blockVertical" not in self.shapes
 
     def lacks(
-        self, equipment: frozenset[str], given: Mapping[str, str | None] = MappingProxyType({})
+        self, equipment: frozenset[str], arguments: Mapping[str, str | None] = MappingProxyType({})
     ) -> tuple[str, ...]:
         """The needs that a robot can't serve.
 
         Args:
             equipment: what the robot has; see `learnblock.senses.equipment`.
-            given: the text that a call gives for a parameter; None if only the run will tell.
+            arguments: the text that a call gives for a parameter; None if only the run will tell.
         """
-        return tuple(need for need in self.needed(given) if served_by(need, equipment) is None)
+        return tuple(need for need in self.needed(arguments) if served_by(need, equipment) is None)
 
-    def needed(self, given: Mapping[str, str | None] = MappingProxyType({})) -> tuple[str, ...]:
+    def needed(self, arguments: Mapping[str, str | None] = MappingProxyType({})) -> tuple[str, ...]:
         """What a call needs.
 
         Parameters that only the run will tell count as True; if none is True, all count.
 
         Args:
-            given: as for `lacks`.
+            arguments: as for `lacks`.
         """
         choices = [parameter for parameter in self.parameters if parameter.needs]
-        chosen = [
+        active = [
             choice.needs
             for choice in choices
-            if given.get(choice.name, str(choice.default)) != "False"
+            if arguments.get(choice.name, str(choice.default)) != "False"
         ]
         if choices:
-            return tuple(chosen or [choice.needs for choice in choices])
-        return tuple(self._chosen(need, given) for need in self.needs)
+            return tuple(active or [choice.needs for choice in choices])
+        return tuple(self._chosen(need, arguments) for need in self.needs)
 
-    def _chosen(self, need: str, given: Mapping[str, str | None]) -> str:
+    def _chosen(self, need: str, arguments: Mapping[str, str | None]) -> str:
         """A need with the key that its parameter gives; any key will do if that is open."""
         kind, _, key = need.partition(":")
         if not key.startswith("{"):
@@ -158,7 +158,7 @@ class BlockConfiguration:
         default = next(
             (parameter.default for parameter in self.parameters if parameter.name == name), None
         )
-        value = given.get(name, default)
+        value = arguments.get(name, default)
         device = kind if value in (None, FIRST_KEY) else f"{kind}:{value}"
         return ASKED_BY_DEVICE.get(device, device)
 

@@ -10,14 +10,14 @@ MOST_CHOICES = 100
 LONGEST_CHOICE = 100
 
 
-def range_problem(found: Range) -> Phrase | None:
+def range_problem(bounds: Range) -> Phrase | None:
     """The mistake in a range, or None if there is none."""
-    numbers = [found.least, found.most, 1 if found.step is None else found.step]
+    numbers = [bounds.least, bounds.most, 1 if bounds.step is None else bounds.step]
     if not all(math.isfinite(number) and abs(number) <= 1e15 for number in numbers):
         return Phrase("block-range-ends")
-    if not found.least < found.most:
+    if not bounds.least < bounds.most:
         return Phrase("block-range-order")
-    if found.step is not None and not 0 < found.step <= found.most - found.least:
+    if bounds.step is not None and not 0 < bounds.step <= bounds.most - bounds.least:
         return Phrase("block-range-step")
     return None
 

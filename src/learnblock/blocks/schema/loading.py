@@ -147,9 +147,9 @@ def _by_key(words: _Words) -> dict[str, _Words]:
     return {key: _of(words, key) for key in keys}
 
 
-def completed(block: BlockConfiguration, known: BlockConfiguration) -> BlockConfiguration:
+def completed(block: BlockConfiguration, earlier: BlockConfiguration) -> BlockConfiguration:
     """`block`, completed from its earlier configuration."""
-    same = {parameter.name: parameter for parameter in known.parameters}
+    same = {parameter.name: parameter for parameter in earlier.parameters}
     parameters = tuple(
         replace(
             parameter, translations={**same[parameter.name].translations, **parameter.translations}
@@ -160,11 +160,11 @@ def completed(block: BlockConfiguration, known: BlockConfiguration) -> BlockConf
     )
     return replace(
         block,
-        parameters=parameters or known.parameters,
-        languages={**known.languages, **block.languages},
-        tooltip={**known.tooltip, **block.tooltip},
-        returns=known.returns if block.returns == "any" else block.returns,
-        needs=block.needs or known.needs,
-        library=known.library,
-        titles=known.titles,
+        parameters=parameters or earlier.parameters,
+        languages={**earlier.languages, **block.languages},
+        tooltip={**earlier.tooltip, **block.tooltip},
+        returns=earlier.returns if block.returns == "any" else block.returns,
+        needs=block.needs or earlier.needs,
+        library=earlier.library,
+        titles=earlier.titles,
     )

@@ -129,32 +129,32 @@ class _Reader:
     # Their parts.
 
     def _fields(
-        self, value: object, path: Path, who: Phrase, known: Mapping[str, bool]
+        self, value: object, path: Path, who: Phrase, schema: Mapping[str, bool]
     ) -> dict[str, Any]:
         if not isinstance(value, dict):
             message = Phrase("block-not-object", where=who, value=_shown(value))
             self._wrong("wrong-type", path, message)
             return {}
-        for key in value.keys() - known:
+        for key in value.keys() - schema:
             place = self._document.keys.get((*path, key), TextPosition())
-            self._note("unknown-key", _unknown_key(key, who, known), place)
-        for key in (key for key, required in known.items() if required and key not in value):
+            self._note("unknown-key", _unknown_key(key, who, schema), place)
+        for key in (key for key, required in schema.items() if required and key not in value):
             self._wrong("missing-key", path, Phrase("block-missing-key", where=who, key=key))
-        return {key: value[key] for key in known if key in value}
+        return {key: value[key] for key in schema if key in value}
 
     def _choice(
-        self, fields: Mapping[str, Any], key: str, path: Path, who: Phrase, known: Sequence[T]
+        self, fields: Mapping[str, Any], key: str, path: Path, who: Phrase, choices: Sequence[T]
     ) -> T:
         if key not in fields:
-            return known[0]
-        return self._one_of(known, fields[key], (*path, key), who, key)
+            return choices[0]
+        return self._one_of(choices, fields[key], (*path, key), who, key)
 
-    def _one_of(self, known: Sequence[T], value: object, path: Path, who: Phrase, key: str) -> T:
-        for choice in known:
+    def _one_of(self, choices: Sequence[T], value: object, path: Path, who: Phrase, key: str) -> T:
+        for choice in choices:
             if value == choice:
                 return choice
-        self._wrong("unknown-value", path, _unknown_value(value, known, who, key))
-        return known[0]
+        self._wrong("unknown-value", path, _unknown_value(value, choices, who, key))
+        return choices[0]
 
     def _text(self, fields: Mapping[str, Any], key: str, path: Path, who: Phrase) -> str:
         if key not in fields:
@@ -202,12 +202,12 @@ class _Reader:
             texts[code.upper()] = self._words(text, (*at, code), who, f"{key}.{code}")
         return texts
 
-    def _check_language(self, code: str, known: Collection[str], path: Path, who: Phrase) -> None:
+    def _check_language(self, code: str, codes: Collection[str], path: Path, who: Phrase) -> None:
         place, key = self._document.keys.get(path, TextPosition()), str(path[-2])
         if not _LANGUAGE.fullmatch(code.upper()):
             message = Phrase("block-bad-language", where=who, key=key, value=_shown(code))
             self._note("bad-language", message, place)
-        elif code.upper() in known:
+        elif code.upper() in codes:
             message = Phrase("block-duplicate-language", where=who, key=key, language=code.upper())
             self._note("duplicate-key", message, place)
 
@@ -251,30 +251,30 @@ class _Reader:
         value = fields.get("range")
         if value is None:
             return None
-        found = _to_range(value)
-        wrong = Phrase("block-range-form") if found is None else range_problem(found)
+        bounds = _to_range(value)
+        wrong = Phrase("block-range-form") if bounds is None else range_problem(bounds)
         if kind not in NUMBERS:
             wrong = Phrase("block-range-not-number")
         if wrong is not None:
             message = Phrase("block-bad-range", where=who, value=_shown(value), problem=wrong)
             self._wrong("bad-range", (*path, "range"), message)
             return None
-        return found
+        return bounds
 
     def _choices(
         self, fields: Mapping[str, Any], kind: ParameterType, path: Path, who: Phrase
     ) -> tuple[str, ...]:
         items = self._list(fields, "choices", path, who, '["slow", "fast"]')
-        found = tuple(dict.fromkeys(item for item in items if is_choice(item)))
+        choices = tuple(dict.fromkeys(item for item in items if is_choice(item)))
         if kind != "choice" and not items:
             return ()
         if kind not in ("choice", "string"):
             message = Phrase("block-choices-type", where=who)
-        elif len(found) == len(items) and 0 < len(found) <= MOST_CHOICES:
-            return found
+        elif len(choices) == len(items) and 0 < len(choices) <= MOST_CHOICES:
+            return choices
         else:
-            shown = _shown(items)
-            message = Phrase("block-bad-choices", where=who, value=shown, most=MOST_CHOICES)
+            items_text = _shown(items)
+            message = Phrase("block-bad-choices", where=who, value=items_text, most=MOST_CHOICES)
         at: Path = (*path, "choices") if "choices" in fields else path
         self._wrong("bad-choices", at, message)
         return ()
@@ -313,16 +313,16 @@ class _Reader:
         self, names: Sequence[str], paths: Sequence[Path], who: Phrase | None
     ) -> None:
         """Refuse duplicate names of blocks, or of the parameters of one block."""
-        seen: set[str] = set()
+        earlier: set[str] = set()
         for name, path in zip(names, paths, strict=True):
-            if name and name in seen:
+            if name and name in earlier:
                 message = (
                     Phrase("block-duplicate-block", name=name)
                     if who is None
                     else Phrase("block-duplicate-parameter", name=name, where=who)
                 )
                 self._wrong("duplicate-name", (*path, "name"), message)
-            seen.add(name)
+            earlier.add(name)
 
     def _refuse_late_requirements(
         self, parameters: Sequence[Parameter], paths: Sequence[Path], who: Phrase
@@ -366,18 +366,20 @@ def _name_of(value: object) -> str:
     return name if isinstance(name, str) else ""
 
 
-def _unknown_key(key: str, who: Phrase, known: Mapping[str, bool]) -> Phrase:
-    near = nearest(key, known)
+def _unknown_key(key: str, who: Phrase, schema: Mapping[str, bool]) -> Phrase:
+    near = nearest(key, schema)
     if near is None:
-        return Phrase("block-unknown-key", where=who, key=key, known=tuple(known))
+        return Phrase("block-unknown-key", where=who, key=key, known=tuple(schema))
     return Phrase("block-unknown-key-like", where=who, key=key, suggestion=near)
 
 
-def _unknown_value(value: object, known: Sequence[str], who: Phrase, key: str) -> Phrase:
-    shown, near = _shown(value), nearest(str(value), known)
+def _unknown_value(value: object, choices: Sequence[str], who: Phrase, key: str) -> Phrase:
+    value_text, near = _shown(value), nearest(str(value), choices)
     if near is None:
-        return Phrase("block-unknown-value", where=who, key=key, value=shown, known=tuple(known))
-    return Phrase("block-unknown-value-like", where=who, key=key, value=shown, suggestion=near)
+        return Phrase(
+            "block-unknown-value", where=who, key=key, value=value_text, known=tuple(choices)
+        )
+    return Phrase("block-unknown-value-like", where=who, key=key, value=value_text, suggestion=near)
 
 
 def _unknown_choice(name: str, choices: Sequence[str], who: Phrase) -> Phrase:

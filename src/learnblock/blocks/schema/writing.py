@@ -42,10 +42,10 @@ def _parameter(parameter: Parameter) -> dict[str, Any]:
 
 
 def _words(key: str, words: Mapping[str, Mapping[str, str]]) -> dict[str, Any]:
-    found = {word: dict(translations) for word, translations in words.items()}
-    return {key: found} if found else {}
+    entries = {word: dict(translations) for word, translations in words.items()}
+    return {key: entries} if entries else {}
 
 
-def _range(found: Range) -> list[float]:
-    step = () if found.step is None else (found.step,)
-    return [found.least, found.most, *step]
+def _range(bounds: Range) -> list[float]:
+    step = () if bounds.step is None else (bounds.step,)
+    return [bounds.least, bounds.most, *step]

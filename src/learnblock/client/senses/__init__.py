@@ -70,8 +70,8 @@ class Senses:
             return self._edge.look()
         if server == "Camera" and colour == "black":
             return self._camera_line.view() or NOWHERE
-        found = None if server is None else self._robot.detect("lines")
-        line: Line = NOWHERE if found is None else getattr(found, colour)
+        lines = None if server is None else self._robot.detect("lines")
+        line: Line = NOWHERE if lines is None else getattr(lines, colour)
         return line
 
     def line_position(self) -> float | None:

@@ -147,17 +147,17 @@ class CameraLine:
 
     def look(self) -> Sighting:
         """Where the line is, by its position."""
-        seen = self.view()
-        if seen is None or not seen.is_there:
+        view = self.view()
+        if view is None or not view.is_there:
             return NOWHERE
-        position = _position(seen)
+        position = _position(view)
         return LEFT if position < -ASIDE else RIGHT if position > ASIDE else CENTER
 
     def view(self) -> "LineView | None":
         """The line in the picture; None without a picture."""
         self._look_down()
-        found = self._robot.detect("lines")
-        return None if found is None else found.black
+        lines = self._robot.detect("lines")
+        return None if lines is None else lines.black
 
     def _look_down(self) -> None:
         """Tilt the camera to the floor, unless the program has already chosen where it looks."""
@@ -186,8 +186,8 @@ class LinePosition:
 
     def by_camera(self) -> float:
         """From the shares of the line in the left and the right of the picture."""
-        seen = self._camera.view()
-        return self._lost() if seen is None or not seen.is_there else self._seen(_position(seen))
+        view = self._camera.view()
+        return self._lost() if view is None or not view.is_there else self._seen(_position(view))
 
     def by_ground(self) -> float:
         """From the difference of both sensors, or from a single one at the line's right edge."""

@@ -52,12 +52,12 @@ def pixels(run_lengths: bytes) -> Pixels:
     return screen
 
 
-def emotion(shown: Pixels) -> str | None:
+def emotion(screen: Pixels) -> str | None:
     """The emotion on the screen, ``none`` for an empty screen, None for another picture."""
-    if not shown.any():
+    if not screen.any():
         return "none"
-    name, known = min(_known().items(), key=lambda face: np.count_nonzero(face[1] != shown))
-    return name if np.count_nonzero(known != shown) <= LIKENESS else None
+    name, pattern = min(_known().items(), key=lambda face: np.count_nonzero(face[1] != screen))
+    return name if np.count_nonzero(pattern != screen) <= LIKENESS else None
 
 
 @cache

@@ -108,9 +108,9 @@ def encoded(ack: int, first: int, contents: Sequence[Any]) -> bytes:
     return header + b"".join(map(_encoded_packet, contents))
 
 
-def _numbered(first: int, found: Iterator[tuple[int, Any]]) -> Iterator[tuple[int, Any]]:
+def _numbered(first: int, pairs: Iterator[tuple[int, Any]]) -> Iterator[tuple[int, Any]]:
     number = first
-    for kind, packet in found:
+    for kind, packet in pairs:
         if kind >= PacketKind.EVENT:
             yield 0, packet
         else:

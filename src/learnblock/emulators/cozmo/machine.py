@@ -186,13 +186,13 @@ class CozmoMachine:
             self._frames_of_this_sound = 0
 
     def _show(self, packet: Any) -> None:
-        shown = bytes(packet.image)
-        if shown == self._shown:
+        image = bytes(packet.image)
+        if image == self._shown:
             # The picture is sent 30 times a second.
             return
-        self._shown = shown
+        self._shown = image
         try:
-            name = face.emotion(face.pixels(shown))
+            name = face.emotion(face.pixels(image))
         except ValueError:
             return
         with self._twin.body() as body:

@@ -129,12 +129,12 @@ def _port(process: subprocess.Popen[str]) -> int:
     limit = threading.Timer(TIMEOUT, process.kill)
     limit.start()
     try:
-        said = process.stdout.readline()
+        line = process.stdout.readline()
     finally:
         limit.cancel()
-    if not said.startswith("listening at port "):
+    if not line.startswith("listening at port "):
         raise EmulatorError("emulator-brick-silent")
-    return int(said.rsplit(maxsplit=1)[1])
+    return int(line.rsplit(maxsplit=1)[1])
 
 
 def _end(process: subprocess.Popen[Any]) -> None:

@@ -99,13 +99,13 @@ class Firmware:
     def _converse(self, client: socket.socket) -> None:
         client.settimeout(0.1)
         # A stranger that says nothing must not keep the only place.
-        heard = self._receive(client, 100, monotonic() + GREETING)
-        if b"ET /target?sn=" not in heard:
+        greeting = self._receive(client, 100, monotonic() + GREETING)
+        if b"ET /target?sn=" not in greeting:
             return
         client.sendall(b"Accept:EV340\r\n\r\n")
-        held = b""
-        while heard := self._receive(client, 4096):
-            replies, held = self._executed(held + heard)
+        buffer = b""
+        while data := self._receive(client, 4096):
+            replies, buffer = self._executed(buffer + data)
             client.sendall(replies)
 
     def _receive(self, client: socket.socket, most: int, until: float = math.inf) -> bytes:
@@ -115,20 +115,20 @@ class Firmware:
         return b""
 
     def _serve_stream(self, file: int) -> None:
-        held = b""
+        buffer = b""
         with open(file, "r+b", buffering=0):
-            while heard := self._read(file):
-                replies, held = self._executed(held + heard)
+            while data := self._read(file):
+                replies, buffer = self._executed(buffer + data)
                 os.write(file, replies)
 
     def _serve_reports(self, file: int) -> None:
-        held = b""
+        buffer = b""
         with open(file, "r+b", buffering=0):
-            while heard := self._read(file):
-                held += heard
+            while data := self._read(file):
+                buffer += data
                 # The report's number, which is 0, and the report.
-                while len(held) > REPORT:
-                    report, held = held[1 : 1 + REPORT], held[1 + REPORT :]
+                while len(buffer) > REPORT:
+                    report, buffer = buffer[1 : 1 + REPORT], buffer[1 + REPORT :]
                     replies, _ = self._executed(report)
                     os.write(file, replies.ljust(REPORT, b"\0"))
 

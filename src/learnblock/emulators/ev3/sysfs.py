@@ -108,9 +108,9 @@ class MotorFolder(DeviceFolder):
         # First, so that the values that a client has written before its command are there.
         command = self["command"].written()
         for name in ("speed_sp", "stop_action"):
-            written = self[name].written()
-            if written is not None:
-                self[name].show(written)
+            value = self[name].written()
+            if value is not None:
+                self[name].show(value)
         if command == "run-forever":
             self.speed = _speed(self["speed_sp"].value)
         elif command in {"stop", "reset"}:

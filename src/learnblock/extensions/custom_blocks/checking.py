@@ -25,24 +25,24 @@ def taken_names(
         but: the block whose functions are left out.
         others: the result of `others_names`, if it is already known.
     """
-    taken: dict[str, Phrase] = {}
+    messages: dict[str, Phrase] = {}
     for path in skill_files.own_files():
         if path.stem != but:
             for name in skill_files.names(path):
-                taken[name] = Phrase("custom-taken-by-block", name=name, block=path.stem)
-    return {**taken, **(others_names() if others is None else others)}
+                messages[name] = Phrase("custom-taken-by-block", name=name, block=path.stem)
+    return {**messages, **(others_names() if others is None else others)}
 
 
 def others_names() -> Mapping[str, Phrase]:
     """The names that are taken by anything except custom blocks."""
-    taken = {
+    messages = {
         block.name: Phrase("custom-taken-by-library", name=block.name, library=block.library)
         for block in installed_blocks()
     }
-    taken |= {name: Phrase("custom-taken-by-plugin", name=name) for name in _of_plugins()}
-    taken |= {name: Phrase("custom-taken-by-robot", name=name) for name in RESERVED}
-    taken |= {name: Phrase("custom-taken-by-skill", name=name) for name in builtin()}
-    return taken
+    messages |= {name: Phrase("custom-taken-by-plugin", name=name) for name in _of_plugins()}
+    messages |= {name: Phrase("custom-taken-by-robot", name=name) for name in RESERVED}
+    messages |= {name: Phrase("custom-taken-by-skill", name=name) for name in builtin()}
+    return messages
 
 
 def _of_plugins() -> Iterator[str]:
@@ -71,34 +71,34 @@ def check(
         others: the result of `others_names`, if it is already known.
     """
     filename = f"{name or 'block'}.py"
-    taken = taken_names(but=replaces, others=others)
+    objections = taken_names(but=replaces, others=others)
     problems = [
         *_problems("name", _wrong_name(name, replaces)),
-        *_problems("source", wrong_source(source, filename, taken)),
+        *_problems("source", wrong_source(source, filename, objections)),
     ]
-    chosen, wrong = choices.read(configuration)
+    configurations, wrong = choices.read(configuration)
     problems += _problems("configuration", wrong)
     try:
-        found = signatures(source, filename)
+        functions = signatures(source, filename)
     except ProgramError:
         # This is already among the problems of the source.
         return Checked(tuple(problems), chosen=configuration)
-    if not name and found:
+    if not name and functions:
         # The page calls a new file after its first function.
-        filename = f"{found[0].name}.py"
-    followed = {block.name: block for block in choices.followed(chosen, found)}
-    stale = choices.out_of_date(followed, {block.name: block for block in found})
-    blocks = choices.complete(found, followed, filename)
+        filename = f"{functions[0].name}.py"
+    followed = {block.name: block for block in choices.followed(configurations, functions)}
+    stale = choices.out_of_date(followed, {block.name: block for block in functions})
+    blocks = choices.complete(functions, followed, filename)
     problems += _problems("configuration", map(_warning, stale))
-    problems += _problems("configuration", _wrong_defaults(blocks, found))
-    return Checked(tuple(problems), blocks, choices.apart(blocks, found))
+    problems += _problems("configuration", _wrong_defaults(blocks, functions))
+    return Checked(tuple(problems), blocks, choices.apart(blocks, functions))
 
 
 def _wrong_defaults(
-    blocks: Iterable[BlockConfiguration], found: Iterable[Signature]
+    blocks: Iterable[BlockConfiguration], functions: Iterable[Signature]
 ) -> Iterator[Diagnostic]:
     """Report defaults that the configuration does not allow."""
-    for block, signature in zip(blocks, found, strict=True):
+    for block, signature in zip(blocks, functions, strict=True):
         for parameter, argument in zip(block.parameters, signature.arguments, strict=True):
             by_hint = (
                 parameter.type == argument.field.type and parameter.range == argument.field.range

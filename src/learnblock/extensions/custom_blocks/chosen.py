@@ -23,17 +23,17 @@ def read(text: str) -> tuple[tuple[BlockConfiguration, ...], tuple[Diagnostic, .
 
 
 def followed(
-    chosen: Iterable[BlockConfiguration], signatures: Iterable[Signature]
+    configurations: Iterable[BlockConfiguration], signatures: Iterable[Signature]
 ) -> tuple[BlockConfiguration, ...]:
     """The configurations; if a function was renamed, its configuration is too.
 
     If just one function and one configuration do not match any other, the function was renamed: it
     keeps its colour and its words in other languages.
     """
-    blocks, names = list(chosen), [signature.name for signature in signatures]
+    blocks, names = list(configurations), [signature.name for signature in signatures]
     without_function = [block for block in blocks if block.name not in names]
-    known = {block.name for block in blocks}
-    without_choice = [name for name in names if name not in known]
+    block_names = {block.name for block in blocks}
+    without_choice = [name for name in names if name not in block_names]
     if len(without_function) != 1 or len(without_choice) != 1:
         return tuple(blocks)
     (old,), (new,) = without_function, without_choice
@@ -44,12 +44,12 @@ def followed(
 
 
 def complete(
-    signatures: Iterable[Signature], chosen: Mapping[str, BlockConfiguration], filename: str
+    signatures: Iterable[Signature], configurations: Mapping[str, BlockConfiguration], filename: str
 ) -> tuple[BlockConfiguration, ...]:
     """The blocks of a file, from its source and their configurations."""
     return tuple(
-        fitted(chosen[signature.name], signature, derived(signature, filename))
-        if signature.name in chosen
+        fitted(configurations[signature.name], signature, derived(signature, filename))
+        if signature.name in configurations
         else derived(signature, filename)
         for signature in signatures
     )
@@ -64,12 +64,12 @@ def apart(blocks: Iterable[BlockConfiguration], signatures: Iterable[Signature])
     return written(_without(block, derived(signature, "")) for block, signature in pairs)
 
 
-def _without(block: BlockConfiguration, known: BlockConfiguration) -> BlockConfiguration:
-    pairs = zip(block.parameters, known.parameters, strict=True)
+def _without(block: BlockConfiguration, default: BlockConfiguration) -> BlockConfiguration:
+    pairs = zip(block.parameters, default.parameters, strict=True)
     return replace(
         block,
-        languages=_differing(block.languages, known.languages),
-        tooltip=_differing(block.tooltip, known.tooltip),
+        languages=_differing(block.languages, default.languages),
+        tooltip=_differing(block.tooltip, default.tooltip),
         parameters=tuple(
             replace(block, translations=_differing(block.translations, other.translations))
             for block, other in pairs
@@ -77,15 +77,15 @@ def _without(block: BlockConfiguration, known: BlockConfiguration) -> BlockConfi
     )
 
 
-def _differing(texts: Mapping[str, str], known: Mapping[str, str]) -> dict[str, str]:
-    return {code: text for code, text in texts.items() if known.get(code) != text}
+def _differing(texts: Mapping[str, str], defaults: Mapping[str, str]) -> dict[str, str]:
+    return {code: text for code, text in texts.items() if defaults.get(code) != text}
 
 
 def out_of_date(
-    chosen: Mapping[str, BlockConfiguration], signatures: Mapping[str, Signature]
+    configurations: Mapping[str, BlockConfiguration], signatures: Mapping[str, Signature]
 ) -> Iterator[Phrase]:
     """The parts of configurations that contradict their functions, with a message for each."""
-    for name, block in chosen.items():
+    for name, block in configurations.items():
         if name not in signatures:
             yield Phrase("custom-stale-function", name=name)
         else:

@@ -10,23 +10,23 @@ from learnblock.extensions.skill_names import places, replaced
 from learnblock.storage import skill_files
 
 
-def new_names(functions: Collection[str], wish: str, taken: Collection[str]) -> Mapping[str, str]:
+def new_names(functions: Collection[str], wish: str, others: Collection[str]) -> Mapping[str, str]:
     """A free name for each function; if there is only one, the name of the copy if possible."""
     plain = re.sub(r"\W+", "_", wish).strip("_")
     wishes = {name: name for name in functions}
     if len(functions) == 1 and plain.isidentifier() and not re.match(r"\d", plain):
         wishes = dict.fromkeys(functions, plain)
-    used = {*taken, *functions}
-    found: dict[str, str] = {}
+    unavailable = {*others, *functions}
+    names: dict[str, str] = {}
     for name, wished in wishes.items():
-        found[name] = _free(wished, used)
-        used.add(found[name])
-    return found
+        names[name] = _free(wished, unavailable)
+        unavailable.add(names[name])
+    return names
 
 
-def _free(wish: str, used: Collection[str]) -> str:
-    numbered = (f"{wish}_{number}" for number in range(2, len(used) + 3))
-    return next(name for name in (wish, *numbered) if name not in used)
+def _free(wish: str, unavailable: Collection[str]) -> str:
+    numbered = (f"{wish}_{number}" for number in range(2, len(unavailable) + 3))
+    return next(name for name in (wish, *numbered) if name not in unavailable)
 
 
 def renamed_source(source: str, names: Mapping[str, str]) -> str:

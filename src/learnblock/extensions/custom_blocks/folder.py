@@ -138,11 +138,11 @@ def import_file(text: str, *, replace: bool = False) -> CustomBlock:
         CustomBlockError: the file is invalid, or the name is taken.
         OSError: the block cannot be written.
     """
-    found = package.unpack(text)
-    replaces = found.name if replace and found.name in _names(_folder()) else ""
-    checked = save(found.name, found.source, found.configuration, replaces=replaces)
-    checked.require_no_errors(found.name)
-    return find(found.name)
+    block = package.unpack(text)
+    replaces = block.name if replace and block.name in _names(_folder()) else ""
+    checked = save(block.name, block.source, block.configuration, replaces=replaces)
+    checked.require_no_errors(block.name)
+    return find(block.name)
 
 
 # Files.
@@ -172,9 +172,9 @@ def _names(folder: Path) -> tuple[str, ...]:
 
 def _existing(name: str) -> Path:
     """The source file of an existing block; the name cannot lead outside the folder."""
-    known = _names(_folder())
-    if name not in known:
-        raise UnknownNameError("block", name, known)
+    names = _names(_folder())
+    if name not in names:
+        raise UnknownNameError("block", name, names)
     return _source(name)
 
 
@@ -199,10 +199,10 @@ def _read(path: Path, others: Mapping[str, Phrase]) -> CustomBlock:
 
 
 def _unreadable(name: str, error: Exception) -> CustomBlock:
-    found = error.diagnostics if isinstance(error, FileError) else ()
+    diagnostics = error.diagnostics if isinstance(error, FileError) else ()
     reason = error.phrase if isinstance(error, LearnBlockError) else Phrase(str(error))
     unreadable = Diagnostic("unreadable", Phrase("custom-unreadable", reason=reason))
-    problems = tuple(Problem("source", diagnostic) for diagnostic in found or (unreadable,))
+    problems = tuple(Problem("source", diagnostic) for diagnostic in diagnostics or (unreadable,))
     return CustomBlock(name, "", "", (), category_of(name), problems)
 
 
@@ -210,10 +210,10 @@ def _chosen(path: Path) -> str:
     return skill_files.read(path) if path.is_file() else ""
 
 
-def _write(name: str, source: str, chosen: str) -> None:
+def _write(name: str, source: str, configuration: str) -> None:
     path = _source(name)
     # A configuration of functions that do not exist yet does no harm, so it is written first.
-    save_file(_configuration(path), chosen.encode())
+    save_file(_configuration(path), configuration.encode())
     save_file(path, (source.replace("\r\n", "\n").rstrip("\n") + "\n").encode())
 
 

@@ -81,9 +81,9 @@ def _wrong_name(module: str, name: str) -> Iterator[Phrase]:
     file = None if module.startswith(f"{_LIBRARIES}.") else _file_of_ours(module)
     if file is None or name == "*" or _file_of_ours(f"{module}.{name}"):
         return
-    known = _names(file)
-    if name not in known:
-        public = [name for name in known if not name.startswith("_")]
+    names = _names(file)
+    if name not in names:
+        public = [name for name in names if not name.startswith("_")]
         near = nearest(name, public)
         if near is None:
             yield Phrase("custom-import-name", module=module, name=name)

@@ -65,12 +65,14 @@ def pack(package: Package) -> str:
         BlockConfigurationError: the configuration is invalid.
     """
     # A configuration written by hand may lack its outer braces, like those in the paper.
-    chosen = load_configurations(package.configuration) if package.configuration.strip() else ()
+    configurations = (
+        load_configurations(package.configuration) if package.configuration.strip() else ()
+    )
     values = {
         "learnblock_block": VERSION,
         "name": package.name,
         "source": package.source.split("\n"),
-        "configuration": json.loads(written(chosen)),
+        "configuration": json.loads(written(configurations)),
     }
     return json.dumps(values, indent=2, ensure_ascii=False) + "\n"
 

@@ -17,20 +17,22 @@ from learnblock.storage import skill_files
 _ROBOT = "robot"
 
 
-def wrong_source(source: str, filename: str, taken: Mapping[str, Phrase]) -> Iterator[Diagnostic]:
+def wrong_source(
+    source: str, filename: str, objections: Mapping[str, Phrase]
+) -> Iterator[Diagnostic]:
     """Check a Python file of skills.
 
     Args:
         source: the text of the file.
         filename: the name that Python's messages show.
-        taken: names that its functions cannot have, each with the reason.
+        objections: why its functions cannot have some names, by name.
     """
     try:
         tree, code = _compiled(source, filename)
     except ProgramError as error:
         yield from error.diagnostics
         return
-    wrong = [*_wrong_parts(tree, taken)]
+    wrong = [*_wrong_parts(tree, objections)]
     yield from wrong
     # A hint or an import with a mistake is not reported a second time.
     lines = {diagnostic.line for diagnostic in wrong}
@@ -38,10 +40,10 @@ def wrong_source(source: str, filename: str, taken: Mapping[str, Phrase]) -> Ite
         diagnostic for diagnostic in unknown_names(tree, code) if diagnostic.line not in lines
     )
     own = {function.name for function in skill_files.functions(tree)}
-    yield from unknown_skills(tree, {*taken, *own})
+    yield from unknown_skills(tree, {*objections, *own})
 
 
-def _wrong_parts(tree: ast.Module, taken: Mapping[str, Phrase]) -> Iterator[Diagnostic]:
+def _wrong_parts(tree: ast.Module, objections: Mapping[str, Phrase]) -> Iterator[Diagnostic]:
     functions = list(skill_files.functions(tree))
     heads = list(_wrong_heads(tree))
     yield from heads
@@ -49,7 +51,7 @@ def _wrong_parts(tree: ast.Module, taken: Mapping[str, Phrase]) -> Iterator[Diag
         yield Diagnostic("no-function", Phrase("custom-no-function"))
     yield from _repeated(functions)
     for function in functions:
-        yield from _wrong_function(signature(function), taken)
+        yield from _wrong_function(signature(function), objections)
     yield from wrong_imports(tree)
 
 
@@ -97,18 +99,18 @@ def _is_async(function: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
 
 
 def _repeated(functions: list[ast.FunctionDef]) -> Iterator[Diagnostic]:
-    seen: dict[str, int] = {}
+    lines: dict[str, int] = {}
     for function in functions:
-        if function.name in seen:
-            line = str(seen[function.name])
+        if function.name in lines:
+            line = str(lines[function.name])
             message = Phrase("custom-duplicate-function", name=function.name, line=line)
             yield _at(signature(function).place, "duplicate-name", message)
-        seen[function.name] = function.lineno
+        lines[function.name] = function.lineno
 
 
-def _wrong_function(skill: Signature, taken: Mapping[str, Phrase]) -> Iterator[Diagnostic]:
-    if skill.name in taken:
-        yield _at(skill.place, "name-taken", taken[skill.name])
+def _wrong_function(skill: Signature, objections: Mapping[str, Phrase]) -> Iterator[Diagnostic]:
+    if skill.name in objections:
+        yield _at(skill.place, "name-taken", objections[skill.name])
     yield from _wrong_spelling(skill.name, skill.place)
     if skill.robot != _ROBOT:
         message = Phrase("custom-first-parameter", name=skill.name, parameter=skill.robot)

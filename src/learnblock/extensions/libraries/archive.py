@@ -59,10 +59,10 @@ def read(path: Path) -> Library:
 
 
 def _files(folder: Path) -> Iterator[tuple[str, bytes]]:
-    found = [path for path in sorted(folder.iterdir()) if not IGNORED.search(path.name)]
-    if len(found) > MOST_FILES:
+    paths = [path for path in sorted(folder.iterdir()) if not IGNORED.search(path.name)]
+    if len(paths) > MOST_FILES:
         raise _too_many(str(folder))
-    for path in found:
+    for path in paths:
         if path.is_symlink() or not path.is_file():
             message = Phrase("library-not-plain-file", file=path.name)
             raise _wrong(str(folder), "unknown-file", message)
@@ -72,15 +72,15 @@ def _files(folder: Path) -> Iterator[tuple[str, bytes]]:
 
 def _unzipped(content: bytes, where: str) -> dict[str, bytes]:
     """The files of a zip; they may all be in one folder, as in a zip of a folder."""
-    found: dict[str, bytes] = {}
+    files: dict[str, bytes] = {}
     for path, unpacked in unzipped(where, content, _RULES).items():
         *folders, name = path.split("/")
         if len(folders) > 1:
             raise _wrong(where, "unknown-file", Phrase("library-file-outside", file=path))
-        if name in found:
+        if name in files:
             raise _wrong(where, "two-files", Phrase("file-zip-two", file=name))
-        found[name] = unpacked
-    return found
+        files[name] = unpacked
+    return files
 
 
 def _too_many(where: str) -> LibraryError:

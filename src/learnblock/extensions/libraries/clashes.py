@@ -36,15 +36,15 @@ class Clash:
 def clashes(libraries: Iterable[Library]) -> tuple[Clash, ...]:
     """The taken names in libraries that are to be installed together."""
     libraries = tuple(libraries)
-    taken = {**_others({library.name for library in libraries})}
-    found: list[Clash] = []
+    places = {**_others({library.name for library in libraries})}
+    collisions: list[Clash] = []
     for library in libraries:
-        found += [
-            Clash(name, library.name, taken[name]) for name in library.skills if name in taken
+        collisions += [
+            Clash(name, library.name, places[name]) for name in library.skills if name in places
         ]
         for name in library.skills:
-            taken.setdefault(name, Phrase("library-place-library", library=library.name))
-    return tuple(found)
+            places.setdefault(name, Phrase("library-place-library", library=library.name))
+    return tuple(collisions)
 
 
 def refuse_clashes(libraries: Iterable[Library]) -> None:
@@ -53,28 +53,28 @@ def refuse_clashes(libraries: Iterable[Library]) -> None:
     Raises:
         LibraryError: a name is taken; the error lists every clash.
     """
-    found = clashes(libraries)
-    if found:
-        problems = [Diagnostic("name-clash", clash.phrase) for clash in found]
-        raise LibraryError(found[0].library, problems)
+    collisions = clashes(libraries)
+    if collisions:
+        problems = [Diagnostic("name-clash", clash.phrase) for clash in collisions]
+        raise LibraryError(collisions[0].library, problems)
 
 
 def _others(coming: Iterable[str]) -> Mapping[str, Phrase]:
     """The taken names and where they are, except those of the libraries to be installed."""
-    found = {
+    places = {
         name: Phrase("library-place-plugin")
         for name, configuration in all_configurations().items()
         if not configuration.library
     }
-    found |= {
+    places |= {
         block.name: Phrase("library-place-library", library=block.library)
         for block in installed_blocks()
         if block.library not in coming
     }
-    found |= {
+    places |= {
         skill: Phrase("library-place-block", block=stem)
         for stem, skills in own_skills().items()
         for skill in skills
     }
-    found |= dict.fromkeys(builtin(), Phrase("library-place-learnblock"))
-    return found | dict.fromkeys(RESERVED, Phrase("library-place-robot"))
+    places |= dict.fromkeys(builtin(), Phrase("library-place-learnblock"))
+    return places | dict.fromkeys(RESERVED, Phrase("library-place-robot"))

@@ -54,15 +54,15 @@ class Library:
     @cached_property
     def files(self) -> Mapping[str, str]:
         """The text of each file by name, including the generated files."""
-        found = {MANIFEST: write_manifest(self.manifest), **self.modules}
+        files = {MANIFEST: write_manifest(self.manifest), **self.modules}
         if self.functions:
-            found[FUNCTIONS] = self.functions
-            found[_MADE] = to_skills(language.parse(self.functions, FUNCTIONS), FUNCTIONS)
-        if PACKAGE not in found:
-            found[PACKAGE] = _package(self.name, found)
+            files[FUNCTIONS] = self.functions
+            files[_MADE] = to_skills(language.parse(self.functions, FUNCTIONS), FUNCTIONS)
+        if PACKAGE not in files:
+            files[PACKAGE] = _package(self.name, files)
         if self.configurations:
-            found[CONFIGURATIONS] = self.configurations
-        return MappingProxyType(dict(sorted(found.items())))
+            files[CONFIGURATIONS] = self.configurations
+        return MappingProxyType(dict(sorted(files.items())))
 
     @cached_property
     def skills(self) -> Mapping[str, BlockConfiguration]:
@@ -105,16 +105,16 @@ def check(library: Library, where: str) -> None:
         ProgramError: a file is not valid Python.
         BlockConfigurationError: ``blocks.json`` is invalid.
     """
-    seen: dict[str, str] = {}
+    homes: dict[str, str] = {}
     for file, text in library.files.items():
         if file.endswith(".py"):
             skill_files.require_python(text, file)
         for skill in skills_in(file, text):
-            if skill.name in seen:
-                message = Phrase("library-two-skills", skill=skill.name, file=seen[skill.name])
+            if skill.name in homes:
+                message = Phrase("library-two-skills", skill=skill.name, file=homes[skill.name])
                 raise LibraryError(file, [Diagnostic("two-skills", message, skill.place.line)])
-            seen[skill.name] = file
-    if not seen:
+            homes[skill.name] = file
+    if not homes:
         message = Phrase("library-no-skill")
         raise LibraryError(where, [Diagnostic("no-skill", message)])
     if library.configurations:
@@ -133,8 +133,8 @@ def _texts(files: Mapping[str, bytes], where: str) -> dict[str, str]:
 
 def _text(name: str, content: bytes) -> str:
     if name not in {MANIFEST, FUNCTIONS, CONFIGURATIONS} and not _is_module(name):
-        known = (MANIFEST, FUNCTIONS, CONFIGURATIONS)
-        message = Phrase("library-unknown-file", known=known)
+        file_names = (MANIFEST, FUNCTIONS, CONFIGURATIONS)
+        message = Phrase("library-unknown-file", known=file_names)
         raise LibraryError(name, [Diagnostic("unknown-file", message)])
     if len(content) > skill_files.LARGEST:
         message = Phrase("library-file-too-large", limit=skill_files.LARGEST)

@@ -74,13 +74,13 @@ def own_skills() -> Mapping[str, tuple[str, ...]]:
 def _files(own: Iterable[str]) -> list[Path]:
     paths = {path.stem: path for path in skill_files.own_files()}
     homes = {skill: stem for stem, skills in own_skills().items() for skill in skills}
-    wanted: dict[str, Path] = {}
+    selection: dict[str, Path] = {}
     for name in own:
         stem = name if name in paths else homes.get(name)
         if stem is None:
             raise UnknownNameError("block", name, [*homes, *paths])
-        wanted[stem] = paths[stem]
-    return list(wanted.values())
+        selection[stem] = paths[stem]
+    return list(selection.values())
 
 
 def _module(path: Path) -> tuple[str, str]:
@@ -91,9 +91,9 @@ def _module(path: Path) -> tuple[str, str]:
         ProgramError: the file is not valid Python.
     """
     source = plain_lines(skill_files.read(path))
-    known = {skill.name for skill in skills_in(path.name, source)}
+    skill_names = {skill.name for skill in skills_in(path.name, source)}
     for function in skill_files.functions(skill_files.parse(source, path.name)):
-        if function.name not in known:
+        if function.name not in skill_names:
             message = Phrase("library-first-parameter", function=function.name)
             raise LibraryError(path.name, [Diagnostic("no-robot", message, function.lineno)])
     return f"{_module_name(path.stem)}.py", source
@@ -107,17 +107,17 @@ def _module_name(stem: str) -> str:
 
 def _refuse_foreign_skills(program: Program, library: Library, filename: str) -> None:
     """Refuse functions that use skills which are neither built in nor in the library."""
-    known = {**builtin(), **library.skills}
-    taken = language.parse(library.functions).functions
+    available = {**builtin(), **library.skills}
+    functions = language.parse(library.functions).functions
     problems = [
         Diagnostic(
             "foreign-skill",
             Phrase("library-foreign-skill", function=name, skill=call.name),
             call.span.line,
         )
-        for name in taken
+        for name in functions
         for call in _skill_calls(program.functions[name])
-        if call.name not in known
+        if call.name not in available
     ]
     if problems:
         raise LibraryError(filename, problems)
@@ -134,14 +134,14 @@ def _skill_calls(function: Def) -> Iterator[SkillCall]:
 
 def _described(library: Library, program: Program) -> Iterator[BlockConfiguration]:
     """The blocks of the library with everything known about them."""
-    known = all_configurations()
+    configurations = all_configurations()
     functions = language.parse(library.functions).functions
     for name, block in library.skills.items():
         if name in functions:
             yield _of_function(block, program)
         else:
-            chosen = known.get(name, block)
-            yield replace(chosen, category=block.category)
+            configuration = configurations.get(name, block)
+            yield replace(configuration, category=block.category)
 
 
 def _of_function(block: BlockConfiguration, program: Program) -> BlockConfiguration:
@@ -172,13 +172,13 @@ def _given(program: Program, function: str) -> dict[str, ParameterType]:
     """The types of the literals that a program passes to a function."""
     names = program.functions[function].parameters
     main = program.main.body if program.main else ()
-    found: dict[str, ParameterType] = {}
+    types: dict[str, ParameterType] = {}
     for node in _expressions((*program.items, *main)):
         if isinstance(node, Call) and node.name == function:
             pairs = [*zip(names, node.arguments, strict=False)]
             pairs += [(keyword.name, keyword.value) for keyword in node.keywords]
-            found.update((name, kind) for name, value in pairs if (kind := _type(value)))
-    return found
+            types.update((name, kind) for name, value in pairs if (kind := _type(value)))
+    return types
 
 
 def _type(value: Expression) -> ParameterType | None:

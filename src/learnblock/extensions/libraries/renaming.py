@@ -45,14 +45,14 @@ def _renamed(library: Library, name: str, new: str) -> Library:
     modules = {
         file: renamed_module(text, name, new, file) for file, text in library.modules.items()
     }
-    changed = replace(
+    new_library = replace(
         library,
         functions=_in_functions(library.functions, name, new),
         modules=MappingProxyType(modules),
         configurations=_in_configurations(library.configurations, name, new),
     )
-    check(changed, library.name)
-    return changed
+    check(new_library, library.name)
+    return new_library
 
 
 def _in_functions(text: str, name: str, new: str) -> str:
@@ -96,12 +96,12 @@ def renamed_module(source: str, name: str, new: str, filename: str) -> str:
     """
     tree = skill_files.parse(source, filename)
     _refuse_ambiguous(tree, name, new, filename)
-    found = tuple(places(tree, source, {name}))
-    for place in found:
+    occurrences = tuple(places(tree, source, {name}))
+    for place in occurrences:
         if not place.is_plain:
             message = Phrase("library-unusual-name", name=name)
             raise LibraryError(filename, [Diagnostic("two-meanings", message, place.line)])
-    return replaced(source, found, {name: new})
+    return replaced(source, occurrences, {name: new})
 
 
 def _refuse_ambiguous(tree: ast.Module, name: str, new: str, filename: str) -> None:

@@ -122,10 +122,10 @@ def keep(name: str) -> None:
 
 
 def _folder_of(name: str) -> Path:
-    found = installed_libraries.installed()
-    if name not in found:
-        raise UnknownNameError("library", name, found)
-    return found[name]
+    folders = installed_libraries.installed()
+    if name not in folders:
+        raise UnknownNameError("library", name, folders)
+    return folders[name]
 
 
 def _shelved(name: str, path: Path) -> Shelved:
@@ -149,12 +149,12 @@ def _is_same(there: Library | None, coming: Library) -> bool:
 
 
 def _refuse_twice(coming: tuple[Library, ...]) -> None:
-    seen: dict[str, Library] = {}
+    by_name: dict[str, Library] = {}
     for library in coming:
-        if library.name in seen:
+        if library.name in by_name:
             message = Phrase("library-same-name")
             raise LibraryError(library.name, [Diagnostic("two-libraries", message)])
-        seen[library.name] = library
+        by_name[library.name] = library
 
 
 def _refuse_older(there: Library | None, coming: Library) -> None:

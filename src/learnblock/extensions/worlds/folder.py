@@ -104,9 +104,9 @@ def _trash(name: str) -> Path:
     return own_worlds() / ".trash" / f"{name}.toml"
 
 
-def _require(name: str, known: Collection[str]) -> None:
-    if name not in known:
-        raise UnknownNameError("world", name, known)
+def _require(name: str, names: Collection[str]) -> None:
+    if name not in names:
+        raise UnknownNameError("world", name, names)
 
 
 def _names_like(name: str) -> Iterator[tuple[int, str]]:

@@ -143,10 +143,10 @@ def unpack(filename: str, content: bytes) -> PackedWorld:
 
 def _world(contents: dict[str, bytes], filename: str) -> PackedWorld:
     files = {PurePosixPath(path): content for path, content in contents.items()}
-    found = [path for path in files if path.suffix == ".toml"]
-    if len(found) != 1:
-        raise _wrong(filename, "no-world", Phrase("world-zip-contents", count=len(found)))
-    (path,) = found
+    paths = [path for path in files if path.suffix == ".toml"]
+    if len(paths) != 1:
+        raise _wrong(filename, "no-world", Phrase("world-zip-contents", count=len(paths)))
+    (path,) = paths
     world = PackedWorld(plain_name(path.stem), _text(files[path], path.name))
     picture = picture_name(world)
     content = files.get(path.parent / picture) if picture else None

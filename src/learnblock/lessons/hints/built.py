@@ -121,11 +121,11 @@ def message_name(situation: Situation, _: Verdict) -> Iterator[Guess]:
     """The program waits for a message that no robot of the step sends."""
     partners = situation.step.partners
     received = _messages(situation, {"received", "message_value"})
-    sent = {*_messages(situation, {"send"}), *_sent_in_run(situation)}
-    if not partners or not sent:
+    messages = {*_messages(situation, {"send"}), *_sent_in_run(situation)}
+    if not partners or not messages:
         return
     for name, line in received.items():
-        if name not in sent and _was_asked(situation, name):
+        if name not in messages and _was_asked(situation, name):
             about = frozenset({name, "received"})
             yield Guess("message-name", (line,), about, {"name": name}, "never_runs")
 
@@ -162,9 +162,9 @@ def not_used(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
     if not isinstance(check, Uses):
         return
     values: dict[str, Any] = {"what": uses_words(check)}
-    used = count(situation.program, check)
+    uses = count(situation.program, check)
     about = frozenset(filter(None, (check.construct, check.skill, check.function)))
-    if check.at_most is not None and used > check.at_most:
+    if check.at_most is not None and uses > check.at_most:
         lines = _where_used(situation, check)
         yield Guess("used-too-often", lines, about, values)
     elif check.construct in _LOOP_CONSTRUCTS:

@@ -222,8 +222,8 @@ def to_end(
     if not path or not driven or len(driven) > MOST_LEGS:
         return None
     start = path[0]
-    for misdrive, changed in _fixes(driven):
-        if math.dist(_end(start, changed), target) <= radius:
+    for misdrive, variant in _fixes(driven):
+        if math.dist(_end(start, variant), target) <= radius:
             return misdrive
     return (
         _scaled(start, driven, target, radius)
@@ -245,8 +245,8 @@ def through(
     driven, _, _ = legs(path)
     if not path or len(driven) < 2 or len(driven) > MOST_LEGS:
         return None
-    for misdrive, changed in _fixes(driven):
-        corners = pairwise(_corners(path[0], changed))
+    for misdrive, variant in _fixes(driven):
+        corners = pairwise(_corners(path[0], variant))
         if any(_away(target, start, end) <= radius for start, end in corners):
             return misdrive
     return None
@@ -288,8 +288,8 @@ def _fixes(driven: Sequence[Leg]) -> Iterator[tuple[Misdrive, Sequence[Leg]]]:
         yield Misdrive("wrong-sign", leg.time), _with(driven, index, _backwards(leg))
     if any(abs(leg.turn) > _NO_TURN for leg in driven):
         first = next(leg for leg in driven if abs(leg.turn) > _NO_TURN)
-        changed = [replace(leg, turn=-leg.turn) for leg in driven]
-        yield Misdrive("wrong-direction", first.turned_at, turned=True), changed
+        opposite = [replace(leg, turn=-leg.turn) for leg in driven]
+        yield Misdrive("wrong-direction", first.turned_at, turned=True), opposite
     yield Misdrive("wrong-sign", driven[0].time), [_backwards(leg) for leg in driven]
     for index, other in combinations(range(min(len(driven), _SWAPPED)), 2):
         swapped = _with(driven, index, replace(driven[index], length=driven[other].length))
@@ -336,11 +336,11 @@ def _scaled(
         if square < _SHORTEST**2:
             continue
         more = (error[0] * vector[0] + error[1] * vector[1]) / square
-        left = math.hypot(error[0] - more * vector[0], error[1] - more * vector[1])
-        if left <= radius and more > -1:
+        distance = math.hypot(error[0] - more * vector[0], error[1] - more * vector[1])
+        if distance <= radius and more > -1:
             slip: Slip = "too-short" if more > 0 else "too-long"
             choices.append((abs(math.log(1 + more)), Misdrive(slip, time)))
-        elif left <= radius:
+        elif distance <= radius:
             choices.append((math.inf, Misdrive("wrong-sign", time)))
     return min(choices, key=lambda choice: choice[0])[1] if choices else None
 

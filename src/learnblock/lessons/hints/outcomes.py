@@ -187,13 +187,14 @@ def _likeness(text: str, pattern: str) -> float:
     plain = pattern.replace("*", "")
     if not plain:
         return 0.0
-    shown, wanted = text[:_LONGEST].casefold().strip(), plain.casefold().strip()
-    if "*" in pattern and len(shown) > len(wanted):
+    output, pattern_text = text[:_LONGEST].casefold().strip(), plain.casefold().strip()
+    if "*" in pattern and len(output) > len(pattern_text):
         parts = [
-            shown[start : start + len(wanted)] for start in range(len(shown) - len(wanted) + 1)
+            output[start : start + len(pattern_text)]
+            for start in range(len(output) - len(pattern_text) + 1)
         ]
-        return max(SequenceMatcher(None, part, wanted).ratio() for part in parts)
-    return SequenceMatcher(None, shown, wanted).ratio()
+        return max(SequenceMatcher(None, part, pattern_text).ratio() for part in parts)
+    return SequenceMatcher(None, output, pattern_text).ratio()
 
 
 _FACES = frozenset(("joy", "sadness", "anger", "fear", "disgust", "surprise", "neutral"))
@@ -242,10 +243,10 @@ def _all_happen(events: Sequence[Event], situation: Situation) -> bool:
     return evidence is not None and all(moments(event, evidence) for event in events)
 
 
-def _lines_of(situation: Situation, wanted: Sequence[tuple[str, str]]) -> tuple[int, ...]:
+def _lines_of(situation: Situation, pairs: Sequence[tuple[str, str]]) -> tuple[int, ...]:
     lines = [
         output.line
-        for kind, pattern in wanted
+        for kind, pattern in pairs
         for output in situation.texts
         if output.kind == kind and fits(output.text, pattern) and output.line
     ]
@@ -254,13 +255,13 @@ def _lines_of(situation: Situation, wanted: Sequence[tuple[str, str]]) -> tuple[
 
 def event_missing(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
     """A skill is never called, or a message never sent, that has to be."""
-    wanted: Sequence[Event] = ()
+    required_events: Sequence[Event] = ()
     match verdict.check:
         case Happens(what=event):
-            wanted = (event,)
+            required_events = (event,)
         case InOrder(events=events):
-            wanted = events
-    for event in wanted:
+            required_events = events
+    for event in required_events:
         name = getattr(event, "skill", "") or getattr(event, "message", "")
         if not isinstance(event, Called | Sent) or situation.evidence is None:
             continue
@@ -305,13 +306,13 @@ def forbidden(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
 
 def never_stands(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
     """The robot has to stand still for a while and never does."""
-    wanted: Sequence[Event] = ()
+    required_events: Sequence[Event] = ()
     match verdict.check:
         case Happens(what=event):
-            wanted = (event,)
+            required_events = (event,)
         case InOrder(events=events):
-            wanted = events
-    for event in wanted:
+            required_events = events
+    for event in required_events:
         evidence = situation.evidence
         if isinstance(event, Stood) and evidence is not None and not moments(event, evidence):
             yield Guess("never-stands", (), frozenset({"sleep"}))

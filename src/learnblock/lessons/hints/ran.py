@@ -56,9 +56,9 @@ def no_wait(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
     for first, then in _replaced(wheels, LASTING, situation):
         lines = (first.line, then.line) if then else (first.line,)
         yield Guess("no-wait", lines, frozenset({first.skill}), {}, "loop_without_wait")
-    shown = [call for call in situation.calls if call.skill in faces()]
+    face_calls = [call for call in situation.calls if call.skill in faces()]
     surely = 0 if _is_about_faces(verdict) else -40
-    for first, then in _replaced(shown, faces(), situation):
+    for first, then in _replaced(face_calls, faces(), situation):
         if then:
             about, lines = frozenset({first.skill}), (first.line, then.line)
             yield Guess("no-wait", lines, about, {}, "loop_without_wait", surely)
@@ -68,22 +68,22 @@ def _replaced(
     calls: list[CallRun], lasting: frozenset[str], situation: Situation
 ) -> Iterator[tuple[CallRun, CallRun | None]]:
     """Commands of a line that never had any effect, each with what replaced it."""
-    held: defaultdict[int, bool] = defaultdict(bool)
+    effective: defaultdict[int, bool] = defaultdict(bool)
     replaced: dict[int, tuple[CallRun, CallRun | None]] = {}
     for index, call in enumerate(calls):
         if call.skill not in lasting or _is_still(call):
             continue
         then = calls[index + 1] if index + 1 < len(calls) else None
         if then is None and situation.ended != "finished":
-            held[call.line] = True
+            effective[call.line] = True
             continue
         until = then.time if then else situation.end
         if until - call.time > _AT_ONCE or (then and then.line == call.line):
-            held[call.line] = True
+            effective[call.line] = True
         else:
             replaced.setdefault(call.line, (call, then))
     for line, pair in replaced.items():
-        if line and not held[line]:
+        if line and not effective[line]:
             yield pair
 
 

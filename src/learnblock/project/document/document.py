@@ -209,15 +209,15 @@ class Document:
     def blocktext(self) -> str:
         """The Block-Text that is shown."""
         unread = self.unread
-        shown = unread is not None and unread.view == "blocktext"
-        return unread.text if unread and shown else self.good.blocktext.text
+        is_shown = unread is not None and unread.view == "blocktext"
+        return unread.text if unread and is_shown else self.good.blocktext.text
 
     @property
     def python(self) -> str:
         """The Python that is shown."""
         unread = self.unread
-        shown = unread is not None and unread.view == "python"
-        return unread.text if unread and shown else self.good.python.text
+        is_shown = unread is not None and unread.view == "python"
+        return unread.text if unread and is_shown else self.good.python.text
 
     def text_of(self, view: View) -> str:
         """The text of a view; for blocks, `Notations.canonical` of the last valid program."""
@@ -359,9 +359,11 @@ class Document:
 
     def _importing(self, good: Notations) -> Notations:
         """If a skill of a library was added, import that library."""
-        known = self.target.configurations
-        used = libraries_used(good.tree, known) - libraries_used(self.good.tree, known)
-        missing = sorted(used - imported(good.tree))
+        configurations = self.target.configurations
+        libraries = libraries_used(good.tree, configurations) - libraries_used(
+            self.good.tree, configurations
+        )
+        missing = sorted(libraries - imported(good.tree))
         if self.unread or not missing:
             return good
         tree = reduce(with_import, missing, good.tree)
@@ -388,7 +390,7 @@ class Document:
 
 def _laid_out(target: Target, tree: Tree, blocktext: str, workspace: Workspace | None) -> Document:
     """Lay out a program with its saved blocks, if these have the same meaning."""
-    written = Written.by_author(blocktext, tree)
+    own_text = Written.by_author(blocktext, tree)
     if workspace is not None:
         try:
             read = from_workspace(workspace, target.configurations)
@@ -399,9 +401,9 @@ def _laid_out(target: Target, tree: Tree, blocktext: str, workspace: Workspace |
             remarks = remarks_on_blocks(read)
             if read.program == tree and not any(remark.severity == "error" for remark in remarks):
                 blocks = Blocks(workspace, read.block_ids)
-                good = derive(read.program, target, blocks=blocks, blocktext=written)
+                good = derive(read.program, target, blocks=blocks, blocktext=own_text)
                 return Document(target, "blocktext", good, remarks=remarks)
-    good = derive(tree, target, blocktext=written, layout=workspace)
+    good = derive(tree, target, blocktext=own_text, layout=workspace)
     return Document(target, "blocktext", good)
 
 
@@ -434,8 +436,8 @@ def _last_good(
     tree, mistakes = recover(text)
     # Recovered parts may not make a complete program.
     text, tree = ("", Tree()) if mistakes else (text, tree)
-    written = Written.by_author(text, tree)
-    good = derive(tree, target, blocktext=written, layout=workspace)
+    own_text = Written.by_author(text, tree)
+    good = derive(tree, target, blocktext=own_text, layout=workspace)
     document = Document(target, "blocktext", good)
     if workspace is not None:
         document = _unless_unread(document, document.with_blocks(workspace))

@@ -176,8 +176,8 @@ def _blocks(tree: Program, target: Target, layout: Workspace | None) -> Blocks:
 
 
 def _blocktext(tree: Program) -> Written:
-    text, written = format_with_extents(tree)
-    return Written(text, extents(tree, written))
+    text, node_extents = format_with_extents(tree)
+    return Written(text, extents(tree, node_extents))
 
 
 def _python(tree: Program, target: Target) -> Written:

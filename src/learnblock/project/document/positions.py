@@ -67,8 +67,8 @@ class Positions:
 
     def _extents(self, notation: Notation) -> tuple[Extent, ...]:
         of_blocktext = notation == "blocktext"
-        written = self.good.blocktext if of_blocktext else self.good.python
+        good = self.good.blocktext if of_blocktext else self.good.python
         text = self.blocktext if of_blocktext else self.python
-        if text == written.text:
-            return written.extents
-        return moved(written.extents, written.text, text)
+        if text == good.text:
+            return good.extents
+        return moved(good.extents, good.text, text)

@@ -36,10 +36,10 @@ class Rename:
 def rename_between(before: Workspace, after: Workspace) -> Rename | None:
     """Find the single changed name; None if there is none or more than one."""
     old, new = _names(before), _names(after)
-    changed = [key for key, name in new.items() if old.get(key, name) != name]
-    if len(changed) != 1:
+    keys = [key for key, name in new.items() if old.get(key, name) != name]
+    if len(keys) != 1:
         return None
-    sort, _ = key = changed[0]
+    sort, _ = key = keys[0]
     return Rename(sort, old[key], new[key])
 
 

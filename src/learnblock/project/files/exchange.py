@@ -90,11 +90,11 @@ def export(project: Project, format_: Format, part: int = 0) -> tuple[str, str]:
     """
     if format_ == "learnblock":
         return f"{project.name}.{format_}", encode_whole(project, leaves=True).decode()
-    chosen = project.parts[part]
-    name = chosen.name if project.has_several else project.name
+    program_part = project.parts[part]
+    name = program_part.name if project.has_several else project.name
     if format_ == "bt":
-        return f"{name}.{format_}", chosen.blocktext
-    text = chosen.python if chosen.python is not None else _python(chosen)
+        return f"{name}.{format_}", program_part.blocktext
+    text = program_part.python if program_part.python is not None else _python(program_part)
     return f"{name}.{format_}", text
 
 

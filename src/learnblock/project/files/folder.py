@@ -108,24 +108,24 @@ class ProjectFolder:
             ProjectError: it can't be saved.
         """
         self._require_writing()
-        named = replace(project, name=self.free_name(project.name))
+        new_project = replace(project, name=self.free_name(project.name))
         # A file with this name that was deleted by hand may have been allowed the network. While
         # the settings have a mistake, no program is.
         with suppress(SettingsError):
-            forbid_network(self._path(named.name))
-        self.write(named)
-        return named
+            forbid_network(self._path(new_project.name))
+        self.write(new_project)
+        return new_project
 
     def file(self, name: str) -> Path:
         """The path of a project's file, which may not exist."""
         return self._path(name)
 
-    def write_whole(self, project: Project, known: FileState | None) -> FileState:
+    def write_whole(self, project: Project, last_state: FileState | None) -> FileState:
         """Save a project with everything of the user's that it needs, completely or not at all.
 
         Args:
             project: the project.
-            known: the state of its file as read or written last.
+            last_state: the state of its file as read or written last.
 
         Returns:
             The new state.
@@ -140,7 +140,7 @@ class ProjectFolder:
             status = save(
                 path,
                 encode_whole(project),
-                still_wanted=lambda: self.state(project.name) in (None, known),
+                still_wanted=lambda: self.state(project.name) in (None, last_state),
             )
         if status is None:
             raise FileChangedError
@@ -168,14 +168,14 @@ class ProjectFolder:
     def free_name(self, wish: str) -> str:
         """Find a free name like `wish`."""
         # They are compared without case, which Windows and macOS ignore in file names.
-        taken = {name.casefold() for name in self._names()}
-        return next(name for name in names_like(wish) if name.casefold() not in taken)
+        names = {name.casefold() for name in self._names()}
+        return next(name for name in names_like(wish) if name.casefold() not in names)
 
     def taken_names(self, wish: str) -> list[str]:
         """The names of projects that were created with this name, the first one first."""
-        known = {name.casefold(): name for name in self._names()}
-        wanted = (name.casefold() for name in names_like(wish))
-        return [known[name] for name in takewhile(known.__contains__, wanted)]
+        names = {name.casefold(): name for name in self._names()}
+        candidates = (name.casefold() for name in names_like(wish))
+        return [names[name] for name in takewhile(names.__contains__, candidates)]
 
     def rename(self, name: str, wish: str) -> None:
         """Rename a project's file and its history, both or neither.

@@ -112,9 +112,9 @@ class History:
             UnknownNameError: it does not exist.
             ProjectError: its file is damaged.
         """
-        known = [entry.id for entry in self.versions()]
-        if version not in known:
-            raise UnknownNameError("version", version, known[:5])
+        ids = [entry.id for entry in self.versions()]
+        if version not in ids:
+            raise UnknownNameError("version", version, ids[:5])
         with self._path(version).open("rb") as file:
             return decode(file.read(LARGEST + 1), self.name)
 

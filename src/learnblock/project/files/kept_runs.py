@@ -191,8 +191,11 @@ class KeptRuns:
             raise LearnBlockError("server-read-only")
 
     def _require_room(self, size: int) -> None:
-        named = [run for run in self.runs() if run.name]
-        if len(named) >= MOST_NAMED or sum(run.size for run in named) + size > MOST_NAMED_BYTES:
+        named_runs = [run for run in self.runs() if run.name]
+        if (
+            len(named_runs) >= MOST_NAMED
+            or sum(run.size for run in named_runs) + size > MOST_NAMED_BYTES
+        ):
             raise LearnBlockError("kept-no-room", most=MOST_NAMED, size=MOST_NAMED_BYTES // 2**20)
 
     def _entry(self, id_: str) -> KeptRun:

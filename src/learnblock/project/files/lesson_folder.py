@@ -80,9 +80,9 @@ class Progress(Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=Tr
         """What has been done in a step."""
         return self.steps.get(str(step), StepProgress())
 
-    def with_step(self, step: int, done: StepProgress) -> "Progress":
+    def with_step(self, step: int, progress: StepProgress) -> "Progress":
         """The progress after something has been done in a step."""
-        return replace(self, steps={**self.steps, str(step): done})
+        return replace(self, steps={**self.steps, str(step): progress})
 
 
 _read = msgspec.json.Decoder(Progress).decode

@@ -99,19 +99,19 @@ def _world(name: str) -> CarriedWorld | None:
 def _code(project: Project, texts: list[str]) -> Code:
     """The code that the texts use; its own texts are added to them."""
     own = dict(_skills())
-    wanted = {*project.libraries}
+    library_names = {*project.libraries}
     blocks: dict[str, dict[str, object]] = {}
     packages: dict[str, dict[str, list[str]]] = {}
     # Code may use other code, so each text is read for more.
     for text in texts:
         words = {*_WORD.findall(text)}
-        wanted |= {match[1] or match[2] for match in _LIBRARY.finditer(text)}
+        library_names |= {match[1] or match[2] for match in _LIBRARY.finditer(text)}
         for name in [name for name, skills in own.items() if words & skills]:
             del own[name]
             if block := block_file(name):
                 blocks[name] = block
                 texts.append("\n".join(map(str, block["source"])))  # type: ignore[call-overload]
-        for name in sorted(wanted - packages.keys()):
+        for name in sorted(library_names - packages.keys()):
             if files := library_file(name):
                 packages[name] = files
                 texts.extend("\n".join(lines) for lines in files.values())
@@ -128,7 +128,7 @@ def _skills() -> Iterator[tuple[str, set[str]]]:
 def _tags(project: Project, text: str) -> dict[str, int]:
     """The tags whose names occur in the program or its code."""
     try:
-        known = {**tag_names.tag_names(), **project.tags}
+        numbers = {**tag_names.tag_names(), **project.tags}
     except (LearnBlockError, OSError):
-        known = dict(project.tags)
-    return {name: number for name, number in known.items() if name in text}
+        numbers = dict(project.tags)
+    return {name: number for name, number in numbers.items() if name in text}

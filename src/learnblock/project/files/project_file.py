@@ -322,11 +322,11 @@ def _shown(place: str, text: str) -> str | None:
         value = json.loads(text)
         for index, key in re.findall(r"\[(\d+)\]|([^.\[\]]+)", place):
             value = value[int(index)] if index else value[key]
-        written = json.dumps(value, ensure_ascii=False)
+        json_text = json.dumps(value, ensure_ascii=False)
     except (KeyError, TypeError, ValueError, RecursionError):
         # Msgspec calls each value of an object `...`, and some values can't be shown at all.
         return None
-    return written if len(written) <= 60 else written[:57] + "..."
+    return json_text if len(json_text) <= 60 else json_text[:57] + "..."
 
 
 def _at(key: str, text: str, code: str, message: Phrase) -> Diagnostic:

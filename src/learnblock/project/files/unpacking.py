@@ -94,11 +94,11 @@ def tags_used(project: Project) -> Mapping[str, int]:
     if not is_at_home(project):
         return {**project.carried.tags, **project.tags}
     try:
-        known = tag_names.tag_names()
+        user_numbers = tag_names.tag_names()
     except (LearnBlockError, OSError):
-        known = {}
+        user_numbers = {}
     copies = project.carried.tags.items()
-    return {**{name: number for name, number in copies if name not in known}, **project.tags}
+    return {**{name: number for name, number in copies if name not in user_numbers}, **project.tags}
 
 
 def _missing(
@@ -143,23 +143,25 @@ def _world(name: str, carried: CarriedWorld | None, *, is_home: bool) -> _Found:
 
 def _tags(own: Mapping[str, int], carried: Mapping[str, int], *, is_home: bool) -> _Found:
     """The numbers of tags that the project uses instead of the user's."""
-    wanted = {**carried, **own}
-    if not wanted:
+    all_numbers = {**carried, **own}
+    if not all_numbers:
         return _Found({})
     try:
-        known = dict(tag_names.tag_names())
-        missing = {name: number for name, number in wanted.items() if name not in known}
+        user_numbers = dict(tag_names.tag_names())
+        missing = {name: number for name, number in all_numbers.items() if name not in user_numbers}
         if missing:
-            tag_names.save_names({**known, **missing})
+            tag_names.save_names({**user_numbers, **missing})
     except (LearnBlockError, OSError):
         # The project has its own numbers even if the user's file is damaged or full.
-        return _Found(wanted)
-    numbers = (own if is_home else wanted).items()
-    differing = {name: number for name, number in numbers if known.get(name, number) != number}
+        return _Found(all_numbers)
+    numbers = (own if is_home else all_numbers).items()
+    differing = {
+        name: number for name, number in numbers if user_numbers.get(name, number) != number
+    }
     return _Found(
         differing,
         tuple(
-            Phrase("project-tag-differs", name=name, number=number, here=known[name])
+            Phrase("project-tag-differs", name=name, number=number, here=user_numbers[name])
             for name, number in differing.items()
         ),
         (Phrase("project-tags-added", names=tuple(sorted(missing))),) if missing else (),

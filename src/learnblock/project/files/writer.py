@@ -61,10 +61,10 @@ class Owner(msgspec.Struct, frozen=True):
     def phrase(self) -> Phrase:
         """Describe the process for a person."""
         since = time.strftime("%Y-%m-%d %H:%M", time.localtime(self.since))
-        shown = {"process": str(self.process), "since": since, "address": self.address}
+        values = {"process": str(self.process), "since": since, "address": self.address}
         if self.is_here:
-            return Phrase("server-owner", **shown)
-        return Phrase("server-owner-elsewhere", computer=self.computer, **shown)
+            return Phrase("server-owner", **values)
+        return Phrase("server-owner-elsewhere", computer=self.computer, **values)
 
 
 # Why: docs/decisions.md, "One server writes to a folder"

@@ -200,8 +200,8 @@ class Completer:
         for name in vocabulary.own:
             owner = vocabulary.owner.name if vocabulary.owner else ""
             yield Completion(name, name, "variable", help=self.words.say("parameter", owner=owner))
-        shown = vocabulary.variables.keys() | vocabulary.symbols.set_in_python
-        others = shown - vocabulary.own.keys() - vocabulary.functions.keys() - {typed}
+        names = vocabulary.variables.keys() | vocabulary.symbols.set_in_python
+        others = names - vocabulary.own.keys() - vocabulary.functions.keys() - {typed}
         for name in sorted(others):
             yield Completion(name, name, "variable", help=self.words.say("variable"))
 
@@ -240,7 +240,7 @@ class Completer:
         """The keyword arguments of a call that are not given yet."""
         yield from self.likely_values(call)
         for name, detail, help_ in self.named(call):
-            if name not in call.given:
+            if name not in call.keywords:
                 yield Completion(f"{name}=", f"{name}=", "variable", detail, help_)
 
     def likely_values(self, call: OpenCall) -> Iterator[Completion]:
@@ -253,7 +253,7 @@ class Completer:
         owner, _, name = call.name.rpartition(".")
         if owner != ("robot" if self.is_python else "function") or name not in self.skills:
             return ()
-        return self.skills[name].parameters[call.commas - len(call.given) :]
+        return self.skills[name].parameters[call.commas - len(call.keywords) :]
 
     def named(self, call: OpenCall) -> Iterator[tuple[str, str, str]]:
         for missing in self.expected(call):
@@ -261,7 +261,7 @@ class Completer:
             yield attribute_to_python(missing.name), default, self.words.parameter(missing)
         if call.name in self.vocabulary.functions:
             function = self.vocabulary.symbols.functions[self.vocabulary.functions[call.name]]
-            for parameter in function.parameters[call.commas - len(call.given) :]:
+            for parameter in function.parameters[call.commas - len(call.keywords) :]:
                 yield self.vocabulary.written(parameter), "", ""
 
 

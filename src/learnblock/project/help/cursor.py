@@ -31,13 +31,13 @@ class OpenCall:
     Args:
         name: the name of the called function with its prefix; empty for another kind of bracket.
         start: the column where the name begins, from 0.
-        given: the keyword arguments before the cursor.
+        keywords: the names of the keyword arguments before the cursor.
         commas: the number of arguments before the cursor.
     """
 
     name: str
     start: int = 0
-    given: set[str] = field(default_factory=set)
+    keywords: set[str] = field(default_factory=set)
     commas: int = 0
 
 
@@ -57,9 +57,9 @@ class Cursor:
     def at(cls, text: str, line: int, column: int) -> "Cursor":
         """The cursor at a line and column, from 1; after the end, that of the last line."""
         lines = text.split("\n")
-        written = lines[min(max(line, 1), len(lines)) - 1]
-        before = written[: max(column - 1, 0)]
-        return cls(_in_value(before), written[len(before) :])
+        line_text = lines[min(max(line, 1), len(lines)) - 1]
+        before = line_text[: max(column - 1, 0)]
+        return cls(_in_value(before), line_text[len(before) :])
 
     @property
     def typed(self) -> str:
@@ -152,7 +152,7 @@ def _open_calls(before: str) -> list[OpenCall]:
         elif opened and sign == ",":
             opened[-1].commas += 1
         elif opened and sign == "=" and name is not None:
-            opened[-1].given.add(name[0])
+            opened[-1].keywords.add(name[0])
         name = token if token.lastgroup == "name" else None
     return opened
 

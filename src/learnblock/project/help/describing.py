@@ -197,10 +197,10 @@ class Describer:
 
     def state(self, word: str) -> Meaning | None:
         """``state_X`` and ``time_X``."""
-        found = self.vocabulary.state(word)
-        if found is None:
+        match = self.vocabulary.state(word)
+        if match is None:
             return None
-        name, attribute = found
+        name, attribute = match
         text = self.words.say("state" if attribute == "active" else "time", name=name)
         return Meaning(word, text, defined=rf"when\s+{name}\b", sort="when", name=name)
 

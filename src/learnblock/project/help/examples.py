@@ -110,10 +110,10 @@ def _usual(block: BlockConfiguration, usual: _Usual) -> str:
 def _call(block: BlockConfiguration, arguments: Mapping[str, str]) -> str:
     if block.name == "elapsedTime":
         return f"elapsedTime({arguments[block.name]})"
-    given = arguments.get(block.name)
-    if given is None:
-        given = ", ".join(_literal(parameter.default) for parameter in block.parameters)
-    return f"{SKILL}{block.name}({given})"
+    argument_text = arguments.get(block.name)
+    if argument_text is None:
+        argument_text = ", ".join(_literal(parameter.default) for parameter in block.parameters)
+    return f"{SKILL}{block.name}({argument_text})"
 
 
 def _literal(value: object) -> str:

@@ -77,14 +77,14 @@ def recordings() -> Mapping[str, HelpRecording]:
     return msgspec.json.decode(_FILE.read_bytes(), type=dict[str, HelpRecording])
 
 
-def record(wanted: Mapping[str, HelpExample]) -> Iterator[tuple[str, HelpRecording]]:
+def record(by_name: Mapping[str, HelpExample]) -> Iterator[tuple[str, HelpRecording]]:
     """Run examples; yield the recording of each by its name, as the runs end."""
-    jobs = [_job(example) for example in wanted.values()]
-    names = list(wanted)
+    jobs = [_job(example) for example in by_name.values()]
+    names = list(by_name)
     for number, result in Batch(jobs).results():
         name, job = names[number], jobs[number]
         lines = list(map(msgspec.json.decode, result.trace.splitlines()))
-        yield name, _recording(wanted[name], job, lines)
+        yield name, _recording(by_name[name], job, lines)
 
 
 def _job(example: HelpExample) -> Job:
@@ -97,8 +97,8 @@ def _job(example: HelpExample) -> Job:
         seconds=example.seconds,
         anyway=True,
     )
-    held = tuple((time, (key,) if key else ()) for time, key in example.keys)
-    keys = RecordedKeys(held) if held else None
+    key_states = tuple((time, (key,) if key else ()) for time, key in example.keys)
+    keys = RecordedKeys(key_states) if key_states else None
     return Job(running.program(source, robot), robot, options, keys, with_trace=True)
 
 
@@ -125,13 +125,15 @@ def _recording(example: HelpExample, job: Job, lines: Sequence[Mapping[str, Any]
 def _way(lines: Iterable[Mapping[str, Any]]) -> list[Waypoint]:
     """Where the robot was, without the places between that follow from those before and after."""
     places = [Waypoint(line["t"], *map(round, line["pose"])) for line in lines if "pose" in line]
-    kept = places[:1]
-    begun = 0
+    waypoints = places[:1]
+    start = 0
     for end in range(2, len(places)):
-        if not all(_is_between(kept[-1], place, places[end]) for place in places[begun + 1 : end]):
-            begun = end - 1
-            kept.append(places[begun])
-    return [*kept, *places[-1:]]
+        if not all(
+            _is_between(waypoints[-1], place, places[end]) for place in places[start + 1 : end]
+        ):
+            start = end - 1
+            waypoints.append(places[start])
+    return [*waypoints, *places[-1:]]
 
 
 def _is_between(before: Waypoint, place: Waypoint, after: Waypoint) -> bool:
@@ -153,13 +155,13 @@ def _events(lines: Iterable[Mapping[str, Any]], program: Program) -> Iterator[No
         elif "print" in line:
             yield Noticed(line["t"], "print", line["print"].rstrip("\n"))
         elif line.get("device", _WHEELS) != _WHEELS:
-            told = " ".join(map(str, line["args"]))
-            yield Noticed(line["t"], f"{line['device']}.{line['do']}", told)
+            arguments = " ".join(map(str, line["args"]))
+            yield Noticed(line["t"], f"{line['device']}.{line['do']}", arguments)
 
 
 def _write() -> None:
-    found = dict(sorted(record(examples())))
-    _FILE.write_bytes(msgspec.json.encode(found))
+    by_name = dict(sorted(record(examples())))
+    _FILE.write_bytes(msgspec.json.encode(by_name))
 
 
 if __name__ == "__main__":

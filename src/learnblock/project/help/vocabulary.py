@@ -99,8 +99,8 @@ class Vocabulary:
         """Whether this is the name of a language function here."""
         return word in FUNCTIONS and word not in self.symbols.functions
 
-    def _plain(self, written: str) -> str:
-        return names.from_python(written) or ""
+    def _plain(self, python_name: str) -> str:
+        return names.from_python(python_name) or ""
 
     def _python_owner(self) -> str:
         """The Python function that contains the line; None at the top level."""

@@ -47,8 +47,8 @@ class Words:
 
     def about(self, kind: str, name: str) -> str:
         """The description of one of ``keywords``, ``functions``, ``robot_members`` and so on."""
-        known: Mapping[str, str] = self._all.get(kind, {})
-        return known.get(name, "")
+        texts: Mapping[str, str] = self._all.get(kind, {})
+        return texts.get(name, "")
 
     def known(self, kind: str) -> tuple[str, ...]:
         """The names that `about` can describe."""
@@ -59,8 +59,8 @@ class Words:
 
     def parameter(self, parameter: Parameter) -> str:
         """The name of a skill's argument on its block."""
-        shown = parameter.translations
-        return shown.get(self.language.upper()) or shown.get("EN", "")
+        labels = parameter.translations
+        return labels.get(self.language.upper()) or labels.get("EN", "")
 
     @property
     def _all(self) -> Mapping[str, Any]:
@@ -98,8 +98,8 @@ def library_parameters(name: str) -> tuple[str, ...]:
         return (_BUILTIN_PARAMETERS[name],)
     return tuple(
         ", ".join(template.parameters)
-        for (known, _), template in TEMPLATES.items()
-        if known == name
+        for (function, _), template in TEMPLATES.items()
+        if function == name
     )
 
 

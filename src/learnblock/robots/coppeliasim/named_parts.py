@@ -39,12 +39,12 @@ SIDES = ("front", "left", "right", "back")
 
 def devices_of(settings: Settings) -> frozenset[str]:
     """The devices for which the settings name objects of the scene."""
-    named = {
+    paths_by_device = {
         "DistanceSensors": (settings.front, settings.left, settings.right, settings.back),
         "GroundSensors": (settings.ground_left, settings.ground_central, settings.ground_right),
         "Camera": (settings.camera,),
     }
-    devices = {f"{device}:ROBOT" for device, paths in named.items() if any(paths)}
+    devices = {f"{device}:ROBOT" for device, paths in paths_by_device.items() if any(paths)}
     return frozenset(devices | {"Base:ROBOT", "Gyroscope:Z_AXIS"})
 
 

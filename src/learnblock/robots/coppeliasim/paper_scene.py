@@ -93,9 +93,9 @@ def _first(kind: int) -> Callable[[Any], float]:
 def _list(reply: Any, kind: int) -> Sequence[Any]:
     """One of the lists of a reply; an empty list may arrive as an empty dictionary."""
     lists = reply if isinstance(reply, tuple) else (reply,)
-    chosen = lists[kind] if len(lists) > kind else None
-    if chosen == {}:
+    items = lists[kind] if len(lists) > kind else None
+    if items == {}:
         return ()
-    if not isinstance(chosen, list):
+    if not isinstance(items, list):
         raise BadReplyError(reply)
-    return chosen
+    return items

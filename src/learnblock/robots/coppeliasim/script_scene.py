@@ -94,12 +94,12 @@ class ScriptScene:
         return self._script.ask(_senses, "sense")
 
     def _distances(self) -> Mapping[str, Sequence[float]]:
-        seen = self._sense().distances
-        return {side: list(seen.get(side, ())) for side in _SIDES}
+        readings = self._sense().distances
+        return {side: list(readings.get(side, ())) for side in _SIDES}
 
     def _ground(self) -> Mapping[str, float | None]:
-        seen = self._sense().ground
-        return {side: seen.get(side) for side in ("left", "central", "right")}
+        readings = self._sense().ground
+        return {side: readings.get(side) for side in ("left", "central", "right")}
 
     def _picture(self) -> Any:
         image = self._remote.call("getVisionSensorImg", self._about.camera)
@@ -120,8 +120,8 @@ def _senses(reply: Any) -> SceneReadings:
     senses: SceneReadings = converted(reply, SceneReadings)
     return SceneReadings(
         pose=_pose(senses.pose),
-        distances={side: _distances(seen) for side, seen in senses.distances.items()},
-        ground={side: percent(seen) for side, seen in senses.ground.items()},
+        distances={side: _distances(readings) for side, readings in senses.distances.items()},
+        ground={side: percent(reading) for side, reading in senses.ground.items()},
         light=min(max(finite(senses.light), 0.0), _BRIGHTEST),
     )
 
@@ -131,5 +131,5 @@ def _pose(pose: Pose) -> Pose:
     return x, y, heading
 
 
-def _distances(seen: Sequence[float]) -> tuple[float, ...]:
-    return tuple(min(max(finite(reading), 0.0), NOTHING_SEEN) for reading in seen)
+def _distances(readings: Sequence[float]) -> tuple[float, ...]:
+    return tuple(min(max(finite(reading), 0.0), NOTHING_SEEN) for reading in readings)

@@ -69,7 +69,7 @@ class Robot(RealRobot[CozmoSettings]):
         robot.sleep(2)
 
     Args:
-        chosen: settings that override those of the user's file; see `CozmoSettings`.
+        settings: by name; they override those of the user's file; see `CozmoSettings`.
 
     Raises:
         RobotConnectionError: Cozmo does not respond.
@@ -127,16 +127,16 @@ class Robot(RealRobot[CozmoSettings]):
         halt(settings.address, settings.port, settings.patience)
 
     def connect(self) -> None:
-        chosen = self.settings
+        settings = self.settings
         self._session = session = _session(
-            chosen.address, chosen.port, chosen.patience, self.steady_clock
+            settings.address, settings.port, settings.patience, self.steady_clock
         )
-        self._use = Use(chosen.address, chosen.port)
+        self._use = Use(settings.address, settings.port)
         session.prepare(
-            colour=chosen.colour, stop_at_cliff=chosen.stop_at_cliff, volume=chosen.volume
+            colour=settings.colour, stop_at_cliff=settings.stop_at_cliff, volume=settings.volume
         )
         # Without a guardian, the robot stops only after five seconds without messages.
-        self._guardian = Guardian(type(self), chosen, self.steady_clock)
+        self._guardian = Guardian(type(self), settings, self.steady_clock)
         self._add_sensors(session)
         self._add_joints(session)
         self._add_stage(session)

@@ -30,5 +30,5 @@ class Reception:
         """The share of the reports that arrived, 0 to 1; None before there are enough."""
         if len(self._stamps) < COUNTED // 4:
             return None
-        sent = 1 + (self._stamps[-1] - self._stamps[0]) / PERIOD
-        return min(1.0, len(self._stamps) / sent)
+        total = 1 + (self._stamps[-1] - self._stamps[0]) / PERIOD
+        return min(1.0, len(self._stamps) / total)

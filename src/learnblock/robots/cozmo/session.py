@@ -116,8 +116,8 @@ class CozmoSession(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
     def frame(self) -> Frame | None:
         """The newest undamaged picture; the same object until a new one arrives."""
         newest = self._picture
-        seen, frame = self._seen
-        if newest is not None and newest is not seen:
+        previous, frame = self._seen
+        if newest is not None and newest is not previous:
             arrived = newest.frame()
             frame = frame if arrived is None else arrived
             self._seen = (newest, frame)

@@ -225,10 +225,10 @@ class Brick:
     def drive(self, speeds: List[float]) -> None:
         """Turn the wheels at these speeds in degrees/s, limited to their maximum."""
         for motor, fastest, speed in zip(self._motors, self._fastest, speeds):
-            wanted = round(min(max(speed, -fastest), fastest))
+            target = round(min(max(speed, -fastest), fastest))
             with cable():
-                if wanted:
-                    motor.speed_sp = wanted
+                if target:
+                    motor.speed_sp = target
                     motor.command = "run-forever"
                 else:
                     motor.stop_action = "brake"
@@ -511,8 +511,8 @@ class Agent:
 
     def turn(self) -> None:
         """Wait for clients, and serve those that say something; at most half a second."""
-        left = self.left(self._clock.now())
-        ready, _, _ = select.select([self._listener, *self._clients], [], [], left)
+        remaining = self.left(self._clock.now())
+        ready, _, _ = select.select([self._listener, *self._clients], [], [], remaining)
         for connection in ready:
             if connection is self._listener:
                 self._welcome()

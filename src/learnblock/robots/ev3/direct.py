@@ -123,11 +123,11 @@ def show(font: Font, lines: Sequence[str]) -> bytes:
     """Show lines on an empty screen; without lines, show the menu's top line again."""
     top_line = DRAW_TOP_LINE + number(not lines)
     window = DRAW_WINDOW + number(0) + number(0) + number(0)
-    drawn = (
+    commands = (
         DRAW_TEXT + number(1) + number(0) + number(row * font.line) + text(line)
         for row, line in enumerate(lines)
     )
-    return b"".join([top_line, window, DRAW_FONT, number(font.number), *drawn, DRAW_UPDATE])
+    return b"".join([top_line, window, DRAW_FONT, number(font.number), *commands, DRAW_UPDATE])
 
 
 def command(counter: int, orders: bytes, question: Question) -> bytes:

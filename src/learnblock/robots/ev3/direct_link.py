@@ -157,7 +157,7 @@ class DirectMotor:
         if not speed:
             self._owed = 0.0
             return direct.stop(self.port)
-        wanted = min(max(speed, -100.0), 100.0) + self._owed
-        percent = min(max(round(wanted), -100), 100)
-        self._owed = min(max(wanted - percent, -0.5), 0.5)
+        target = min(max(speed, -100.0), 100.0) + self._owed
+        percent = min(max(round(target), -100), 100)
+        self._owed = min(max(target - percent, -0.5), 0.5)
         return direct.turn(self.port, percent, RUN) if percent else direct.stop(self.port)

@@ -88,7 +88,7 @@ class BrickLink(ABC):
             self.check()
             if self._closed.is_set():
                 raise RobotConnectionError("ev3-closed", place=self.place)
-            sent = self._clock.now()
+            start = self._clock.now()
             try:
                 state = self.exchange(self._due(word))
             except RobotConnectionError:
@@ -100,7 +100,7 @@ class BrickLink(ABC):
             finally:
                 self._pulse = Deadline.after(PULSE, self._clock)
             self._state, self._heard = state, self._clock.now()
-            self.round_trip = self._heard - sent
+            self.round_trip = self._heard - start
             self._on_state(state)
             return state
 

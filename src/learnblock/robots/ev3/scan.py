@@ -41,7 +41,7 @@ def scan(seconds: float) -> Iterator[Found]:
 def beacons(seconds: float, port: int = BEACONS, clock: SteadyClock = MONOTONIC) -> Iterator[Found]:
     """The bricks with LEGO's firmware that send a beacon within a time limit."""
     deadline = Deadline.after(seconds, clock)
-    seen = set()
+    addresses = set()
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as ear:
         ear.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
@@ -55,10 +55,10 @@ def beacons(seconds: float, port: int = BEACONS, clock: SteadyClock = MONOTONIC)
                 data, (address, _) = ear.recvfrom(1024)
             except TimeoutError:
                 return
-            named = read_beacon(data)
-            if named and address not in seen:
-                seen.add(address)
-                yield {"connection": "direct", "address": address, "direct_port": named}
+            direct_port = read_beacon(data)
+            if direct_port and address not in addresses:
+                addresses.add(address)
+                yield {"connection": "direct", "address": address, "direct_port": direct_port}
 
 
 def read_beacon(data: bytes) -> int | None:

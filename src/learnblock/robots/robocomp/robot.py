@@ -102,8 +102,8 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
         usual = cls.settings_type()
         addresses = dict.fromkeys((saved.address, usual.address))
         for address in addresses:
-            tried = cls.settings_type(address=address, base_port=saved.base_port)
-            if cls.answers(tried, seconds / len(addresses)):
+            candidate = cls.settings_type(address=address, base_port=saved.base_port)
+            if cls.answers(candidate, seconds / len(addresses)):
                 yield {"address": address}
 
     @classmethod
@@ -175,8 +175,8 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
 
     def _settle_layout(self) -> None:
         """Use the layout in the settings, or detect it."""
-        chosen = self.settings.layout
-        self.layout = self._detected_layout() if chosen == "auto" else Layout(chosen)
+        layout = self.settings.layout
+        self.layout = self._detected_layout() if layout == "auto" else Layout(layout)
         for component in (self._base, self._joint, *self.lasers):
             component.use_layout(self.layout)
 

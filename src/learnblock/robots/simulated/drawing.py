@@ -13,11 +13,11 @@ if TYPE_CHECKING:
     from learnblock.simulator.picture import DrivenRun
 
 
-def draw(drawn: Mapping[str, tuple[Client, Recorder]], path: Path, title: str) -> None:
+def draw(recordings: Mapping[str, tuple[Client, Recorder]], path: Path, title: str) -> None:
     """Draw a run on simulated robots in one world, as .png or .svg.
 
     Args:
-        drawn: the robots with what they did, by name.
+        recordings: the robots with what they did, by name.
         path: the file of the picture.
         title: the title.
 
@@ -28,15 +28,15 @@ def draw(drawn: Mapping[str, tuple[Client, Recorder]], path: Path, title: str) -
 
     twins = {
         name: (robot, recorder)
-        for name, (robot, recorder) in drawn.items()
+        for name, (robot, recorder) in recordings.items()
         if isinstance(robot, SimulatedRobot)
     }
     if not twins:
         raise LearnBlockError("world-not-drawable")
-    named = len(drawn) > 1
+    has_names = len(recordings) > 1
     scene = PictureScene(
         world=next(iter(twins.values()))[0].simulation.world.description,
-        drives=tuple(_drive(name if named else "", *twin) for name, twin in twins.items()),
+        drives=tuple(_drive(name if has_names else "", *twin) for name, twin in twins.items()),
         title=title,
     )
     picture = draw_svg(scene).encode() if path.suffix == ".svg" else draw_png(scene)

@@ -32,21 +32,21 @@ def chosen_pace(pace: str | float | None) -> float | None:
 
 
 def chosen_seed(seed: int | None) -> int:
-    chosen = os.environ.get("LEARNBLOCK_SEED") or 0 if seed is None else seed
+    value = os.environ.get("LEARNBLOCK_SEED") or 0 if seed is None else seed
     try:
-        return int(chosen)
+        return int(value)
     except ValueError:
-        raise DeviceValueError("world-bad-seed", seed=str(chosen)) from None
+        raise DeviceValueError("world-bad-seed", seed=str(value)) from None
 
 
 def chosen_variant(variant: int | None) -> int:
-    chosen = os.environ.get("LEARNBLOCK_VARIANT") or 0 if variant is None else variant
+    value = os.environ.get("LEARNBLOCK_VARIANT") or 0 if variant is None else variant
     try:
-        number = int(chosen)
+        number = int(value)
     except ValueError:
         number = -1
     if number < 0:
-        raise DeviceValueError("world-bad-variant", variant=str(chosen))
+        raise DeviceValueError("world-bad-variant", variant=str(value))
     return number
 
 

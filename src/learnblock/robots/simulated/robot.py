@@ -126,8 +126,8 @@ class SimulatedRobot(Client):
         variant: int | None = None,
     ) -> Simulation:
         """The world for such a robot, from arguments, environment or defaults."""
-        chosen = world or os.environ.get("LEARNBLOCK_WORLD") or cls.description().world
-        description = make_variant(find_world(chosen), chosen_variant(variant))
+        world_name = world or os.environ.get("LEARNBLOCK_WORLD") or cls.description().world
+        description = make_variant(find_world(world_name), chosen_variant(variant))
         return Simulation(World(description, seed=chosen_seed(seed)), Pacing(chosen_pace(pace)))
 
     @cached_property
@@ -154,12 +154,12 @@ class SimulatedRobot(Client):
 
     def conditions(self) -> dict[str, object]:
         world = self.simulation.world
-        named = {"world": world.description.name, "seed": world.seed}
+        world_conditions = {"world": world.description.name, "seed": world.seed}
         if world.description.variant:
-            named["variant"] = world.description.variant
+            world_conditions["variant"] = world.description.variant
         # Only if it was chosen; otherwise the world decides.
         start = {} if self.start is None else {"start": list(self.start)}
-        return {**super().conditions(), **named, **start}
+        return {**super().conditions(), **world_conditions, **start}
 
     def surroundings(self) -> Mapping[str, object]:
         world = self.simulation.world.description

@@ -16,18 +16,18 @@ def open_link(settings: ThymioSettings, clock: SteadyClock = MONOTONIC) -> Thymi
         MissingPackageError: a library is not installed.
         RobotConnectionError: the robot cannot be reached.
     """
-    chosen = finding.choose(settings)
+    connection = finding.choose(settings)
     # The library first: if it is missing, nothing has been opened yet.
-    kind = _suite_link() if chosen == "suite" else _direct_link()
-    return kind(_wire(chosen, settings, clock), settings.patience, clock)
+    kind = _suite_link() if connection == "suite" else _direct_link()
+    return kind(_wire(connection, settings, clock), settings.patience, clock)
 
 
-def _wire(chosen: str, settings: ThymioSettings, clock: SteadyClock) -> Wire:
-    if chosen == "suite":
+def _wire(connection: str, settings: ThymioSettings, clock: SteadyClock) -> Wire:
+    if connection == "suite":
         return TcpWire(
             "127.0.0.1", settings.suite_port, settings.patience, "thymio-no-suite", clock
         )
-    if chosen == "serial":
+    if connection == "serial":
         return SerialWire(settings.device or _first_device())
     missing = "thymio-not-found" if settings.connection == "auto" else "thymio-no-listener"
     return TcpWire(settings.address, settings.port, settings.patience, missing, clock)
