@@ -29,7 +29,7 @@ from learnblock.lessons.grading.journal import kept_only, opened_journal
 from learnblock.lessons.grading.plan import Plan
 from learnblock.lessons.grading.table import stars
 from learnblock.lessons.grading.values import Result
-from learnblock.lessons.reading import find_lesson
+from learnblock.lessons.reading import named_lesson
 
 #: Seconds for the process to end once it is killed.
 _KILLED = 5.0
@@ -85,7 +85,7 @@ class Checking:
         """
         if self.running:
             raise LearnBlockError("class-checking")
-        opened = find_lesson(lesson)
+        opened = named_lesson(lesson)
         if not opened.step(step).check:
             raise LearnBlockError("server-lesson-no-checks")
         self.running = RunningCheck(lesson, step, CheckNews())

@@ -13,7 +13,7 @@ from learnblock.i18n import Phrase
 from learnblock.lessons.grading.plan import Plan, planned
 from learnblock.lessons.grading.values import Absence, HandedIn
 from learnblock.lessons.opened import OpenLesson
-from learnblock.lessons.reading import find_lesson
+from learnblock.lessons.reading import named_lesson
 from learnblock.project.files.folder import ProjectFolder
 from learnblock.project.files.lesson_folder import Progress
 from learnblock.project.files.project import Project
@@ -74,7 +74,7 @@ def plan_of(roster: Roster, lesson: str, step: int) -> Plan:
     Raises:
         LearnBlockError: there is no such lesson or step.
     """
-    opened = find_lesson(lesson)
+    opened = named_lesson(lesson)
     return planned(opened, step, collect(roster, opened, step, only_handed_in=True))
 
 

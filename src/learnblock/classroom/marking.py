@@ -18,7 +18,7 @@ from learnblock.errors import FileError, LearnBlockError
 from learnblock.lessons.drawing import LONGEST_DRAWING, drawn_program
 from learnblock.lessons.lesson import LessonText
 from learnblock.lessons.opened import OpenLesson
-from learnblock.lessons.reading import find_lesson
+from learnblock.lessons.reading import named_lesson
 from learnblock.lessons.texts import plain
 from learnblock.lessons.trying import attempts
 from learnblock.monitor.worlds import world_values
@@ -94,7 +94,7 @@ class Marking:
         Raises:
             LearnBlockError: there is no such lesson or step.
         """
-        opened = find_lesson(lesson)
+        opened = named_lesson(lesson)
         taught = TaughtLesson(opened)
         names = names_of(self._roster)
         lines = tuple(
@@ -141,7 +141,7 @@ class Marking:
             program=file.work.program,
             checked=file.checked,
             back=file.back,
-            world=_world(find_lesson(lesson), step, variant),
+            world=_world(named_lesson(lesson), step, variant),
             blocktext=blocktext,
             blocks=drawn_program(blocktext) if 0 < len(blocktext) <= LONGEST_DRAWING else None,
         )
@@ -153,7 +153,7 @@ class Marking:
             LearnBlockError: there is no such lesson or step.
             OSError: it can't be saved.
         """
-        opened = find_lesson(lesson)
+        opened = named_lesson(lesson)
         opened.step(step)
         for pupil in self._roster.pupils:
             if (lesson, step) in self._shelf.of_pupil(pupil.id):
@@ -200,7 +200,7 @@ class Marking:
             self._lessons[name] = None
             # Of a lesson that is gone there is nothing to list.
             with suppress(LearnBlockError, OSError):
-                self._lessons[name] = TaughtLesson(find_lesson(name))
+                self._lessons[name] = TaughtLesson(named_lesson(name))
         return self._lessons[name]
 
     def _without(

@@ -7,7 +7,8 @@ from learnblock.classroom.messages import LessonOffer
 from learnblock.classroom.pupil_folder import HOME
 from learnblock.i18n import Phrase
 from learnblock.lessons import packing, reading
-from learnblock.server.catalog.lessons import LESSON_ENDING, find_own, lesson_choices, step_titles
+from learnblock.lessons.archive import SUFFIX
+from learnblock.server.catalog.lessons import find_own, lesson_choices, step_titles
 from learnblock.server.messages import LessonChoice
 from learnblock.storage.files import save
 
@@ -29,7 +30,7 @@ def give_lesson(name: str, folders: Iterable[Path]) -> None:
     for folder in folders:
         lessons = folder / HOME / "lessons"
         lessons.mkdir(parents=True, exist_ok=True)
-        save(lessons / f"{name}{LESSON_ENDING}", content)
+        save(lessons / f"{name}{SUFFIX}", content)
 
 
 def _offer(choice: LessonChoice) -> LessonOffer:

@@ -127,22 +127,31 @@ class Room:
             OSError: it can't be given to the pupils.
         """
         receiving = tuple(self.roster.pupils if pupils is None else pupils)
-        offer = next((offer for offer in self.offers if offer.name == lesson.lesson), None)
-        if offer and offer.own:
-            folders = [self.roster.folder_of(pupil) for pupil in receiving]
-            await asyncio.to_thread(give_lesson, offer.name, folders)
+        await self._give(lesson.lesson, receiving)
         self.lesson, self.began = lesson.lesson, time.time()
         self._late |= {pupil.id: lesson for pupil in receiving if not self.desk(pupil).own_pages}
         await self.order(lesson, receiving)
 
     async def first_lesson(self, pupil: Pupil) -> messages.StartLesson | None:
-        """The lesson with which a pupil begins; None if there is none, or a project already."""
+        """The lesson with which a pupil begins; None if there is none, or a project already.
+
+        Raises:
+            LearnBlockError: it is one of the teacher's own, and can't be read.
+            OSError: it can't be given to the pupil.
+        """
         if handed_out := self._late.pop(pupil.id, None):
             return handed_out
         lesson, project = self.roster.lesson, self.roster.project
         if lesson is None or await asyncio.to_thread(self._has_begun, pupil):
             return None
+        await self._give(lesson, [pupil])
         return messages.StartLesson(lesson, project or lesson)
+
+    async def _give(self, lesson: str, pupils: Iterable[Pupil]) -> None:
+        """Put a lesson into pupils' folders if it is one of the teacher's own."""
+        if any(offer.own for offer in self.offers if offer.name == lesson):
+            folders = [self.roster.folder_of(pupil) for pupil in pupils]
+            await asyncio.to_thread(give_lesson, lesson, folders)
 
     def left(self, pupil: Pupil) -> None:
         """Record that a page has gone; after the last one, the server is stopped with a delay."""

@@ -21,12 +21,14 @@ from learnblock.lessons.opened import (
     refuse,
     text_of,
 )
+from learnblock.lessons.own import own_files
 from learnblock.storage import toml_source
 
 __all__ = [
     "OpenLesson",
     "find_lesson",
     "for_pupils",
+    "named_lesson",
     "open_lesson",
     "read_files",
     "shipped",
@@ -112,21 +114,38 @@ def shipped_lesson(name: str) -> OpenLesson:
     return for_pupils(OpenLesson(name, lesson, None, files))
 
 
-def find_lesson(name_or_path: str) -> OpenLesson:
-    """Open a lesson that comes with LearnBlock, by its name, or another one by its path.
+def named_lesson(name: str) -> OpenLesson:
+    """Open a lesson that comes with LearnBlock, or one of the user's own.
 
     Raises:
         UnknownNameError: there is no such lesson.
         LessonError: it is invalid.
         OSError: it cannot be read.
     """
-    names = shipped()
-    if name_or_path in names:
-        return open_lesson(shipped_folder() / name_or_path)
+    files = _named_files()
+    if name not in files:
+        raise UnknownNameError("lesson", name, files)
+    return open_lesson(files[name])
+
+
+def find_lesson(name_or_path: str) -> OpenLesson:
+    """Open a lesson by its name, as `named_lesson`, or another one by its path.
+
+    Raises:
+        UnknownNameError: there is no such lesson.
+        LessonError: it is invalid.
+        OSError: it cannot be read.
+    """
     path = Path(name_or_path)
-    if path.is_dir() or path.is_file():
+    if name_or_path not in _named_files() and (path.is_dir() or path.is_file()):
         return open_lesson(path)
-    raise UnknownNameError("lesson", name_or_path, names)
+    return named_lesson(name_or_path)
+
+
+def _named_files() -> dict[str, Path]:
+    """By its name each lesson's folder or file: ours, then the user's."""
+    ours = {name: shipped_folder() / name for name in shipped()}
+    return ours | {file.stem: file for file in own_files() if file.stem not in ours}
 
 
 def shipped_folder() -> Path:

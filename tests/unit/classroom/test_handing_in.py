@@ -10,6 +10,7 @@ import zipfile
 
 import pytest
 
+import small_lesson
 from classes import opened
 from learnblock.classroom.checking import Checking, runs_folder
 from learnblock.classroom.hand_ins import HandInShelf
@@ -18,9 +19,19 @@ from learnblock.lessons.grading.journal import NAME
 from learnblock.server.messages import GivenProgram, GivenWork
 
 pytestmark = [pytest.mark.realtime, pytest.mark.slow]
-LESSON, STEP = "1-01-first-drive", 2
+#: It is tried once on each of its two robots, so that a check takes a moment.
+LESSON, STEP = small_lesson.NAME, 2
 PLACE = {"lesson": LESSON, "step": STEP}
 QUERY = f"lesson={LESSON}&step={STEP}"
+
+
+def joined(room, name):
+    """A new pupil, who is handed the teacher's own lesson."""
+    pupil = room.pupil(name)
+    with room.wall() as wall:
+        wall.say("HandOut", pupils=[pupil.id], lesson=LESSON, project="First drive")
+        listed(wall)
+    return pupil
 
 
 def hand_in(page, text=None):
@@ -67,16 +78,18 @@ def graded(room, out):
 
 @pytest.fixture(scope="module")
 def room(tmp_path_factory):
-    with opened(tmp_path_factory.mktemp("teacher")) as one:
-        yield one
+    home = tmp_path_factory.mktemp("teacher")
+    small_lesson.put_in(home)
+    with opened(home) as room:
+        yield room
 
 
 @pytest.mark.timeout(300)
 def test_what_is_handed_in_is_checked_marked_and_handed_back(room, tmp_path):
-    ana, leo = room.pupil("Ana"), room.pupil("Leo")
+    ana, leo = joined(room, "Ana"), joined(room, "Leo")
     cookie = room.teacher()
     with room.wall() as wall, ana.page() as page, leo.page() as other:
-        [own] = hand_in(page)
+        [own] = hand_in(page, small_lesson.SOLUTION)
         assert own["waits"]
         hand_in(other, "main:\n    pass\nend\n")
         room.pupil("Eva")
@@ -127,7 +140,7 @@ def test_what_is_handed_in_is_checked_marked_and_handed_back(room, tmp_path):
 
 
 def test_the_teacher_collects_from_who_has_begun(room):
-    bo = room.pupil("Bo")
+    bo = joined(room, "Bo")
     with room.wall() as wall, bo.page() as page:
         page.say("StartLesson", lesson=LESSON, name="First drive", step=STEP)
         while page.hear("LessonShown").get("step") != STEP:
@@ -142,7 +155,7 @@ def test_the_teacher_collects_from_who_has_begun(room):
 
 
 def test_a_step_without_checks_can_not_be_handed_in(room):
-    with room.pupil("Kim").page() as page:
+    with joined(room, "Kim").page() as page:
         page.say("StartLesson", lesson=LESSON, name="First drive")
         page.hear("LessonShown")
         page.say("HandIn")
@@ -150,7 +163,7 @@ def test_a_step_without_checks_can_not_be_handed_in(room):
 
 
 def test_only_the_teacher_gets_tables_and_says_what_is_handed_back(room):
-    ida = room.pupil("Ida")
+    ida = joined(room, "Ida")
     for path in ("results.csv", "results.html", "marks.csv"):
         assert room.ask(f"/{path}?{QUERY}").status == 403
         assert room.ask(f"/{path}?{QUERY}", cookie=ida.cookie).status == 403
@@ -165,7 +178,7 @@ def test_only_the_teacher_gets_tables_and_says_what_is_handed_back(room):
 
 
 def test_an_export_has_a_pupils_hand_ins_and_a_deleted_pupil_leaves_none(room):
-    uma = room.pupil("Uma")
+    uma = joined(room, "Uma")
     with uma.page() as page, room.wall() as wall:
         hand_in(page)
         packed = room.ask(f"/export.zip?pupil={uma.id}", cookie=room.teacher())
@@ -179,8 +192,9 @@ def test_an_export_has_a_pupils_hand_ins_and_a_deleted_pupil_leaves_none(room):
 
 
 def test_what_is_handed_in_is_there_after_a_kill(tmp_path):
+    small_lesson.put_in(tmp_path)
     with opened(tmp_path) as room:
-        ana = room.pupil("Ana")
+        ana = joined(room, "Ana")
         with ana.page() as page, room.wall() as wall:
             hand_in(page)
             wall.say("MarkHandIn", pupil=ana.id, note="Well done", mark="10", **PLACE)
@@ -230,8 +244,9 @@ def checked_in(roster, shelf, *, kill=False):
 
 
 @pytest.fixture
-def kept(tmp_path):
+def kept(tmp_path, own_home):
     """A class that is not open, whose pupil has handed in."""
+    small_lesson.put_in(own_home)
     roster, shelf = Roster(tmp_path, "7b"), HandInShelf(tmp_path)
     ana, _ = roster.add("Ana")
     shelf.add(ana.id, GivenWork(LESSON, STEP, GivenProgram("main:\n    pass\nend\n")))
@@ -260,15 +275,15 @@ def test_a_lesson_is_handed_out_to_some_pupils_from_a_step(room):
     quick, other = room.pupil("Quinn"), room.pupil("Ola")
     with room.wall() as wall, quick.page() as page, other.page() as beside:
         beside.pulse()
-        lesson = {"lesson": LESSON, "project": "First drive"}
-        wall.say("HandOut", pupils=[quick.id], step=4, **lesson)
-        while page.hear("LessonShown").get("step") != 4:
+        lesson = {"lesson": "1-03-square", "project": "Square"}
+        wall.say("HandOut", pupils=[quick.id], step=2, **lesson)
+        while page.hear("LessonShown").get("step") != 2:
             pass
         beside.pulse()
         assert "LessonShown" not in beside.last
         # A pupil who has the lesson already goes to the step, too.
-        wall.say("HandOut", pupils=[quick.id], step=5, **lesson)
-        while page.hear("LessonShown").get("step") != 5:
+        wall.say("HandOut", pupils=[quick.id], step=3, **lesson)
+        while page.hear("LessonShown").get("step") != 3:
             pass
         wall.say("HandOut", pupils=["a" * 10], **lesson)
         assert wall.hear("Refused")

@@ -136,17 +136,39 @@ def test_a_lesson_reaches_pupils_who_come_later_once(room, desk, page):
     assert asyncio.run(room.first_lesson(desk.pupil)) is None
 
 
-def test_pupils_get_an_own_lesson_of_the_teacher_without_the_teachers_part(
-    tmp_path, monkeypatch, page
-):
+@pytest.fixture
+def own(tmp_path, monkeypatch):
+    """The name of a lesson of the teacher's own."""
     monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path / "teacher"))
-    own = copy_lesson(LESSON)
+    return copy_lesson(LESSON).name
+
+
+@pytest.fixture
+def taught(tmp_path, own):
+    """A class with a pupil, which can be handed that lesson."""
     roster = Roster(tmp_path / "7b", "7b")
-    pupil, _ = roster.add("Ana")
-    offer = ours.LessonOffer(own.name, "Mine", 1, 30, ("sim-ebo",), (), own=True)
-    room = Room(roster, "http://a", [offer])
-    asyncio.run(do(room, ours.HandOut(own.name, "Mine")))
-    monkeypatch.setenv("LEARNBLOCK_HOME", str(roster.folder_of(pupil) / HOME))
-    given = find_lesson(own.name)
-    assert given.name == own.name
-    assert not any(path.startswith("teacher") for path in given.files)
+    roster.add("Ana")
+    offer = ours.LessonOffer(own, "Mine", 1, 30, ("sim-ebo",), (), own=True)
+    return Room(roster, "http://a", [offer])
+
+
+def has_own(room, own, monkeypatch):
+    """Find the lesson as the pupil's server does; it has nothing that only the teacher has."""
+    [pupil] = room.roster.pupils
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(room.roster.folder_of(pupil) / HOME))
+    given = find_lesson(own)
+    return given.name == own and not any(path.startswith("teacher") for path in given.files)
+
+
+def test_pupils_get_an_own_lesson_of_the_teacher_without_the_teachers_part(
+    taught, own, monkeypatch, page
+):
+    asyncio.run(do(taught, ours.HandOut(own, "Mine")))
+    assert has_own(taught, own, monkeypatch)
+
+
+def test_pupils_begin_with_an_own_lesson_of_the_teacher(taught, own, monkeypatch):
+    taught.roster.prepare(own, "Mine", "basics")
+    first = asyncio.run(taught.first_lesson(taught.roster.pupils[0]))
+    assert first == StartLesson(own, "Mine")
+    assert has_own(taught, own, monkeypatch)

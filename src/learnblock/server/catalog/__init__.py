@@ -3,13 +3,11 @@
 from learnblock.server.catalog.examples import example, example_choices, example_programs, suits
 from learnblock.server.catalog.greeting import tag_dictionary, welcome
 from learnblock.server.catalog.lessons import (
-    LESSON_ENDING,
     add_lesson,
     copy_lesson,
     delete_lesson,
     find_lesson,
     find_own,
-    find_whole,
     free_lesson_name,
     lesson_choices,
     star_names,
@@ -18,7 +16,6 @@ from learnblock.server.catalog.robots import robot_choices, runs_on
 from learnblock.server.catalog.worlds import check_world_name, usual_world, world_choices
 
 __all__ = [
-    "LESSON_ENDING",
     "add_lesson",
     "check_world_name",
     "copy_lesson",
@@ -28,7 +25,6 @@ __all__ = [
     "example_programs",
     "find_lesson",
     "find_own",
-    "find_whole",
     "free_lesson_name",
     "lesson_choices",
     "robot_choices",

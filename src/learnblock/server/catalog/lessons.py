@@ -4,24 +4,20 @@ import re
 import unicodedata
 from collections.abc import Iterator
 from functools import cache, partial
-from pathlib import Path
 
 from learnblock.errors import Diagnostic, FileError, LearnBlockError, UnknownNameError
 from learnblock.i18n import Phrase
 from learnblock.lessons import editing, packing, reading
+from learnblock.lessons.archive import SUFFIX
 from learnblock.lessons.lesson import Step
+from learnblock.lessons.own import MOST, is_name, own_files, own_folder
 from learnblock.lessons.reading import OpenLesson
 from learnblock.lessons.texts import plain
 from learnblock.server.messages import LARGEST_LESSON, LessonChoice
 from learnblock.storage.files import is_device_name, save
-from learnblock.storage.home import home
-
-LESSON_ENDING = ".lblesson"
-MOST_OWN = 200
 
 _NOT_IN_NAMES = re.compile(r"[^\w]+")
 _LONGEST_NEW = 60
-_NAME = re.compile(r"\w[\w .-]{0,78}\w")
 
 
 def lesson_choices() -> tuple[tuple[LessonChoice, ...], tuple[Phrase, ...]]:
@@ -63,16 +59,6 @@ def find_own(name: str) -> OpenLesson:
     return reading.open_lesson(files[name])
 
 
-def find_whole(name: str) -> OpenLesson:
-    """A lesson of ours or of the user's, with what only the teacher has.
-
-    Raises:
-        UnknownNameError: there is no such lesson.
-        LearnBlockError: its file is invalid.
-    """
-    return reading.find_lesson(name) if name in reading.shipped() else find_own(name)
-
-
 def copy_lesson(name: str) -> OpenLesson:
     """Add a copy of a lesson to the user's.
 
@@ -81,15 +67,9 @@ def copy_lesson(name: str) -> OpenLesson:
         LearnBlockError: its file is invalid, or there are too many lessons.
         OSError: it can't be saved.
     """
-    opened = find_whole(name)
+    opened = reading.named_lesson(name)
     free = free_lesson_name(name)
     return add_lesson(free, packing.pack(editing.copied(opened, free)))
-
-
-def own_files() -> list[Path]:
-    """The files of the user's lessons."""
-    files = (file for file in _folder().glob(f"*{LESSON_ENDING}") if _NAME.fullmatch(file.stem))
-    return sorted(files)[:MOST_OWN]
 
 
 def add_lesson(name: str, content: bytes) -> OpenLesson:
@@ -99,21 +79,21 @@ def add_lesson(name: str, content: bytes) -> OpenLesson:
         LearnBlockError: it isn't a lesson, or can't have this name.
         OSError: it can't be saved.
     """
-    if not _NAME.fullmatch(name) or name in reading.shipped():
+    if not is_name(name) or name in reading.shipped():
         message = Phrase("server-lesson-name", name=name[:100])
-        raise FileError(f"{name[:100]}{LESSON_ENDING}", [Diagnostic("wrong-name", message)])
-    folder, files = _folder(), own_files()
-    if len(files) >= MOST_OWN and folder / f"{name}{LESSON_ENDING}" not in files:
-        raise LearnBlockError("server-lesson-too-many", limit=MOST_OWN)
+        raise FileError(f"{name[:100]}{SUFFIX}", [Diagnostic("wrong-name", message)])
+    folder, files = own_folder(), own_files()
+    if len(files) >= MOST and folder / f"{name}{SUFFIX}" not in files:
+        raise LearnBlockError("server-lesson-too-many", limit=MOST)
     folder.mkdir(parents=True, exist_ok=True)
-    staged = folder / f".{name}{LESSON_ENDING}"
+    staged = folder / f".{name}{SUFFIX}"
     save(staged, content[:LARGEST_LESSON])
     try:
         opened = reading.open_lesson(staged)
-        save(folder / f"{name}{LESSON_ENDING}", packing.pack(opened))
+        save(folder / f"{name}{SUFFIX}", packing.pack(opened))
     finally:
         staged.unlink(missing_ok=True)
-    return reading.open_lesson(folder / f"{name}{LESSON_ENDING}")
+    return reading.open_lesson(folder / f"{name}{SUFFIX}")
 
 
 def free_lesson_name(title: str) -> str:
@@ -123,7 +103,7 @@ def free_lesson_name(title: str) -> str:
     if len(stem) < 2 or is_device_name(stem):
         stem = f"lesson-{stem}".strip("-")
     taken = {name.casefold() for name in (*reading.shipped(), *(f.stem for f in own_files()))}
-    names = (stem, *(f"{stem}-{number}" for number in range(2, MOST_OWN + 2)))
+    names = (stem, *(f"{stem}-{number}" for number in range(2, MOST + 2)))
     return next(name for name in names if name.casefold() not in taken)
 
 
@@ -136,7 +116,7 @@ def delete_lesson(name: str) -> None:
     """
     if name not in {file.stem for file in own_files()}:
         raise UnknownNameError("lesson", name, [file.stem for file in own_files()])
-    (_folder() / f"{name}{LESSON_ENDING}").unlink()
+    (own_folder() / f"{name}{SUFFIX}").unlink()
 
 
 def star_names(step: Step) -> Iterator[str]:
@@ -150,10 +130,6 @@ def star_names(step: Step) -> Iterator[str]:
         yield "quiz"
     if step.puzzle:
         yield "puzzle"
-
-
-def _folder() -> Path:
-    return home() / "lessons"
 
 
 @cache

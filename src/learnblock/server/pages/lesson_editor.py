@@ -11,6 +11,7 @@ from learnblock.blocks.known import all_configurations
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.lessons import drafting, editing, packing, reading, texts
+from learnblock.lessons.archive import SUFFIX
 from learnblock.lessons.checks import Check
 from learnblock.lessons.describing import describe
 from learnblock.lessons.editing import EditedLesson, Examined
@@ -104,7 +105,7 @@ async def _export(page: Page, message: messages.ExportLesson) -> None:
         return packing.pack(reading.for_pupils(opened) if message.for_pupils else opened)
 
     content = await to_thread.run_sync(pack)
-    page.send(messages.LessonExported(f"{message.lesson}{catalog.LESSON_ENDING}", content))
+    page.send(messages.LessonExported(f"{message.lesson}{SUFFIX}", content))
 
 
 async def _assembled(page: Page, edited: EditedLesson) -> OpenLesson | None:
@@ -194,7 +195,7 @@ async def _read_notes(page: Page, message: messages.ReadLessonNotes) -> None:
 
 
 def _notes(name: str) -> messages.LessonNotes:
-    opened = catalog.find_whole(name)
+    opened = reading.named_lesson(name)
     part = teachers_part(opened)
     return messages.LessonNotes(
         lesson=name,
