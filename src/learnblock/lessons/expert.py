@@ -5,14 +5,15 @@ JSON. Anything but a clear yes counts as no.
 """
 
 import socket
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from functools import cached_property
+from functools import cached_property, partial
 from subprocess import TimeoutExpired
-from typing import Any
+from typing import Any, TypeVar
 
 import msgspec
 
+from learnblock.errors import LearnBlockError
 from learnblock.evidence.evidence import Evidence, Noted
 from learnblock.i18n import ENGLISH, Multilingual, Phrase
 from learnblock.lessons import expert_child
@@ -20,15 +21,19 @@ from learnblock.lessons.check_texts import Texts, check_texts
 from learnblock.lessons.checks import Expert
 from learnblock.lessons.finding import Finding
 from learnblock.lessons.opened import EXPERTS, OpenLesson
+from learnblock.runtime.activity import Allowance, of_process
 from learnblock.runtime.fork_server import ForkServer
 from learnblock.runtime.limits import MEGABYTE, Limits
 from learnblock.runtime.standby import Standby
-from learnblock.timing import Deadline, MonotonicClock
 
-#: The most seconds of a check.
-SECONDS = 10.0
-#: The resources that a check may use.
-LIMITS = Limits(memory=1024 * MEGABYTE, cpu=5, file_size=MEGABYTE, open_files=32)
+T = TypeVar("T")
+
+#: The resources that a check may use; `blocked` is how long it may compute and wait in all.
+LIMITS = Limits(memory=1024 * MEGABYTE, cpu=5, file_size=MEGABYTE, open_files=32, blocked=10.0)
+#: Seconds of the wall clock that a check may take on a busy machine; then there is no verdict.
+LONGEST = 300.0
+#: Seconds between two looks at what a check does.
+_LOOK = 0.05
 #: The largest answer, in bytes; it may have a reason in several languages.
 _LARGEST_ANSWER = 64 * 1024
 _LONGEST_REASON = 300
@@ -49,32 +54,44 @@ class ExpertAnswer(msgspec.Struct, forbid_unknown_fields=True):
     error: str = ""
 
 
+class NoVerdictError(LearnBlockError, RuntimeError):
+    """This computer was too busy for a check: not the program's fault."""
+
+
+class _SilentError(Exception):
+    """A check has computed or waited for too long."""
+
+
 class Experts:
     """Judges by a lesson's own Python.
 
     Args:
         opened: the lesson.
-        seconds: the most seconds of a check.
         limits: the resources that a check may use.
         processes: forks a process for each check, to judge many runs faster; without it, each check
             starts one. See `expert_processes`.
+        longest: the most seconds of the wall clock of a check.
     """
 
     def __init__(
         self,
         opened: OpenLesson,
-        seconds: float = SECONDS,
         limits: Limits = LIMITS,
         processes: ForkServer | None = None,
+        longest: float = LONGEST,
     ) -> None:
         self._source = opened.text(EXPERTS) if EXPERTS in opened.files else ""
         self._opened = opened
-        self._seconds = seconds
+        self._longest = longest
         self._limits = limits
         self._processes = processes
 
     def __call__(self, check: Expert, evidence: Evidence) -> Finding:
-        """Judge a run that is over."""
+        """Judge a run that is over.
+
+        Raises:
+            NoVerdictError: this computer was too busy for the check.
+        """
         task = {
             "source": self._source,
             "function": check.function,
@@ -83,7 +100,7 @@ class Experts:
             "limits": self._limits,
         }
         with self._process() as process:
-            answer = _answer(_said(process, msgspec.json.encode(task), self._seconds))
+            answer = _answer(self._said(process, msgspec.json.encode(task)))
         if answer is None:
             return Finding("failed", evidence.now, Phrase("lesson-expert-silent"))
         if answer.error:
@@ -92,6 +109,23 @@ class Experts:
         if answer.met:
             return Finding("met", evidence.now)
         return Finding("failed", evidence.now, _reason(answer.reason))
+
+    def _said(self, process: Standby, task: bytes) -> bytes:
+        """What a contained process answers; "" if there is no answer."""
+        activity = partial(of_process, process.process.pid)
+        allowance = Allowance(self._limits.blocked, self._longest, activity)
+
+        def look() -> None:
+            allowance.look()
+            if allowance.is_spent:
+                raise _SilentError
+            if allowance.is_over:
+                raise NoVerdictError("lesson-expert-no-verdict", seconds=self._longest)
+
+        try:
+            return _reply(process, task, look)
+        except (OSError, _SilentError):
+            return b""
 
     @cached_property
     def _texts(self) -> Mapping[str, Texts]:
@@ -129,23 +163,37 @@ def _answer(data: bytes) -> ExpertAnswer | None:
         return None
 
 
-def _said(process: Standby, task: bytes, seconds: float) -> bytes:
-    """What the contained process says; "" if it says too much, takes too long or fails."""
-    deadline = Deadline.after(seconds, MonotonicClock())
+def _reply(process: Standby, task: bytes, look: Callable[[], object]) -> bytes:
+    """What the contained process answers; "" if it says too much or fails.
+
+    Args:
+        process: the process.
+        task: its task.
+        look: is called again and again meanwhile.
+
+    Raises:
+        OSError: the connection is gone.
+    """
     said, connection = bytearray(), process.connection
-    connection.settimeout(seconds)
-    try:
-        connection.sendall(task)
-        connection.shutdown(socket.SHUT_WR)
-        while received := connection.recv(_LARGEST_ANSWER):
-            said += received
-            if len(said) > _LARGEST_ANSWER:
-                return b""
-            connection.settimeout(deadline.left)
-        status = process.process.wait(deadline.left)
-    except (OSError, TimeoutExpired):
-        return b""
+    connection.settimeout(_LOOK)
+    unsent = memoryview(task)
+    while unsent:
+        unsent = unsent[_patiently(partial(connection.send, unsent), look) :]
+    connection.shutdown(socket.SHUT_WR)
+    while received := _patiently(partial(connection.recv, _LARGEST_ANSWER), look):
+        said += received
+        if len(said) > _LARGEST_ANSWER:
+            return b""
+    status = _patiently(partial(process.process.wait, _LOOK), look)
     return bytes(said) if status == 0 else b""
+
+
+def _patiently(attempt: Callable[[], T], look: Callable[[], object]) -> T:
+    """The value of an attempt that times out after a moment, and is made again then."""
+    while True:
+        look()
+        with suppress(TimeoutError, TimeoutExpired):
+            return attempt()
 
 
 def _plain(evidence: Evidence) -> dict[str, Any]:

@@ -3,6 +3,7 @@
 import os
 import sys
 import time
+from collections.abc import Callable
 from typing import NamedTuple
 
 _TICKS = os.sysconf("SC_CLK_TCK") if sys.platform == "linux" else 1
@@ -60,6 +61,50 @@ class Silence:
             elif activity.waits:
                 self.waiting += passed
         self._before = activity
+
+
+class Allowance:
+    """Seconds that a process may take, which pass while it computes or waits.
+
+    They do not pass while a busy machine keeps it from a processor, so what becomes of it does not
+    depend on the machine. Where the system does not say what it does, all time passes.
+
+    Args:
+        seconds: how long it may compute and wait.
+        longest: how long it may take by the wall clock, on however busy a machine.
+        activity: says what it does.
+        clock: returns the time of the wall clock in seconds.
+    """
+
+    def __init__(
+        self,
+        seconds: float,
+        longest: float,
+        activity: Callable[[], Activity | None],
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self._seconds = seconds
+        self._activity = activity
+        self._clock = clock
+        self._silence = Silence()
+        self._silence.begin(activity())
+        self._looked = clock()
+        self._end = self._looked + longest
+
+    def look(self) -> None:
+        """Look again at what it does; to be called several times in `LONGEST_LOOK`."""
+        before, self._looked = self._looked, self._clock()
+        self._silence.look(self._looked - before, self._activity())
+
+    @property
+    def is_spent(self) -> bool:
+        """Whether it has taken more than its seconds."""
+        return self._silence.computing + self._silence.waiting > self._seconds
+
+    @property
+    def is_over(self) -> bool:
+        """Whether not to wait for it any longer: it is spent, or the machine is too busy."""
+        return self.is_spent or self._looked > self._end
 
 
 def of_process(process: int) -> Activity | None:

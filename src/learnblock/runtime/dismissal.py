@@ -3,19 +3,24 @@
 import signal
 from collections.abc import Callable, Iterator
 from dataclasses import replace
-from time import monotonic
 from typing import Any
 
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.runtime import messages
+from learnblock.runtime.activity import Allowance
 from learnblock.runtime.conversation import Conversation
 from learnblock.runtime.ending import Ending, How
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.process import Worker
 
-#: Seconds that a stopped program may spend in its `finally` blocks.
+#: Seconds that a stopped program may spend in its `finally` blocks, as it computes and waits.
 GRACE = 0.4
+#: Seconds of the wall clock after which it is not waited for, even if a busy machine has kept it
+#: from its grace; who stops a run kills it earlier (`escalation.PATIENCE`).
+LONGEST_GRACE = 5.0
+#: Seconds between two looks at how it spends its grace.
+_LOOK = 0.05
 
 
 def dismiss(
@@ -69,7 +74,10 @@ def dismiss(
 
 def cause_of_death(worker: Worker, limits: Limits) -> Ending:
     """How a program ended if its link closed without a last message."""
-    status = worker.wait(GRACE)
+    status, grace = worker.wait(_LOOK), _grace(worker)
+    while status is None and not grace.is_over:
+        status = worker.wait(_LOOK)
+        grace.look()
     if status is None:
         return Ending(How.KILLED, Phrase("run-link-closed"))
     if status >= 0:
@@ -81,9 +89,14 @@ def cause_of_death(worker: Worker, limits: Limits) -> Ending:
 
 def _messages(conversation: Conversation) -> Iterator[Any]:
     """The messages that a program sends during its grace period."""
-    deadline = monotonic() + GRACE
-    while (left := deadline - monotonic()) > 0:
-        yield conversation.receive(left)
+    grace = _grace(conversation.worker)
+    while not grace.is_over:
+        yield conversation.receive(_LOOK)
+        grace.look()
+
+
+def _grace(worker: Worker) -> Allowance:
+    return Allowance(GRACE, LONGEST_GRACE, worker.activity)
 
 
 def _name(number: int) -> str:

@@ -1,10 +1,8 @@
 """A link: messages over a socket, in order, each preceded by its length."""
 
-import os
 import socket
 import struct
 from collections import deque
-from time import monotonic
 from typing import Any, Generic, Protocol, TypeVar, cast, get_args
 
 import msgspec
@@ -26,13 +24,6 @@ Incoming = TypeVar("Incoming")
 #: The bytes before a message that say how long it is.
 LENGTH = 4
 _CHUNK = 65536
-#: How often to poll for a message before sleeping: most answers arrive within about 30
-#: microseconds, and waking up takes twice as long.
-POLLS = 30
-#: Seconds after which polling stops: on a busy machine each poll yields to other processes for
-#: up to 20 ms, while a sleeping process is woken before them.
-POLLING = 0.001
-_CAN_POLL = hasattr(socket, "MSG_DONTWAIT") and hasattr(os, "sched_yield")
 #: The largest message: a frame of 1920 by 1080 pixels and its envelope.
 MAX_MESSAGE = 8 * 1024 * 1024
 #: By its tag, how large a message of more than `LARGEST` bytes may be. A `Command` has to be a
@@ -230,10 +221,10 @@ class SocketLink(Link[Incoming]):
 
     def _fill(self, timeout: float | None) -> bool:
         try:
-            received = self._poll()
-            if received is None:
+            # Waiting at once: who looks again and again yields to all others on a busy machine.
+            if self._connection.gettimeout() != timeout:
                 self._connection.settimeout(timeout)
-                received = self._connection.recv(_CHUNK)
+            received = self._connection.recv(_CHUNK)
         except TimeoutError:
             return False
         except OSError as error:
@@ -246,22 +237,6 @@ class SocketLink(Link[Incoming]):
             raise EOFError("the other end of the link is gone")
         self._received += received
         self._split()
-
-    def _poll(self) -> bytes | None:
-        """Poll for bytes; None if none have arrived after some polls."""
-        if not _CAN_POLL:
-            return None
-        if self._connection.gettimeout() is not None:
-            self._connection.settimeout(None)
-        until = monotonic() + POLLING
-        for _ in range(POLLS):
-            try:
-                return self._connection.recv(_CHUNK, socket.MSG_DONTWAIT)
-            except BlockingIOError:
-                os.sched_yield()
-            if monotonic() > until:
-                break
-        return None
 
     def _split(self) -> None:
         received, start = self._received, 0

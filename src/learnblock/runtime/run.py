@@ -57,6 +57,8 @@ class Run:
         log: keeps what the program does; None for no log.
     """
 
+    _wait: Callable[[int], int | None] | None = None  # see `_waiting`
+
     def __init__(
         self,
         program: Program,
@@ -291,25 +293,25 @@ class Run:
         answer = self.robot.connect(message)
         if isinstance(answer, messages.Connected):
             self.supervision.note_call()
+            self._wait = self._waiting()
             self._offer()
         self._send(answer)
 
     def _offer(self) -> None:
         """Offer a program that shares this thread to do at once what takes no time."""
-        is_simulated = self.simulation is not None
-        if self.recorder and self._conversation and is_simulated and self._is_unwatched:
-            calls = DirectCalls(self.robot, self.recorder, self._conversation, self._waiting())
+        if self.recorder and self._conversation and self.simulation and self._is_unwatched:
+            calls = DirectCalls(self.robot, self.recorder, self._conversation, self._wait)
             self._conversation.offer(calls)
 
     def _waiting(self) -> Callable[[int], int | None] | None:
-        """What lets time pass for a program in this thread, if only its run depends on that."""
+        """What lets time pass for this program, if only its run depends on that."""
         is_looked_at = type(self.watcher).tick is not Watcher.tick or self._log is not None
         if self.simulation is None or not self.world.is_private or is_looked_at:
             return None
         return Waiting(self.simulation, self.supervision, self._is_ending).wait
 
     def _is_ending(self) -> bool:
-        """Look around while the program waits in this thread; return whether its run is ending."""
+        """Look around while the program waits; return whether its run is ending."""
         if self._conversation:
             self._end_soon(self.supervision.check_usage(self._conversation.worker.usage))
         return self.stopping is not None or self.variables.enabled
@@ -337,8 +339,10 @@ class Run:
 
     def _on_sleep(self, message: messages.Sleep) -> None:
         assert self.simulation is not None  # noqa: S101 - see `validation`
-        self.wake = self.simulation.steps + message.steps
-        self._reads = message.reads
+        self.wake, self._reads = self.simulation.steps + message.steps, message.reads
+        # Nobody else waits for this world or looks at it: the answer needs no turn of its own.
+        if self._wait and self._wait(message.steps) is not None:
+            self.release()
 
     def _on_send(self, message: messages.Send) -> None:
         name, value = checked(message.name, _decoded(message.value))

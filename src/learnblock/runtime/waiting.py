@@ -1,4 +1,4 @@
-"""The waiting of a program in the thread of its host, in which time passes without a message."""
+"""The waiting of a program whose run nobody looks at, in which time passes without a turn."""
 
 import math
 from collections.abc import Callable

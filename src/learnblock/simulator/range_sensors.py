@@ -48,16 +48,18 @@ class RangeSensors:
         self._chassis = chassis
         self._world = world
         self._noise = noise
+        #: The offsets of each distance sensor's rays, and the sensors of each side, by their index.
+        self._offsets = [_beam_offsets(sensor.beam) for sensor in description.distance]
+        self._sides = [
+            (side, [i for i, sensor in enumerate(description.distance) if side in sensor.sides])
+            for side in ("front", "left", "right", "back")
+        ]
 
     def distances(self) -> dict[str, list[float]]:
         """The distances in mm, from left to right on each side."""
         sensors = self._description.distance
         readings = [self._distance(i, sensor) for i, sensor in enumerate(sensors)]
-        pairs = list(zip(sensors, readings, strict=True))
-        return {
-            side: [reading for sensor, reading in pairs if side in sensor.sides]
-            for side in ("front", "left", "right", "back")
-        }
+        return {side: [readings[i] for i in indexes] for side, indexes in self._sides}
 
     def looked_at(self, side: str) -> str | None:
         """The name of what is nearest to the sensors of a side; None if they see nothing."""
@@ -79,25 +81,19 @@ class RangeSensors:
         return readings
 
     def _distance(self, index: int, sensor: DistanceSensor) -> float:
-        nearest = min(self._rays(sensor))
+        nearest = min(self._rays(sensor, self._offsets[index]))
         if nearest >= sensor.maximum:
             return NOTHING_SEEN
         noise = 1 + sensor.noise * self._noise.normal(f"distance {index}", self._world.steps)
         return round(min(max(nearest * noise, sensor.minimum), NOTHING_SEEN), 1)
 
-    def _rays(self, sensor: DistanceSensor) -> list[float]:
+    def _rays(self, sensor: DistanceSensor, offsets: Sequence[float]) -> list[float]:
         """The length of each ray of the sensor's beam, which ends at an object or at its range."""
         start = self._chassis.to_world(sensor.x, sensor.y)
         heading = self._chassis.pose.heading + sensor.direction
-        return [
-            self._ray(start, heading + offset, sensor.maximum)
-            for offset in _beam_offsets(sensor.beam)
-        ]
-
-    def _ray(self, start: Point, heading: float, reach: float) -> float:
-        end = _ahead(start, heading, reach)
-        part = self._world.physics.ray(start, end, self._chassis.filter)
-        return reach if part is None else part * reach
+        ray, looker, reach = self._world.physics.ray, self._chassis.filter, sensor.maximum
+        parts = [ray(start, _ahead(start, heading + offset, reach), looker) for offset in offsets]
+        return [reach if part is None else part * reach for part in parts]
 
     def _ground(self, sensor: GroundSensor) -> float:
         x, y = self._chassis.to_world(sensor.x, sensor.y)

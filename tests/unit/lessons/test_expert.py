@@ -5,13 +5,22 @@ from functools import partial
 from types import MappingProxyType
 
 import pytest
+from msgspec.structs import replace
 
 from learnblock.evidence.evidence import Evidence
 from learnblock.i18n import translate
+from learnblock.lessons import expert
 from learnblock.lessons.checks import Expert
-from learnblock.lessons.expert import LIMITS, Experts, expert_processes
+from learnblock.lessons.expert import (
+    LIMITS,
+    LONGEST,
+    Experts,
+    NoVerdictError,
+    expert_processes,
+)
 from learnblock.lessons.opened import OpenLesson
 from learnblock.running import Report
+from learnblock.runtime.activity import Activity
 from learnblock.runtime.fork_server import ForkServer
 from learnblock.runtime.limits import MEGABYTE, Limits
 from lesson_files import LESSON, evidence
@@ -56,14 +65,14 @@ def judged(
     source: str,
     run: Evidence | None = None,
     *,
-    seconds: float = 10.0,
     limits: Limits = LIMITS,
+    longest: float = LONGEST,
     **texts: str,
 ):
     texts_files = {f"checks.{language}.toml": text.encode() for language, text in texts.items()}
     files = MappingProxyType({"checks.py": source.encode(), **texts_files})
     opened = OpenLesson("it", LESSON, None, files)
-    experts = Experts(opened, seconds, limits, processes if way == "forked" else None)
+    experts = Experts(opened, limits, processes if way == "forked" else None, longest)
     return experts(Expert(function="holds"), run or evidence())
 
 
@@ -198,7 +207,32 @@ def test_a_hostile_check_is_not_met(judges, way, source):
 
 @pytest.mark.parametrize("source", ["while True: pass", "import time\ntime.sleep(1000)"])
 def test_a_check_without_an_end_is_ended(judge, source):
-    assert judge(source, seconds=1.0).state == "failed"
+    assert judge(source, limits=replace(LITTLE, blocked=0.5)).state == "failed"
+
+
+#: Longer than it may wait where nothing keeps the machine busy.
+SLOW = "import time\ndef holds(run):\n    time.sleep(0.4)\n    return True"
+
+
+@pytest.fixture
+def busy(monkeypatch):
+    """A machine on which a check waits for a processor and for nothing else."""
+    monkeypatch.setattr(expert, "of_process", lambda _: Activity(0.0, waits=False))
+
+
+def test_a_check_that_waits_for_too_long_is_not_met(judge):
+    assert judge(SLOW, limits=replace(LIMITS, blocked=0.1)).state == "failed"
+
+
+@pytest.mark.usefixtures("busy")
+def test_a_busy_machine_does_not_change_what_a_check_says(judge):
+    assert judge(SLOW, limits=replace(LIMITS, blocked=0.1)).state == "met"
+
+
+@pytest.mark.usefixtures("busy")
+def test_a_machine_that_is_too_busy_for_a_check_gives_no_verdict(judge):
+    with pytest.raises(NoVerdictError, match="too busy"):
+        judge(SLOW, longest=0.2)
 
 
 @contained

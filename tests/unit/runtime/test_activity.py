@@ -5,7 +5,14 @@ from pathlib import Path
 
 import pytest
 
-from learnblock.runtime.activity import LONGEST_LOOK, Activity, Silence, of_process, of_thread
+from learnblock.runtime.activity import (
+    LONGEST_LOOK,
+    Activity,
+    Allowance,
+    Silence,
+    of_process,
+    of_thread,
+)
 
 
 @pytest.fixture
@@ -70,3 +77,27 @@ def test_a_thread_tells_its_processor_time():
     before = of_thread(threading.get_ident())
     sum(range(10_000))
     assert of_thread(threading.get_ident()).processor > before.processor
+
+
+def looked_at(activities, seconds, longest=1000.0):
+    """An allowance after a look every 0.1 s at what a process does."""
+    given, times = iter(activities), iter(x / 10 for x in range(100_000))
+    allowance = Allowance(seconds, longest, lambda: next(given), lambda: next(times))
+    for _ in activities[1:]:
+        allowance.look()
+    return allowance
+
+
+def test_an_allowance_passes_while_a_process_computes_and_while_it_waits():
+    activities = [Activity(0.0, False), Activity(0.1, False), Activity(0.1, True)]
+    assert looked_at(activities, 0.15).is_spent
+    assert not looked_at(activities, 0.25).is_over
+
+
+def test_an_allowance_does_not_pass_while_a_process_waits_for_a_processor():
+    assert not looked_at([Activity(0.0, False)] * 5000, 0.1).is_over
+
+
+def test_an_allowance_on_a_machine_that_is_too_busy_is_over_and_not_spent():
+    allowance = looked_at([Activity(0.0, False)] * 50, 0.1, longest=4.0)
+    assert (allowance.is_over, allowance.is_spent) == (True, False)

@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from learnblock.runtime.ending import How
+from learnblock.runtime.host import Host
 from learnblock.runtime.inline import InlineWorker, stays_the_same
 from learnblock.runtime.link import SocketLink
 from learnblock.runtime.messages import Called, Command, FromChild
@@ -170,7 +171,8 @@ AT_ONCE = {
 @pytest.mark.parametrize("kind", AT_ONCE)
 def test_what_the_host_does_at_once_is_as_if_it_had_been_sent(stage, kind, broken):
     outcomes = []
-    for worker, watcher in ((InlineWorker, Silent()), (InlineWorker, None), (ThreadWorker, None)):
+    ways = [(InlineWorker, Silent()), (InlineWorker, None), (ThreadWorker, None)]
+    for worker, watcher in [*ways, (ThreadWorker, Silent())]:
         fresh = type(stage)()
         fresh.add(AT_ONCE[kind], worker=worker, watcher=watcher, broken=broken)
         fresh.host(seconds=0.3).run()
@@ -180,9 +182,21 @@ def test_what_the_host_does_at_once_is_as_if_it_had_been_sent(stage, kind, broke
     assert outcomes[0] == outcomes[1]
     # A thread is interrupted elsewhere, which shows in nothing but the line of its ending.
     assert outcomes[0][0] == outcomes[2][0]
+    assert outcomes[2] == outcomes[3]
 
 
-def test_a_program_that_waits_without_messages_is_stopped_by_another_thread(stage):
+def test_a_program_that_nobody_looks_at_is_answered_without_a_turn_of_its_host(stage, monkeypatch):
+    released = []
+    monkeypatch.setattr(Host, "_wake", lambda _, due: released.append(due))
+    stage.add("for _ in range(20):\n    robot.clock.sleep(0.01)", watcher=Silent())
+    stage.host(seconds=0.3).run()
+
+    assert stage.results()[0].ending.how is How.FINISHED
+    assert released == []
+
+
+@pytest.mark.parametrize("worker", [InlineWorker, ThreadWorker])
+def test_a_program_whose_run_nobody_looks_at_is_stopped_by_another_thread(stage, worker):
     began = Event()
 
     class Beginning(Silent):
@@ -191,7 +205,7 @@ def test_a_program_that_waits_without_messages_is_stopped_by_another_thread(stag
             began.set()
 
     loop = "print('begun')\nwhile True:\n    robot.clock.sleep(0.01)"
-    stage.add(loop, worker=InlineWorker, watcher=Beginning())
+    stage.add(loop, worker=worker, watcher=Beginning())
     host = stage.host()
     stopping = Thread(target=lambda: began.wait(10) and host.stop())
     stopping.start()

@@ -11,7 +11,7 @@ from msgspec import inspect
 
 from learnblock.errors import DeviceValueError, RobotConnectionError
 from learnblock.i18n import Phrase
-from learnblock.runtime import link, messages
+from learnblock.runtime import messages
 from learnblock.runtime.link import MAX_MESSAGE, SocketLink
 from learnblock.runtime.messages import (
     LARGEST,
@@ -231,21 +231,6 @@ def test_the_largest_frame_passes(ends):
     there._received += queued
     there._split()
     assert there.receive(1).value.shape == (1080, 1920, 3)
-
-
-@pytest.mark.skipif(not link._CAN_POLL, reason="there it sleeps at once")
-def test_on_a_busy_machine_polling_is_short(ends, monkeypatch):
-    # Each poll yields the processor; here each one takes the time allowed for all of them.
-    now, looks = [0.0], []
-
-    def others_run():
-        looks.append(now[0])
-        now[0] += 1.5 * link.POLLING
-
-    monkeypatch.setattr(link.os, "sched_yield", others_run)
-    monkeypatch.setattr(link, "monotonic", lambda: now[0])
-    assert ends[0].receive(0.01) is None
-    assert len(looks) == 1
 
 
 def test_a_closed_link_ends_the_conversation_for_both(ends):

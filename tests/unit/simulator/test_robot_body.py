@@ -6,6 +6,7 @@ import pytest
 
 from learnblock.errors import UnknownNameError
 from learnblock.simulator import RobotBody, RobotDescription, World, load_robot, load_world
+from learnblock.simulator.camera import CameraView
 from learnblock.simulator.robot_description import (
     Body,
     Camera,
@@ -258,6 +259,23 @@ def test_a_camera_that_sees_nothing_new_keeps_its_frame() -> None:
 
     assert unmoved is first
     assert not np.array_equal(robot.frame(), first)
+
+
+def test_a_picture_is_drawn_only_when_it_is_looked_at_and_shows_something_new(monkeypatch) -> None:
+    drawn = []
+    draw = CameraView.picture
+    monkeypatch.setattr(CameraView, "picture", lambda view: drawn.append(view) or draw(view))
+    world, robot = in_world(load_robot("ebo"))
+    robot.drive(100, 0)
+    run(world, 1)
+    assert len(drawn) == 0
+
+    robot.drive(0, 0)
+    run(world, 1)
+    for _ in range(100):
+        robot.frame()
+        world.step()
+    assert len(drawn) == 1
 
 
 def test_a_frame_is_read_only() -> None:

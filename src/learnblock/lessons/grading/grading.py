@@ -9,6 +9,7 @@ import msgspec
 
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase, in_each_language
+from learnblock.lessons.expert import NoVerdictError
 from learnblock.lessons.grading.executing import (
     ABOUT_OTHERS,
     MOST_HINTS,
@@ -171,7 +172,7 @@ class Grading:
     def _keep(self, key: str, future: Future[bytes]) -> None:
         try:
             self._journal.add(key, future.result())
-        except NotRunError as error:
+        except (NotRunError, NoVerdictError) as error:
             self._failures[key] = error.phrase
         except (*_LOST, LearnBlockError):
             raise

@@ -56,11 +56,14 @@ def _rounded(value: Any) -> Any:
     if isinstance(value, float):
         # The zero makes -0.0 a plain zero.
         return round(value, DECIMALS) + 0.0
-    if isinstance(value, tuple | list):
-        return type(value)(map(_rounded, value))
     if isinstance(value, dict):
         return {key: _rounded(item) for key, item in value.items()}
-    return value
+    if isinstance(value, list):
+        # Most readings are lists of numbers.
+        return [
+            round(item, DECIMALS) + 0.0 if type(item) is float else _rounded(item) for item in value
+        ]
+    return tuple(map(_rounded, value)) if isinstance(value, tuple) else value
 
 
 def _base(body: RobotBody, _key: str) -> Base:

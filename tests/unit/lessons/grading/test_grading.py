@@ -10,6 +10,7 @@ import pytest
 from gradings import GOOD, LESSON, SHORT, handed_in, lesson, plan
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
+from learnblock.lessons.expert import NoVerdictError
 from learnblock.lessons.grading.executing import (
     ABOUT_OTHERS,
     MOST_HINTS,
@@ -47,7 +48,7 @@ class Fake(Executor):
         future = Future()
         try:
             future.set_result(self.make(piece))
-        except (BrokenExecutor, NotRunError, ZeroDivisionError) as error:
+        except (BrokenExecutor, NotRunError, NoVerdictError, ZeroDivisionError) as error:
             future.set_exception(error)
         return future
 
@@ -147,19 +148,26 @@ def test_a_mistake_of_ours_is_reported_at_its_program_and_ends_no_other(journal)
     assert [str(row.failure) for row in grading.rows()] == ["None", "ZeroDivisionError: oh"]
 
 
+@pytest.mark.parametrize(
+    "lost",
+    [
+        NotRunError("run-lost", reason="Killed"),
+        NoVerdictError("lesson-expert-no-verdict", seconds=300),
+    ],
+)
 def test_a_run_that_cannot_be_made_is_told_from_one_that_fails_and_made_again_later(
-    journal, tmp_path
+    journal, tmp_path, lost
 ):
     def make(piece):
         if piece.text == SHORT:
-            raise NotRunError("run-lost", reason="Killed")
+            raise lost
         return finished(piece)
 
     grading = Grading(plan(CLASS), journal)
     list(grading.run(Fake(make).opened))
     write_results(grading, tmp_path, "en", lesson="drive")
-    lost = (tmp_path / TABLE).read_text().splitlines()[2]
-    assert lost == "bo,1,sim-ebo,0,0,,,,,not run,,,"
+    row = (tmp_path / TABLE).read_text().splitlines()[2]
+    assert row == "bo,1,sim-ebo,0,0,,,,,not run,,,"
     assert "not the fault of the program" in (tmp_path / PAGE).read_text()
 
     again = Grading(plan(CLASS), journal)
