@@ -4,7 +4,11 @@ import ast
 from dataclasses import dataclass, field
 from itertools import takewhile
 
+from learnblock.language.python.robot_import import imports_robot, is_robot_module
+from learnblock.language.tree.loads import bound_names
+
 _LEARNBLOCK = "learnblock"
+_NAMES = frozenset(("robot", "Robot"))
 
 
 @dataclass(slots=True)
@@ -47,7 +51,7 @@ def _with_robot(tree: ast.Module) -> Skeleton | None:
     head: list[ast.stmt] = []
     for index, statement in enumerate(tree.body):
         match statement:
-            case ast.ImportFrom(names=[ast.alias(name="Robot", asname=None)], level=0):
+            case ast.ImportFrom() if imports_robot(statement):
                 if importing is not None:
                     return None
                 importing = statement
@@ -69,7 +73,9 @@ def _with_robot(tree: ast.Module) -> Skeleton | None:
 def _uses_learnblock(tree: ast.Module) -> bool:
     for node in ast.walk(tree):
         match node:
-            case ast.ImportFrom(module=str(name), level=0) if name.startswith(_LEARNBLOCK):
+            case ast.ImportFrom(module=str(name), level=0) if name.startswith(
+                _LEARNBLOCK
+            ) or is_robot_module(name):
                 return True
             case ast.Import(names=names) if any(
                 alias.name.startswith(_LEARNBLOCK) for alias in names
@@ -83,22 +89,24 @@ def _names_robot(tree: ast.Module) -> bool:
 
     One that only calls skills lacks its robot, which the check says.
     """
-    called = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
-    for node in ast.walk(tree):
-        match node:
-            case ast.Name(id="robot", ctx=ast.Load()) if id(node) in called:
-                continue
-            case ast.Name(id="robot" | "Robot") | ast.arg(arg="robot" | "Robot"):
-                return True
-            case ast.alias(name=name, asname=other) if name == "Robot" or "robot" in (name, other):
-                return True
-            case ast.FunctionDef(name="robot") | ast.ClassDef(name="robot" | "Robot"):
-                return True
-            case ast.AsyncFunctionDef(name="robot") | ast.ExceptHandler(name="robot"):
-                return True
-            case ast.MatchAs(name="robot") | ast.MatchStar(name="robot"):
-                return True
-    return False
+    nodes = list(ast.walk(tree))
+    called = {id(node.value) for node in nodes if isinstance(node, ast.Attribute)}
+    reads = (
+        isinstance(node, ast.Name)
+        and node.id in _NAMES
+        and not (node.id == "robot" and id(node) in called)
+        for node in nodes
+    )
+    return (
+        any(reads)
+        or not _NAMES.isdisjoint(_imported(nodes))
+        or not _NAMES.isdisjoint(bound_names(nodes))
+    )
+
+
+def _imported(nodes: list[ast.AST]) -> set[str]:
+    """The names that a file imports, under whatever other names."""
+    return {node.name for node in nodes if isinstance(node, ast.alias)}
 
 
 def docstring_length(body: list[ast.stmt]) -> int:
