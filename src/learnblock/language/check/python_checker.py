@@ -225,6 +225,8 @@ _MODULE = DEFAULT_ROBOT.rpartition(".")[2]
 
 def has_other_robot(text: str) -> bool:
     """Whether a program in Python has another class Robot, such as that of gpiozero."""
+    if "Robot" not in text:
+        return False
     nodes = list(ast.walk(parsed(text.removeprefix("\ufeff"))))
     return _is_other_robot(nodes, bound_names(nodes))
 

@@ -41,9 +41,12 @@ class Skeleton:
 def skeleton_of(tree: ast.Module) -> Skeleton | None:
     """The parts of a file, or None if it creates a robot of LearnBlock's in another way."""
     found = _with_robot(tree)
-    if found is None and not _uses_learnblock(tree):
-        return Skeleton(robot=None if _names_robot(tree) else "robot", rest=list(tree.body))
-    return found
+    if found is not None:
+        return found
+    nodes = list(ast.walk(tree))
+    if any(map(_imports_learnblock, nodes)):
+        return None
+    return Skeleton(robot=None if _names_robot(nodes) else "robot", rest=list(tree.body))
 
 
 def _with_robot(tree: ast.Module) -> Skeleton | None:
@@ -70,38 +73,28 @@ def _with_robot(tree: ast.Module) -> Skeleton | None:
     return None
 
 
-def _uses_learnblock(tree: ast.Module) -> bool:
-    for node in ast.walk(tree):
-        match node:
-            case ast.ImportFrom(module=str(name), level=0) if name.startswith(
-                _LEARNBLOCK
-            ) or is_robot_module(name):
-                return True
-            case ast.Import(names=names) if any(
-                alias.name.startswith(_LEARNBLOCK) for alias in names
-            ):
-                return True
+def _imports_learnblock(node: ast.AST) -> bool:
+    match node:
+        case ast.ImportFrom(module=str(module), names=names, level=0):
+            has_robot = any(alias.name == "Robot" for alias in names)
+            return module.startswith(_LEARNBLOCK) or (has_robot and is_robot_module(module))
+        case ast.Import(names=names):
+            return any(alias.name.startswith(_LEARNBLOCK) for alias in names)
     return False
 
 
-def _names_robot(tree: ast.Module) -> bool:
+def _names_robot(nodes: list[ast.AST]) -> bool:
     """Whether a file has a robot's name for something of its own.
 
     One that only calls skills lacks its robot, which the check says.
     """
-    nodes = list(ast.walk(tree))
-    called = {id(node.value) for node in nodes if isinstance(node, ast.Attribute)}
-    reads = (
-        isinstance(node, ast.Name)
-        and node.id in _NAMES
-        and not (node.id == "robot" and id(node) in called)
+    owners = {id(node.value) for node in nodes if isinstance(node, ast.Attribute)}
+    read = {
+        node.id
         for node in nodes
-    )
-    return (
-        any(reads)
-        or not _NAMES.isdisjoint(_imported(nodes))
-        or not _NAMES.isdisjoint(bound_names(nodes))
-    )
+        if isinstance(node, ast.Name) and not (node.id == "robot" and id(node) in owners)
+    }
+    return not _NAMES.isdisjoint(read | _imported(nodes) | set(bound_names(nodes)))
 
 
 def _imported(nodes: list[ast.AST]) -> set[str]:
