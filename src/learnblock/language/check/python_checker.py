@@ -217,7 +217,9 @@ class _PythonChecker:
             return
         self.told.add(start)
         end = node.end_lineno or node.lineno, (node.end_col_offset or 0) + 1
-        self.findings.report("python-slip", message, Span(*start, *end), severity)
+        # In Block-Text, the same mistake has this code, so that the page lists it once.
+        code = "without-robot" if message.code == "python-no-robot" else "python-slip"
+        self.findings.report(code, message, Span(*start, *end), severity)
 
 
 _MODULE = DEFAULT_ROBOT.rpartition(".")[2]

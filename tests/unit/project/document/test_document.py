@@ -462,3 +462,16 @@ def test_a_run_from_the_page_has_the_trace_of_the_command_line(tmp_path):
         )
     }
     assert len(hashes) == 1
+
+
+@pytest.mark.parametrize("notation", ["blocktext", "python"])
+def test_a_robot_is_added_by_one_line_less_of_block_text(notation):
+    plain = document("without robot\n\nfunction.turn(90)  # go\n")
+    written = plain.with_text(notation, getattr(plain, notation) + "\n")
+    assert {found.message.code for found in written.problems} <= {
+        "check-without-robot",
+        "python-no-robot",
+    }
+    ready = written.with_text("blocktext", written.blocktext.removeprefix("without robot\n\n"))
+    assert ready.problems == ()
+    assert ready.python.endswith("import Robot\n\nrobot = Robot()\n\nrobot.turn(90)  # go\n")
