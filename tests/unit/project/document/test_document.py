@@ -12,6 +12,7 @@ from learnblock.project.document.document import Document
 from learnblock.project.document.views import Place
 from places import ROOT, TESTS
 from trees import Trees
+from workspaces import blocks
 
 EBO = "learnblock.robots.sim_ebo"
 THYMIO = "learnblock.robots.sim_thymio"
@@ -285,9 +286,14 @@ def test_places_name_existing_lines_and_each_block_once(path):
     one = document(path.read_text("utf-8"))
     blocktext, python = one.blocktext.count("\n") + 1, one.python.count("\n") + 1
     assert len({place.block for place in one.places}) == len(one.places)
+    # In Python, no line says that there is no robot.
+    unsaid = {block.id for block in blocks(one.workspace) if block.type == "lb_without_robot"}
     for place in one.places:
         assert 1 <= place.blocktext <= place.blocktext_end <= blocktext
-        assert 1 <= place.python <= place.python_end <= python
+        if place.block in unsaid:
+            assert place.python == place.python_end == 0
+        else:
+            assert 1 <= place.python <= place.python_end <= python
 
 
 def test_a_line_of_python_belongs_to_its_innermost_block():
