@@ -113,3 +113,19 @@ def test_below_the_problems_stands_which_robots_can_run_the_program(pupil):
     expect(served).to_contain_text("runs, with the distance sensors on the left")
     expect(pupil.page.locator(".toast")).to_have_count(0)
     pupil.picture("runs-on")
+
+
+def test_a_pasted_program_that_uses_a_robot_gets_one_by_a_button(sit_down, server):
+    pupil = sit_down(server, viewport={"width": 1800, "height": 900}, empty=True, flat=True)
+    pupil.show("Blocks", "Block-Text", "Python")
+    pupil.write("python", "import math\n\n\nrobot.turn(math.degrees(1))\n")
+    offer = pupil.tab("Problems").get_by_role("button", name="Add a robot")
+    expect(offer).to_be_visible()
+    expect(pupil.tab("Problems").locator(".problem.error")).to_have_count(1)
+    pupil.picture("no-robot")
+    offer.click()
+    expect(pupil.tab("Problems")).to_contain_text("No problems. The program is ready to run.")
+    pupil.sees("python", "robot = Robot()")
+    expect(offer).to_have_count(0)
+    pupil.press("Undo")
+    expect(offer).to_be_visible()

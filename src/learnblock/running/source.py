@@ -1,6 +1,5 @@
 """Source files of programs."""
 
-import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -8,14 +7,13 @@ from learnblock import language
 from learnblock.errors import Diagnostic, ProgramError
 from learnblock.i18n import Phrase
 from learnblock.language.python.imports import PACKAGE
+from learnblock.language.python.robot_import import robot_import
 from learnblock.language.tree.nodes import Import
 from learnblock.language.tree.nodes import Program as Tree
 from learnblock.runtime.limits import MEGABYTE
 
 #: A program larger than this, in bytes, was not written by a person.
 LARGEST_PROGRAM = 4 * MEGABYTE
-
-_ROBOT_IMPORT = re.compile(r"^from ([\w.]+) import Robot\b", re.MULTILINE)
 
 
 @dataclass(frozen=True)
@@ -49,7 +47,7 @@ class Source:
     @property
     def robot(self) -> str | None:
         """The module of the robot that a Python file imports; None for Block-Text."""
-        match = _ROBOT_IMPORT.search(self.text) if self.is_python else None
+        match = robot_import(self.text) if self.is_python else None
         return match[1] if match else None
 
 

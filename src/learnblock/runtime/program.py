@@ -2,18 +2,16 @@
 
 import ast
 import hashlib
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
 from learnblock.client.keyboard import KEYS, Key
+from learnblock.language.python.robot_import import for_any_robot
 from learnblock.language.python.source_map import SourceMap
 
 #: The skill that asks whether a key is held down.
 KEY_SKILL = "is_key_pressed"
-
-_ROBOT_IMPORT = re.compile(r"^from [\w.]+ import Robot\b", re.MULTILINE)
 
 
 @dataclass(frozen=True)
@@ -39,7 +37,7 @@ class Program:
     @cached_property
     def identity(self) -> str:
         """A hash of the program as Python reads it, independent of its name, notation and robot."""
-        neutral = _ROBOT_IMPORT.sub("from robot import Robot", _as_read(self.python))
+        neutral = for_any_robot(_as_read(self.python))
         return hashlib.sha256(neutral.encode("utf-8", "surrogatepass")).hexdigest()
 
     @cached_property

@@ -1,17 +1,16 @@
 """The lines in which two programs differ."""
 
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from difflib import SequenceMatcher
 
+from learnblock.language.python.robot_import import for_any_robot
 from learnblock.runtime.program import Program
 
 #: The most lines for a comparison line by line, and for one that counts frequent lines too.
 MOST_LINES, FEW_LINES = 10_000, 1000
 #: The maximum number of characters shown of a line.
 LONGEST = 80
-_ROBOT_IMPORT = re.compile(r"^from [\w.]+ import Robot\b")
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +55,7 @@ def line_pairs(first_program: Program, second_program: Program) -> dict[int, int
 
 def _lines(text: str) -> list[str]:
     # The import of the robot is no edit: the same program runs on another robot.
-    return [_ROBOT_IMPORT.sub("from robot import Robot", line).rstrip() for line in _split(text)]
+    return [line.rstrip() for line in _split(for_any_robot(text))]
 
 
 def _split(text: str) -> list[str]:

@@ -3,6 +3,7 @@
 import { CustomBlockLink } from "../../features/custom-blocks/link";
 import { t } from "../../i18n";
 import { type Finding, findingsOf, placeIn, placeText } from "../../model/findings";
+import { addRobot, canAddRobot } from "../../model/missing-robot";
 import { usePage } from "../../model/page";
 import { sentence } from "../../model/run-result";
 import type { Problem } from "../../protocol/messages";
@@ -20,6 +21,11 @@ export function Problems() {
       {found.length === 0 && !failed && <p class="dim">{t("page-problems-none")}</p>}
       {failed && <RunError />}
       <Group title={t("page-problems-errors")} found={found.filter((one) => one.severity === "error")} />
+      {found.some(({ place }) => canAddRobot(context.program, place)) && (
+        <button type="button" class="button bordered" onClick={() => addRobot(context.program)}>
+          {t("page-problems-add-robot")}
+        </button>
+      )}
       <Group title={t("page-problems-warnings")} found={found.filter((one) => one.severity === "warning")} />
       <RunsOn />
     </div>

@@ -53,6 +53,9 @@ blocktext-reserved-word = '{ $word }' is a reserved word. Choose another name.
 blocktext-unknown-word = No statement begins with '{ $word }'. Check its spelling.
 blocktext-unknown-word-near = No statement begins with '{ $word }'. Did you mean '{ $near }'?
 blocktext-switch = Block-Text has no 'switch'. Use 'if' and 'elif'.
+blocktext-match = Block-Text has no 'match'. Use 'if' and 'elif', or write all of it in Python between the lines 'python:' and 'end'.
+blocktext-case = Block-Text has no 'case'. Write 'if' or 'elif' and a condition, such as 'elif x == 1:'.
+blocktext-walrus = A value sets no variable in Block-Text. Write '{ $line }' on the line above, and '{ $instead }' instead of '{ $found }'.
 # $word: var or let
 blocktext-declaration = Block-Text has no '{ $word }'. Write only the name, '=' and the value.
 blocktext-loop = Block-Text has no 'loop'. Write 'repeat 10:' or 'forever:'.

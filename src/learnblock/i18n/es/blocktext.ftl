@@ -53,6 +53,9 @@ blocktext-reserved-word = '{ $word }' es una palabra reservada. Elige otro nombr
 blocktext-unknown-word = Ninguna instrucción empieza con '{ $word }'. Revisa cómo está escrito.
 blocktext-unknown-word-near = Ninguna instrucción empieza con '{ $word }'. ¿Querías decir '{ $near }'?
 blocktext-switch = En Block-Text no hay 'switch'. Usa 'if' y 'elif'.
+blocktext-match = En Block-Text no hay 'match'. Usa 'if' y 'elif', o escríbelo todo en Python entre las líneas 'python:' y 'end'.
+blocktext-case = En Block-Text no hay 'case'. Escribe 'if' o 'elif' y una condición, por ejemplo 'elif x == 1:'.
+blocktext-walrus = En Block-Text, un valor no da valor a ninguna variable. Escribe '{ $line }' en la línea anterior, y '{ $instead }' en lugar de '{ $found }'.
 # $word: var or let
 blocktext-declaration = En Block-Text no hay '{ $word }'. Escribe solo el nombre, '=' y el valor.
 blocktext-loop = En Block-Text no hay 'loop'. Escribe 'repeat 10:' o 'forever:'.

@@ -10,7 +10,15 @@ from learnblock.language.blocktext.line_rules import NAME, WRITE_INSTEAD, Rule
 
 DECLARED = "blocktext-declared"
 #: What a variable is before it has a value, by a part of the word for its type.
-_EMPTY = (("str", '""'), ("char", '""'), ("bool", "False"), ("[", "[]"), ("", "0"))
+_EMPTY = (
+    ("list", "[]"),
+    ("dict", "{}"),
+    ("str", '""'),
+    ("char", '""'),
+    ("bool", "False"),
+    ("[", "[]"),
+    ("", "0"),
+)
 #: A word that declares what follows, and those that may be before or behind it.
 _TYPE = (
     r"(?:var|let|const|val|dim|declare|variable|int|integer|float|double|byte|char|string|bool|boolean"
@@ -88,6 +96,7 @@ _ANYWHERE = (
         r"\1 = 0",
     ),
     Rule(rf"\s*(?P<wrong>{NAME}\s*:\s*{_TYPE_OF_PYTHON})\s*(?==[^=])", r"\2", DECLARED),
+    Rule(rf"\s*{NAME}\s*:\s*{_TYPE_OF_PYTHON}\s*$", _empty(""), DECLARED),
 )
 
 #: Rules for the statements of a function or a ``when``, and for all others.

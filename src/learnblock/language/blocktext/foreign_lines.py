@@ -377,6 +377,7 @@ _PYTHON = (
         "blocktext-lambda",
         (("header", r"def \1(\3):"), ("value", r"\4")),
     ),
+    *python_lines.DOTS,
     *(
         Rule(
             rf"\s*{NAME}\s*=\s*(?P<wrong>{wrong}.*?)\s*$",
@@ -400,6 +401,7 @@ RULES = (
     *_DEFINITIONS,
     *_ACTIONS,
     *KEYWORDS,
+    *python_lines.OPERATORS,
     *_ASSIGNMENTS,
     *_BRACES,
     *spoken_lines.ROBOT,

@@ -3,7 +3,7 @@
 import sys
 from collections.abc import Sequence
 
-from learnblock.language.blocktext.line_rules import Rule
+from learnblock.language.blocktext.line_rules import NAME, Rule
 
 #: Packages that learners have heard of; no library of LearnBlock has such a name.
 _PACKAGES = (
@@ -27,6 +27,29 @@ IMPORTS = (
     Rule(
         r"\s*(?P<wrong>(?:import|from)\s+[^\W\d]\w*(?:\.\w+|\s.*\bas\s+\w).*?)\s*$", _in_backticks
     ),
+)
+_OWNER = rf"(?!(?:functions?|fuction|funtion|robot)\b){NAME}"
+#: What has a dot in it, such as `turtle.forward` and `pets[0].name`.
+_DOTTED = rf"{_OWNER}(?:\[[^\[\]]*\]|\([^()]*\))*\.[^\W\d]\w*"
+#: A variable that is set inside an expression.
+_WALRUS = rf"{NAME}\s*:=\s*([^(),:\s](?:[^(),]|\([^()]*\))*?)"
+#: Operators that other rules would take for those of other languages.
+OPERATORS = (
+    Rule(rf"\s*(?P<wrong>{NAME}\s*(?:[|&^@]|<<|>>)=\s*[^\s=].*?)\s*$", _in_backticks),
+    Rule(r".*?(?:=|\breturn\b)\s*(?P<wrong>~?\w+\s*(?:<<|>>|@)\s*\w+|~\w+)\s*$", _in_backticks),
+    # A loop and an `elif` find the value again and again, or only now.
+    Rule(rf"\s*(?:while|elif)\b.*?(?P<wrong>\(\s*{_WALRUS}\s*\))", _in_backticks),
+    *(
+        Rule(pattern, r"\2", "blocktext-walrus", (("line", r"\2 = \3"),))
+        for pattern in (
+            rf".*?(?<![\w)\]])(?P<wrong>\(\s*{_WALRUS}\s*\))",
+            rf".*?[(\[,]\s*(?P<wrong>{_WALRUS})\s*(?=[,)\]])",
+        )
+    ),
+)
+DOTS = (
+    Rule(rf"\s*(?P<wrong>{_DOTTED}\s*\(.*\)|{_DOTTED}\s*[-+*/]?=\s*[^\s=].*?)\s*$", _in_backticks),
+    Rule(rf"\s*(?:{NAME}\s*=|return\b)\s*(?P<wrong>{_DOTTED}(?:\s*\(.*\))?)\s*$", _in_backticks),
 )
 OTHERS = (
     # A decorator.

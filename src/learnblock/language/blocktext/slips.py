@@ -44,6 +44,8 @@ _OTHER_LANGUAGES: Mapping[str, Phrase] = MappingProxyType(
         **_replaced({"elseif": "elif", "elsif": "elif", "function": "def", "func": "def"}),
         **_replaced(dict.fromkeys(("endif", "endwhile", "fi", "done"), "end")),
         "switch": Phrase("blocktext-switch"),
+        "match": Phrase("blocktext-match"),
+        "case": Phrase("blocktext-case"),
         "var": Phrase("blocktext-declaration", word="var"),
         "let": Phrase("blocktext-declaration", word="let"),
         "loop": Phrase("blocktext-loop"),
@@ -82,6 +84,8 @@ _ALL_BLOCK_OPENERS = frozenset(
     (
         *_BLOCK_OPENERS,
         "switch",
+        "match",
+        "case",
         "loop",
         "foreach",
         "func",

@@ -15,7 +15,7 @@ from learnblock.language.check.findings import Findings, is_whole, python_error
 from learnblock.language.check.flow_checker import FlowChecker
 from learnblock.language.check.handled_errors import without_handled
 from learnblock.language.check.plain_name_checker import check_plain_names
-from learnblock.language.check.python_checker import check_python
+from learnblock.language.check.python_checker import check_python, has_other_robot
 from learnblock.language.check.shared_variable_checker import check_shared_variables
 from learnblock.language.check.speed_checker import check_speeds
 from learnblock.language.check.type_checker import check_types
@@ -94,9 +94,10 @@ def check(
         _Checker(findings).run_without_robot()
     else:
         _Checker(findings).run()
-    check_devices(findings)
-    if drivetrain is not None:
-        check_speeds(findings, drivetrain)
+    if not (program.is_without_robot and python is not None and has_other_robot(python)):
+        check_devices(findings)
+        if drivetrain is not None:
+            check_speeds(findings, drivetrain)
     if python is not None:
         check_python(python, findings)
     mistakes = without_handled(findings.diagnostics, findings.everything)

@@ -8,6 +8,7 @@ from types import MappingProxyType
 from typing import Any
 
 from learnblock.language.blocktext.names import state_of
+from learnblock.language.check.call_graph import callers_of, cycles
 from learnblock.language.check.findings import Findings, constant
 from learnblock.language.check.types import KNOWN, Type, Types
 from learnblock.language.tree.nodes import (
@@ -36,6 +37,7 @@ from learnblock.language.tree.nodes import (
     Repeat,
     Return,
     SkillCall,
+    Statement,
     Unary,
     WaitUntil,
     While,
@@ -300,45 +302,30 @@ class Endings:
 
     # Endless loops and calls.
 
-    def always_called(self, name: str) -> set[str]:
-        """The functions that a function calls before it can return, also through each other."""
-        found: set[str] = set()
-        ahead = [name]
-        while ahead:
-            function = self.functions.get(ahead.pop())
-            for item in () if function is None else function.body:
-                if isinstance(item, Perform) and item.call.name in self.functions.keys() - found:
-                    found.add(item.call.name)
-                    ahead.append(item.call.name)
-                if any(
-                    isinstance(statement, Return | AnyPython) for statement in statements((item,))
-                ):
-                    break
-        return found
+    def always_comes_back(self, caller: str, called: str) -> bool:
+        """Whether a function that another one calls first calls that one again."""
+        return caller == called or self._cycles[caller] == self._cycles.get(called)
 
     @cached_property
-    def endless_functions(self) -> frozenset[str]:
-        """The functions that never return."""
-        found: set[str] = set()
-        while True:
-            more = {
-                name
-                for name, function in self.functions.items()
-                if name not in found and self._never_returns(function.body, found)
-            }
-            if not more:
-                return frozenset(found)
-            found |= more
+    def _cycles(self) -> dict[str, int]:
+        return cycles(self._first_calls)
 
-    def _never_returns(self, body: Body, endless: set[str]) -> bool:
-        for item in body:
-            if any(isinstance(statement, Return | AnyPython) for statement in statements((item,))):
-                return False
-            if isinstance(item, While) and is_endless(item) and not breaks(item.body):
-                return True
-            if isinstance(item, Perform) and item.call.name in endless:
-                return isinstance(item.call, Call)
-        return False
+    @cached_property
+    def _first_calls(self) -> dict[str, set[str]]:
+        """The functions that each function itself calls before it can return."""
+        return {name: set(self._called_first(item.body)) for name, item in self.functions.items()}
+
+    def _called_first(self, body: Body) -> Iterator[str]:
+        for item in _before_return(body):
+            match item:
+                case Perform(call=Call(name=name)) if name in self.functions:
+                    yield name
+
+    @cached_property
+    def endless_functions(self) -> set[str]:
+        """The functions that never return."""
+        looping = [name for name, item in self.functions.items() if _loops(item.body)]
+        return callers_of(looping, self._first_calls)
 
     def endless(self, body: tuple[Item, ...]) -> Iterator[While]:
         """The outermost loops of a body that never end once they have begun."""
@@ -355,6 +342,22 @@ class Endings:
             isinstance(statement, Return | AnyPython) for statement in statements(loop.body)
         )
         return returns or breaks(loop.body)
+
+
+def _before_return(body: Body) -> Iterator[Statement]:
+    """The statements of a body that run whenever it does, up to one that may contain a return."""
+    for item in body:
+        if any(isinstance(statement, Return | AnyPython) for statement in statements((item,))):
+            return
+        yield item
+
+
+def _loops(body: Body) -> bool:
+    """Whether a body never ends because of a loop of its own."""
+    return any(
+        isinstance(item, While) and is_endless(item) and not breaks(item.body)
+        for item in _before_return(body)
+    )
 
 
 def is_endless(loop: While) -> bool:

@@ -188,8 +188,8 @@ class FlowChecker:
         """Report a function that calls itself before it can return."""
         for statement in item.body:
             match statement:
-                case Perform(call=Call(name=name) as call) if (
-                    name == item.name or item.name in self.endings.always_called(name)
+                case Perform(call=Call(name=name) as call) if self.endings.always_comes_back(
+                    item.name, name
                 ):
                     code = self.findings.worded("check-calls-itself", "check-calls-itself-python")
                     message = Phrase(code, name=item.name)

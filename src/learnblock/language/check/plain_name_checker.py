@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from learnblock.errors import nearest
 from learnblock.language.blocktext import names
 from learnblock.language.check.findings import Findings, unknown
-from learnblock.language.check.python_checker import DYNAMIC, PYTHON_NAMES, bound_names
+from learnblock.language.check.python_checker import DYNAMIC, PYTHON_NAMES
 from learnblock.language.tree.builtins import FUNCTIONS
-from learnblock.language.tree.loads import parsed
+from learnblock.language.tree.loads import bound_names, parsed
 from learnblock.language.tree.nodes import (
     AnyPython,
     Call,

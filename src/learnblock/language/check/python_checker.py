@@ -4,7 +4,7 @@ import ast
 import builtins
 import re
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable
 
 from learnblock.blocks.source.importable import missing_import
 from learnblock.errors import Severity, nearest
@@ -14,8 +14,10 @@ from learnblock.language.check.findings import Findings, unknown
 from learnblock.language.check.python_event_checker import event_slips
 from learnblock.language.check.python_order_checker import early_uses
 from learnblock.language.python.generation import DEFAULT_ROBOT
+from learnblock.language.python.robot_import import imports_robot
 from learnblock.language.python.skeleton import unusual
 from learnblock.language.tree.characters import write_instead
+from learnblock.language.tree.loads import bound_names, parsed
 from learnblock.language.tree.nodes import Span
 
 #: The names that every program in Python has.
@@ -47,30 +49,39 @@ class _PythonChecker:
             diagnostic for diagnostic in findings.diagnostics if diagnostic.severity == "error"
         ]
         self.told = {(error.line, error.column) for error in errors}
+        self.is_other_robot = _is_other_robot(self.nodes, self.bound)
         self.callees = {id(call.func) for call in self.nodes if isinstance(call, ast.Call)}
         self.seen: set[str] = set()
 
     def run(self) -> None:
         for node in self.nodes:
             match node:
-                case ast.Assign():
-                    self.assignment(node)
-                case ast.Expr(value=value) | ast.If(test=value) | ast.While(test=value):
-                    self.skill_without_brackets(value)
                 case ast.ImportFrom(module="learnblock", names=[ast.alias(name="Robot")]):
                     self.report(Phrase("python-robot-import", module=_MODULE), node)
                 case ast.Import(names=[ast.alias(name="Robot")]):
                     self.report(Phrase("python-robot-import", module=_MODULE), node)
-                case ast.Attribute(value=ast.Name(id="Robot"), attr=skill):
-                    self.robot_class(node, skill)
+                case ast.Assign(value=ast.Tuple(elts=[ast.Constant(), ast.Constant()])):
+                    self.decimal_comma(node.value)
+            if not self.is_other_robot:
+                self.use_of_robot(node)
         for slip in event_slips(self.nodes):
             self.report(slip.message, slip.node, slip.severity)
         if not self.makes_names():
             for use in early_uses(self.tree, self.bound):
                 self.report(use.message, use.node)
             self.names()
-            self.skills()
+            if not self.is_other_robot:
+                self.skills()
             self.calls()
+
+    def use_of_robot(self, node: ast.AST) -> None:
+        match node:
+            case ast.Assign():
+                self.assignment(node)
+            case ast.Expr(value=value) | ast.If(test=value) | ast.While(test=value):
+                self.skill_without_brackets(value)
+            case ast.Attribute(value=ast.Name(id="Robot"), attr=skill):
+                self.robot_class(node, skill)
 
     def makes_names(self) -> bool:
         """Whether the program may define names that cannot be found by reading it."""
@@ -86,8 +97,6 @@ class _PythonChecker:
                 targets=[ast.Name(id="robot")], value=ast.Call(func=ast.Name(id="robot"))
             ):
                 self.report(Phrase("python-robot-lower-case"), node.value)
-            case ast.Assign(value=ast.Tuple(elts=[ast.Constant(), ast.Constant()])):
-                self.decimal_comma(node.value)
 
     def decimal_comma(self, node: ast.expr) -> None:
         found = _DECIMAL.fullmatch(ast.get_source_segment(self.text, node) or "")
@@ -172,7 +181,7 @@ class _PythonChecker:
     def unknown(self, node: ast.Name, attribute: str | None) -> Phrase:  # noqa: PLR0911 - one per slip
         """The message about a name that the program never sets."""
         name = node.id
-        if name == "robot":
+        if name == "robot" and not self.is_other_robot:
             if "Robot" in self.bound:
                 return Phrase("python-robot-not-created")
             return Phrase("python-no-robot", module=_MODULE)
@@ -208,10 +217,34 @@ class _PythonChecker:
             return
         self.told.add(start)
         end = node.end_lineno or node.lineno, (node.end_col_offset or 0) + 1
-        self.findings.report("python-slip", message, Span(*start, *end), severity)
+        # In Block-Text, the same mistake has this code, so that the page lists it once.
+        code = "without-robot" if message.code == "python-no-robot" else "python-slip"
+        self.findings.report(code, message, Span(*start, *end), severity)
 
 
 _MODULE = DEFAULT_ROBOT.rpartition(".")[2]
+
+
+def has_other_robot(text: str) -> bool:
+    """Whether a program in Python has another class Robot, such as that of gpiozero."""
+    if "Robot" not in text:
+        return False
+    nodes = list(ast.walk(parsed(text.removeprefix("\ufeff"))))
+    return _is_other_robot(nodes, bound_names(nodes))
+
+
+def _is_other_robot(nodes: list[ast.AST], bound: Iterable[str]) -> bool:
+    return "Robot" in bound and not any(map(_is_meant, nodes))
+
+
+def _is_meant(node: ast.AST) -> bool:
+    """Whether a statement imports a robot of LearnBlock's, or was meant to."""
+    match node:
+        case ast.ImportFrom(module="learnblock", names=[ast.alias(name="Robot")]):
+            return True
+        case ast.Import(names=[ast.alias(name="Robot")]):
+            return True
+    return imports_robot(node)
 
 
 def _unpacks(node: ast.Call) -> bool:
@@ -219,25 +252,3 @@ def _unpacks(node: ast.Call) -> bool:
     return any(isinstance(arg, ast.Starred) for arg in node.args) or any(
         keyword.arg is None for keyword in node.keywords
     )
-
-
-def bound_names(nodes: list[ast.AST]) -> Iterator[str]:
-    """Every name that a program sets anywhere."""
-    for node in nodes:
-        match node:
-            case ast.Name(id=name, ctx=ast.Store() | ast.Del()):
-                yield name
-            case ast.FunctionDef() | ast.AsyncFunctionDef() | ast.ClassDef():
-                yield node.name
-            case ast.arg(arg=name):
-                yield name
-            case ast.alias(name=name, asname=other):
-                yield (other or name).partition(".")[0]
-            case ast.ExceptHandler(name=str(name)):
-                yield name
-            case ast.Global(names=names) | ast.Nonlocal(names=names):
-                yield from names
-            case ast.MatchAs(name=str(name)) | ast.MatchStar(name=str(name)):
-                yield name
-            case ast.MatchMapping(rest=str(name)):
-                yield name

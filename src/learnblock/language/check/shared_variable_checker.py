@@ -7,6 +7,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from learnblock.i18n import Phrase
+from learnblock.language.check.call_graph import recursive
 from learnblock.language.check.endings import LOOPS, START
 from learnblock.language.check.findings import Findings, constant
 from learnblock.language.tree.markers import raw_names
@@ -30,9 +31,9 @@ from learnblock.language.tree.traversal import (
     all_expressions,
     bodies,
     evaluated,
-    expressions,
     locals_in,
     own_statements,
+    read_expressions,
     set_by,
     statements,
 )
@@ -108,7 +109,7 @@ class _Checker:
 
     def run(self) -> None:
         setting = [part for part in self.functions.values() if part.sets]
-        recursive = [part for part in setting if part.name in self.reached[part.name]]
+        recursive = [part for part in setting if part.name in self.recursive]
         counting = [part for part in self.parts if part.name and part.counts]
         if not (recursive or counting):
             return
@@ -140,9 +141,18 @@ class _Checker:
         return self.findings.raw_names.union(*map(set_by, inner))
 
     @cached_property
+    def calls_of(self) -> Mapping[str, set[str]]:
+        """The functions that each function itself calls."""
+        return {name: set(self.called_in(part)) for name, part in self.functions.items()}
+
+    @cached_property
+    def recursive(self) -> set[str]:
+        return recursive(self.calls_of)
+
+    @cached_property
     def reached(self) -> Mapping[str, set[str]]:
         """The functions that each function calls, also through others."""
-        called = {name: set(self.called_in(part)) for name, part in self.functions.items()}
+        called = self.calls_of
         reached = {}
         for name, direct in called.items():
             found, ahead = set(direct), list(direct)
@@ -270,10 +280,8 @@ class _Walk:
                 values = _joined(values, self.block(body, values)) or values
             return values
         changed = dict(values)
-        is_changed = isinstance(item, Assign) and item.operator != "="
-        for expression in expressions(item):
-            if is_changed or not _is_target(expression, item):
-                self.expression(expression, changed)
+        for expression in read_expressions(item):
+            self.expression(expression, changed)
         for name in set_by(item):
             changed[name] = frozenset((_OWN,))
         return None if isinstance(item, Return) else changed
@@ -290,9 +298,8 @@ class _Walk:
     def loop(self, item: Item, values: _Values) -> _Values:
         values = dict(values)
         if not isinstance(item, While):
-            for expression in expressions(item):
-                if not _is_target(expression, item):
-                    self.expression(expression, values)
+            for expression in read_expressions(item):
+                self.expression(expression, values)
         self.loops += 1
         for _ in range(2 if self.loops <= _DEEPEST else 1):
             values = self.round(item, values)
@@ -350,10 +357,6 @@ def _is_update(item: Assign) -> bool:
 def _is_fixed(item: Assign) -> bool:
     is_literal = isinstance(item.value, Constant) or constant(item.value) is not None
     return item.operator == "=" and is_literal
-
-
-def _is_target(part: Expression, item: Item) -> bool:
-    return isinstance(part, Name) and part.name in set_by(item)
 
 
 def _joined(one: _Values | None, other: _Values | None) -> _Values | None:

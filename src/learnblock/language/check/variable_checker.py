@@ -1,7 +1,7 @@
 """Find variables that are never set, or read before, also in the functions that are called."""
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Generator, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from itertools import chain
 
@@ -14,7 +14,6 @@ from learnblock.language.check.findings import Findings, unknown
 from learnblock.language.tree.characters import write_instead
 from learnblock.language.tree.markers import raw_names
 from learnblock.language.tree.nodes import (
-    Assign,
     Binary,
     Body,
     Call,
@@ -31,11 +30,10 @@ from learnblock.language.tree.nodes import (
 from learnblock.language.tree.traversal import (
     all_expressions,
     bodies,
-    expressions,
     locals_in,
+    read_expressions,
     set_by,
     statements,
-    targets,
     within,
 )
 
@@ -142,7 +140,7 @@ class _Order:
         if self.findings.in_python:
             # The text runs from top to bottom; the tree has definitions first.
             runs.sort(key=lambda statement: statement.span.line)
-        self.block((*runs, *self.findings.main), _Scope(known))
+        self.walk((*runs, *self.findings.main), _Scope(known))
         self.events(list(whens.values()), known)
 
     def events(self, whens: list[When], known: set[str]) -> None:
@@ -151,7 +149,7 @@ class _Order:
             self.event(when, known, Counter())
         for when in whens:
             # The first cycle evaluates every condition before it runs an event.
-            self.expressions(_certain(when.condition), _Scope(known))
+            _exhaust(self.expressions(_certain(when.condition), _Scope(known)))
         sets = {when.name: set(self.sets(when.body)) for when in whens}
         for when in whens:
             # Each runs again and again, after any other.
@@ -160,7 +158,7 @@ class _Order:
 
     def event(self, when: When, known: set[str], again: Counter[str]) -> None:
         own = frozenset(locals_in(when.body))
-        self.block(when.body, _Scope(known, own, self.bound_in_raw(own), in_loop=again))
+        self.walk(when.body, _Scope(known, own, self.bound_in_raw(own), in_loop=again))
 
     def bound_in_raw(self, own: frozenset[str]) -> set[str]:
         """The local variables that a line of Python may set."""
@@ -195,18 +193,21 @@ class _Order:
                 if isinstance(node, Call) and node.name in self.functions:
                     yield node.name
 
-    def block(self, body: Iterable[Item], scope: _Scope) -> None:
-        for item in body:
-            self.statement(item, scope)
+    def walk(self, body: Iterable[Item], scope: _Scope) -> None:
+        _exhaust(self.block(body, scope))
 
-    def statement(self, item: Item, scope: _Scope) -> None:
-        self.expressions(_evaluated(item), scope)
+    def block(self, body: Iterable[Item], scope: _Scope) -> "_Steps":
+        for item in body:
+            yield from self.statement(item, scope)
+
+    def statement(self, item: Item, scope: _Scope) -> "_Steps":
+        yield from self.expressions(_evaluated(item), scope)
         for name in set_by(item):
             scope.bind(name)
         if isinstance(item, PythonBlock) and item.has_scope:
             return
         for body in bodies(item):
-            self.block(body, self.inner(item, body, scope))
+            yield self.block(body, self.inner(item, body, scope))
 
     def inner(self, item: Item, body: Body, scope: _Scope) -> _Scope:
         """The scope of a body of a statement."""
@@ -216,16 +217,16 @@ class _Order:
             return replace(scope, maybe=scope.maybe | (scope.in_loop - self.sets(body)).keys())
         return scope
 
-    def expressions(self, found: Iterable[Expression], scope: _Scope) -> None:
+    def expressions(self, found: Iterable[Expression], scope: _Scope) -> "_Steps":
         nodes = list(found)
         for node in nodes:
             if isinstance(node, Call) and node.name in self.functions:
-                self.call(self.functions[node.name], scope)
+                yield from self.call(self.functions[node.name], scope)
         for node in nodes:
             if isinstance(node, Name):
                 self.read(node, scope)
 
-    def call(self, function: Def, scope: _Scope) -> None:
+    def call(self, function: Def, scope: _Scope) -> "_Steps":
         """Follow the first call of a function: later, the same variables are set and more."""
         key = (function.name, bool(scope.maybe))
         if key in self.followed:
@@ -233,7 +234,7 @@ class _Order:
         self.followed.add(key)
         own = frozenset((*locals_in(function.body), *function.parameters))
         bound = {*function.parameters, *self.bound_in_raw(own)}
-        self.block(function.body, _Scope(scope.known, own, bound, maybe=scope.maybe))
+        yield self.block(function.body, _Scope(scope.known, own, bound, maybe=scope.maybe))
 
     def read(self, node: Name, scope: _Scope) -> None:
         name = node.name
@@ -247,13 +248,25 @@ class _Order:
         )
 
 
+#: What is left of a walk: it yields the walks through a body or a function on its way.
+_Steps = Generator["_Steps", None, None]
+
+
+def _exhaust(steps: _Steps) -> None:
+    """Take a walk to its end, however many functions call each other on its way."""
+    ahead = [steps]
+    while ahead:
+        inner = next(ahead[-1], None)
+        if inner is None:
+            ahead.pop()
+        else:
+            ahead.append(inner)
+
+
 def _evaluated(item: Item) -> Iterator[Expression]:
     """The expressions that a statement evaluates, without its target and the bodies inside it."""
-    is_changed = isinstance(item, Assign) and item.operator != "="
-    names = () if is_changed else targets(item)
-    for expression in expressions(item):
-        if not any(expression is name for name in names):
-            yield from within(expression)
+    for expression in read_expressions(item):
+        yield from within(expression)
 
 
 def _certain(condition: Expression | None) -> Iterator[Expression]:

@@ -3,10 +3,10 @@
 Skills are functions of a library: they take the robot first and pass it to each other.
 """
 
-import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
+from learnblock.language.python.robot_import import with_robot
 from learnblock.language.python.source_map import SourceMap
 from learnblock.language.python.writer import PythonWriter
 from learnblock.language.tree.builtins import MODULES
@@ -24,7 +24,6 @@ from learnblock.language.tree.nodes import (
 from learnblock.language.tree.traversal import statements
 
 DEFAULT_ROBOT = "learnblock.robots.sim_ebo"
-ROBOT_IMPORT = re.compile(r"^from[ \t]+([\w.]+)[ \t]+import[ \t]+Robot\b", re.MULTILINE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,9 +74,7 @@ def _is_raw(program: Program) -> bool:
 
 def _kept(program: Program, text: str, robot_module: str | None) -> PythonText:
     if robot_module is not None:
-        text = ROBOT_IMPORT.sub(
-            lambda match: match[0].replace(match[1], robot_module, 1), text, count=1
-        )
+        text = with_robot(text, robot_module)
     lines = text.count("\n") + (not text.endswith("\n"))
     sources: list[int] = [0] * lines
     nodes: list[Node | None] = [None] * lines

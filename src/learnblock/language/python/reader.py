@@ -26,8 +26,9 @@ from learnblock.language.python.expression_reader import (
     start_of,
 )
 from learnblock.language.python.foreign_lines import RULES
-from learnblock.language.python.generation import DEFAULT_ROBOT, ROBOT_IMPORT, canonical
+from learnblock.language.python.generation import DEFAULT_ROBOT, canonical
 from learnblock.language.python.python_reader import PythonReader
+from learnblock.language.python.robot_import import robot_import
 from learnblock.language.python.scopes import first_of_locals, stored_names
 from learnblock.language.python.skeleton import (
     Skeleton,
@@ -155,7 +156,7 @@ def _read(text: str, tree: ast.Module) -> Program | None:
         return None
     plain = text.replace("\r\n", "\n") if text.count("\r\n") == text.count("\n") else text
     plain = plain.removeprefix("\ufeff")
-    line = plain.count("\n", 0, match.start()) + 1 if (match := ROBOT_IMPORT.search(plain)) else 0
+    line = plain.count("\n", 0, match.start()) + 1 if (match := robot_import(plain)) else 0
     notes = markers.notes(plain)
     if line != (skeleton.importing.lineno if skeleton.importing else 0) or notes is None:
         return None

@@ -4,7 +4,11 @@ import ast
 from dataclasses import dataclass, field
 from itertools import takewhile
 
+from learnblock.language.python.robot_import import imports_robot, is_robot_module
+from learnblock.language.tree.loads import bound_names
+
 _LEARNBLOCK = "learnblock"
+_NAMES = frozenset(("robot", "Robot"))
 
 
 @dataclass(slots=True)
@@ -37,9 +41,12 @@ class Skeleton:
 def skeleton_of(tree: ast.Module) -> Skeleton | None:
     """The parts of a file, or None if it creates a robot of LearnBlock's in another way."""
     found = _with_robot(tree)
-    if found is None and not _uses_learnblock(tree):
-        return Skeleton(robot=None if _names_robot(tree) else "robot", rest=list(tree.body))
-    return found
+    if found is not None:
+        return found
+    nodes = list(ast.walk(tree))
+    if any(map(_imports_learnblock, nodes)):
+        return None
+    return Skeleton(robot=None if _names_robot(nodes) else "robot", rest=list(tree.body))
 
 
 def _with_robot(tree: ast.Module) -> Skeleton | None:
@@ -47,7 +54,7 @@ def _with_robot(tree: ast.Module) -> Skeleton | None:
     head: list[ast.stmt] = []
     for index, statement in enumerate(tree.body):
         match statement:
-            case ast.ImportFrom(names=[ast.alias(name="Robot", asname=None)], level=0):
+            case ast.ImportFrom() if imports_robot(statement):
                 if importing is not None:
                     return None
                 importing = statement
@@ -66,39 +73,33 @@ def _with_robot(tree: ast.Module) -> Skeleton | None:
     return None
 
 
-def _uses_learnblock(tree: ast.Module) -> bool:
-    for node in ast.walk(tree):
-        match node:
-            case ast.ImportFrom(module=str(name), level=0) if name.startswith(_LEARNBLOCK):
-                return True
-            case ast.Import(names=names) if any(
-                alias.name.startswith(_LEARNBLOCK) for alias in names
-            ):
-                return True
+def _imports_learnblock(node: ast.AST) -> bool:
+    match node:
+        case ast.ImportFrom(module=str(module), names=names, level=0):
+            has_robot = any(alias.name == "Robot" for alias in names)
+            return module.startswith(_LEARNBLOCK) or (has_robot and is_robot_module(module))
+        case ast.Import(names=names):
+            return any(alias.name.startswith(_LEARNBLOCK) for alias in names)
     return False
 
 
-def _names_robot(tree: ast.Module) -> bool:
+def _names_robot(nodes: list[ast.AST]) -> bool:
     """Whether a file has a robot's name for something of its own.
 
     One that only calls skills lacks its robot, which the check says.
     """
-    called = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
-    for node in ast.walk(tree):
-        match node:
-            case ast.Name(id="robot", ctx=ast.Load()) if id(node) in called:
-                continue
-            case ast.Name(id="robot" | "Robot") | ast.arg(arg="robot" | "Robot"):
-                return True
-            case ast.alias(name=name, asname=other) if name == "Robot" or "robot" in (name, other):
-                return True
-            case ast.FunctionDef(name="robot") | ast.ClassDef(name="robot" | "Robot"):
-                return True
-            case ast.AsyncFunctionDef(name="robot") | ast.ExceptHandler(name="robot"):
-                return True
-            case ast.MatchAs(name="robot") | ast.MatchStar(name="robot"):
-                return True
-    return False
+    owners = {id(node.value) for node in nodes if isinstance(node, ast.Attribute)}
+    read = {
+        node.id
+        for node in nodes
+        if isinstance(node, ast.Name) and not (node.id == "robot" and id(node) in owners)
+    }
+    return not _NAMES.isdisjoint(read | _imported(nodes) | set(bound_names(nodes)))
+
+
+def _imported(nodes: list[ast.AST]) -> set[str]:
+    """The names that a file imports, under whatever other names."""
+    return {node.name for node in nodes if isinstance(node, ast.alias)}
 
 
 def docstring_length(body: list[ast.stmt]) -> int:

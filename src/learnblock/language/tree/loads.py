@@ -1,7 +1,7 @@
 """The parts of a Python tree that run at once, unlike the bodies of functions."""
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 Function = ast.FunctionDef | ast.AsyncFunctionDef
 
@@ -28,6 +28,28 @@ def loaded_names(node: ast.AST) -> Iterator[str]:
     for found in at_once(node):
         if isinstance(found, ast.Name) and isinstance(found.ctx, ast.Load):
             yield found.id
+
+
+def bound_names(nodes: Iterable[ast.AST]) -> Iterator[str]:
+    """Every name that a program sets anywhere."""
+    for node in nodes:
+        match node:
+            case ast.Name(id=name, ctx=ast.Store() | ast.Del()):
+                yield name
+            case ast.FunctionDef() | ast.AsyncFunctionDef() | ast.ClassDef():
+                yield node.name
+            case ast.arg(arg=name):
+                yield name
+            case ast.alias(name=name, asname=other):
+                yield (other or name).partition(".")[0]
+            case ast.ExceptHandler(name=str(name)):
+                yield name
+            case ast.Global(names=names) | ast.Nonlocal(names=names):
+                yield from names
+            case ast.MatchAs(name=str(name)) | ast.MatchStar(name=str(name)):
+                yield name
+            case ast.MatchMapping(rest=str(name)):
+                yield name
 
 
 def _inner(node: ast.AST) -> Iterator[ast.AST]:

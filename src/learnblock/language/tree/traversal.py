@@ -180,6 +180,17 @@ def expressions(node: Item | Main) -> tuple[Expression, ...]:
     return () if get is None else get(node)
 
 
+def read_expressions(node: Item | Main) -> tuple[Expression, ...]:
+    """The expressions whose values a statement needs, except those in its bodies.
+
+    ``x += 1`` needs its target's, and ``x = 1`` does not.
+    """
+    found = expressions(node)
+    is_changed = isinstance(node, Assign) and node.operator != "="
+    # A statement's targets are its first expressions.
+    return found if is_changed else found[len(targets(node)) :]
+
+
 def all_expressions(node: Item | Main) -> Iterator[Expression]:
     """The expressions of a statement and those inside them, except those in its bodies."""
     for expression in expressions(node):

@@ -12,6 +12,7 @@ from learnblock.language import from_workspace, parse, recover
 from learnblock.language.check.robots import asked, demands
 from learnblock.language.edit.imports import imported, libraries_used, with_import
 from learnblock.language.edit.rename import Sort, rename
+from learnblock.language.python.robot_import import with_robot
 from learnblock.language.tree.nodes import Program as Tree
 from learnblock.language.workspace.blocks import Workspace
 from learnblock.language.workspace.idle_blocks import idle_blocks
@@ -23,7 +24,6 @@ from learnblock.project.document.notations import (
     derive,
     for_robot,
     read_python,
-    with_robot,
 )
 from learnblock.project.document.positions import Positions
 from learnblock.project.document.problems import (

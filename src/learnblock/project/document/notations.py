@@ -9,7 +9,8 @@ from learnblock.blocks.importable import Importable
 from learnblock.language import format as format_program
 from learnblock.language import from_python, to_python, to_workspace
 from learnblock.language.blocktext.format import format_with_extents
-from learnblock.language.python.generation import DEFAULT_ROBOT, ROBOT_IMPORT
+from learnblock.language.python.generation import DEFAULT_ROBOT
+from learnblock.language.python.robot_import import with_robot
 from learnblock.language.tree.extents import Extent, every, extents
 from learnblock.language.tree.nodes import Program, Raw
 from learnblock.language.workspace.blocks import Workspace
@@ -158,11 +159,6 @@ def read_python(text: str) -> Program:
     """
     # The imported robot does not make a program differ from the generated one.
     return from_python(with_robot(text, DEFAULT_ROBOT))
-
-
-def with_robot(python: str, module: str) -> str:
-    """Python that imports its robot from `module`."""
-    return ROBOT_IMPORT.sub(lambda match: match[0].replace(match[1], module, 1), python, count=1)
 
 
 def is_raw(tree: Program) -> bool:

@@ -6,7 +6,7 @@ from learnblock import language, robots
 from learnblock.blocks.known import all_configurations
 from learnblock.errors import Diagnostic, LearnBlockError, ProgramError, ProjectError
 from learnblock.i18n import Phrase
-from learnblock.language.python.generation import ROBOT_IMPORT
+from learnblock.language.python.robot_import import robot_import
 from learnblock.project.document.views import LONGEST_TEXT
 from learnblock.project.files import ENDING
 from learnblock.project.files.packing import encode_whole
@@ -111,7 +111,7 @@ def _require_short(text: str, filename: str) -> None:
 
 def _from_python(name: str, text: str) -> Project:
     """Create a project from a Python file, which may have mistakes."""
-    module = ROBOT_IMPORT.search(text)
+    module = robot_import(text)
     robot = _robot_of(module[1]) if module else DEFAULT_ROBOT
     try:
         blocktext = language.format(language.from_python(text))

@@ -122,3 +122,10 @@ def test_what_python_declares_global_is_reported_at_the_line_that_sets_it():
     )
     (found,) = check(from_python(text), builtin(), python=text)
     assert (3, "check-shared-in-recursion-python") == (found.line, found.message.code)
+
+
+@pytest.mark.parametrize(("value", "lines"), [("k", []), ("k + 0", []), ("n", [3])])
+def test_a_variable_whose_own_value_is_used_belongs_to_others_too(value, lines):
+    body = ("if n > 0:", f"    k = {value}", "    f(n - 1)", "    print(k)", "end")
+    text = "k = 1\n" + function("f(n)", *body) + "f(3)\n"
+    assert lines == [line - 1 for line, _ in reported(text)]

@@ -12,6 +12,7 @@ from learnblock.project.document.document import Document
 from learnblock.project.document.views import Place
 from places import ROOT, TESTS
 from trees import Trees
+from workspaces import blocks
 
 EBO = "learnblock.robots.sim_ebo"
 THYMIO = "learnblock.robots.sim_thymio"
@@ -285,9 +286,14 @@ def test_places_name_existing_lines_and_each_block_once(path):
     one = document(path.read_text("utf-8"))
     blocktext, python = one.blocktext.count("\n") + 1, one.python.count("\n") + 1
     assert len({place.block for place in one.places}) == len(one.places)
+    # In Python, no line says that there is no robot.
+    unsaid = {block.id for block in blocks(one.workspace) if block.type == "lb_without_robot"}
     for place in one.places:
         assert 1 <= place.blocktext <= place.blocktext_end <= blocktext
-        assert 1 <= place.python <= place.python_end <= python
+        if place.block in unsaid:
+            assert place.python == place.python_end == 0
+        else:
+            assert 1 <= place.python <= place.python_end <= python
 
 
 def test_a_line_of_python_belongs_to_its_innermost_block():
@@ -462,3 +468,16 @@ def test_a_run_from_the_page_has_the_trace_of_the_command_line(tmp_path):
         )
     }
     assert len(hashes) == 1
+
+
+@pytest.mark.parametrize("notation", ["blocktext", "python"])
+def test_a_robot_is_added_by_one_line_less_of_block_text(notation):
+    plain = document("without robot\n\nfunction.turn(90)  # go\n")
+    written = plain.with_text(notation, getattr(plain, notation) + "\n")
+    assert {found.message.code for found in written.problems} <= {
+        "check-without-robot",
+        "python-no-robot",
+    }
+    ready = written.with_text("blocktext", written.blocktext.removeprefix("without robot\n\n"))
+    assert ready.problems == ()
+    assert ready.python.endswith("import Robot\n\nrobot = Robot()\n\nrobot.turn(90)  # go\n")

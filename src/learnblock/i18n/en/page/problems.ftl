@@ -13,6 +13,7 @@ page-problems-place = { $view }, line { $line }
 # $step is a block in its own words.
 page-problems-block = Block “{ $step }”
 page-problems-go-to = Go to the error
+page-problems-add-robot = Add a robot
 page-problems-stale = { $view } has an error on line { $line }. The other views show the last working program.
 page-problems-stale-somewhere = { $view } has an error. The other views show the last working program.
 page-problems-no-result = Run the program to see results.

@@ -13,6 +13,7 @@ page-problems-place = { $view }, línea { $line }
 # $step is a block in its own words.
 page-problems-block = Bloque «{ $step }»
 page-problems-go-to = Ir al error
+page-problems-add-robot = Añadir un robot
 page-problems-stale = { $view } tiene un error en la línea { $line }. Las otras vistas muestran el último programa correcto.
 page-problems-stale-somewhere = { $view } tiene un error. Las otras vistas muestran el último programa correcto.
 page-problems-no-result = Ejecuta el programa para ver los resultados.

@@ -1,0 +1,67 @@
+"""Which functions call each other, in time that grows with the number of calls."""
+
+from collections import Counter, defaultdict
+from collections.abc import Collection, Iterable, Mapping
+
+Calls = Mapping[str, Collection[str]]
+
+
+def cycles(calls: Calls) -> dict[str, int]:
+    """A number for each function, which those that call each other in a circle share."""
+    callers = _callers(calls)
+    # Kosaraju's algorithm: from the one that returns last, only its circle leads back to it.
+    order: list[str] = []
+    seen: set[str] = set()
+    for name in calls:
+        order += _in_order_of_return(name, calls, seen)
+    found: dict[str, int] = {}
+    seen = set()
+    for number, name in enumerate(reversed(order)):
+        found |= dict.fromkeys(_in_order_of_return(name, callers, seen), number)
+    return found
+
+
+def recursive(calls: Calls) -> set[str]:
+    """The functions that call themselves, also through others."""
+    found = cycles(calls)
+    sizes = Counter(found.values())
+    return {name for name, called in calls.items() if name in called or sizes[found[name]] > 1}
+
+
+def callers_of(names: Iterable[str], calls: Calls) -> set[str]:
+    """Some functions, and all that call them, also through others."""
+    callers = _callers(calls)
+    found = set(names)
+    ahead = list(found)
+    while ahead:
+        more = set(callers.get(ahead.pop(), ())) - found
+        found |= more
+        ahead += more
+    return found
+
+
+def _callers(calls: Calls) -> Calls:
+    found = defaultdict(list)
+    for caller, called in calls.items():
+        for name in called:
+            found[name].append(caller)
+    return found
+
+
+def _in_order_of_return(name: str, calls: Calls, seen: set[str]) -> list[str]:
+    """A function and those that it reaches, each after what it calls; without those `seen`."""
+    if name in seen:
+        return []
+    seen.add(name)
+    found: list[str] = []
+    ahead = [(name, iter(calls.get(name, ())))]
+    while ahead:
+        caller, rest = ahead[-1]
+        inner = next((other for other in rest if other not in seen), None)
+        if inner is None:
+            found.append(caller)
+            ahead.pop()
+        else:
+            seen.add(inner)
+            ahead.append((inner, iter(calls.get(inner, ()))))
+    return found
