@@ -42,14 +42,16 @@ def phone(sit_down, server):
     return sit_down(server, stage="starter", viewport=PHONE, has_touch=True, empty=True)
 
 
-#: The sentences of the blocks that the open palette does not show whole beside its scroll bar.
-CUT = """() => {
+#: What a group offers; a pupil who has made no block yet finds only a button in *My blocks*.
+OFFERED = ".blocklyBlockCanvas > .blocklyBlock, .blocklyFlyoutButton"
+#: The sentences of those that the open palette does not show whole beside its scroll bar.
+CUT = """(offered) => {
     const shown = [...document.querySelectorAll(".blocklyFlyout")];
     const palette = shown.find((one) => one.getBoundingClientRect().width > 0);
     const end = palette.getBoundingClientRect().right - 8;
-    const blocks = [...palette.querySelectorAll(".blocklyBlockCanvas > .blocklyBlock")];
-    return blocks
-        .filter((one) => one.querySelector(".blocklyPath").getBoundingClientRect().right > end)
+    const outlineOf = (one) => one.querySelector(".blocklyPath") ?? one;
+    return [...palette.querySelectorAll(offered)]
+        .filter((one) => outlineOf(one).getBoundingClientRect().right > end)
         .map((one) => one.textContent);
 }"""
 
@@ -243,10 +245,11 @@ def test_the_first_blocks_of_each_group_are_whole_beside_the_scroll_bar(
     )
     expect(pupil.page.locator(".lbGroupIcon").first).to_be_visible()
     cut = []
-    for group in pupil.page.locator(".blocklyToolboxCategory:not(.lbSearch)").all():
+    for group in pupil.page.locator(".blocklyToolboxCategoryContainer:not(.lbSearch)").all():
         group.click()
-        expect(pupil.page.locator(".blocklyFlyout:visible .blocklyPath").first).to_be_visible()
-        cut += pupil.page.evaluate(CUT)
+        expect(pupil.page.locator(f".blocklyFlyout:visible :is({OFFERED})").first).to_be_visible()
+        assert pupil.page.locator(".lbPaletteTitle:visible").inner_text() == group.inner_text()
+        cut += pupil.page.evaluate(CUT, OFFERED)
         pupil.page.keyboard.press("Escape")
     assert cut == []
 

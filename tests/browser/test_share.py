@@ -68,7 +68,7 @@ def test_a_film_shows_the_run_from_its_start_to_its_end(pupil, tmp_path):
 def test_a_browser_that_cannot_film_says_so_and_the_run_is_not_started(pupil):
     pupil.page.evaluate(ONLY, "none")
     pupil.command("World", "Film a run")
-    pupil.expect_note("This browser can’t make films.")
+    pupil.expect_note("This browser can't make films.")
     expect(pupil.page.locator(".filming")).to_have_count(0)
     pupil.state("Ready")
 
