@@ -131,7 +131,9 @@ class Room:
         if offer and offer.own:
             folders = [self.roster.folder_of(pupil) for pupil in receiving]
             await asyncio.to_thread(give_lesson, offer.name, folders)
-        self.lesson, self.began = lesson.lesson, time.time()
+        # What a few get besides is not the lesson of the class.
+        if pupils is None or 2 * len(receiving) > len(self.roster.pupils):
+            self.lesson, self.began = lesson.lesson, time.time()
         self._late |= {pupil.id: lesson for pupil in receiving if not self.desk(pupil).own_pages}
         await self.order(lesson, receiving)
 
