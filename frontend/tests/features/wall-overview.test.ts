@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 
-import { commonMistake, finishedWork, namesOf, placesIn, waiting } from "../../src/features/class-page/overview";
+import { commonMistake, finishedWork, placesIn, waiting } from "../../src/features/class-page/overview";
 import { counts, inOrder, stateOf } from "../../src/features/class-page/states";
 import type { MissedCheck, Seat } from "../../src/protocol/classroom";
 
@@ -94,9 +94,4 @@ test("work is ready when all steps are done or it is handed in", () => {
     seat("d"),
   ];
   expect(ids(finishedWork(class7b))).toEqual(["a", "b"]);
-});
-
-test("only pupils of one name have numbers", () => {
-  const class7b = [seat("1", { name: "Ana" }), seat("2", { name: "Leo" }), seat("3", { name: "Ana" })];
-  expect([...namesOf(class7b).values()]).toEqual(["Ana 1", "Leo", "Ana 2"]);
 });

@@ -1,6 +1,6 @@
 // @vitest-environment happy-dom
 
-import { fireEvent, render, screen, within } from "@testing-library/preact";
+import { fireEvent, render, screen, waitFor, within } from "@testing-library/preact";
 import { expect, test } from "vitest";
 
 import { ClassStream } from "../../src/features/class-page/stream";
@@ -69,4 +69,28 @@ test("the teacher lets more pupils in, or not", () => {
 test("nothing is asked while no pupil waits", () => {
   open(["Ana"]);
   expect(screen.queryByText(/joined. Waiting for you/)).toBeNull();
+});
+
+test("a lesson is handed out to some pupils from a step", () => {
+  const stream = open(["Ana", "Leo", "Mia"]);
+  const steps = ["Predict", "Run it"];
+  const lesson = { level: 1, minutes: 30, robots: [], steps };
+  stream.offers.value = [{ ...lesson, name: "1-01", title: "First drive" }];
+  fireEvent.click(screen.getAllByText("Hand out a lesson")[0]!);
+  const dialog = within(screen.getByRole("dialog"));
+  fireEvent.change(dialog.getByLabelText("Who gets the lesson"), { target: { value: "some" } });
+  expect(button("Hand out").disabled).toBe(true);
+  fireEvent.click(dialog.getByLabelText("Leo"));
+  fireEvent.change(dialog.getByLabelText("The step to begin with"), { target: { value: "2" } });
+  fireEvent.click(button("Hand out"));
+  expect(stream.sent).toEqual([{ kind: "HandOut", lesson: "1-01", project: "First drive", pupils: ["p1"], step: 2 }]);
+});
+
+test("a tile without news from its server is grey", async () => {
+  const stream = open(["Ana"]);
+  const tile = screen.getByText("Ana").closest(".tile")!;
+  stream.seats.value = new Map([["p0", { id: "p0", name: "Ana", here: true }]]);
+  await waitFor(() => expect(tile.className).not.toContain("gone"));
+  stream.seats.value = new Map([["p0", { id: "p0", name: "Ana", here: true, silent: 5 }]]);
+  await waitFor(() => expect(tile.className).toContain("gone"));
 });

@@ -1,13 +1,12 @@
 """What the pupils of a class have handed in, or have made so far, in a step of a lesson."""
 
-from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 from learnblock.classroom.hand_ins import HandInShelf
 from learnblock.classroom.pupil_folder import PROJECTS
-from learnblock.classroom.roster import Pupil, Roster
+from learnblock.classroom.roster import Pupil, Roster, names_of
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.lessons.grading.plan import Plan, planned
@@ -50,7 +49,7 @@ def collect(
         only_handed_in: whether the programs of those are left out who have not handed in.
     """
     shelf = HandInShelf(roster.folder)
-    names = names_of(roster)
+    names = names_of(roster.pupils)
     for pupil in roster.pupils:
         name = names[pupil.id]
         if file := shelf.read(pupil.id, opened.name, step):
@@ -76,15 +75,6 @@ def plan_of(roster: Roster, lesson: str, step: int) -> Plan:
     """
     opened = named_lesson(lesson)
     return planned(opened, step, collect(roster, opened, step, only_handed_in=True))
-
-
-def names_of(roster: Roster) -> Mapping[str, str]:
-    """What the teacher calls each pupil, by id: the name, and of two alike the id, too."""
-    bearers = Counter(pupil.name for pupil in roster.pupils)
-    return {
-        pupil.id: pupil.name if bearers[pupil.name] == 1 else f"{pupil.name} ({pupil.id})"
-        for pupil in roster.pupils
-    }
 
 
 def made_by(roster: Roster, pupil: Pupil, opened: OpenLesson, step: int) -> MadeWork:

@@ -11,9 +11,9 @@ from typing import Any, get_args
 from learnblock import language
 from learnblock.classroom import hand_in_messages as ours
 from learnblock.classroom.checking import Checking, RunningCheck, forget_runs
-from learnblock.classroom.collecting import made_by, names_of
+from learnblock.classroom.collecting import made_by
 from learnblock.classroom.hand_ins import HandInFile, HandInShelf, State
-from learnblock.classroom.roster import Roster
+from learnblock.classroom.roster import Roster, names_of
 from learnblock.errors import FileError, LearnBlockError
 from learnblock.lessons.drawing import LONGEST_DRAWING, drawn_program
 from learnblock.lessons.lesson import LessonText
@@ -96,7 +96,7 @@ class Marking:
         """
         opened = named_lesson(lesson)
         taught = TaughtLesson(opened)
-        names = names_of(self._roster)
+        names = names_of(self._roster.pupils)
         lines = tuple(
             _line(pupil.id, names[pupil.id], file)
             for pupil in self._roster.pupils
@@ -135,7 +135,7 @@ class Marking:
         variant = file.checked.variant if file.checked else 0
         blocktext = _blocktext(file.work.program)
         return ours.ShownHandIn(
-            line=_line(pupil, names_of(self._roster)[pupil], file),
+            line=_line(pupil, names_of(self._roster.pupils)[pupil], file),
             lesson=lesson,
             step=step,
             program=file.work.program,

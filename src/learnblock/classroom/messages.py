@@ -213,9 +213,10 @@ class Seat(Work, frozen=True, omit_defaults=True, kw_only=True):
 
     Args:
         id: the pupil's.
-        name: the first name; empty on the projector.
+        name: what the teacher calls the pupil; empty on the projector.
         here: whether a page of the pupil is open.
         gone: seconds since the last one was closed.
+        silent: seconds for which the pupil's server has not answered.
         begun: whether the pupil has done anything since the class was opened.
         hand: whether the pupil asks for help.
         waits: seconds for which the hand has been raised.
@@ -232,6 +233,7 @@ class Seat(Work, frozen=True, omit_defaults=True, kw_only=True):
     name: str = ""
     here: bool = False
     gone: int = 0
+    silent: int = 0
     begun: bool = False
     hand: bool = False
     waits: int = 0

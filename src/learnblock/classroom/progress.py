@@ -59,6 +59,7 @@ class Progress:
         self._shown = _NOTHING
         self._acted = self._succeeded = now()
         self._begun = False
+        self._answered = now()
         #: When the last page was closed, and when the hand was raised; None if neither is so.
         self._left: float | None = None
         self._raised: float | None = None
@@ -92,6 +93,10 @@ class Progress:
             self._left = None
         elif self._left is None:
             self._left = self._now()
+
+    def answered(self) -> None:
+        """Record that the pupil's server answers."""
+        self._answered = self._now()
 
     def see(self, page: object, now: messages.AtSeat) -> None:
         """Note what a page works on."""
@@ -133,6 +138,7 @@ class Progress:
             name=pupil.name,
             here=here,
             gone=_steps(now - (now if self._left is None else self._left)),
+            silent=_steps(now - self._answered) if here else 0,
             begun=self._begun,
             hand=self.has_raised_hand,
             waits=_steps(now - (now if self._raised is None else self._raised)),

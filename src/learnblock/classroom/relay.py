@@ -29,6 +29,8 @@ _LARGEST = 8 * 1024 * 1024
 _BACK_SOON, _FORBIDDEN = 1012, 4403
 #: Seconds within which a pupil's server answers.
 _PATIENCE = 10.0
+#: Seconds between two looks whether it does.
+_HEARTBEAT = 2.0
 
 
 _from_pupil = msgspec.json.Decoder(ours.FromPupil)
@@ -99,14 +101,25 @@ class Relay:
             ping_interval=None,
         ) as server:
             self._server = server
+            self._desk.progress.answered()
             self._desk.joined(self)
             if first:
                 await self.order(first)
+            listening = asyncio.create_task(self._listen(server))
             try:
                 await self._pass_on(server)
             finally:
+                listening.cancel()
                 self._desk.left(self)
                 self._server = None
+
+    async def _listen(self, server: ClientConnection) -> None:
+        """Note again and again that the pupil's server answers, for as long as it does."""
+        with suppress(ConnectionClosed):
+            while True:
+                await (await server.ping())
+                self._desk.progress.answered()
+                await asyncio.sleep(_HEARTBEAT)
 
     async def _pass_on(self, server: ClientConnection) -> None:
         tasks = [

@@ -128,7 +128,9 @@ class Room:
         """
         receiving = tuple(self.roster.pupils if pupils is None else pupils)
         await self._give(lesson.lesson, receiving)
-        self.lesson, self.began = lesson.lesson, time.time()
+        # What a few get besides is not the lesson of the class.
+        if pupils is None or 2 * len(receiving) > len(self.roster.pupils):
+            self.lesson, self.began = lesson.lesson, time.time()
         self._late |= {pupil.id: lesson for pupil in receiving if not self.desk(pupil).own_pages}
         await self.order(lesson, receiving)
 

@@ -5,7 +5,9 @@ import secrets
 import shutil
 import threading
 import time
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Collection, Mapping, Sequence
+from itertools import count
 from pathlib import Path
 from typing import Annotated
 
@@ -272,6 +274,26 @@ class Roster:
 
     def _save(self, file: ClassFile) -> None:
         save(self.folder / FILE, msgspec.json.encode(file), private=True)
+
+
+def names_of(pupils: Sequence[Pupil]) -> Mapping[str, str]:
+    """What the teacher calls each pupil, by id: the name; pupils of one name have numbers, too.
+
+    Args:
+        pupils: in the order in which they joined.
+    """
+    bearers = Counter(pupil.name for pupil in pupils)
+    called: dict[str, str] = {}
+    taken = set(bearers)
+    for pupil in pupils:
+        called[pupil.id] = pupil.name if bearers[pupil.name] == 1 else _numbered(pupil.name, taken)
+        taken.add(called[pupil.id])
+    return called
+
+
+def _numbered(name: str, taken: Collection[str]) -> str:
+    """A name with the first number that makes it another one than those that are taken."""
+    return next(text for n in count(1) if (text := f"{name} {n}") not in taken)
 
 
 def wall_address(address: str, key: str) -> str:

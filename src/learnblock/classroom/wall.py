@@ -11,14 +11,14 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 from learnblock.classroom import messages as ours
 from learnblock.classroom.hand_in_messages import HandInSteps
 from learnblock.classroom.room import Room
-from learnblock.classroom.roster import MORE
+from learnblock.classroom.roster import MORE, names_of
 from learnblock.classroom.teaching import do
 from learnblock.errors import LearnBlockError, phrase_of
 
 #: Seconds between two looks at the class.
 _PERIOD = 0.5
 #: Seconds after which the times are looked at again, even if nothing happens.
-_LONGEST_REST = 5.0
+_LONGEST_REST = 1.0
 #: The limit of a message of the teacher in characters.
 _LARGEST = 10_000
 _decoder = msgspec.json.Decoder(ours.FromTeacher)
@@ -107,8 +107,14 @@ class WallView:
         if wall != self._wall:
             self._wall = wall
             yield wall
-        seats = {pupil: desk.seat() for pupil, desk in room.desks.items()}
-        for pupil, desk in room.desks.items():
+        names = names_of(room.roster.pupils)
+        # A pupil who is just being deleted still has a desk.
+        desks = {pupil: room.desks[pupil] for pupil in names if pupil in room.desks}
+        seats = {
+            pupil: msgspec.structs.replace(desk.seat(), name=names[pupil])
+            for pupil, desk in desks.items()
+        }
+        for pupil, desk in desks.items():
             plan = desk.progress.plan_of(pupil)
             if plan and self._scenes.get(pupil) != plan.number:
                 self._scenes[pupil] = plan.number

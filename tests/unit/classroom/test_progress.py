@@ -119,3 +119,19 @@ def test_times_change_every_five_seconds_so_that_the_wall_is_not_told_more_often
     assert seat(progress) == before
     clock.time += 0.1
     assert seat(progress).waits == 5
+
+
+def test_a_pupil_whose_server_does_not_answer_is_silent_until_it_does(progress, clock):
+    clock.time += 60
+    progress.answered()
+    clock.time += 4
+    assert seat(progress).silent == 0
+    clock.time += 1
+    assert seat(progress).silent == 5
+    progress.answered()
+    assert seat(progress).silent == 0
+
+
+def test_a_pupil_without_a_page_is_not_silent(progress, clock):
+    clock.time += 60
+    assert progress.seat(PUPIL, here=False, writing="no").silent == 0

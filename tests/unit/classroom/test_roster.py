@@ -6,7 +6,7 @@ import unicodedata
 
 import pytest
 
-from learnblock.classroom.roster import FILE, MOST_PUPILS, Roster, checked_name
+from learnblock.classroom.roster import FILE, MOST_PUPILS, Roster, checked_name, names_of
 from learnblock.errors import LearnBlockError
 
 
@@ -155,3 +155,9 @@ def test_an_id_that_could_leave_the_folder_is_refused(roster, tmp_path, wrong):
     content["pupils"][0]["id"] = wrong
     (tmp_path / FILE).write_text(json.dumps(content))
     assert code_of(lambda: Roster(tmp_path, "7b")) == "class-damaged"
+
+
+def test_no_number_makes_a_pupil_another_ones_namesake(roster):
+    for name in ("Ana", "Ana 2", "Ana", "Leo"):
+        roster.add(name)
+    assert list(names_of(roster.pupils).values()) == ["Ana 1", "Ana 2", "Ana 3", "Leo"]

@@ -136,6 +136,23 @@ def test_a_lesson_reaches_pupils_who_come_later_once(room, desk, page):
     assert asyncio.run(room.first_lesson(desk.pupil)) is None
 
 
+def test_what_one_of_many_pupils_gets_is_not_the_lesson_of_the_class(room, desk, page):
+    other = room.roster.pupils[1].id
+    asyncio.run(do(room, ours.HandOut(LESSON, "A square", pupils=(desk.pupil.id,), step=2)))
+    assert page.orders == [StartLesson(LESSON, "A square", step=2)]
+    assert (room.lesson, room.began) == ("", 0.0)
+    asyncio.run(do(room, ours.HandOut(LESSON, "A square", pupils=(desk.pupil.id, other))))
+    assert room.lesson == LESSON
+
+
+def test_the_wall_tells_pupils_of_one_name_apart_by_numbers(room):
+    ana = room.roster.pupils[0]
+    namesake, _ = room.roster.add("Ana")
+    room.desk(namesake)
+    named = {seat.id: seat.name for seat in seats(WallView(), room)}
+    assert (named[ana.id], named[namesake.id]) == ("Ana 1", "Ana 2")
+
+
 @pytest.fixture
 def own(tmp_path, monkeypatch):
     """The name of a lesson of the teacher's own."""

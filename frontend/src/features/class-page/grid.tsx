@@ -15,14 +15,14 @@ export interface GridProps {
   readonly wall: Wall;
   /** In their order. */
   readonly seats: readonly Seat[];
-  readonly names: ReadonlyMap<string, string>;
   /** Whether the teacher is at the tiles, which then keep their places. */
   readonly isBusy: Signal<boolean>;
   readonly hint: (pupil: string) => void;
+  readonly handOut: (pupil: string) => void;
   readonly remove: (seats: readonly Seat[]) => void;
 }
 
-export function Grid({ stream, drawing, wall, seats, names, isBusy, hint, remove }: GridProps) {
+export function Grid({ stream, drawing, wall, seats, isBusy, hint, handOut, remove }: GridProps) {
   const current = useSignal("");
   const grid = useRef<HTMLDivElement>(null);
   const isThere = seats.some(({ id }) => id === current.value);
@@ -60,10 +60,10 @@ export function Grid({ stream, drawing, wall, seats, names, isBusy, hint, remove
           stream={stream}
           drawing={drawing}
           seat={seat}
-          name={names.get(seat.id) ?? ""}
           isProjected={wall.projected === seat.id}
           isCurrent={seat.id === first}
           hint={() => hint(seat.id)}
+          handOut={() => handOut(seat.id)}
           remove={() => remove([seat])}
         />
       ))}

@@ -1,9 +1,9 @@
 /** The menu of lessons: search, levels, one's own; a picture, how long it takes and for which robots. */
 
-import { useSignal } from "@preact/signals";
+import { type Signal, useSignal } from "@preact/signals";
 
 import { t } from "../../i18n";
-import type { LessonOffer } from "../../protocol/classroom";
+import type { LessonOffer, Seat } from "../../protocol/classroom";
 import { Dialog } from "../../ui/dialog";
 import { Icon } from "../../ui/icons";
 import { plain } from "../../ui/plain";
@@ -13,15 +13,20 @@ import { pictureOf, robotsInWords } from "./words";
 
 const LEVELS = [1, 2, 3, 4] as const;
 type Shelf = (typeof LEVELS)[number] | "own";
+type Mark = "on" | "next" | "own";
 
 interface Props {
   readonly stream: ClassStream;
   /** The lesson on; undefined without one. */
   readonly now: LessonOffer | undefined;
+  /** The pupils, in the order in which they joined. */
+  readonly seats: readonly Seat[];
+  /** The id of the pupil for whom a lesson is chosen; empty for all. */
+  readonly to: string;
   readonly close: () => void;
 }
 
-export function HandOutDialog({ stream, now, close }: Props) {
+export function HandOutDialog({ stream, now, seats, to, close }: Props) {
   const offers = stream.offers.value;
   const next = offers[offers.findIndex(({ name }) => name === now?.name) + 1];
   const wanted = useSignal("");
@@ -30,69 +35,166 @@ export function HandOutDialog({ stream, now, close }: Props) {
   const shown = found(offers, wanted.value) ?? offers.filter((offer) => isOn(offer, shelf.value));
   const own = offers.filter((offer) => offer.own).length;
   const lesson = shown.find(({ name }) => name === chosen.value) ?? shown[0];
+  // Null for all.
+  const receiving = useSignal<ReadonlySet<string> | null>(to ? new Set([to]) : null);
+  // A step belongs to the lesson for which it was chosen.
+  const from = useSignal({ lesson: "", step: 0 });
+  const step = from.value.lesson === lesson?.name ? from.value.step : 0;
   const handOut = (event: Event) => {
     event.preventDefault();
-    if (lesson && stream.send({ kind: "HandOut", lesson: lesson.name, project: inLanguage(lesson.title) })) close();
+    if (!lesson) return;
+    const project = inLanguage(lesson.title);
+    const pupils = receiving.value && [...receiving.value];
+    if (stream.send({ kind: "HandOut", lesson: lesson.name, project, pupils, step })) close();
   };
   return (
     <Dialog title={t("page-class-hand-out")} close={close} size="large">
       <form class="hand-out" onSubmit={handOut}>
-        <div class="hand-out-head">
-          <label class="hand-out-search">
-            <Icon name="find" />
-            <input
-              type="search"
-              aria-label={t("page-class-find-lesson")}
-              placeholder={t("page-class-find-lesson")}
-              value={wanted.value}
-              onInput={({ currentTarget }) => (wanted.value = currentTarget.value)}
-            />
-          </label>
-          <div class="chips" role="group" aria-label={t("page-lesson-cards-levels")}>
-            {[...LEVELS, ...(own ? (["own"] as const) : [])].map((one) => (
-              <button
-                key={one}
-                type="button"
-                class="chip"
-                aria-pressed={!wanted.value && one === shelf.value}
-                onClick={() => {
-                  wanted.value = "";
-                  shelf.value = one;
-                }}
-              >
-                {one === "own" ? t("page-class-own-lessons", { count: own }) : t("page-class-level", { level: one })}
-              </button>
-            ))}
-          </div>
-        </div>
+        <Shelves {...{ wanted, shelf }} own={own} />
         <div class="hand-out-cards" role="radiogroup" aria-label={t("page-class-lessons")}>
           {shown.map((offer) => (
             <Card
               key={offer.name}
               offer={offer}
               isChosen={offer === lesson}
-              mark={offer.name === now?.name ? "on" : offer === next ? "next" : offer.own ? "own" : null}
+              mark={markOf(offer, now, next)}
               choose={() => (chosen.value = offer.name)}
             />
           ))}
           {shown.length === 0 && <p class="dim">{t("page-class-no-such-lesson")}</p>}
         </div>
-        <div class="hand-out-foot">
-          <p class="dim">{t("page-class-to-everyone")}</p>
-          <button type="submit" class="button filled" disabled={!lesson}>
-            <Icon name="send" />
-            {t("page-class-hand-out-do")}
-          </button>
-        </div>
+        <Whom
+          {...{ seats, lesson, receiving, step }}
+          choose={(step) => (from.value = { lesson: lesson?.name ?? "", step })}
+        />
       </form>
     </Dialog>
+  );
+}
+
+interface ShelvesProps {
+  readonly wanted: Signal<string>;
+  readonly shelf: Signal<Shelf>;
+  /** How many lessons are the teacher's own. */
+  readonly own: number;
+}
+
+/** The search, and the lessons of a level or one's own. */
+function Shelves({ wanted, shelf, own }: ShelvesProps) {
+  return (
+    <div class="hand-out-head">
+      <label class="hand-out-search">
+        <Icon name="find" />
+        <input
+          type="search"
+          aria-label={t("page-class-find-lesson")}
+          placeholder={t("page-class-find-lesson")}
+          value={wanted.value}
+          onInput={({ currentTarget }) => (wanted.value = currentTarget.value)}
+        />
+      </label>
+      <div class="chips" role="group" aria-label={t("page-lesson-cards-levels")}>
+        {[...LEVELS, ...(own ? (["own"] as const) : [])].map((one) => (
+          <button
+            key={one}
+            type="button"
+            class="chip"
+            aria-pressed={!wanted.value && one === shelf.value}
+            onClick={() => {
+              wanted.value = "";
+              shelf.value = one;
+            }}
+          >
+            {one === "own" ? t("page-class-own-lessons", { count: own }) : t("page-class-level", { level: one })}
+          </button>
+        ))}
+      </div>
+    </div>
+  );
+}
+
+interface WhomProps {
+  readonly seats: readonly Seat[];
+  readonly lesson: LessonOffer | undefined;
+  /** The ids of those who get the lesson; null for all. */
+  readonly receiving: Signal<ReadonlySet<string> | null>;
+  /** The step to begin with; 0 for where each pupil is. */
+  readonly step: number;
+  readonly choose: (step: number) => void;
+}
+
+/** Who gets the lesson, and from which step. */
+function Whom({ seats, lesson, receiving, step, choose }: WhomProps) {
+  const chosen = receiving.value;
+  return (
+    <>
+      {chosen && <Receiving seats={seats} chosen={chosen} choose={(ids) => (receiving.value = ids)} />}
+      <div class="hand-out-foot">
+        <select
+          aria-label={t("page-class-receiving")}
+          value={chosen ? "some" : "all"}
+          onChange={({ currentTarget }) => (receiving.value = currentTarget.value === "some" ? new Set() : null)}
+        >
+          <option value="all">{t("page-class-to-all")}</option>
+          <option value="some">{t("page-class-to-some", { count: chosen?.size ?? 0 })}</option>
+        </select>
+        <select
+          aria-label={t("page-class-from")}
+          value={step}
+          onChange={({ currentTarget }) => choose(Number(currentTarget.value))}
+        >
+          <option value={0}>{t("page-class-from-own")}</option>
+          {lesson?.steps.map((title, i) => (
+            <option key={i} value={i + 1}>
+              {t("page-class-from-step", { step: i + 1, title: inLanguage(title) })}
+            </option>
+          ))}
+        </select>
+        <p class="dim">{t(chosen ? "page-class-to-these" : "page-class-to-everyone")}</p>
+        <button type="submit" class="button filled" disabled={!lesson || chosen?.size === 0}>
+          <Icon name="send" />
+          {t("page-class-hand-out-do")}
+        </button>
+      </div>
+    </>
+  );
+}
+
+interface ReceivingProps {
+  readonly seats: readonly Seat[];
+  readonly chosen: ReadonlySet<string>;
+  readonly choose: (chosen: ReadonlySet<string>) => void;
+}
+
+/** Who gets the lesson. */
+function Receiving({ seats, chosen, choose }: ReceivingProps) {
+  const tick = (id: string, on: boolean) => {
+    const ids = new Set(chosen);
+    if (on) ids.add(id);
+    else ids.delete(id);
+    choose(ids);
+  };
+  return (
+    <fieldset class="hand-out-pupils">
+      <legend>{t("page-class-receiving")}</legend>
+      {seats.map(({ id, name }) => (
+        <label key={id}>
+          <input
+            type="checkbox"
+            checked={chosen.has(id)}
+            onChange={({ currentTarget }) => tick(id, currentTarget.checked)}
+          />
+          <bdi>{name}</bdi>
+        </label>
+      ))}
+    </fieldset>
   );
 }
 
 interface CardProps {
   readonly offer: LessonOffer;
   readonly isChosen: boolean;
-  readonly mark: "on" | "next" | "own" | null;
+  readonly mark: Mark | null;
   readonly choose: () => void;
 }
 
@@ -108,6 +210,12 @@ function Card({ offer, isChosen, mark, choose }: CardProps) {
       <small>{[t("page-lesson-minutes", { minutes }), robotsInWords(robots)].join(" · ")}</small>
     </label>
   );
+}
+
+function markOf(offer: LessonOffer, now: LessonOffer | undefined, next: LessonOffer | undefined): Mark | null {
+  if (offer.name === now?.name) return "on";
+  if (offer === next) return "next";
+  return offer.own ? "own" : null;
 }
 
 function shelfOf(offer: LessonOffer | undefined): Shelf {

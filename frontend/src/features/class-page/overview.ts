@@ -77,15 +77,3 @@ export function finishedWork(seats: readonly Seat[]): Seat[] {
     )
     .sort((one, other) => (one.name ?? "").localeCompare(other.name ?? ""));
 }
-
-/** A pupil's name; pupils of one name have numbers, in the order in which they joined. */
-export function namesOf(seats: readonly Seat[]): ReadonlyMap<string, string> {
-  const bearers = new Map<string, string[]>();
-  for (const { id, name = "" } of seats) bearers.set(name, [...(bearers.get(name) ?? []), id]);
-  return new Map(
-    seats.map(({ id, name = "" }) => {
-      const alike = bearers.get(name) ?? [];
-      return [id, alike.length < 2 ? name : `${name} ${alike.indexOf(id) + 1}`];
-    }),
-  );
-}

@@ -15,17 +15,16 @@ const MOST_FINISHED = 5;
 
 interface Props {
   readonly seats: readonly Seat[];
-  readonly names: ReadonlyMap<string, string>;
   readonly lesson: LessonOffer | undefined;
   readonly handOut: () => void;
 }
 
-export function Side({ seats, names, lesson, handOut }: Props) {
+export function Side({ seats, lesson, handOut }: Props) {
   return (
     <aside class="wall-side" aria-label={t("page-class-side")} data-wall-region>
-      <Waiting seats={seats} names={names} />
+      <Waiting seats={seats} />
       <Where seats={seats} lesson={lesson} handOut={handOut} />
-      <HandIns seats={seats} names={names} />
+      <HandIns seats={seats} />
     </aside>
   );
 }
@@ -40,9 +39,7 @@ function Title({ icon, text, more }: { icon: IconName; text: string; more?: stri
   );
 }
 
-type Named = Pick<Props, "seats" | "names">;
-
-function Waiting({ seats, names }: Named) {
+function Waiting({ seats }: Pick<Props, "seats">) {
   const all = waiting(seats);
   return (
     <section class="wall-card" aria-label={t("page-class-waiting-for-you")}>
@@ -53,7 +50,7 @@ function Waiting({ seats, names }: Named) {
           <li key={seat.id} class={`waiting ${stateOf(seat)}`}>
             <Icon name={STATE_ICONS[stateOf(seat)]} />
             <span>
-              <bdi>{names.get(seat.id)}</bdi>
+              <bdi>{seat.name}</bdi>
               <small>{whyInWords(seat)}</small>
             </span>
             <a class="button" href={pageOf(seat)} target="_blank" rel="noopener opener">
@@ -136,7 +133,7 @@ function Bar({ text, count, most, isDim = false }: { text: string; count: number
   );
 }
 
-function HandIns({ seats, names }: Named) {
+function HandIns({ seats }: Pick<Props, "seats">) {
   const all = finishedWork(seats);
   return (
     <section class="wall-card" aria-label={t("page-class-hand-ins")}>
@@ -161,7 +158,7 @@ function HandIns({ seats, names }: Named) {
             {all.slice(0, MOST_FINISHED).map((seat) => (
               <tr key={seat.id}>
                 <th scope="row">
-                  <bdi>{names.get(seat.id)}</bdi>
+                  <bdi>{seat.name}</bdi>
                 </th>
                 <td>
                   <Icon name="earned" />

@@ -5,7 +5,7 @@ import type { IconName } from "../../ui/icons";
 
 /** Seconds of work without a star or a run that ended well. */
 const STUCK = 300;
-/** Seconds after which a pupil whose page is closed is away: a page may just be loading again. */
+/** Seconds after which a pupil without a page, or whose server is silent, is away: a page may just be loading again. */
 const AWAY = 60;
 
 /** In their order on the wall. */
@@ -27,13 +27,18 @@ const WORKING: ReadonlySet<Seat["state"]> = new Set(["starting", "running", "pau
 /** What has gone back to the pupil, who works on it again. */
 const BACK: ReadonlySet<string> = new Set(["handed back", "improving"]);
 
-export function stateOf({ hand, hand_in, begun, here, gone = 0, stuck = 0, state }: Seat): State {
+export function stateOf({ hand, hand_in, begun, here, gone = 0, silent = 0, stuck = 0, state }: Seat): State {
   if (hand) return "help";
   if (hand_in && !BACK.has(hand_in)) return "handed-in";
   if (!begun) return "not-begun";
-  if (!here && gone >= AWAY) return "away";
+  if ((!here && gone >= AWAY) || silent >= AWAY) return "away";
   if (WORKING.has(state)) return "running";
   return stuck >= STUCK ? "stuck" : "editing";
+}
+
+/** Whether a picture is old: no page of the pupil is open, or there is no news from the pupil's server. */
+export function isOld({ here, silent = 0 }: Seat): boolean {
+  return !here || silent > 0;
 }
 
 export const ORDERS = ["need", "name", "step"] as const;

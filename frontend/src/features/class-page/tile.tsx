@@ -7,7 +7,7 @@ import { Icon } from "../../ui/icons";
 import { Menu, type MenuGroup } from "../../ui/menu";
 import { inLanguage } from "../lessons/texts";
 import { type Drawing, SmallWorld } from "./small-world";
-import { minutes, STATE_ICONS, stateOf } from "./states";
+import { isOld, minutes, STATE_ICONS, stateOf } from "./states";
 import type { ClassStream } from "./stream";
 import { missedInWords } from "./words";
 
@@ -15,22 +15,23 @@ interface Props {
   readonly stream: ClassStream;
   readonly drawing: Drawing;
   readonly seat: Seat;
-  readonly name: string;
   readonly isProjected: boolean;
   /** Whether the Tab key leads here. */
   readonly isCurrent: boolean;
   readonly hint: () => void;
+  /** Choose a lesson for this pupil. */
+  readonly handOut: () => void;
   readonly remove: () => void;
 }
 
-export function Tile({ stream, drawing, seat, name, isProjected, isCurrent, hint, remove }: Props) {
-  const { id } = seat;
+export function Tile({ stream, drawing, seat, isProjected, isCurrent, hint, handOut, remove }: Props) {
+  const { id, name = "" } = seat;
   const state = stateOf(seat);
   const finding = findingInWords(seat);
   return (
     <div
       role="row"
-      class={`tile ${state}${seat.here ? "" : " gone"}`}
+      class={`tile ${state}${isOld(seat) ? " gone" : ""}`}
       tabIndex={isCurrent ? 0 : -1}
       data-pupil={id}
       aria-label={[name, stateInWords(seat), stepInWords(seat), finding].filter(Boolean).join(". ")}
@@ -59,7 +60,7 @@ export function Tile({ stream, drawing, seat, name, isProjected, isCurrent, hint
             side="right"
             look="tile-tool"
             tabIndex={-1}
-            groups={moreOf(stream, id, isProjected, remove)}
+            groups={moreOf(stream, id, isProjected, handOut, remove)}
           />
         </div>
       </div>
@@ -75,10 +76,17 @@ export function Tile({ stream, drawing, seat, name, isProjected, isCurrent, hint
   );
 }
 
-function moreOf(stream: ClassStream, id: string, isProjected: boolean, remove: () => void): MenuGroup[] {
+function moreOf(
+  stream: ClassStream,
+  id: string,
+  isProjected: boolean,
+  handOut: () => void,
+  remove: () => void,
+): MenuGroup[] {
   return [
     {
       items: [
+        { text: t("page-class-hand-out-one"), icon: "lesson", run: handOut },
         {
           text: t(isProjected ? "page-class-unproject" : "page-class-project"),
           icon: "projector",

@@ -15,15 +15,15 @@ import { Grid, type GridProps } from "./grid";
 import { HandOutDialog } from "./hand-out";
 import { LessonButton, MinutesLeft, Tools } from "./head";
 import { JoinRights, JoinSign } from "./join-sign";
-import { namesOf, usualLesson } from "./overview";
+import { usualLesson } from "./overview";
 import { Side } from "./side";
 import { Drawing } from "./small-world";
 import { inOrder, type Order, type State, stateOf } from "./states";
 import type { ClassStream } from "./stream";
 
-type Place = "lessons" | "join" | "choosing" | "side";
-/** What is open over the wall. A hint has the pupil's id, or an empty one for all. */
-type Opened = { readonly kind: Place } | { readonly kind: "hint"; readonly to: string };
+type Place = "join" | "choosing" | "side";
+/** What is open over the wall. Hints and lessons have the pupil's id, or an empty one for all. */
+type Opened = { readonly kind: Place } | { readonly kind: "hint" | "lessons"; readonly to: string };
 
 export function WallPage({ stream }: { stream: ClassStream }) {
   useEffect(() => stream.open(), []);
@@ -37,21 +37,22 @@ function OpenWall({ stream, wall }: { stream: ClassStream; wall: Wall }) {
   const leaving = useSignal<readonly Seat[]>([]);
   const drawing = useMemo(() => new Drawing(), []);
   const joined = (wall.pupils ?? []).flatMap((id) => stream.seats.value.get(id) ?? []);
-  const names = namesOf(joined);
   const usual = usualLesson(joined) || wall.lesson;
   const lesson = stream.offers.value.find(({ name }) => name === usual);
   const show = (kind: Place) => () => (opened.value = { kind });
   const hint = (to: string) => (opened.value = { kind: "hint", to });
+  const handOut = (to: string) => (opened.value = { kind: "lessons", to });
+  const handOutAll = () => handOut("");
   const remove = (seats: readonly Seat[]) => (leaving.value = seats);
-  const side = <Side seats={joined} names={names} lesson={lesson} handOut={show("lessons")} />;
-  const over = { stream, wall, opened, lesson, joined, names, side, remove };
+  const side = <Side seats={joined} lesson={lesson} handOut={handOutAll} />;
+  const over = { stream, wall, opened, lesson, joined, side, remove };
   return (
     // biome-ignore lint/a11y/noStaticElementInteractions: F6 leads from part to part, wherever one is
-    <div class="wall" onKeyDown={changeRegion}>
+    <div class={stream.state.value === "lost" ? "wall lost" : "wall"} onKeyDown={changeRegion}>
       <header class="class-bar" data-wall-region>
         <Logo />
         <h1>{t("page-class-title", { title: wall.title })}</h1>
-        <LessonButton lesson={lesson} handOut={show("lessons")} />
+        <LessonButton lesson={lesson} handOut={handOutAll} />
         <MinutesLeft lesson={lesson} began={wall.lesson === usual ? (wall.began ?? 0) : 0} />
         <Tools stream={stream} wall={wall} showJoin={show("join")} hintAll={() => hint("")} />
       </header>
@@ -59,18 +60,12 @@ function OpenWall({ stream, wall }: { stream: ClassStream; wall: Wall }) {
         <Problem isLost={stream.state.value === "lost"} problem={stream.refused.value} />
         <Knocking stream={stream} wall={wall} />
         {joined.length > 0 ? (
-          <Pupils
-            {...{ stream, wall, drawing, names }}
-            seats={joined}
-            hint={hint}
-            remove={remove}
-            openSide={show("side")}
-          />
+          <Pupils {...{ stream, wall, drawing, hint, handOut, remove }} seats={joined} openSide={show("side")} />
         ) : (
           <Empty wall={wall} />
         )}
         {joined.length > 0 && side}
-        <Help seats={joined} names={names} />
+        <Help seats={joined} />
       </main>
       <Over {...over} />
       {leaving.value.length > 0 && <RemoveDialog stream={stream} seats={leaving.value} close={() => remove([])} />}
@@ -96,18 +91,17 @@ interface OverProps {
   readonly lesson: LessonOffer | undefined;
   /** The pupils, in the order in which they joined. */
   readonly joined: readonly Seat[];
-  readonly names: ReadonlyMap<string, string>;
   readonly side: ComponentChildren;
   readonly remove: (seats: readonly Seat[]) => void;
 }
 
 /** What is open over the wall. */
-function Over({ stream, wall, opened, lesson, joined, names, side, remove }: OverProps) {
+function Over({ stream, wall, opened, lesson, joined, side, remove }: OverProps) {
   const now = opened.value;
   const close = () => (opened.value = null);
   switch (now?.kind) {
     case "lessons":
-      return <HandOutDialog stream={stream} now={lesson} close={close} />;
+      return <HandOutDialog stream={stream} now={lesson} seats={joined} to={now.to} close={close} />;
     case "side":
       return (
         <Dialog title={t("page-class-side")} close={close}>
@@ -122,8 +116,8 @@ function Over({ stream, wall, opened, lesson, joined, names, side, remove }: Ove
         </Dialog>
       );
     case "hint": {
-      const question = joined.find(({ id }) => id === now.to)?.question ?? "";
-      return <HintDialog {...{ stream, question, close }} to={now.to} name={names.get(now.to) ?? ""} />;
+      const { question = "", name = "" } = joined.find(({ id }) => id === now.to) ?? {};
+      return <HintDialog {...{ stream, question, close, name }} to={now.to} />;
     }
     case "choosing":
       return <RemovedDialog seats={joined} remove={remove} close={close} />;
@@ -137,7 +131,7 @@ interface PupilsProps extends Omit<GridProps, "isBusy"> {
 }
 
 /** The tiles with their filters. While the teacher is at them, they keep their places. */
-function Pupils({ stream, wall, drawing, seats, names, hint, remove, openSide }: PupilsProps) {
+function Pupils({ stream, wall, drawing, seats, hint, handOut, remove, openSide }: PupilsProps) {
   const filter = useSignal<State | null>(null);
   const order = useSignal<Order>("need");
   const isBusy = useSignal(false);
@@ -161,7 +155,7 @@ function Pupils({ stream, wall, drawing, seats, names, hint, remove, openSide }:
       <p id="wall-keys" class="hidden">
         {t("page-class-keys")}
       </p>
-      <Grid {...{ stream, drawing, wall, names, isBusy, hint, remove }} seats={shown} />
+      <Grid {...{ stream, drawing, wall, isBusy, hint, handOut, remove }} seats={shown} />
     </div>
   );
 }
@@ -188,12 +182,12 @@ function changeRegion(event: KeyboardEvent): void {
 }
 
 /** Says to screen readers who asks for help. */
-function Help({ seats, names }: { seats: readonly Seat[]; names: ReadonlyMap<string, string> }) {
+function Help({ seats }: { seats: readonly Seat[] }) {
   const asking = seats.filter(({ hand }) => hand).sort((one, other) => (one.waits ?? 0) - (other.waits ?? 0));
   const [newest] = asking;
   return (
     <p class="hidden" role="status">
-      {newest && t("page-class-asks", { name: names.get(newest.id) ?? "" })}
+      {newest && t("page-class-asks", { name: newest.name ?? "" })}
     </p>
   );
 }

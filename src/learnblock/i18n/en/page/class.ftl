@@ -155,6 +155,20 @@ page-class-lesson-next = Next
 page-class-lesson-own = Mine
 page-class-to-everyone = It opens on every pupil's page, and for pupils who come later.
 page-class-hand-out-do = Hand out
+page-class-hand-out-one = Hand out a lesson…
+page-class-receiving = Who gets the lesson
+page-class-to-all = To everyone
+# $count is a number of pupils.
+page-class-to-some = { $count ->
+        [0] To some…
+        [one] To 1 pupil
+       *[other] To { $count } pupils
+    }
+page-class-to-these = It opens on these pupils' pages. Who is away gets it on coming back.
+page-class-from = The step to begin with
+page-class-from-own = Where each pupil left off
+# $title is that of a step.
+page-class-from-step = From step { $step }: { $title }
 # $title is that of a lesson.
 page-class-step = { $title } · step { $step } of { $steps } · { $stars } ★
 

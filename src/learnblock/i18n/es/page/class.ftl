@@ -142,6 +142,20 @@ page-class-lesson-next = Siguiente
 page-class-lesson-own = Mía
 page-class-to-everyone = Se abre en la página de cada persona, también de quien llegue más tarde.
 page-class-hand-out-do = Repartir
+page-class-hand-out-one = Repartir una lección…
+page-class-receiving = Quién recibe la lección
+page-class-to-all = A toda la clase
+# $count is a number of pupils.
+page-class-to-some = { $count ->
+        [0] A algunas personas…
+        [one] A 1 persona
+       *[other] A { $count } personas
+    }
+page-class-to-these = Se abre en las páginas de estas personas. Quien no esté la recibe al volver.
+page-class-from = El paso por el que se empieza
+page-class-from-own = Donde lo dejó cada cual
+# $title is that of a step.
+page-class-from-step = Desde el paso { $step }: { $title }
 page-class-step = { $title } · paso { $step } de { $steps } · { $stars } ★
 
 ## En una página que muestra el programa de alguien
