@@ -10,6 +10,7 @@ import { ClassStream } from "./features/class-page/stream";
 import { WallPage } from "./features/class-page/wall";
 import { HandInsPage } from "./features/hand-ins/page";
 import { HandInStream } from "./features/hand-ins/stream";
+import { RecordPage } from "./features/record/page";
 import { language, startLanguage } from "./i18n";
 import { preferredLanguage, theme } from "./model/preferences";
 import "./ui/fonts.css";
@@ -21,6 +22,7 @@ import "./features/class-page/wall.css";
 function pageAt(path: string) {
   if (path.endsWith("/teacher")) return <WallPage stream={new ClassStream("wall")} />;
   if (path.endsWith("/hand-ins")) return <HandInsPage stream={new HandInStream()} />;
+  if (path.endsWith("/record")) return <RecordPage />;
   if (path.endsWith("/projector")) return <ProjectorPage stream={new ClassStream("projected")} />;
   return <JoinPage joining={new Joining()} />;
 }

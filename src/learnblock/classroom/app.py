@@ -24,6 +24,7 @@ from learnblock.classroom.badges import Visitors
 from learnblock.classroom.desk import Desk, TooManyPagesError
 from learnblock.classroom.entrance import Entrance
 from learnblock.classroom.forward import Forwarder
+from learnblock.classroom.record import record_of
 from learnblock.classroom.relay import Relay
 from learnblock.classroom.room import Room
 from learnblock.classroom.roster import AsksTeacherError, Pupil, checked_name
@@ -88,7 +89,7 @@ def create_app(
             WebSocketRoute("/projected", partial(door.board, ProjectorView)),
             *_teachers(door, page),
             *_tables(Tables(room, visitors)),
-            *_pupils(door, static),
+            *_pupils(door, page, static),
             # Files of the page are everybody's.
             Mount("/", files, middleware=[_GZIP]),
         ],
@@ -113,8 +114,10 @@ def _tables(tables: Tables) -> Iterator[BaseRoute]:
     yield Route("/marks.csv", tables.marks)
 
 
-def _pupils(door: "_Door", static: Path) -> Iterator[BaseRoute]:
+def _pupils(door: "_Door", page: Endpoint, static: Path) -> Iterator[BaseRoute]:
     yield WebSocketRoute("/p/{pupil}/ws", door.websocket)
+    yield Route("/p/{pupil}/record", door.pupils(page))
+    yield Route("/p/{pupil}/record.json", door.record)
     # Files of the page are everybody's.
     yield Mount("/p/{pupil}/assets", _folder(static / "assets"), middleware=[_GZIP])
     yield Mount("/p/{pupil}/media", _folder(static / "media"), middleware=[_GZIP])
@@ -246,6 +249,23 @@ class _Door:
             return Response(status_code=HTTPStatus.NOT_FOUND)
         except (LearnBlockError, httpx.HTTPError) as error:
             return PlainTextResponse(f"{error}\n", HTTPStatus.SERVICE_UNAVAILABLE)
+
+    def pupils(self, page: Endpoint) -> Endpoint:
+        """A page about a pupil, for the pupil and the teacher."""
+
+        async def answer(request: Request) -> Response:
+            return _forbidden() if self._shown(request) is None else await page(request)
+
+        return answer
+
+    async def record(self, request: Request) -> Response:
+        """What a pupil has done in all sessions."""
+        shown = self._shown(request)
+        if shown is None:
+            return _forbidden()
+        pupil, is_teacher = shown
+        record = partial(record_of, self._room.roster, self._room.hand_ins, pupil)
+        return _json(await asyncio.to_thread(record, teaches=is_teacher))
 
     async def _upload(self, request: Request, desk: Desk, place: ServerAddress) -> Response:
         try:

@@ -349,7 +349,8 @@ class Projected(Message, frozen=True):
         word: the join word.
         address: by which pupils reach the class.
         open: whether new pupils can join.
-        names: the first names of those who are here.
+        here: how many pupils are here; no name is on the projector.
+        joined: how many have joined.
         seat: the pupil whose world is shown, without the name; None for the join word.
         plan: the world.
     """
@@ -360,7 +361,8 @@ class Projected(Message, frozen=True):
     open: bool
     seat: Seat | None = None
     plan: Plan | None = None
-    names: tuple[str, ...] = ()
+    here: int = 0
+    joined: int = 0
 
 
 FromPupil = AskForHelp | LetTeacherWrite | AskToWrite | ImproveHandIn

@@ -5,6 +5,7 @@ The build writes them into ``frontend/src/protocol/classroom.ts``.
 
 from learnblock.classroom import messages as ours
 from learnblock.classroom.pins import Picture
+from learnblock.classroom.record import PupilRecord
 from learnblock.server.typescript import module
 
 _HEADER = """\
@@ -24,6 +25,5 @@ def typescript() -> str:
         "ToTeacher": ours.ToTeacher,
     }
     aliases = {"Picture": Picture, "Writing": ours.Writing}
-    return module(
-        _HEADER, unions, aliases, (ours.Join, ours.Joined, ours.NotJoined, ours.AboutClass)
-    )
+    others = (ours.Join, ours.Joined, ours.NotJoined, ours.AboutClass, PupilRecord)
+    return module(_HEADER, unions, aliases, others)

@@ -181,8 +181,15 @@ def _wall(room: Room) -> ours.Wall:
 
 def _projected(room: Room) -> ours.Projected:
     roster = room.roster
-    here = tuple(desk.pupil.name for desk in room.desks.values() if desk.own_pages)
-    shown = ours.Projected(roster.title, roster.word, room.address, roster.is_open, names=here)
+    here = sum(bool(desk.own_pages) for desk in room.desks.values())
+    shown = ours.Projected(
+        roster.title,
+        roster.word,
+        room.address,
+        roster.is_open,
+        here=here,
+        joined=len(roster.pupils),
+    )
     desk = room.desks.get(room.projected or "")
     if desk is None:
         return shown
@@ -190,4 +197,4 @@ def _projected(room: Room) -> ours.Projected:
         desk.seat(), name="", project="", id="", question="", quiet=0, stuck=0, hand_in=""
     )
     plan = desk.progress.plan_of("")
-    return msgspec.structs.replace(shown, names=(), seat=seat, plan=plan)
+    return msgspec.structs.replace(shown, seat=seat, plan=plan)

@@ -285,6 +285,8 @@ def _content_and_files(
             step["program"] = _free_name(index + 1, program.ending, programs)
             files[f"programs/{step['program']}"] = program.text.encode()
     files |= _teachers_files(edited, saved)
+    if saved and saved.lesson.evidence:
+        content["evidence"] = _evidence(edited, saved)
     return content, files
 
 
@@ -332,11 +334,28 @@ def _wrong_programs(edited: EditedLesson, saved: OpenLesson | None) -> list[dict
     """The wrong programs of a saved lesson, at the places to which its steps have moved."""
     if saved is None or saved.teacher is None:
         return []
-    moved = {step.before: number for number, step in enumerate(edited.steps, 1) if step.before}
+    moved = _moved_steps(edited)
     wrong = [to_builtins(program) for program in saved.teacher.wrong]
     return [
         {**program, "step": moved[program["step"]]} for program in wrong if program["step"] in moved
     ]
+
+
+def _evidence(edited: EditedLesson, saved: OpenLesson) -> list[dict[str, Any]]:
+    """What shows the aims of a saved lesson, in the steps where it is now."""
+    moved, aims = _moved_steps(edited), edited.content.get("aims")
+    count = len(aims) if isinstance(aims, list) else 0
+    found = (
+        (evidence, [moved[step] for step in evidence.steps if step in moved])
+        for evidence in saved.lesson.evidence
+        if evidence.aim <= count
+    )
+    return [_plain({**to_builtins(evidence), "steps": steps}) for evidence, steps in found if steps]
+
+
+def _moved_steps(edited: EditedLesson) -> dict[int, int]:
+    """The numbers of the steps, by those that they had when the lesson was saved."""
+    return {step.before: number for number, step in enumerate(edited.steps, 1) if step.before}
 
 
 # Mistakes.

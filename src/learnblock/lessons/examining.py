@@ -24,7 +24,7 @@ from learnblock.lessons.checks import (
     StaysOnLine,
     Uses,
 )
-from learnblock.lessons.lesson import Step, Teacher
+from learnblock.lessons.lesson import Lesson, Step, Teacher
 from learnblock.lessons.opened import EXPERTS, OWN_ROBOT, OpenLesson, program_tree
 from learnblock.lessons.puzzles import has_same_pieces, pieces
 from learnblock.lessons.texts import MOST_DRAWINGS, drawn_blocks
@@ -46,11 +46,24 @@ def lesson_findings(opened: OpenLesson) -> Iterator[FileMistake]:
     yield from _unknown_robots(("robots",), lesson.robots)
     if lesson.picture is not None:
         yield from _missing(opened, ("picture",), f"pictures/{lesson.picture}")
+    yield from _evidence(lesson)
     for number, step in enumerate(lesson.step, start=1):
         for finding in _StepExamination(opened, number, step).findings():
             yield FileMistake(("step", number - 1, *finding.path), finding.code, finding.message)
     _check_programs(opened, "programs/")
     _check_experts(opened)
+
+
+def _evidence(lesson: Lesson) -> Iterator[FileMistake]:
+    for index, evidence in enumerate(lesson.evidence):
+        if evidence.aim > len(lesson.aims):
+            aims = map(str, range(1, len(lesson.aims) + 1))
+            yield _unknown(("evidence", index, "aim"), "lesson-aim", str(evidence.aim), aims)
+        for place, step in enumerate(evidence.steps):
+            if step > len(lesson.step):
+                path: KeyPath = ("evidence", index, "steps", place)
+                steps = map(str, range(1, len(lesson.step) + 1))
+                yield _unknown(path, "lesson-step", str(step), steps)
 
 
 def teacher_findings(opened: OpenLesson, teacher: Teacher) -> Iterator[FileMistake]:

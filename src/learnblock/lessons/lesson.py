@@ -160,6 +160,24 @@ class Step(Table, frozen=True, kw_only=True):
     puzzle: Puzzle | None = None
 
 
+class AimEvidence(Table, frozen=True, kw_only=True):
+    """What shows that a pupil has reached an aim of the lesson.
+
+    Args:
+        aim: its number in ``aims``, from 1.
+        steps: the numbers of the steps whose checks, questions and puzzles show it.
+        standards: what it is called in tables of standards, such as ``CSTA 1B-AP-10``.
+    """
+
+    aim: Annotated[int, Meta(ge=1, le=8)]
+    steps: Annotated[
+        tuple[Annotated[int, Meta(ge=1, le=30)], ...], Meta(min_length=1, max_length=30)
+    ]
+    standards: Annotated[
+        tuple[Annotated[str, Meta(min_length=1, max_length=40)], ...], Meta(max_length=8)
+    ] = ()
+
+
 class Lesson(Table, frozen=True, kw_only=True):
     """A lesson.
 
@@ -169,6 +187,7 @@ class Lesson(Table, frozen=True, kw_only=True):
         level: 1 (first drive) to 4 (several robots, noise, states).
         minutes: how long it takes.
         aims: what pupils learn.
+        evidence: what shows that they have; without it, all steps show each aim.
         picture: the file of its picture.
         robots: the robots that it is meant for, the usual one first.
         step: its steps.
@@ -179,6 +198,7 @@ class Lesson(Table, frozen=True, kw_only=True):
     level: Level
     minutes: Annotated[int, Meta(ge=1, le=240)]
     aims: Annotated[tuple[Title, ...], Meta(min_length=1, max_length=8)]
+    evidence: Annotated[tuple[AimEvidence, ...], Meta(max_length=8)] = ()
     picture: FileName | None = None
     robots: Annotated[tuple[RobotName, ...], Meta(min_length=1, max_length=12)]
     step: Annotated[tuple[Step, ...], Meta(min_length=1, max_length=30)]

@@ -61,6 +61,7 @@ PATHS = [
     "/assets/../../../../class.json", "/class.json", "/classes/7b/class.json",
     "/%2e%2e/class.json", "/p/../class.json", "/p/", "/p/{ana}", "/p/*/", "/p/%00/",
     "/teacher", "/teacher?key=", "/teacher?key=x", "/teacher?key=é", "/teacher?key={ana}",
+    "/p/{ana}/record", "/p/{ana}/record.json", "/p/{leo}/../{ana}/record.json",
     "/export.zip", "/export.zip?pupil={ana}", "/export.zip?pupil={leo}", "/export.zip?pupil=*",
 ]  # fmt: skip
 

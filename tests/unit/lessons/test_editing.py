@@ -136,6 +136,16 @@ def test_steps_that_move_take_their_wrong_programs_with_them():
     assert after == [last if step == 1 else step - 1 for step in before]
 
 
+def test_what_shows_an_aim_moves_with_its_steps():
+    opened = find_lesson("1-03-square")
+    edited = editing.edited_lesson(opened)
+    first, *others = edited.steps
+    content = {**edited.content, "step": [*edited.content["step"][1:], edited.content["step"][0]]}
+    moved = msgspec.structs.replace(edited, content=content, steps=(*others, first))
+    [evidence] = editing.assemble(moved, "moved", opened).lesson.evidence
+    assert evidence.steps == tuple(step - 1 for step in opened.lesson.evidence[0].steps)
+
+
 def test_a_world_of_the_users_comes_with_the_lesson(own_home):
     (own_home / "worlds").mkdir()
     (own_home / "worlds/mine.toml").write_text("[floor]\nsize = [1000, 1000]\n")

@@ -164,6 +164,16 @@ class TestMistakes:
     def test_a_mistake_is_named(self, old, new, words):
         assert words in mistake(MAIN.replace(old, new))
 
+    @pytest.mark.parametrize(
+        ("evidence", "words"),
+        [
+            ("aim = 2\nsteps = [1]", "There is no aim '2'."),
+            ("aim = 1\nsteps = [1, 9]", "There is no step '9'."),
+        ],
+    )
+    def test_evidence_for_an_aim_or_from_a_step_that_is_not_there_is_named(self, evidence, words):
+        assert words in mistake(MAIN.replace("[[step]]", f"[[evidence]]\n{evidence}\n\n[[step]]"))
+
     def test_a_hint_for_a_check_that_is_not_there_is_named(self):
         rule = '\n[[step.hint]]\ncheck = "turns"\nsay = ["Look."]\n'
         assert "There is no check 'turns'. Known names: goals, uses." in mistake(MAIN + rule)

@@ -26,8 +26,8 @@ export class ClassStream extends Channel<FromTeacher, ToTeacher> {
   /** Hints that are not sent yet, by pupil; those for all have an empty name. */
   readonly drafts = new Map<string, string>();
 
-  /** @param name of the websocket: `wall` or `projected`. */
-  constructor(name: "wall" | "projected") {
+  /** @param name of the websocket: that of the wall, also for a page about a pupil, or that of the projector. */
+  constructor(name: "wall" | "../../wall" | "projected") {
     super(socketAt(name));
     this.on("Wall", (wall) => this.show(wall));
     this.on("Offers", ({ lessons }) => (this.offers.value = lessons));

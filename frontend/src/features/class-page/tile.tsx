@@ -101,6 +101,7 @@ function moreOf(
           icon: "image",
           run: () => stream.send({ kind: "RenewPin", pupil: id }),
         },
+        { text: t("page-record-of-pupil"), icon: "lesson", run: () => location.assign(`p/${id}/record`) },
         { text: t("page-class-export"), icon: "download", run: () => location.assign(`export.zip?pupil=${id}`) },
         { text: t("page-class-remove"), icon: "trash", run: remove },
       ],

@@ -6,6 +6,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { language, t } from "../../i18n";
 import type { CheckSummary, ShownHandIn } from "../../protocol/classroom";
 import { IconButton } from "../../ui/button";
+import { Dialog } from "../../ui/dialog";
 import { Icon } from "../../ui/icons";
 import { DrawnBlocks } from "../lessons/drawn-blocks";
 import { inLanguage } from "../lessons/texts";
@@ -14,9 +15,10 @@ import type { HandInStream } from "./stream";
 import { DrivenWay } from "./way";
 
 export function ShownWork({ stream }: { stream: HandInStream }) {
+  const isNameless = useSignal(false);
   const shown = stream.shown.value;
   if (!shown || shown.line.pupil !== stream.pupil.value) return <section class="hand-in empty" />;
-  const { line, program, checked, blocktext, blocks } = shown;
+  const { line } = shown;
   const time = new Date(line.at * 1000).toLocaleString(language.value, { dateStyle: "short", timeStyle: "short" });
   return (
     <section class="hand-in" aria-labelledby="hand-in-name">
@@ -28,29 +30,53 @@ export function ShownWork({ stream }: { stream: HandInStream }) {
         <span class="dim">
           {t(line.collected ? "page-handins-collected-at" : "page-handins-at", { tries: line.tries ?? 0, time })}
         </span>
+        <a class="button bordered" href={`p/${line.pupil}/record`}>
+          {t("page-record-of-pupil")}
+        </a>
         <a class="button bordered" href={`p/${line.pupil}/`} target="_blank" rel="noopener opener">
           {t("page-class-open")}
         </a>
+        <IconButton icon="projector" word="page-handins-nameless" onClick={() => (isNameless.value = true)} />
         <IconButton icon="previous" word="page-handins-previous" onClick={() => stream.move(-1)} />
         <IconButton icon="next" word="page-handins-next" onClick={() => stream.move(1)} />
       </header>
-      <div class="hand-in-body">
-        <div>
-          {/* biome-ignore lint/a11y/noNoninteractiveTabindex: a keyboard user must be able to scroll it */}
-          <div class="hand-in-program" role="group" tabIndex={0} aria-label={t("page-handins-program")}>
-            {blocks ? (
-              <DrawnBlocks key={`${line.pupil} ${line.at}`} workspace={blocks} text={blocktext ?? ""} />
-            ) : (
-              <pre>{program.text}</pre>
-            )}
-          </div>
-          {checked && <Checks checks={checked.checks ?? []} runs={checked.runs} />}
-        </div>
-        <DrivenWay shown={shown} />
-      </div>
+      <Work shown={shown} label={t("page-handins-way", { name: line.name })} />
       <Why shown={shown} />
       <Answer key={line.pupil} stream={stream} shown={shown} />
+      {isNameless.value && <Nameless shown={shown} close={() => (isNameless.value = false)} />}
     </section>
+  );
+}
+
+/** The whole screen for a hand-in that the class may see: without the name, the note and the mark. */
+function Nameless({ shown, close }: { shown: ShownHandIn; close: () => void }) {
+  return (
+    <div class="nameless">
+      <Dialog title={t("page-handins-nameless-title", { step: shown.step })} size="whole" close={close}>
+        <Work shown={shown} label={t("page-class-world-shown")} />
+      </Dialog>
+    </div>
+  );
+}
+
+/** The program, where the robot drove, and what the checks say. */
+function Work({ shown, label }: { shown: ShownHandIn; label: string }) {
+  const { line, program, checked, blocktext, blocks } = shown;
+  return (
+    <div class="hand-in-body">
+      <div>
+        {/* biome-ignore lint/a11y/noNoninteractiveTabindex: a keyboard user must be able to scroll it */}
+        <div class="hand-in-program" role="group" tabIndex={0} aria-label={t("page-handins-program")}>
+          {blocks ? (
+            <DrawnBlocks key={`${line.pupil} ${line.at}`} workspace={blocks} text={blocktext ?? ""} />
+          ) : (
+            <pre>{program.text}</pre>
+          )}
+        </div>
+        {checked && <Checks checks={checked.checks ?? []} runs={checked.runs} />}
+      </div>
+      <DrivenWay shown={shown} label={label} />
+    </div>
   );
 }
 

@@ -9,13 +9,13 @@ import { pairs, WorldPlan } from "../class-page/plan";
 const START = 34;
 const END = 26;
 
-export function DrivenWay({ shown: { world, checked, line } }: { shown: ShownHandIn }) {
+export function DrivenWay({ shown: { world, checked }, label }: { shown: ShownHandIn; label: string }) {
   if (!world) return null;
   const points = pairs(checked?.way ?? []);
   const [first, last] = [points[0], points.at(-1)];
   return (
     <figure class="hand-in-way">
-      <WorldPlan world={world as unknown as WorldValues} label={t("page-handins-way", { name: line.name })}>
+      <WorldPlan world={world as unknown as WorldValues} label={label}>
         <polyline class="way" points={points.join(" ")} />
         {first && <circle class="start" cx={first[0]} cy={first[1]} r={START} />}
         {last && <circle class="end" cx={last[0]} cy={last[1]} r={END} />}

@@ -23,7 +23,13 @@ export function PupilChip() {
   if (!now) return null;
   return (
     <span class="pupil-chip">
-      <strong>{now.name}</strong>
+      {now.role === "pupil" ? (
+        <a href="record" title={t("page-record-own")}>
+          {now.name}
+        </a>
+      ) : (
+        <strong>{now.name}</strong>
+      )}
       {now.role === "pupil" && (
         <button
           type="button"

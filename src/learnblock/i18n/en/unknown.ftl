@@ -28,6 +28,7 @@ unknown-name =
         [key] no key
         [led] no LED
         [lesson] no lesson
+        [lesson-aim] no aim
         [lesson-step] no step
         [library] no library
         [light-object] no object with a mass

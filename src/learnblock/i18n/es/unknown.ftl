@@ -28,6 +28,7 @@ unknown-name =
         [key] ninguna tecla
         [led] ningún LED
         [lesson] ninguna lección
+        [lesson-aim] ningún objetivo
         [lesson-step] ningún paso
         [library] ninguna biblioteca
         [light-object] ningún objeto con masa

@@ -49,6 +49,8 @@ page-class-here = { $count ->
     }
 page-class-go-to = Open
 page-class-type-word = and type
+page-class-open-or-scan = Open in the browser, or scan
+page-class-name-and-pictures = Your first name and your four pictures
 page-class-open-door = New pupils can join
 page-class-renew-word = New join word
 page-class-eyes-up-button = Eyes up
@@ -164,7 +166,7 @@ page-class-to-some = { $count ->
         [one] To 1 pupil
        *[other] To { $count } pupils
     }
-page-class-to-these = It opens on these pupils' pages. Who is away gets it on coming back.
+page-class-to-these = It opens on these pupils' pages. Those who are away get it when they come back.
 page-class-from = The step to begin with
 page-class-from-own = Where each pupil left off
 # $title is that of a step.

@@ -53,6 +53,8 @@ page-handins-collected-at = { $tries ->
         [one] 1 try, collected { $time }
        *[other] { $tries } tries, collected { $time }
     }
+page-handins-nameless = Show without name
+page-handins-nameless-title = A program for step { $step }
 page-handins-previous = Previous pupil
 page-handins-next = Next pupil
 page-handins-program = Program

@@ -46,6 +46,8 @@ page-class-here = { $count ->
     }
 page-class-go-to = Abre
 page-class-type-word = y escribe
+page-class-open-or-scan = Abre en el navegador o escanea
+page-class-name-and-pictures = Tu nombre y tus cuatro dibujos
 page-class-open-door = Puede entrar gente nueva
 page-class-renew-word = Otra palabra para entrar
 page-class-eyes-up-button = Atención

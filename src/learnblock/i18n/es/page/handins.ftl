@@ -52,6 +52,8 @@ page-handins-collected-at = { $tries ->
         [one] 1 intento, recogido el { $time }
        *[other] { $tries } intentos, recogido el { $time }
     }
+page-handins-nameless = Mostrar sin nombre
+page-handins-nameless-title = Un programa del paso { $step }
 page-handins-previous = La anterior
 page-handins-next = La siguiente
 page-handins-program = Programa

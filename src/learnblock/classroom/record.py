@@ -1,0 +1,243 @@
+"""A pupil over weeks: what the lessons' progress and the hand-ins say, for pupil and teacher."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+
+from msgspec import Struct
+from msgspec.structs import replace
+
+from learnblock.classroom.hand_ins import HandInFile, HandInShelf
+from learnblock.classroom.pupil_folder import PROJECTS
+from learnblock.classroom.roster import Pupil, Roster, names_of
+from learnblock.errors import LearnBlockError
+from learnblock.lessons.lesson import Lesson, LessonText, Step
+from learnblock.lessons.opened import OpenLesson
+from learnblock.lessons.reading import find_lesson
+from learnblock.lessons.texts import plain
+from learnblock.project.files.folder import ProjectFolder
+from learnblock.project.files.lesson_folder import GOALS, PUZZLE, QUIZ, Progress
+from learnblock.server.catalog import star_names
+
+
+class RecordedHandIn(Struct, frozen=True, omit_defaults=True):
+    """A hand-in, with nothing that the teacher has not handed back.
+
+    Args:
+        step: the number of the step.
+        title: of the step.
+        at: when it was handed in, in seconds since 1970.
+        marks: the marks that it was handed back with, the newest last.
+        note: the last note that it was handed back with.
+        improved: how often it was handed in again after it was handed back.
+        waits: whether the teacher has not handed it back yet.
+    """
+
+    step: int
+    title: LessonText
+    at: float
+    marks: tuple[str, ...] = ()
+    note: str = ""
+    improved: int = 0
+    waits: bool = False
+
+
+class RecordedAim(Struct, frozen=True, omit_defaults=True):
+    """What pupils learn in a lesson.
+
+    Args:
+        say: the aim.
+        reached: whether everything is earned that shows it.
+        stars: how many of the stars that show it are earned.
+        all_stars: how many stars show it.
+        standards: what it is called in tables of standards.
+    """
+
+    say: LessonText
+    reached: bool = False
+    stars: int = 0
+    all_stars: int = 0
+    standards: tuple[str, ...] = ()
+
+
+class RecordedLesson(Struct, frozen=True, omit_defaults=True):
+    """A lesson that a pupil has begun.
+
+    Args:
+        name: its name.
+        title: its title; its name if the lesson is gone.
+        picture: the file of its picture; empty if it has none.
+        at: when it was last worked on, in seconds since 1970.
+        step: the farthest step that was reached.
+        steps: how many it has; 0 if the lesson is gone.
+        stars: how many are earned.
+        all_stars: how many there are.
+        done: whether everything is earned that the steps ask for.
+        runs: how often a program was run.
+        hints: how many levels of hints were taken.
+        aims: what pupils learn in it.
+        hand_ins: in the order of the steps.
+    """
+
+    name: str
+    title: LessonText
+    picture: str = ""
+    at: float = 0.0
+    step: int = 1
+    steps: int = 0
+    stars: int = 0
+    all_stars: int = 0
+    done: bool = False
+    runs: int = 0
+    hints: int = 0
+    aims: tuple[RecordedAim, ...] = ()
+    hand_ins: tuple[RecordedHandIn, ...] = ()
+
+
+class PupilRecord(Struct, frozen=True, omit_defaults=True):
+    """A pupil over all sessions of a class.
+
+    Args:
+        name: what the teacher calls the pupil; for the pupil, the first name.
+        title: the name of the class.
+        teaches: whether the teacher asks.
+        lessons: those that the pupil has begun, in the order in which they were worked on.
+    """
+
+    name: str
+    title: str
+    teaches: bool = False
+    lessons: tuple[RecordedLesson, ...] = ()
+
+
+@dataclass
+class _LessonWork:
+    """What a pupil has done in a lesson, in all projects and hand-ins.
+
+    Args:
+        at: when it was last worked on.
+        step: the farthest step that was reached.
+        stars: those earned, by the number of the step.
+        runs: how often a program was run.
+        hints: how many levels of hints were taken.
+        hand_ins: by the number of the step.
+    """
+
+    at: float = 0.0
+    step: int = 1
+    stars: dict[int, set[str]] = field(default_factory=dict)
+    runs: int = 0
+    hints: int = 0
+    hand_ins: dict[int, HandInFile] = field(default_factory=dict)
+
+    def add(self, progress: Progress, at: float) -> None:
+        """Add what was done in a project."""
+        self.at = max(self.at, at)
+        self.step = max(self.step, progress.step)
+        for number, done in progress.steps.items():
+            self.stars.setdefault(int(number), set()).update(done.stars)
+            self.runs += done.runs
+            self.hints += done.hints
+
+    def earned(self, number: int, step: Step) -> set[str]:
+        """The stars that are earned in a step."""
+        return self.stars.get(number, set()).intersection(star_names(step))
+
+    def is_done(self, steps: Iterable[tuple[int, Step]]) -> bool:
+        """Whether there is something to earn in steps, and all of it is earned."""
+        needed = {(number, star) for number, step in steps for star in _needed(star_names(step))}
+        return bool(needed) and all(star in self.stars.get(at, ()) for at, star in needed)
+
+
+def record_of(roster: Roster, shelf: HandInShelf, pupil: Pupil, *, teaches: bool) -> PupilRecord:
+    """What a pupil has done in the class.
+
+    Args:
+        roster: the class.
+        shelf: its hand-ins.
+        pupil: the pupil.
+        teaches: whether the teacher asks.
+    """
+    lessons = (_lesson(name, work) for name, work in _works(roster, shelf, pupil).items())
+    return PupilRecord(
+        names_of(roster.pupils).get(pupil.id, pupil.name) if teaches else pupil.name,
+        roster.title,
+        teaches,
+        tuple(sorted(lessons, key=lambda lesson: (lesson.at, lesson.name))),
+    )
+
+
+def _works(roster: Roster, shelf: HandInShelf, pupil: Pupil) -> Mapping[str, _LessonWork]:
+    folder = ProjectFolder(roster.folder_of(pupil) / PROJECTS, read_only=True)
+    works: dict[str, _LessonWork] = {}
+    for entry in folder.entries():
+        progress = folder.lesson(entry.name).progress()
+        if progress:
+            work = works.setdefault(progress.lesson, _LessonWork())
+            work.add(progress, entry.changed)
+    for (lesson, step), file in shelf.of_pupil(pupil.id).items():
+        work = works.setdefault(lesson, _LessonWork())
+        work.at = max(work.at, file.at)
+        work.step = max(work.step, step)
+        work.hand_ins[step] = file
+    return works
+
+
+def _lesson(name: str, work: _LessonWork) -> RecordedLesson:
+    opened: OpenLesson | None = None
+    # What was done in a lesson that is gone is still shown.
+    with suppress(LearnBlockError, OSError):
+        opened = find_lesson(name)
+    steps = opened.lesson.step if opened else ()
+    hand_ins = (_hand_in(file, steps) for _, file in sorted(work.hand_ins.items()))
+    recorded = RecordedLesson(
+        name,
+        name,
+        at=work.at,
+        step=work.step,
+        runs=work.runs,
+        hints=work.hints,
+        hand_ins=tuple(hand_ins),
+    )
+    if opened is None:
+        return recorded
+    return replace(
+        recorded,
+        title=plain(opened.lesson.title),
+        picture=opened.lesson.picture or "",
+        steps=len(steps),
+        stars=sum(len(work.earned(number, step)) for number, step in enumerate(steps, 1)),
+        all_stars=sum(len(set(star_names(step))) for step in steps),
+        done=work.is_done(enumerate(steps, 1)),
+        aims=tuple(_aims(opened.lesson, work)),
+    )
+
+
+def _hand_in(file: HandInFile, steps: Sequence[Step]) -> RecordedHandIn:
+    number, back = file.work.step, file.back
+    return RecordedHandIn(
+        number,
+        plain(steps[number - 1].title) if number <= len(steps) else "",
+        file.at,
+        marks=tuple(given.mark for given in back if given.mark),
+        note=back[-1].note if back else "",
+        improved=len(back) - (0 if file.is_new else 1) if back else 0,
+        waits=not back or file.is_new,
+    )
+
+
+def _aims(lesson: Lesson, work: _LessonWork) -> Iterator[RecordedAim]:
+    evidence = {found.aim: found for found in lesson.evidence}
+    for number, aim in enumerate(lesson.aims, 1):
+        found = evidence.get(number)
+        numbers = found.steps if found else range(1, len(lesson.step) + 1)
+        steps = [(step, lesson.step[step - 1]) for step in numbers if step <= len(lesson.step)]
+        needed = sum(len(_needed(star_names(step))) for _, step in steps)
+        earned = sum(len(_needed(work.earned(step, content))) for step, content in steps)
+        standards = found.standards if found else ()
+        yield RecordedAim(plain(aim), work.is_done(steps), earned, needed, standards)
+
+
+def _needed(stars: Iterable[str]) -> set[str]:
+    """The stars without those for more than was asked."""
+    return {star for star in stars if star in {GOALS, QUIZ, PUZZLE}}

@@ -1,0 +1,36 @@
+# A pupil over weeks: lessons, stars, hints, hand-ins and aims; for pupil, teacher and parents.
+
+page-record-title = Record of a pupil
+page-record-own = My record
+page-record-of-pupil = Record
+page-record-back = My projects
+page-record-print = Print
+page-record-print-meeting = Print for the meeting
+page-record-delete = Delete…
+page-record-refused = Only the pupil and the teacher can see this record. Join the class again, or open the teacher's wall first.
+page-record-lost = The class doesn't answer. Is it open? Reload the page to try again.
+page-record-none = No lesson has been begun yet.
+page-record-finished = Lessons finished
+# $count is the number of lessons that were begun.
+page-record-of-begun = of { $count } begun
+page-record-of = of { $count }
+page-record-hints = Hints
+page-record-no-hints = none
+page-record-in-lessons = { $count ->
+        [one] in 1 lesson
+       *[other] in { $count } lessons
+    }
+# How many hand-ins were improved after they were handed back.
+page-record-improved = { $count ->
+        [one] 1 improved
+       *[other] { $count } improved
+    }
+page-record-lessons = Lesson by lesson
+page-record-date = Date
+page-record-step = step { $step } of { $steps }
+page-record-waits = handed in
+page-record-aims = Aims
+page-record-aims-from = from what the programs did
+# $lesson is the title of a lesson.
+page-record-shown = Shown in { $lesson }
+page-record-on-the-way = On the way: { $stars } of { $all } stars in { $lesson }
