@@ -55,8 +55,9 @@ MENU_OF = {command: menu for menu, commands in MENUS.items() for command in comm
 SPEEDS = ("0.1×", "0.25×", "0.5×", "1×", "2×", "5×", "10×", "20×", "Fastest")
 #: What the tests' pupils see at first: all buttons, and two views of the program.
 LAYOUT = {"split": True, "views": ["blocks", "blocktext"], "panel": True}
-#: The height of what lies over the top of the world's picture; the floor is centred below it.
-OVERLAY = 56
+#: The heights of what lies over the top and the bottom of the world's picture; the floor is
+#: centred between.
+OVERLAYS = (56, 86)
 #: The initial scale of the workspace; the measures below are at scale 1.
 SCALE = 0.85
 #: The first statement inside a hat and a loop, right of and below its corner.
@@ -611,7 +612,8 @@ class Pupil:
         """Drag the robot from the middle of the floor, seen from above, by pixels."""
         picture = box_of(self.page.locator(".world-view canvas"))
         x = picture["x"] + picture["width"] / 2
-        y = picture["y"] + (OVERLAY + picture["height"]) / 2
+        top, bottom = OVERLAYS
+        y = picture["y"] + (top + picture["height"] - bottom) / 2
         self.page.mouse.move(x, y)
         self.page.mouse.down()
         self.page.mouse.move(x + right, y + down, steps=5)

@@ -44,11 +44,12 @@ def words(text, language):
 class Reader:
     """A pupil who has opened a lesson, and does nothing but look."""
 
-    def __init__(self, sit_down, server, size, language):
+    def __init__(self, sit_down, server, size, language, *, flat=False):
         width, height = SIZES[size]
         viewport = {"width": width, "height": height}
-        self.pupil = sit_down(server, start=True, language=language, viewport=viewport)
+        self.pupil = sit_down(server, start=True, flat=flat, language=language, viewport=viewport)
         self.page, self.size, self.language = self.pupil.page, size, language
+        self._flat = flat
 
     def open(self, name):
         opened = find_lesson(name)
@@ -58,7 +59,8 @@ class Reader:
         self.page.locator(".lesson-card").get_by_role("button", name=title).first.click()
         expect(self.page.locator(BLOCKS).first).to_be_visible()
         expect(self.page.locator(TASK).first).to_be_visible()
-        self.page.wait_for_function("() => learnblock.views.world.value?.framesDrawn > 0")
+        if not self._flat:
+            self.page.wait_for_function("() => learnblock.views.world.value?.framesDrawn > 0")
 
     def go_to(self, number):
         self.page.evaluate("step => learnblock.lessons.showStep(step)", number)

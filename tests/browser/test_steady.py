@@ -6,8 +6,10 @@ import pytest
 from playwright.sync_api import expect
 
 from browser.pupil import WORKSPACE, box_of
+from browser.test_in_sight import SIZES, Reader
 
-#: The places of the program's hat, of the palette's blocks and of the visible buttons, by name.
+#: The places of the hat, of the palette's blocks, of state, goals and lesson, and of the visible
+#: buttons, by name.
 PLACES = f"""() => {{
     const placeOf = (part) => {{
         const {{ x, y, width, height }} = part.getBoundingClientRect();
@@ -18,14 +20,30 @@ PLACES = f"""() => {{
     const hat = document.querySelectorAll("{WORKSPACE} .lb_main > .blocklyPath");
     const offered = document.querySelectorAll(".blocklyFlyout .blocklyBlock > .blocklyPath");
     const buttons = document.querySelectorAll("header button, main button, main [role=slider]");
+    const fixed = document.querySelectorAll(
+        ".world-place, .world-bottom p.goals, .main > .lesson-pane"
+    );
     const parts = [
+        ...named(fixed, (part) => part.className),
         ...named(hat, () => "hat"),
         ...named(offered, (part) => `offered ${{part.parentNode.dataset.id}}`),
         ...named(buttons, (part) => `button ${{part.ariaLabel || part.textContent}}`),
     ];
-    return Object.fromEntries(parts.map(([name, part]) => [name, placeOf(part)]));
+    // The words of the state change, its place does not.
+    const state = document.querySelector(".world-bottom .state").getBoundingClientRect();
+    const places = parts.map(([name, part]) => [name, placeOf(part)]);
+    return {{ ...Object.fromEntries(places), state: `${{state.left}} ${{state.top}}` }};
 }}"""
 
+#: Whether the lesson has the height of all that it shows, and of what a run will say.
+ROOM_IS_KEPT = """() => {
+    const lesson = document.querySelector(".main > .lesson-pane");
+    return lesson.style.getPropertyValue("--lesson-least") !== "";
+}"""
+WAITS = """main:
+    function.sleep(0.5)
+end
+"""
 TALKS = """main:
     print("I am a robot")
     name = input("Your name?")
@@ -89,15 +107,41 @@ def test_a_block_snaps_in_from_as_far_as_in_scratch(pupil):
     expect(pupil.blocks("lb_main").locator(".lb_skill_drive_distance")).to_be_visible()
 
 
-@pytest.mark.parametrize("stage", ["starter", "explorer"])
-def test_a_run_moves_nothing(sit_down, server, stage):
-    pupil = sit_down(server, stage=stage, empty=True, flat=True)
+@pytest.mark.parametrize(
+    ("stage", "size"), [("starter", "laptop"), ("explorer", "small"), ("explorer", "phone")]
+)
+def test_a_run_moves_nothing(sit_down, server, stage, size):
+    width, height = SIZES[size]
+    viewport = {"width": width, "height": height}
+    pupil = sit_down(server, stage=stage, empty=True, flat=True, viewport=viewport)
     expect(pupil.page.locator(".lbGroupIcon").first).to_be_visible()
     page = pupil.page
+    pupil.show("Block-Text")
+    pupil.write("blocktext", WAITS)
+    pupil.wait_until_saved()
+    pupil.show("Blocks")
+    expect(pupil.blocks("lb_skill_sleep")).to_be_visible()
     places = Places(page)
     page.get_by_role("button", name="Run", exact=True).click()
-    expect(page.get_by_role("button", name="Stop", exact=True)).to_be_visible()
     expect(page.locator(".status .state").first).to_contain_text("Ended")
+    # The timeline of the run is new.
+    expect(page.get_by_role("slider", name="Moment of the run")).to_be_visible()
+    assert places.moved() == {}
+
+
+@pytest.mark.parametrize("size", ["laptop", "small"])
+def test_a_run_that_misses_a_goal_moves_nothing_of_the_lesson(own_server, sit_down, size):
+    reader = Reader(sit_down, own_server, size, "en", flat=True)
+    page = reader.page
+    reader.open("1-03-square")
+    reader.go_to(4)
+    expect(page.locator(".lesson-text")).to_be_visible()
+    page.wait_for_function(ROOM_IS_KEPT)
+    reader.pupil.choose("Speed", "Fastest")
+    places = Places(page)
+    page.get_by_role("button", name="Run", exact=True).click()
+    expect(page.locator(".lesson-goal.failed .lesson-reason")).to_be_visible()
+    expect(page.get_by_role("slider", name="Moment of the run")).to_be_visible()
     assert places.moved() == {}
 
 

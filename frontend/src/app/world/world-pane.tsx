@@ -48,6 +48,7 @@ export function WorldPane() {
         <div class="world-bottom">
           <Said />
           <Hint />
+          <Timeline />
           <Status />
           <WhyChip />
           <Goals />
@@ -58,7 +59,6 @@ export function WorldPane() {
       </div>
       <ShownRun />
       <GhostFindings />
-      <Timeline />
       <RunBar />
     </section>
   );

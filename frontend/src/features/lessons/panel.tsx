@@ -18,6 +18,7 @@ import { inLanguage } from "./lessons";
 import type { MarkdownPart } from "./markdown";
 import { Puzzle } from "./puzzle";
 import { Quiz, QuizAnswer } from "./quiz";
+import { useRoomForResult } from "./room-for-result";
 import "./lessons.css";
 
 export function LessonPane() {
@@ -163,7 +164,7 @@ function Body({ shown }: { shown: LessonShown }) {
   useEffect(() => {
     void import("./markdown").then(({ Markdown }) => (markdown.value = { Part: Markdown }));
   }, []);
-  const { context } = usePage();
+  const { context, lessons } = usePage();
   const open = (program: string) => context.openExample(program);
   const { name = "", step = 1, text = "", drawings = {} } = shown;
   // A new step is read from its beginning.
@@ -171,6 +172,9 @@ function Body({ shown }: { shown: LessonShown }) {
     if (body.current) body.current.scrollTop = 0;
   }, [name, step]);
   const Part = markdown.value?.Part;
+  const goals = lessons.goals.value;
+  const hasResult = lessons.failed.value || goals.some(({ state = "open" }) => state !== "open");
+  useRoomForResult(body, `${name} ${step}`, goals.length > 0, hasResult);
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: a keyboard user must be able to scroll it
     <div id="lesson-body" class="lesson-body" ref={body} tabIndex={0} role="group" aria-label={t("page-lesson-text")}>

@@ -119,7 +119,7 @@ export class RoomLens implements Lens {
   resized(): void {
     const { clientWidth, clientHeight } = this.picture;
     if (clientWidth === 0) return;
-    this.cameras.size(clientWidth, clientHeight, 0);
+    this.cameras.size(clientWidth, clientHeight);
     this.view.resize(clientWidth, clientHeight);
   }
 

@@ -25,7 +25,7 @@ const FROM_SOUTH = new Vector3(0, -0.8, 1).normalize();
 const FROM_ABOVE = new Vector3(0, -0.001, 1).normalize();
 const STEEPEST = 0.001;
 const FLATTEST = 1.5;
-/** The largest share of a small picture's height that buttons cover. */
+/** The largest share of a small picture's height that what lies over it is given. */
 const MOST_COVERED = 0.35;
 /** How far in front of the floor's centre the camera may look, as a share of its depth: near objects appear larger. */
 const SHIFTS = [0, -0.03, -0.06, -0.09, -0.12, -0.15];
@@ -77,12 +77,14 @@ export class Cameras {
   /**
    * The picture's size in pixels.
    *
-   * @param covered by buttons at its upper edge: the view is centred in the rest.
+   * @param top how much of it is covered at its upper edge, and `bottom` at its lower one: the view is centred in the rest.
    */
-  size(width: number, height: number, covered: number): void {
-    const hidden = Math.min(covered, MOST_COVERED * height);
-    this.camera.aspect = width / Math.max(1, height - hidden);
-    this.camera.setViewOffset(width, height - hidden, 0, -hidden, width, height);
+  size(width: number, height: number, { top, bottom } = { top: 0, bottom: 0 }): void {
+    const hidden = Math.min(top + bottom, MOST_COVERED * height);
+    const free = Math.max(1, height - hidden);
+    const above = hidden && (hidden * top) / (top + bottom);
+    this.camera.aspect = width / free;
+    this.camera.setViewOffset(width, free, 0, -above, width, height);
     if (this.shows) this.reset();
   }
 

@@ -4,7 +4,7 @@ import { type PerspectiveCamera, Vector3 } from "three";
 
 import { between } from "./scenery/geometry";
 
-/** The part of the picture, from its middle, in which the robot moves before the camera does. */
+/** The part of the free picture, from its middle, in which the robot moves before the camera does. */
 const FREE = 0.5;
 /** The part of the way that the camera goes each second, as a rate. */
 const RATE = 5;
@@ -33,7 +33,9 @@ export class Following {
     this.last = now;
     this.camera.updateMatrixWorld();
     this.place.set(x, y, 0).project(this.camera);
-    const [right, up] = [between(this.place.x, -FREE, FREE), between(this.place.y, -FREE, FREE)];
+    const { middle, half } = this.freeHeight();
+    const right = between(this.place.x, -FREE, FREE);
+    const up = between(this.place.y, middle - FREE * half, middle + FREE * half);
     const isAhead = this.place.z < 1;
     if (isAhead && right === this.place.x && up === this.place.y) return false;
     this.ray.set(right, up, 0.5).unproject(this.camera).sub(this.camera.position);
@@ -49,5 +51,13 @@ export class Following {
     this.camera.position.add(this.place);
     target.add(this.place);
     return !calm && whole > CLOSE;
+  }
+
+  /** The part of the picture's height that nothing lies over: from -1, its lower edge, to 1. */
+  private freeHeight(): { middle: number; half: number } {
+    const { view } = this.camera;
+    if (!view) return { middle: 0, half: 1 };
+    const half = view.fullHeight / view.height;
+    return { middle: 1 - half + (2 * view.offsetY) / view.height, half };
   }
 }

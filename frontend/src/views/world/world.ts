@@ -34,8 +34,8 @@ import { Stage } from "./stage";
 import { View } from "./view";
 import { goalInWords, placeInWords } from "./words";
 
-/** The height of what the page lays over the top of the picture, px. */
-const OVERLAY = 56;
+/** The heights of what the page lays over the top and over the bottom of the picture: its menus, and its timeline with the chips, px. */
+const OVERLAYS = { top: 56, bottom: 86 };
 export class World implements WorldIsland {
   readonly dom = document.createElement("div");
   readonly tools: readonly Tool[];
@@ -119,7 +119,7 @@ export class World implements WorldIsland {
   }
 
   resize(): void {
-    this.cameras.size(this.frame.clientWidth, this.frame.clientHeight, OVERLAY);
+    this.cameras.size(this.frame.clientWidth, this.frame.clientHeight, OVERLAYS);
     this.view.resize(this.frame.clientWidth, this.frame.clientHeight);
   }
 
