@@ -345,12 +345,16 @@ def _evidence(edited: EditedLesson, saved: OpenLesson) -> list[dict[str, Any]]:
     """What shows the aims of a saved lesson, in the steps where it is now."""
     moved, aims = _moved_steps(edited), edited.content.get("aims")
     count = len(aims) if isinstance(aims, list) else 0
-    found = (
+    moved_evidence = (
         (evidence, [moved[step] for step in evidence.steps if step in moved])
         for evidence in saved.lesson.evidence
         if evidence.aim <= count
     )
-    return [_plain({**to_builtins(evidence), "steps": steps}) for evidence, steps in found if steps]
+    return [
+        _plain({**to_builtins(evidence), "steps": steps})
+        for evidence, steps in moved_evidence
+        if steps
+    ]
 
 
 def _moved_steps(edited: EditedLesson) -> dict[int, int]:

@@ -6,6 +6,7 @@
 Python                                      node                            read in
 ==========================================  ==============================  ======================
 the parts that create and run the robot     Setup                           skeleton.py
+the import of the robot                     Setup                           robot_import.py
 ``from learnblock.libraries... import *``   Import                          reader.py, imports.py
 ``def``, ``@robot.when``, the rest          Def, When, Main                 reader.py
 comments, blank lines, marked raw Python    Comment, Blank, Raw             comment_reader.py
