@@ -173,7 +173,7 @@ function Body({ shown }: { shown: LessonShown }) {
   }, [name, step]);
   const Part = markdown.value?.Part;
   const goals = lessons.goals.value;
-  const hasResult = lessons.failed.value || goals.some(({ state = "open" }) => state !== "open");
+  const hasResult = goals.some(({ state }) => state === "failed");
   useRoomForResult(body, `${name} ${step}`, goals.length > 0, hasResult);
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: a keyboard user must be able to scroll it

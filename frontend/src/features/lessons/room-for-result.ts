@@ -35,6 +35,8 @@ export function useRoomForResult(
 function keepRoom(content: HTMLElement): void {
   const pane = paneOf(content);
   if (!pane) return;
+  // Its own height, since the content fills what is kept.
+  pane.style.removeProperty(LEAST);
   const below = Number.parseFloat(getComputedStyle(pane).paddingBlockEnd);
   pane.style.setProperty(LEAST, `${content.offsetTop + content.offsetHeight + below + ROOM}px`);
 }
