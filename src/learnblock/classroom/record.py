@@ -13,7 +13,7 @@ from learnblock.classroom.roster import Pupil, Roster, names_of
 from learnblock.errors import LearnBlockError
 from learnblock.lessons.lesson import Lesson, LessonText, Step
 from learnblock.lessons.opened import OpenLesson
-from learnblock.lessons.reading import find_lesson
+from learnblock.lessons.reading import named_lesson
 from learnblock.lessons.texts import plain
 from learnblock.project.files.folder import ProjectFolder
 from learnblock.project.files.lesson_folder import GOALS, PUZZLE, QUIZ, Progress
@@ -187,7 +187,7 @@ def _lesson(name: str, work: _LessonWork) -> RecordedLesson:
     opened: OpenLesson | None = None
     # What was done in a lesson that is gone is still shown.
     with suppress(LearnBlockError, OSError):
-        opened = find_lesson(name)
+        opened = named_lesson(name)
     steps = opened.lesson.step if opened else ()
     hand_ins = (_hand_in(file, steps) for _, file in sorted(work.hand_ins.items()))
     recorded = RecordedLesson(
