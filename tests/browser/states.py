@@ -139,12 +139,13 @@ def start_page(visitor):
     visitor.press("page-start-all-examples")
     yield "all examples"
     visitor.press("page-start-teachers")
-    expect(visitor.dialog).to_be_visible()
+    expect(visitor.button("page-start-teachers-grade-more")).to_be_visible()
     yield "for teachers"
     visitor.press("page-start-teachers-grade-more")
     expect(visitor.dialog).to_contain_text("results.csv")
     yield "grade a class"
     visitor.escape()
+    visitor.press("page-start-home")
     visitor.press("page-start-new")
     expect(visitor.dialog).to_be_visible()
     yield "new project"

@@ -209,8 +209,8 @@ def test_a_project_has_a_picture_of_its_last_run(sit_down, own_server):
     wait_for(kept.is_file, "the picture of the run")
     go_home(newcomer)
     picture = row(newcomer, "Turn right").get_by_role("presentation")
-    expect(picture).to_have_js_property("naturalWidth", 480)
-    assert 2_000 < kept.stat().st_size <= 20_000
+    expect(picture).to_have_js_property("naturalWidth", 960)
+    assert 5_000 < kept.stat().st_size <= 60_000
 
 
 def test_four_examples_are_shown_and_all_of_a_stage_on_request(newcomer):

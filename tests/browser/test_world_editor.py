@@ -215,9 +215,9 @@ def test_engineers_numbers_are_under_more(pupil):
     pupil.press("Edit world")
     editor = pupil.dialog()
     numbers = ("Sensor noise", "Wheel slip (0 to 0.3)", "Floor picture", "Ambient light")
-    expect(editor.get_by_label("Theme")).to_be_visible()
+    expect(editor.get_by_label("Theme", exact=True)).to_be_visible()
     for name in numbers:
-        expect(editor.get_by_label(name)).to_be_hidden()
+        expect(editor.get_by_label(name).first).to_be_hidden()
     show_more(editor)
     for name in numbers:
         expect(editor.get_by_label(name).first).to_be_visible()

@@ -203,6 +203,23 @@ export function leaveOutSelection(): void {
 }
 
 /**
+ * Patches the private `BlockSvg.recomputeAriaContext`: a block that consists of one field is read by that field, so what its
+ * outline was called before it had the field is taken back. A screen reader would find a part of the palette without a role.
+ *
+ * Can go when Blockly takes it back.
+ */
+export function leaveOutOutlines(): void {
+  const { recomputeAriaContext } = block as unknown as { recomputeAriaContext(this: Block): void };
+  Object.assign(block, {
+    recomputeAriaContext(this: Block) {
+      recomputeAriaContext.call(this);
+      if (!this.getFullBlockField()) return;
+      for (const name of ["aria-label", "aria-roledescription"]) this.pathObject.svgPath.removeAttribute(name);
+    },
+  });
+}
+
+/**
  * Hides the canvas with which Blockly measures texts, which a screen reader would find outside of any region.
  *
  * Can go when Blockly hides it.

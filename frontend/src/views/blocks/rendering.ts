@@ -2,11 +2,12 @@
 
 import * as Blockly from "blockly/core";
 
-import { bumpOnlyWhatIsDropped, forgetDisposed, hideRuler } from "./patches";
+import { bumpOnlyWhatIsDropped, forgetDisposed, hideRuler, leaveOutOutlines } from "./patches";
 
 /** Call it once, before the first workspace is created. */
 export function tuneRendering(): void {
   hideRuler();
+  leaveOutOutlines();
   enlargeButtons();
   forgetDisposed();
   bumpOnlyWhatIsDropped();
