@@ -3,7 +3,7 @@
 Run it with ``python benchmarks/foreign_python.py`` for the standard library's ``turtledemo``, or
 name folders with Python files. ``--fetch pybricks`` also takes the source distribution of a
 package from the index, into a temporary folder. A file that takes more than ``--limit`` seconds
-of processor time counts as one that does not come back, and is named.
+of processor time counts as one that does not come back, and is listed.
 """
 
 import argparse

@@ -7,17 +7,17 @@ and open descriptors should stay as they are.
 """
 
 import asyncio
-import json
 import os
 import platform
 import sys
 from pathlib import Path
 from time import perf_counter
 
-from websockets.asyncio.client import ClientConnection, connect
+from websockets.asyncio.client import connect
 
 sys.path.insert(0, str(Path(__file__).parent))
 
+from _pages import Page
 from sessions import TOKEN, children, megabytes, serving
 
 PROGRAM = (
@@ -28,28 +28,17 @@ PROGRAM = (
 async def measure(port: int, server: int, runs: int) -> None:
     address = f"ws://127.0.0.1:{port}/ws"
     async with connect(address, subprotocols=["learnblock", TOKEN], max_size=None) as socket:
-        await socket.send(json.dumps({"kind": "New", "name": "day"}))
-        await heard(socket, "Scene")
-        edit = {"kind": "EditText", "edit": 1, "notation": "blocktext", "text": PROGRAM}
-        await socket.send(json.dumps(edit))
+        page = Page(socket)
+        await page.say("New", name="day")
+        await page.hear("Scene")
+        await page.say("EditText", edit=1, notation="blocktext", text=PROGRAM)
         print("    runs        MB  descriptors  children  seconds a run")
         began = perf_counter()
         for done in range(1, runs + 1):
-            await socket.send(json.dumps({"kind": "Run"}))
-            await heard(socket, "Ended")
+            await page.say("Run")
+            await page.hear("Ended")
             if done % max(1, runs // 10) == 0:
                 report(server, done, (perf_counter() - began) / done)
-
-
-async def heard(socket: ClientConnection, kind: str) -> None:
-    """Wait for a message of this kind.
-
-    Raises:
-        RuntimeError: the server refused a message.
-    """
-    while (message := json.loads(await socket.recv()))["kind"] != kind:
-        if message["kind"] == "Failed":
-            raise RuntimeError(message["message"])
 
 
 def report(server: int, done: int, spent: float) -> None:

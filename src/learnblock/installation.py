@@ -76,9 +76,9 @@ class Installation:
         return self._sync("--extra", extra)
 
     def may_add(self, extra: str) -> bool:
-        """Whether the page may install an extra: one of ours, where nobody else uses the packages.
+        """Whether the page may install an extra: it is ours, and nobody else uses the packages.
 
-        A robot of the user's own names modules, but not what installs them.
+        A user's own robot names the modules that it needs, but not the packages with them.
         """
         return bool(requirements(extra)) and not self.is_shared
 

@@ -22,7 +22,7 @@ LONG_MODULES = {
 }
 #: The same for functions.
 LONG_FUNCTIONS: dict[str, list[str]] = {}
-#: Packages and modules where a value may still be called found, which says nothing of it.
+#: Packages and modules that may still name a value `found`, which says nothing about it.
 WITH_FOUND = (
     "learnblock.blocks.source",
     "learnblock.classroom",

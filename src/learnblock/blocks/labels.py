@@ -142,14 +142,14 @@ def sentence(block: BlockConfiguration, language: str, filling: Filling) -> str:
         for name, parameter in parameters.items()
         if parameter.directions
     }
-    names = {name for name, directed in _PLACE.findall(text) if not directed}
-    placed = {name for name, directed in _PLACE.findall(text) if directed}
-    for name in directions.keys() - placed:
+    placed_fields = {name for name, directed in _PLACE.findall(text) if not directed}
+    placed_directions = {name for name, directed in _PLACE.findall(text) if directed}
+    for name in directions.keys() - placed_directions:
         fields[name] = f"{directions.pop(name)} {fields[name]}"
     following = [
         f"{parameter_name(parameter, language)} {fields[name]}"
         for name, parameter in parameters.items()
-        if name not in names | left_out
+        if name not in placed_fields | left_out
     ]
 
     def filled(place: re.Match[str]) -> str:

@@ -20,8 +20,8 @@ def languages() -> tuple[str, ...]:
 def translation(language: str) -> Mapping[str, str]:
     """The words of the built-in blocks of the language, by message name."""
     codes = languages()
-    nearest = next((code for code in (language, language.partition("-")[0]) if code in codes), "en")
-    return MappingProxyType({**_words("en"), **_words(nearest)})
+    best = next((code for code in (language, language.partition("-")[0]) if code in codes), "en")
+    return MappingProxyType({**_words("en"), **_words(best)})
 
 
 @cache

@@ -117,10 +117,8 @@ def _missing(writer: OldProgramWriter, parts: Sequence[ProgramPart]) -> Iterator
         reporting.change(Phrase("import-heard", event=event, condition=condition))
         header = f"when {event} = {condition}:"
         yield ProgramPart((header, "pass", "end"), _NOWHERE, f"when {event}")
-    messages = lines.heard.keys()
-    for name in undefined(
-        parts, [event for event in lines.events if event not in messages], "when"
-    ):
+    unheard = [event for event in lines.events if event not in lines.heard]
+    for name in undefined(parts, unheard, "when"):
         reporting.miss(Phrase("import-no-event", name=name))
         yield ProgramPart((f"when {name}:", "pass", "end"), _NOWHERE, f"when {name}")
 

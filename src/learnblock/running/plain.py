@@ -8,7 +8,7 @@ unless it is known to be harmless: a plain program has no way to an object's ins
 import ast
 import re
 from collections.abc import Callable, Mapping
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any
 
 from learnblock.blocks import builtin
@@ -46,6 +46,7 @@ def hangs(program: Program) -> bool:
     return tree is not None and any(map(_is_empty_and_endless, ast.walk(tree)))
 
 
+@lru_cache(maxsize=1)
 def _tree(text: str) -> ast.Module | None:
     try:
         return ast.parse(text)

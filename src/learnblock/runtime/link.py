@@ -221,7 +221,7 @@ class SocketLink(Link[Incoming]):
 
     def _fill(self, timeout: float | None) -> bool:
         try:
-            # Waiting at once: who looks again and again yields to all others on a busy machine.
+            # Wait at once: on a busy machine, polling gives the processor away each time.
             if self._connection.gettimeout() != timeout:
                 self._connection.settimeout(timeout)
             received = self._connection.recv(_CHUNK)

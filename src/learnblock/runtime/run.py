@@ -340,7 +340,7 @@ class Run:
     def _on_sleep(self, message: messages.Sleep) -> None:
         assert self.simulation is not None  # noqa: S101 - see `validation`
         self.wake, self._reads = self.simulation.steps + message.steps, message.reads
-        # Nobody else waits for this world or looks at it: the answer needs no turn of its own.
+        # Nothing else waits for this world, and nobody watches it: the answer needs no turn.
         if self._wait and self._wait(message.steps) is not None:
             self.release()
 

@@ -1,4 +1,4 @@
-"""The waiting of a program whose run nobody looks at, in which time passes without a turn."""
+"""Waiting in a run that nobody watches, for which the host needs no turn."""
 
 import math
 from collections.abc import Callable
@@ -11,7 +11,7 @@ STRIDE = 10
 
 
 class Waiting:
-    """Lets the time of a world pass for its only program, whose run nobody looks at.
+    """Lets the time of a world pass for its only program, whose run nobody watches.
 
     Args:
         simulation: the world.

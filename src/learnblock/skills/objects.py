@@ -103,6 +103,4 @@ def _largest(robot: "Client", colour: str) -> "ColouredObject | None":
     if colour not in _COLOURS:
         raise UnknownNameError("colour", str(colour), _COLOURS)
     # The detector sorts them by size.
-    return next(
-        (candidate for candidate in _objects(robot) or () if candidate.colour == colour), None
-    )
+    return next((item for item in _objects(robot) or () if item.colour == colour), None)

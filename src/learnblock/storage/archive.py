@@ -135,11 +135,11 @@ class ZipReader:
             raise RefusedError(ZipRule.NO_ZIP) from error
         with archive:
             entries = [Entry(archive, info, _name(info)) for info in archive.infolist()]
-            own_entries = [entry for entry in entries if not self._ignores(entry.name)]
-            self._entries -= len(own_entries)
+            kept = [entry for entry in entries if not self._ignores(entry.name)]
+            self._entries -= len(kept)
             if self._entries < 0:
                 raise RefusedError(ZipRule.TOO_MANY_FILES)
-            yield from own_entries
+            yield from kept
 
     def _ignores(self, name: str) -> bool:
         """Whether its author has not put an entry there; one that leads out is for the rules."""

@@ -338,7 +338,7 @@ class _Parsing:
 
 @lru_cache(maxsize=4096)
 def _wordings(phrase: Phrase) -> frozenset[str]:
-    """A question's plain text in each language; each question about a run is compared with it."""
+    """A question's plain text in each language; kept, since each question asked is compared."""
     texts = (translate(phrase, language) for language in languages())
     return frozenset(_without_quotes(plain(text)) for text in texts)
 

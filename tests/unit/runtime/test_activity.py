@@ -1,6 +1,7 @@
 import os
 import threading
 import time
+from itertools import count
 from pathlib import Path
 
 import pytest
@@ -81,7 +82,7 @@ def test_a_thread_tells_its_processor_time():
 
 def looked_at(activities, seconds, longest=1000.0):
     """An allowance after a look every 0.1 s at what a process does."""
-    given, times = iter(activities), iter(x / 10 for x in range(100_000))
+    given, times = iter(activities), (look / 10 for look in count())
     allowance = Allowance(seconds, longest, lambda: next(given), lambda: next(times))
     for _ in activities[1:]:
         allowance.look()

@@ -25,24 +25,24 @@ def taken_names(
         but: the block whose functions are left out.
         others: the result of `others_names`, if it is already known.
     """
-    messages: dict[str, Phrase] = {}
+    taken: dict[str, Phrase] = {}
     for path in skill_files.own_files():
         if path.stem != but:
             for name in skill_files.names(path):
-                messages[name] = Phrase("custom-taken-by-block", name=name, block=path.stem)
-    return {**messages, **(others_names() if others is None else others)}
+                taken[name] = Phrase("custom-taken-by-block", name=name, block=path.stem)
+    return {**taken, **(others_names() if others is None else others)}
 
 
 def others_names() -> Mapping[str, Phrase]:
     """The names that are taken by anything except custom blocks."""
-    messages = {
+    taken = {
         block.name: Phrase("custom-taken-by-library", name=block.name, library=block.library)
         for block in installed_blocks()
     }
-    messages |= {name: Phrase("custom-taken-by-plugin", name=name) for name in _of_plugins()}
-    messages |= {name: Phrase("custom-taken-by-robot", name=name) for name in RESERVED}
-    messages |= {name: Phrase("custom-taken-by-skill", name=name) for name in builtin()}
-    return messages
+    taken |= {name: Phrase("custom-taken-by-plugin", name=name) for name in _of_plugins()}
+    taken |= {name: Phrase("custom-taken-by-robot", name=name) for name in RESERVED}
+    taken |= {name: Phrase("custom-taken-by-skill", name=name) for name in builtin()}
+    return taken
 
 
 def _of_plugins() -> Iterator[str]:
@@ -71,10 +71,10 @@ def check(
         others: the result of `others_names`, if it is already known.
     """
     filename = f"{name or 'block'}.py"
-    objections = taken_names(but=replaces, others=others)
+    taken = taken_names(but=replaces, others=others)
     problems = [
         *_problems("name", _wrong_name(name, replaces)),
-        *_problems("source", wrong_source(source, filename, objections)),
+        *_problems("source", wrong_source(source, filename, taken)),
     ]
     configurations, wrong = choices.read(configuration)
     problems += _problems("configuration", wrong)

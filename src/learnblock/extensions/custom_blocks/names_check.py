@@ -10,6 +10,7 @@ from types import CodeType
 from learnblock.blocks.source.importable import missing_import
 from learnblock.errors import Diagnostic, Severity, nearest
 from learnblock.i18n import Phrase
+from learnblock.language.check.findings import unknown
 
 _BUILTINS = frozenset((*dir(builtins), "__file__"))
 #: With these, a file can define names that cannot be found by reading it.
@@ -35,36 +36,36 @@ def unknown_names(tree: ast.Module, code: CodeType) -> Iterator[Diagnostic]:
     nodes = [*ast.walk(tree)]
     if any(map(_makes_names, nodes)):
         return
-    names = {*_BUILTINS, *_global_names(code)}
-    places = {*_unknown_places(code, names)}
+    known = {*_BUILTINS, *_global_names(code)}
+    places = {*_unknown_places(code, known)}
     expected = {id(inner) for node in nodes for inner in _expected_to_fail(node)}
     diagnostics = {
-        node.id: _at(node, "unknown-name", _unknown_name(node, owner, names))
+        node.id: _at(node, "unknown-name", _unknown_name(node, owner, known))
         for node, owner in reversed([*_names(nodes)])
         if (node.lineno, node.col_offset) in places and id(node) not in expected
     }
     yield from sorted(diagnostics.values(), key=attrgetter("line", "column"))
 
 
-def unknown_skills(tree: ast.Module, names: Collection[str]) -> Iterator[Diagnostic]:
+def unknown_skills(tree: ast.Module, known: Collection[str]) -> Iterator[Diagnostic]:
     """Report methods that are called on the robot although no robot has them.
 
     Args:
         tree: the syntax tree of a file.
-        names: those of all skills, and of what every robot has besides.
+        known: the names of all skills, and of what every robot has besides.
     """
     nodes = [*ast.walk(tree)]
     if any(_stores(node, _ROBOT) for node in nodes):
         return
     of_robot = [node for node in nodes if isinstance(node, ast.Attribute) and _is_robot(node.value)]
-    attributes = {node.attr for node in of_robot if isinstance(node.ctx, ast.Store)}
+    assigned = {node.attr for node in of_robot if isinstance(node.ctx, ast.Store)}
     for node in of_robot:
         name = node.attr
-        if name in names or name in attributes or name.startswith("_"):
+        if name in known or name in assigned or name.startswith("_"):
             continue
         # It may be a skill of a block that is saved later, or of a robot of the user's own.
-        severity: Severity = "error" if _is_slip(name, names) else "warning"
-        yield _at(node, "unknown-skill", _unknown_skill(name, names), severity)
+        severity: Severity = "error" if _is_slip(name, known) else "warning"
+        yield _at(node, "unknown-skill", unknown("skill", name, nearest(name, known)), severity)
 
 
 def _makes_names(node: ast.AST) -> bool:
@@ -83,10 +84,10 @@ def _global_names(code: CodeType) -> Iterator[str]:
         yield from _operands(scope, "STORE_GLOBAL")
 
 
-def _unknown_places(code: CodeType, names: Collection[str]) -> Iterator[_Place]:
+def _unknown_places(code: CodeType, known: Collection[str]) -> Iterator[_Place]:
     """Where a name is looked up that neither the module nor the class around it sets."""
     for scope in _codes(code):
-        here = {*names, *_operands(scope, "STORE_NAME")}
+        here = {*known, *_operands(scope, "STORE_NAME")}
         for instruction in dis.get_instructions(scope):
             is_unknown = instruction.opname in _LOADS and instruction.argval not in here
             if is_unknown and instruction.positions:
@@ -131,28 +132,20 @@ def _names(nodes: Collection[ast.AST]) -> Iterator[tuple[ast.Name, ast.AST]]:
                 yield node, owner
 
 
-def _unknown_name(node: ast.Name, owner: ast.AST, names: Collection[str]) -> Phrase:
+def _unknown_name(node: ast.Name, owner: ast.AST, known: Collection[str]) -> Phrase:
     name = node.id
     if missing := missing_import(name, before_dot=isinstance(owner, ast.Attribute)):
         return missing
     is_called = isinstance(owner, ast.Call) and owner.func is node
     # True, False and errors are no functions, and only these begin with a capital.
-    likely = [name for name in names if name not in _BUILTINS or (is_called and name.islower())]
+    likely = [name for name in known if name not in _BUILTINS or (is_called and name.islower())]
     sort = "function" if is_called else "name"
-    if near := nearest(name, likely):
-        return Phrase(f"check-unknown-{sort}-near", name=name, near=near)
-    return Phrase(f"check-unknown-{sort}", name=name)
+    return unknown(sort, name, nearest(name, likely))
 
 
-def _unknown_skill(name: str, names: Collection[str]) -> Phrase:
-    if near := nearest(name, names):
-        return Phrase("check-unknown-skill-near", name=name, near=near)
-    return Phrase("check-unknown-skill", name=name)
-
-
-def _is_slip(name: str, names: Collection[str]) -> bool:
+def _is_slip(name: str, known: Collection[str]) -> bool:
     """Whether a name is a known one misspelled, and not the next of a series such as `waltz2`."""
-    near = nearest(name, names, likeness=_SLIP)
+    near = nearest(name, known, likeness=_SLIP)
     return near is not None and name.strip("_0123456789") != near.strip("_0123456789")
 
 

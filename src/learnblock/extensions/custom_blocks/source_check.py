@@ -17,22 +17,20 @@ from learnblock.storage import skill_files
 _ROBOT = "robot"
 
 
-def wrong_source(
-    source: str, filename: str, objections: Mapping[str, Phrase]
-) -> Iterator[Diagnostic]:
+def wrong_source(source: str, filename: str, taken: Mapping[str, Phrase]) -> Iterator[Diagnostic]:
     """Check a Python file of skills.
 
     Args:
         source: the text of the file.
         filename: the name that Python's messages show.
-        objections: why its functions cannot have some names, by name.
+        taken: the names that its functions cannot have, each with the reason.
     """
     try:
         tree, code = _compiled(source, filename)
     except ProgramError as error:
         yield from error.diagnostics
         return
-    wrong = [*_wrong_parts(tree, objections)]
+    wrong = [*_wrong_parts(tree, taken)]
     yield from wrong
     # A hint or an import with a mistake is not reported a second time.
     lines = {diagnostic.line for diagnostic in wrong}
@@ -40,10 +38,10 @@ def wrong_source(
         diagnostic for diagnostic in unknown_names(tree, code) if diagnostic.line not in lines
     )
     own = {function.name for function in skill_files.functions(tree)}
-    yield from unknown_skills(tree, {*objections, *own})
+    yield from unknown_skills(tree, {*taken, *own})
 
 
-def _wrong_parts(tree: ast.Module, objections: Mapping[str, Phrase]) -> Iterator[Diagnostic]:
+def _wrong_parts(tree: ast.Module, taken: Mapping[str, Phrase]) -> Iterator[Diagnostic]:
     functions = list(skill_files.functions(tree))
     heads = list(_wrong_heads(tree))
     yield from heads
@@ -51,7 +49,7 @@ def _wrong_parts(tree: ast.Module, objections: Mapping[str, Phrase]) -> Iterator
         yield Diagnostic("no-function", Phrase("custom-no-function"))
     yield from _repeated(functions)
     for function in functions:
-        yield from _wrong_function(signature(function), objections)
+        yield from _wrong_function(signature(function), taken)
     yield from wrong_imports(tree)
 
 
@@ -108,9 +106,9 @@ def _repeated(functions: list[ast.FunctionDef]) -> Iterator[Diagnostic]:
         lines[function.name] = function.lineno
 
 
-def _wrong_function(skill: Signature, objections: Mapping[str, Phrase]) -> Iterator[Diagnostic]:
-    if skill.name in objections:
-        yield _at(skill.place, "name-taken", objections[skill.name])
+def _wrong_function(skill: Signature, taken: Mapping[str, Phrase]) -> Iterator[Diagnostic]:
+    if skill.name in taken:
+        yield _at(skill.place, "name-taken", taken[skill.name])
     yield from _wrong_spelling(skill.name, skill.place)
     if skill.robot != _ROBOT:
         message = Phrase("custom-first-parameter", name=skill.name, parameter=skill.robot)

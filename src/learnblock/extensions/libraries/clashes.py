@@ -37,14 +37,14 @@ def clashes(libraries: Iterable[Library]) -> tuple[Clash, ...]:
     """The taken names in libraries that are to be installed together."""
     libraries = tuple(libraries)
     places = {**_others({library.name for library in libraries})}
-    collisions: list[Clash] = []
+    name_clashes: list[Clash] = []
     for library in libraries:
-        collisions += [
+        name_clashes += [
             Clash(name, library.name, places[name]) for name in library.skills if name in places
         ]
         for name in library.skills:
             places.setdefault(name, Phrase("library-place-library", library=library.name))
-    return tuple(collisions)
+    return tuple(name_clashes)
 
 
 def refuse_clashes(libraries: Iterable[Library]) -> None:
@@ -53,10 +53,10 @@ def refuse_clashes(libraries: Iterable[Library]) -> None:
     Raises:
         LibraryError: a name is taken; the error lists every clash.
     """
-    collisions = clashes(libraries)
-    if collisions:
-        problems = [Diagnostic("name-clash", clash.phrase) for clash in collisions]
-        raise LibraryError(collisions[0].library, problems)
+    name_clashes = clashes(libraries)
+    if name_clashes:
+        problems = [Diagnostic("name-clash", clash.phrase) for clash in name_clashes]
+        raise LibraryError(name_clashes[0].library, problems)
 
 
 def _others(coming: Iterable[str]) -> Mapping[str, Phrase]:

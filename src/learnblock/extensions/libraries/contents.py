@@ -105,16 +105,16 @@ def check(library: Library, where: str) -> None:
         ProgramError: a file is not valid Python.
         BlockConfigurationError: ``blocks.json`` is invalid.
     """
-    homes: dict[str, str] = {}
+    file_of: dict[str, str] = {}
     for file, text in library.files.items():
         if file.endswith(".py"):
             skill_files.require_python(text, file)
         for skill in skills_in(file, text):
-            if skill.name in homes:
-                message = Phrase("library-two-skills", skill=skill.name, file=homes[skill.name])
+            if skill.name in file_of:
+                message = Phrase("library-two-skills", skill=skill.name, file=file_of[skill.name])
                 raise LibraryError(file, [Diagnostic("two-skills", message, skill.place.line)])
-            homes[skill.name] = file
-    if not homes:
+            file_of[skill.name] = file
+    if not file_of:
         message = Phrase("library-no-skill")
         raise LibraryError(where, [Diagnostic("no-skill", message)])
     if library.configurations:

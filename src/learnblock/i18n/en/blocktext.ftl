@@ -55,7 +55,7 @@ blocktext-unknown-word-near = No statement begins with '{ $word }'. Did you mean
 blocktext-switch = Block-Text has no 'switch'. Use 'if' and 'elif'.
 blocktext-match = Block-Text has no 'match'. Use 'if' and 'elif', or write all of it in Python between the lines 'python:' and 'end'.
 blocktext-case = Block-Text has no 'case'. Write 'if' or 'elif' and a condition, such as 'elif x == 1:'.
-blocktext-walrus = A value sets no variable in Block-Text. Write '{ $line }' on the line above, and '{ $instead }' instead of '{ $found }'.
+blocktext-walrus = In Block-Text, a value can't set a variable. Write '{ $line }' on the line above, and '{ $instead }' instead of '{ $found }'.
 # $word: var or let
 blocktext-declaration = Block-Text has no '{ $word }'. Write only the name, '=' and the value.
 blocktext-loop = Block-Text has no 'loop'. Write 'repeat 10:' or 'forever:'.

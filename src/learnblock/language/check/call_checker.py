@@ -148,10 +148,7 @@ class CallChecker:
         near = todays_name(name, skills)
         if near is None and (meant := self.meant(SKILLS, node)) is not None:
             return Phrase("check-unknown-skill-meant", name=name, advice=self.advice(meant))
-        near = near or nearest(name, skills)
-        if near is None:
-            return Phrase("check-unknown-skill", name=name)
-        return Phrase("check-unknown-skill-near", name=name, near=near)
+        return unknown("skill", name, near or nearest(name, skills))
 
     def meant(self, names: Mapping[str, str], node: Call | SkillCall) -> str | None:
         """Our skill call for one of another language, with its value if there is one."""

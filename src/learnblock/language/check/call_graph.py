@@ -7,7 +7,7 @@ Calls = Mapping[str, Collection[str]]
 
 
 def cycles(calls: Calls) -> dict[str, int]:
-    """A number for each function, which those that call each other in a circle share."""
+    """Number the functions; those that call each other in a circle have the same number."""
     callers = _callers(calls)
     # Kosaraju's algorithm: from the one that returns last, only its circle leads back to it.
     order: list[str] = []
@@ -30,11 +30,15 @@ def recursive(calls: Calls) -> set[str]:
 
 def callers_of(names: Iterable[str], calls: Calls) -> set[str]:
     """Some functions, and all that call them, also through others."""
-    callers = _callers(calls)
+    return reachable(names, _callers(calls))
+
+
+def reachable(names: Iterable[str], calls: Calls) -> set[str]:
+    """Some functions, and all that they call, also through others."""
     found = set(names)
     ahead = list(found)
     while ahead:
-        more = set(callers.get(ahead.pop(), ())) - found
+        more = set(calls.get(ahead.pop(), ())) - found
         found |= more
         ahead += more
     return found

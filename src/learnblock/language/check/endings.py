@@ -302,8 +302,8 @@ class Endings:
 
     # Endless loops and calls.
 
-    def always_comes_back(self, caller: str, called: str) -> bool:
-        """Whether a function that another one calls first calls that one again."""
+    def leads_back(self, caller: str, called: str) -> bool:
+        """Whether a call of one function leads back to its caller before it returns."""
         return caller == called or self._cycles[caller] == self._cycles.get(called)
 
     @cached_property
@@ -316,7 +316,7 @@ class Endings:
         return {name: set(self._called_first(item.body)) for name, item in self.functions.items()}
 
     def _called_first(self, body: Body) -> Iterator[str]:
-        for item in _before_return(body):
+        for item in before_return(body):
             match item:
                 case Perform(call=Call(name=name)) if name in self.functions:
                     yield name
@@ -344,7 +344,7 @@ class Endings:
         return returns or breaks(loop.body)
 
 
-def _before_return(body: Body) -> Iterator[Statement]:
+def before_return(body: Body) -> Iterator[Statement]:
     """The statements of a body that run whenever it does, up to one that may contain a return."""
     for item in body:
         if any(isinstance(statement, Return | AnyPython) for statement in statements((item,))):
@@ -356,7 +356,7 @@ def _loops(body: Body) -> bool:
     """Whether a body never ends because of a loop of its own."""
     return any(
         isinstance(item, While) and is_endless(item) and not breaks(item.body)
-        for item in _before_return(body)
+        for item in before_return(body)
     )
 
 

@@ -39,10 +39,10 @@ from learnblock.language.workspace.literals import value_of
 
 
 def unknown(sort: str, name: str, near: str | None) -> Phrase:
-    """The message about a name that the program never sets.
+    """The message about an unknown name.
 
     Args:
-        sort: ``name``, or ``function`` for one that is called.
+        sort: ``name``, ``function`` for one that is called, or ``skill``.
         name: the name.
         near: a known name that resembles it; None if none does.
     """

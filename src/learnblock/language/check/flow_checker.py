@@ -6,7 +6,7 @@ from typing import Any
 
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.names import state_of
-from learnblock.language.check.endings import START, Endings, breaks, is_endless
+from learnblock.language.check.endings import START, Endings, before_return, breaks, is_endless
 from learnblock.language.check.findings import Findings, constant
 from learnblock.language.tree.nodes import (
     Activate,
@@ -186,17 +186,15 @@ class FlowChecker:
 
     def function(self, item: Def) -> None:
         """Report a function that calls itself before it can return."""
-        for statement in item.body:
+        for statement in before_return(item.body):
             match statement:
-                case Perform(call=Call(name=name) as call) if self.endings.always_comes_back(
+                case Perform(call=Call(name=name) as call) if self.endings.leads_back(
                     item.name, name
                 ):
                     code = self.findings.worded("check-calls-itself", "check-calls-itself-python")
                     message = Phrase(code, name=item.name)
                     self.report("calls-itself", message, call.span, "warning")
                     return
-            if any(isinstance(inner, Return | AnyPython) for inner in statements((statement,))):
-                return
 
     def event(self, item: When) -> None:
         """Report an event without a condition that nothing starts."""

@@ -56,9 +56,7 @@ class _PythonChecker:
     def run(self) -> None:
         for node in self.nodes:
             match node:
-                case ast.ImportFrom(module="learnblock", names=[ast.alias(name="Robot")]):
-                    self.report(Phrase("python-robot-import", module=_MODULE), node)
-                case ast.Import(names=[ast.alias(name="Robot")]):
+                case ast.ImportFrom() | ast.Import() if _lacks_module(node):
                     self.report(Phrase("python-robot-import", module=_MODULE), node)
                 case ast.Assign(value=ast.Tuple(elts=[ast.Constant(), ast.Constant()])):
                     self.decimal_comma(node.value)
@@ -234,17 +232,20 @@ def has_other_robot(text: str) -> bool:
 
 
 def _is_other_robot(nodes: list[ast.AST], bound: Iterable[str]) -> bool:
-    return "Robot" in bound and not any(map(_is_meant, nodes))
+    if "Robot" not in bound:
+        return False
+    return not any(_lacks_module(node) or imports_robot(node) for node in nodes)
 
 
-def _is_meant(node: ast.AST) -> bool:
-    """Whether a statement imports a robot of LearnBlock's, or was meant to."""
+def _lacks_module(node: ast.AST) -> bool:
+    """Whether a statement is meant to import a robot of LearnBlock's, but without its module."""
     match node:
-        case ast.ImportFrom(module="learnblock", names=[ast.alias(name="Robot")]):
+        case (
+            ast.ImportFrom(module="learnblock", names=[ast.alias(name="Robot")])
+            | ast.Import(names=[ast.alias(name="Robot")])
+        ):
             return True
-        case ast.Import(names=[ast.alias(name="Robot")]):
-            return True
-    return imports_robot(node)
+    return False
 
 
 def _unpacks(node: ast.Call) -> bool:

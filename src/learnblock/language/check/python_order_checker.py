@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from typing import NamedTuple
 
 from learnblock.i18n import Phrase
+from learnblock.language.check.walks import flattened
 from learnblock.language.tree.loads import Function, at_once
 
 _BUILTINS = frozenset((*dir(builtins), "__file__"))
@@ -31,15 +32,7 @@ _Uses = Iterator["EarlyUse | _Uses"]
 
 def early_uses(tree: ast.Module, bound: Iterable[str]) -> Iterator[EarlyUse]:
     """Find the first early use of each of the names that are `bound` somewhere in a program."""
-    ahead = [_Order(tree, frozenset(bound) - _BUILTINS).block(tree.body)]
-    while ahead:
-        found = next(ahead[-1], None)
-        if found is None:
-            ahead.pop()
-        elif isinstance(found, EarlyUse):
-            yield found
-        else:
-            ahead.append(found)
+    yield from flattened(_Order(tree, frozenset(bound) - _BUILTINS).block(tree.body))
 
 
 class _Order:
@@ -66,11 +59,11 @@ class _Order:
 
     # Statements.
 
-    def block(self, body: Iterable[ast.stmt]) -> "_Uses":
+    def block(self, body: Iterable[ast.stmt]) -> _Uses:
         for statement in body:
             yield from self.statement(statement)
 
-    def statement(self, node: ast.stmt) -> "_Uses":
+    def statement(self, node: ast.stmt) -> _Uses:
         if isinstance(node, _CHOICES):
             self.bind(_bound(node))
         elif isinstance(node, ast.If):
@@ -87,14 +80,14 @@ class _Order:
         else:
             yield from self.whole(node)
 
-    def branch(self, body: list[ast.stmt]) -> "_Uses":
+    def branch(self, body: list[ast.stmt]) -> _Uses:
         """Follow one of several bodies: the others may have run in an earlier round of the loop."""
         outer, others = self.maybe, self.in_loops - Counter(_bound_in(body))
         self.maybe = outer | others.keys()
         yield from self.block(body)
         self.maybe = outer
 
-    def parts(self, node: ast.stmt) -> "_Uses":
+    def parts(self, node: ast.stmt) -> _Uses:
         """Follow the first line of a block, and the statements in it."""
         for inner in ast.iter_child_nodes(node):
             if isinstance(inner, ast.stmt):
@@ -102,7 +95,7 @@ class _Order:
             else:
                 yield from self.whole(inner)
 
-    def whole(self, node: ast.AST) -> "_Uses":
+    def whole(self, node: ast.AST) -> _Uses:
         yield from self.uses(node)
         self.bind(_bound(node))
         match node:
@@ -118,7 +111,7 @@ class _Order:
 
     # Uses.
 
-    def uses(self, node: ast.AST) -> "_Uses":
+    def uses(self, node: ast.AST) -> _Uses:
         """Find early uses in what runs at once, also through the functions that it calls."""
         nodes = list(at_once(node))
         inner_names = frozenset(_names_inside(nodes))
@@ -140,7 +133,7 @@ class _Order:
                     if isinstance(read, ast.Name) and read.id not in inner_names:
                         yield from self.read(read)
 
-    def read(self, node: ast.Name) -> "_Uses":
+    def read(self, node: ast.Name) -> _Uses:
         name = node.id
         is_known = name in (self.set_here if name in self.own else self.known)
         if is_known or name in self.maybe or name not in self.names:
@@ -152,7 +145,7 @@ class _Order:
         else:
             yield EarlyUse(node, Phrase("check-read-before-set", name=name))
 
-    def call(self, function: ast.FunctionDef, again: Counter[str] | None = None) -> "_Uses":
+    def call(self, function: ast.FunctionDef, again: Counter[str] | None = None) -> _Uses:
         """Follow the first call of a function; later, at least as much is set."""
         key = (function.name, bool(self.maybe))
         if key not in self.followed:
@@ -160,7 +153,7 @@ class _Order:
             with self.within(function, again or Counter()):
                 yield self.block(function.body)
 
-    def events(self) -> "_Uses":
+    def events(self) -> _Uses:
         whens, self.whens = self.whens, []
         for when in whens:
             if ast.unparse(when.decorator_list[0]) == "robot.when_start":

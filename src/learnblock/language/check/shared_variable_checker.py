@@ -7,7 +7,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from learnblock.i18n import Phrase
-from learnblock.language.check.call_graph import recursive
+from learnblock.language.check.call_graph import reachable, recursive
 from learnblock.language.check.endings import LOOPS, START
 from learnblock.language.check.findings import Findings, constant
 from learnblock.language.tree.markers import raw_names
@@ -109,13 +109,13 @@ class _Checker:
 
     def run(self) -> None:
         setting = [part for part in self.functions.values() if part.sets]
-        recursive = [part for part in setting if part.name in self.recursive]
+        recursive_parts = [part for part in setting if part.name in self.recursive_names]
         counting = [part for part in self.parts if part.name and part.counts]
-        if not (recursive or counting):
+        if not (recursive_parts or counting):
             return
         for part in self.parts:
             _Walk(self, part).run()
-        for part in recursive:
+        for part in recursive_parts:
             self.recursion(part)
         for part in counting:
             self.calls(part)
@@ -146,22 +146,13 @@ class _Checker:
         return {name: set(self.called_in(part)) for name, part in self.functions.items()}
 
     @cached_property
-    def recursive(self) -> set[str]:
+    def recursive_names(self) -> set[str]:
         return recursive(self.calls_of)
 
     @cached_property
-    def reached(self) -> Mapping[str, set[str]]:
-        """The functions that each function calls, also through others."""
-        called = self.calls_of
-        reached = {}
-        for name, direct in called.items():
-            found, ahead = set(direct), list(direct)
-            while ahead:
-                more = called[ahead.pop()] - found
-                found |= more
-                ahead += more
-            reached[name] = found
-        return reached
+    def run_by(self) -> Mapping[str, set[str]]:
+        """The functions that run when each of them is called."""
+        return {name: reachable((name,), self.calls_of) for name in self.functions}
 
     def called_in(self, part: _Part) -> Iterator[str]:
         for item in statements(part.body):
@@ -177,18 +168,12 @@ class _Checker:
             for name in sorted(raw_names(node.text.strip()) & self.functions.keys()):
                 yield _Source(name, node.span.line)
 
-    def run_by(self, function: str) -> set[str]:
-        """The functions that run when one is called."""
-        return {function, *self.reached[function]}
-
     @cached_property
     def changed_by(self) -> Mapping[str, set[str]]:
         """The shared variables that a call of each function may set."""
         return {
-            function: {
-                name for inner in self.run_by(function) for name in self.functions[inner].sets
-            }
-            for function in self.functions
+            function: {name for inner in run for name in self.functions[inner].sets}
+            for function, run in self.run_by.items()
         }
 
     # What is reported.
@@ -197,7 +182,7 @@ class _Checker:
         """Report what a function needs after it has called itself, when the inner call sets it."""
         others = [other for other in self.parts if other is not part]
         for name, call in part.changed.items():
-            run = self.run_by(call.function)
+            run = self.run_by[call.function]
             used = any(name in other.takes or name in other.changed for other in others)
             given = any(name in self.functions[inner].sets for inner in run - {part.name})
             fixed = all(map(_is_fixed, part.sets.get(name, ())))
@@ -211,7 +196,7 @@ class _Checker:
         for other in self.parts:
             for name in sorted(part.counts & other.counts & other.changed.keys() - part.takes):
                 call = other.changed[name]
-                if other is not part and part.name in self.run_by(call.function):
+                if other is not part and part.name in self.run_by[call.function]:
                     self.report("check-shared-counter", part, name, line=str(call.line))
 
     def other_events(self, part: _Part) -> None:
@@ -236,7 +221,7 @@ class _Checker:
         """The functions that events other than the start run."""
         events = (event for event in self.events.values() if event.name != START)
         called = {name for event in events for name in self.called_in(event)}
-        return set().union(*map(self.run_by, called))
+        return reachable(called, self.calls_of)
 
     def report(self, code: str, part: _Part, name: str, **values: str) -> None:
         if (id(part), name) in self.reported:

@@ -11,6 +11,7 @@ from learnblock.language.blocktext.names import state_of
 from learnblock.language.blocktext.other_names import QUESTIONS, VALUES
 from learnblock.language.check.endings import LOOPS
 from learnblock.language.check.findings import Findings, unknown
+from learnblock.language.check.walks import exhaust
 from learnblock.language.tree.characters import write_instead
 from learnblock.language.tree.markers import raw_names
 from learnblock.language.tree.nodes import (
@@ -36,6 +37,9 @@ from learnblock.language.tree.traversal import (
     statements,
     within,
 )
+
+#: What is left of a walk: it yields the walks through a body or a function on its way.
+_Steps = Generator["_Steps", None, None]
 
 # Python sets these in every file.
 _PYTHONS_OWN = frozenset(("__name__", "__file__"))
@@ -149,7 +153,7 @@ class _Order:
             self.event(when, known, Counter())
         for when in whens:
             # The first cycle evaluates every condition before it runs an event.
-            _exhaust(self.expressions(_certain(when.condition), _Scope(known)))
+            exhaust(self.expressions(_certain(when.condition), _Scope(known)))
         sets = {when.name: set(self.sets(when.body)) for when in whens}
         for when in whens:
             # Each runs again and again, after any other.
@@ -194,13 +198,13 @@ class _Order:
                     yield node.name
 
     def walk(self, body: Iterable[Item], scope: _Scope) -> None:
-        _exhaust(self.block(body, scope))
+        exhaust(self.block(body, scope))
 
-    def block(self, body: Iterable[Item], scope: _Scope) -> "_Steps":
+    def block(self, body: Iterable[Item], scope: _Scope) -> _Steps:
         for item in body:
             yield from self.statement(item, scope)
 
-    def statement(self, item: Item, scope: _Scope) -> "_Steps":
+    def statement(self, item: Item, scope: _Scope) -> _Steps:
         yield from self.expressions(_evaluated(item), scope)
         for name in set_by(item):
             scope.bind(name)
@@ -217,7 +221,7 @@ class _Order:
             return replace(scope, maybe=scope.maybe | (scope.in_loop - self.sets(body)).keys())
         return scope
 
-    def expressions(self, found: Iterable[Expression], scope: _Scope) -> "_Steps":
+    def expressions(self, found: Iterable[Expression], scope: _Scope) -> _Steps:
         nodes = list(found)
         for node in nodes:
             if isinstance(node, Call) and node.name in self.functions:
@@ -226,7 +230,7 @@ class _Order:
             if isinstance(node, Name):
                 self.read(node, scope)
 
-    def call(self, function: Def, scope: _Scope) -> "_Steps":
+    def call(self, function: Def, scope: _Scope) -> _Steps:
         """Follow the first call of a function: later, the same variables are set and more."""
         key = (function.name, bool(scope.maybe))
         if key in self.followed:
@@ -246,21 +250,6 @@ class _Order:
         self.findings.report(
             "unset-variable", Phrase("check-read-before-set", name=name), node.span
         )
-
-
-#: What is left of a walk: it yields the walks through a body or a function on its way.
-_Steps = Generator["_Steps", None, None]
-
-
-def _exhaust(steps: _Steps) -> None:
-    """Take a walk to its end, however many functions call each other on its way."""
-    ahead = [steps]
-    while ahead:
-        inner = next(ahead[-1], None)
-        if inner is None:
-            ahead.pop()
-        else:
-            ahead.append(inner)
 
 
 def _evaluated(item: Item) -> Iterator[Expression]:

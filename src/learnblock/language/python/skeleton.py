@@ -89,12 +89,12 @@ def _names_robot(nodes: list[ast.AST]) -> bool:
     One that only calls skills lacks its robot, which the check says.
     """
     owners = {id(node.value) for node in nodes if isinstance(node, ast.Attribute)}
-    read = {
+    mentioned = {
         node.id
         for node in nodes
         if isinstance(node, ast.Name) and not (node.id == "robot" and id(node) in owners)
     }
-    return not _NAMES.isdisjoint(read | _imported(nodes) | set(bound_names(nodes)))
+    return not _NAMES.isdisjoint(mentioned | _imported(nodes) | set(bound_names(nodes)))
 
 
 def _imported(nodes: list[ast.AST]) -> set[str]:

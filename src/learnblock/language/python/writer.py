@@ -393,12 +393,13 @@ def _binds_tightest(text: str) -> bool:
         node = ast.parse(text, mode="eval").body
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return False
-    if isinstance(node, ast.NamedExpr | ast.Yield | ast.YieldFrom):
-        # As an expression, it has its brackets.
-        return True
     return isinstance(
         node,
-        ast.Attribute
+        # The first three are in brackets already wherever they are a value.
+        ast.NamedExpr
+        | ast.Yield
+        | ast.YieldFrom
+        | ast.Attribute
         | ast.Call
         | ast.Constant
         | ast.Dict

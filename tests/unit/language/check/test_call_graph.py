@@ -1,5 +1,7 @@
 """Functions that call each other, also two thousand of them in a row."""
 
+from dataclasses import replace
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -7,29 +9,21 @@ from hypothesis import strategies as st
 from learnblock.blocks import builtin
 from learnblock.language import check, parse, to_python
 from learnblock.language.check.call_graph import callers_of, recursive
+from modules import reachable
 
 NAMES = "abcdefg"
 graphs = st.fixed_dictionaries({name: st.sets(st.sampled_from(NAMES)) for name in NAMES})
 LONG = 2000
 
 
-def reached(name, calls):
-    found, ahead = set(), [name]
-    while ahead:
-        more = calls[ahead.pop()] - found
-        found |= more
-        ahead += more
-    return found
-
-
 @given(graphs)
 def test_a_recursive_function_reaches_itself(calls):
-    assert recursive(calls) == {name for name in NAMES if name in reached(name, calls)}
+    assert recursive(calls) == {name for name in NAMES if name in reachable(calls, name)}
 
 
 @given(graphs, st.sets(st.sampled_from(NAMES)))
 def test_callers_reach_what_they_call(calls, names):
-    expected = {name for name in NAMES if not names.isdisjoint({name, *reached(name, calls)})}
+    expected = {name for name in NAMES if not names.isdisjoint({name, *reachable(calls, name)})}
     assert callers_of(names, calls) == expected
 
 
@@ -57,7 +51,7 @@ def test_a_long_circle_of_functions_has_no_end():
 def test_a_long_chain_to_a_loop_never_returns():
     program = chain("forever:\n        function.sleep(1)\n    end")
     after = parse("x = 1\n").items
-    program = type(program)((*program.items, *after))
+    program = replace(program, items=(*program.items, *after))
     assert "unreachable" in codes(program)
 
 

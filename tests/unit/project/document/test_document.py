@@ -471,7 +471,7 @@ def test_a_run_from_the_page_has_the_trace_of_the_command_line(tmp_path):
 
 
 @pytest.mark.parametrize("notation", ["blocktext", "python"])
-def test_a_robot_is_added_by_one_line_less_of_block_text(notation):
+def test_removing_the_line_without_robot_adds_a_robot(notation):
     plain = document("without robot\n\nfunction.turn(90)  # go\n")
     written = plain.with_text(notation, getattr(plain, notation) + "\n")
     assert {found.message.code for found in written.problems} <= {
