@@ -68,9 +68,9 @@ def plan(programs, *, opened=None, seeds=1, limits=LIMITS):
     return Plan(opened or lesson(), 1, programs, attempts, version("learnblock-studio"), limits)
 
 
-def rows(plan, folder, workers):
+def rows(grading_plan, folder, workers):
     """The rows of a grading that is made, as (pupil, result)."""
     with opened_journal(folder) as journal:
-        grading = Grading(plan, journal)
+        grading = Grading(grading_plan, journal)
         list(grading.run(workers))
         return [(row.handed_in.pupil, row.result) for row in grading.rows()]

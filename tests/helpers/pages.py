@@ -190,15 +190,13 @@ class Visitor:
         return self.hear("Projects")
 
 
-def english(message) -> str:
+def english(data) -> str:
     """The English text of a phrase that the server sent."""
-    return str(phrase(message))
+    return str(phrase(data))
 
 
-def phrase(message):
+def phrase(data):
     """A phrase that the server sent, or a value of one."""
-    if isinstance(message, dict):
-        return Phrase(
-            message["code"], **{key: phrase(value) for key, value in message["values"].items()}
-        )
-    return tuple(map(phrase, message)) if isinstance(message, list) else message
+    if isinstance(data, dict):
+        return Phrase(data["code"], **{key: phrase(value) for key, value in data["values"].items()})
+    return tuple(map(phrase, data)) if isinstance(data, list) else data

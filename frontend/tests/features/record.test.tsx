@@ -29,7 +29,7 @@ function answer(body: unknown, status = 200): void {
   vi.stubGlobal("fetch", () => Promise.resolve(new Response(JSON.stringify(body), { status })));
 }
 
-test("what is on the way comes before what is reached", () => {
+test("what is in progress comes before what is reached", () => {
   expect(aimsOf(RECORD).map(({ aim }) => aim.say)).toEqual(["Loops", "Order"]);
 });
 
@@ -45,14 +45,14 @@ test("a pupil sees lessons, marks that changed, notes and standards, and nothing
   expect(screen.queryByText("Delete…")).toBeNull();
 });
 
-test("the teacher can take it along and delete it", async () => {
+test("the teacher can download and delete the record", async () => {
   answer({ ...RECORD, teaches: true });
   render(<RecordPage />);
   await screen.findByText("Delete…");
   screen.getByText("Download the work");
 });
 
-test("who may not see it is told so", async () => {
+test("others are told that only the pupil and the teacher see it", async () => {
   answer("", 403);
   render(<RecordPage />);
   await screen.findByText(/Only the pupil and the teacher/);

@@ -8,6 +8,7 @@ from learnblock.classroom.pupil_folder import HOME
 from learnblock.i18n import Phrase
 from learnblock.lessons import packing, reading
 from learnblock.lessons.archive import SUFFIX
+from learnblock.lessons.own import FOLDER
 from learnblock.server.catalog.lessons import find_own, lesson_choices, step_titles
 from learnblock.server.messages import LessonChoice
 from learnblock.storage.files import save
@@ -28,7 +29,7 @@ def give_lesson(name: str, folders: Iterable[Path]) -> None:
     """
     content = packing.pack(reading.for_pupils(find_own(name)))
     for folder in folders:
-        lessons = folder / HOME / "lessons"
+        lessons = folder / HOME / FOLDER
         lessons.mkdir(parents=True, exist_ok=True)
         save(lessons / f"{name}{SUFFIX}", content)
 

@@ -13,11 +13,10 @@ from learnblock.classroom.roster import Pupil, Roster, names_of
 from learnblock.errors import LearnBlockError
 from learnblock.lessons.lesson import Lesson, LessonText, Step
 from learnblock.lessons.opened import OpenLesson
-from learnblock.lessons.reading import named_lesson
 from learnblock.lessons.texts import plain
 from learnblock.project.files.folder import ProjectFolder
 from learnblock.project.files.lesson_folder import GOALS, PUZZLE, QUIZ, Progress
-from learnblock.server.catalog import star_names
+from learnblock.server.catalog import find_lesson, star_names
 
 
 class RecordedHandIn(Struct, frozen=True, omit_defaults=True):
@@ -143,10 +142,13 @@ class _LessonWork:
         """The stars that are earned in a step."""
         return self.stars.get(number, set()).intersection(star_names(step))
 
-    def is_done(self, steps: Iterable[tuple[int, Step]]) -> bool:
-        """Whether there is something to earn in steps, and all of it is earned."""
-        needed = {(number, star) for number, step in steps for star in _needed(star_names(step))}
-        return bool(needed) and all(star in self.stars.get(at, ()) for at, star in needed)
+    def needed(self, steps: Iterable[tuple[int, Step]]) -> tuple[int, int]:
+        """How many of the stars that numbered steps ask for are earned, and how many there are."""
+        counts = [
+            (len(_needed(self.earned(number, step))), len(_needed(star_names(step))))
+            for number, step in steps
+        ]
+        return sum(earned for earned, _ in counts), sum(asked for _, asked in counts)
 
 
 def record_of(roster: Roster, shelf: HandInShelf, pupil: Pupil, *, teaches: bool) -> PupilRecord:
@@ -187,7 +189,7 @@ def _lesson(name: str, work: _LessonWork) -> RecordedLesson:
     opened: OpenLesson | None = None
     # What was done in a lesson that is gone is still shown.
     with suppress(LearnBlockError, OSError):
-        opened = named_lesson(name)
+        opened = find_lesson(name)
     steps = opened.lesson.step if opened else ()
     hand_ins = (_hand_in(file, steps) for _, file in sorted(work.hand_ins.items()))
     recorded = RecordedLesson(
@@ -201,14 +203,15 @@ def _lesson(name: str, work: _LessonWork) -> RecordedLesson:
     )
     if opened is None:
         return recorded
+    earned, needed = work.needed(enumerate(steps, 1))
     return replace(
         recorded,
         title=plain(opened.lesson.title),
         picture=opened.lesson.picture or "",
         steps=len(steps),
         stars=sum(len(work.earned(number, step)) for number, step in enumerate(steps, 1)),
-        all_stars=sum(len(set(star_names(step))) for step in steps),
-        done=work.is_done(enumerate(steps, 1)),
+        all_stars=sum(len(list(star_names(step))) for step in steps),
+        done=0 < needed == earned,
         aims=tuple(_aims(opened.lesson, work)),
     )
 
@@ -221,21 +224,23 @@ def _hand_in(file: HandInFile, steps: Sequence[Step]) -> RecordedHandIn:
         file.at,
         marks=tuple(given.mark for given in back if given.mark),
         note=back[-1].note if back else "",
-        improved=len(back) - (0 if file.is_new else 1) if back else 0,
-        waits=not back or file.is_new,
+        improved=len(back) - (not file.is_new),
+        waits=file.is_new,
     )
 
 
 def _aims(lesson: Lesson, work: _LessonWork) -> Iterator[RecordedAim]:
-    evidence = {found.aim: found for found in lesson.evidence}
+    by_aim = {evidence.aim: evidence for evidence in lesson.evidence}
     for number, aim in enumerate(lesson.aims, 1):
-        found = evidence.get(number)
-        numbers = found.steps if found else range(1, len(lesson.step) + 1)
-        steps = [(step, lesson.step[step - 1]) for step in numbers if step <= len(lesson.step)]
-        needed = sum(len(_needed(star_names(step))) for _, step in steps)
-        earned = sum(len(_needed(work.earned(step, content))) for step, content in steps)
-        standards = found.standards if found else ()
-        yield RecordedAim(plain(aim), work.is_done(steps), earned, needed, standards)
+        evidence = by_aim.get(number)
+        steps = [
+            (place, step)
+            for place, step in enumerate(lesson.step, 1)
+            if evidence is None or place in evidence.steps
+        ]
+        earned, needed = work.needed(steps)
+        standards = evidence.standards if evidence else ()
+        yield RecordedAim(plain(aim), 0 < needed == earned, earned, needed, standards)
 
 
 def _needed(stars: Iterable[str]) -> set[str]:

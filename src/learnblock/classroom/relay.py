@@ -29,7 +29,7 @@ _LARGEST = 8 * 1024 * 1024
 _BACK_SOON, _FORBIDDEN = 1012, 4403
 #: Seconds within which a pupil's server answers.
 _PATIENCE = 10.0
-#: Seconds between two looks whether it does.
+#: Seconds between two checks that it does.
 _HEARTBEAT = 2.0
 
 
@@ -114,7 +114,7 @@ class Relay:
                 self._server = None
 
     async def _listen(self, server: ClientConnection) -> None:
-        """Note again and again that the pupil's server answers, for as long as it does."""
+        """Record that the pupil's server answers, for as long as it does."""
         with suppress(ConnectionClosed):
             while True:
                 await (await server.ping())

@@ -283,16 +283,16 @@ def names_of(pupils: Sequence[Pupil]) -> Mapping[str, str]:
         pupils: in the order in which they joined.
     """
     bearers = Counter(pupil.name for pupil in pupils)
-    called: dict[str, str] = {}
+    names: dict[str, str] = {}
     taken = set(bearers)
     for pupil in pupils:
-        called[pupil.id] = pupil.name if bearers[pupil.name] == 1 else _numbered(pupil.name, taken)
-        taken.add(called[pupil.id])
-    return called
+        names[pupil.id] = pupil.name if bearers[pupil.name] == 1 else _numbered(pupil.name, taken)
+        taken.add(names[pupil.id])
+    return names
 
 
 def _numbered(name: str, taken: Collection[str]) -> str:
-    """A name with the first number that makes it another one than those that are taken."""
+    """A name with the first number that makes it different from those that are taken."""
     return next(text for n in count(1) if (text := f"{name} {n}") not in taken)
 
 

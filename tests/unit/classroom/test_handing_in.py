@@ -19,7 +19,7 @@ from learnblock.lessons.grading.journal import NAME
 from learnblock.server.messages import GivenProgram, GivenWork
 
 pytestmark = [pytest.mark.realtime, pytest.mark.slow]
-#: It is tried once on each of its two robots, so that a check takes a moment.
+#: Each check tries it once on each of two robots, so it takes a moment.
 LESSON, STEP = small_lesson.NAME, 2
 PLACE = {"lesson": LESSON, "step": STEP}
 QUERY = f"lesson={LESSON}&step={STEP}"

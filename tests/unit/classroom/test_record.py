@@ -47,9 +47,9 @@ def record(roster, shelf, **options):
     return record_of(roster, shelf, roster.pupils[0], **{"teaches": True, **options})
 
 
-def test_a_new_pupil_has_an_empty_record_and_two_of_one_name_are_told_apart(roster, shelf):
-    told = record(roster, shelf)
-    assert (told.name, told.title, told.lessons) == ("Ana 1", "7b", ())
+def test_a_new_pupil_has_an_empty_record_and_namesakes_have_numbers(roster, shelf):
+    empty = record(roster, shelf)
+    assert (empty.name, empty.title, empty.lessons) == ("Ana 1", "7b", ())
     assert record(roster, shelf, teaches=False).name == "Ana"
 
 
@@ -115,7 +115,7 @@ def test_an_improved_hand_in_has_both_marks(roster):
 
 
 @pytest.mark.parametrize("steps", [{"30": StepProgress((GOALS,))}, {"0": StepProgress((QUIZ,))}])
-def test_stars_of_steps_that_a_lesson_has_not_count_for_nothing(roster, shelf, steps):
+def test_stars_of_steps_that_a_lesson_lacks_are_not_counted(roster, shelf, steps):
     project(roster, "odd", steps, step=30)
     [lesson] = record(roster, shelf).lessons
     assert lesson.stars == 0
@@ -145,7 +145,7 @@ def asked(roster):
     return lambda cookie, badge: asyncio.run(ask(cookie, badge))
 
 
-def test_a_pupil_sees_the_own_record_and_the_teacher_all(roster, asked):
+def test_pupils_see_their_own_record_and_the_teacher_every_record(roster, asked):
     own = asked("class", Badges(roster).of_pupil(roster.pupils[0]))
     assert (own.status_code, own.json()) == (200, {"name": "Ana", "title": "7b"})
     teachers = asked("class_teacher", Badges(roster).of_teacher())

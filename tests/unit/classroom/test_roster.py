@@ -157,7 +157,7 @@ def test_an_id_that_could_leave_the_folder_is_refused(roster, tmp_path, wrong):
     assert code_of(lambda: Roster(tmp_path, "7b")) == "class-damaged"
 
 
-def test_no_number_makes_a_pupil_another_ones_namesake(roster):
+def test_a_number_never_gives_two_pupils_the_same_name(roster):
     for name in ("Ana", "Ana 2", "Ana", "Leo"):
         roster.add(name)
     assert list(names_of(roster.pupils).values()) == ["Ana 1", "Ana 2", "Ana 3", "Leo"]

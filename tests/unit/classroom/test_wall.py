@@ -136,7 +136,7 @@ def test_a_lesson_reaches_pupils_who_come_later_once(room, desk, page):
     assert asyncio.run(room.first_lesson(desk.pupil)) is None
 
 
-def test_what_one_of_many_pupils_gets_is_not_the_lesson_of_the_class(room, desk, page):
+def test_a_lesson_for_one_of_many_pupils_is_not_the_lesson_of_the_class(room, desk, page):
     other = room.roster.pupils[1].id
     asyncio.run(do(room, ours.HandOut(LESSON, "A square", pupils=(desk.pupil.id,), step=2)))
     assert page.orders == [StartLesson(LESSON, "A square", step=2)]
@@ -154,9 +154,8 @@ def test_the_wall_tells_pupils_of_one_name_apart_by_numbers(room):
 
 
 @pytest.fixture
-def own(tmp_path, monkeypatch):
+def own():
     """The name of a lesson of the teacher's own."""
-    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path / "teacher"))
     return copy_lesson(LESSON).name
 
 
@@ -177,14 +176,12 @@ def has_own(room, own, monkeypatch):
     return given.name == own and not any(path.startswith("teacher") for path in given.files)
 
 
-def test_pupils_get_an_own_lesson_of_the_teacher_without_the_teachers_part(
-    taught, own, monkeypatch, page
-):
+def test_pupils_get_a_teachers_own_lesson_without_the_teachers_part(taught, own, monkeypatch, page):
     asyncio.run(do(taught, ours.HandOut(own, "Mine")))
     assert has_own(taught, own, monkeypatch)
 
 
-def test_pupils_begin_with_an_own_lesson_of_the_teacher(taught, own, monkeypatch):
+def test_pupils_begin_with_a_teachers_own_lesson(taught, own, monkeypatch):
     taught.roster.prepare(own, "Mine", "basics")
     first = asyncio.run(taught.first_lesson(taught.roster.pupils[0]))
     assert first == StartLesson(own, "Mine")

@@ -210,7 +210,7 @@ def test_a_check_without_an_end_is_ended(judge, source):
     assert judge(source, limits=replace(LITTLE, blocked=0.5)).state == "failed"
 
 
-#: Longer than it may wait where nothing keeps the machine busy.
+#: It sleeps for longer than a check may be blocked below.
 SLOW = "import time\ndef holds(run):\n    time.sleep(0.4)\n    return True"
 
 

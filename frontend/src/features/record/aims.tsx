@@ -1,4 +1,4 @@
-/** What the pupil has learned, from what the programs did: what is on the way comes first. */
+/** What the pupil has learned, based on what the programs did: what is in progress comes first. */
 
 import { t } from "../../i18n";
 import type { PupilRecord } from "../../protocol/classroom";

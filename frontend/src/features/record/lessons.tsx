@@ -1,15 +1,15 @@
 /** Lesson by lesson: when, how far, with how many tries and hints, and what the teacher has said. */
 
 import { language, t } from "../../i18n";
-import type { PupilRecord } from "../../protocol/classroom";
+import type { PupilRecord, RecordedLesson } from "../../protocol/classroom";
 import { Icon } from "../../ui/icons";
+import { pictureOf } from "../class-page/words";
 import { inLanguage } from "../lessons/texts";
 import { lessonsOf } from "./record";
 
-type Lesson = ReturnType<typeof lessonsOf>[number];
-
 export function LessonTable({ record }: { record: PupilRecord }) {
-  const most = Math.max(1, ...lessonsOf(record).map(({ hints = 0 }) => hints));
+  const lessons = lessonsOf(record);
+  const most = Math.max(1, ...lessons.map(({ hints = 0 }) => hints));
   return (
     <section class="record-card" aria-labelledby="record-lessons">
       <h3 id="record-lessons">{t("page-record-lessons")}</h3>
@@ -25,7 +25,7 @@ export function LessonTable({ record }: { record: PupilRecord }) {
           </tr>
         </thead>
         <tbody>
-          {lessonsOf(record).map((lesson) => (
+          {lessons.map((lesson) => (
             <Row key={lesson.name} lesson={lesson} most={most} teaches={record.teaches ?? false} />
           ))}
         </tbody>
@@ -34,20 +34,16 @@ export function LessonTable({ record }: { record: PupilRecord }) {
   );
 }
 
-/** A pupil's page has the pictures at its own address. */
-function Row({ lesson, most, teaches }: { lesson: Lesson; most: number; teaches: boolean }) {
-  const { name, title, picture, at = 0, stars = 0, all_stars = 0, runs = 0, hints = 0 } = lesson;
+/** The pictures are at the address of a pupil's page. */
+function Row({ lesson, most, teaches }: { lesson: RecordedLesson; most: number; teaches: boolean }) {
+  const { title, at = 0, stars = 0, all_stars = 0, runs = 0, hints = 0 } = lesson;
   const date = new Date(at * 1000).toLocaleDateString(language.value, { day: "numeric", month: "short" });
-  const base = `${teaches ? "../../" : ""}lessons/${encodeURIComponent(name)}/pictures/`;
+  const picture = pictureOf(lesson);
   return (
     <tr>
       <td>{at > 0 && date}</td>
       <th scope="row">
-        {picture ? (
-          <img src={base + encodeURIComponent(picture)} alt="" width={70} height={48} loading="lazy" />
-        ) : (
-          <i />
-        )}
+        {picture && <img src={(teaches ? "../../" : "") + picture} alt="" width={70} height={48} loading="lazy" />}
         <span>
           {inLanguage(title)}
           <small>{storyOf(lesson)}</small>
@@ -70,7 +66,7 @@ function Row({ lesson, most, teaches }: { lesson: Lesson; most: number; teaches:
 }
 
 /** How far it is, and the teacher's last note. */
-function storyOf({ done, step = 1, steps = 0, hand_ins = [] }: Lesson): string {
+function storyOf({ done, step = 1, steps = 0, hand_ins = [] }: RecordedLesson): string {
   const note = hand_ins.findLast((handIn) => handIn.note)?.note;
   const waits = hand_ins.some((handIn) => handIn.waits);
   return [
@@ -83,7 +79,7 @@ function storyOf({ done, step = 1, steps = 0, hand_ins = [] }: Lesson): string {
 }
 
 /** The marks of each hand-in, and how they changed. */
-function marksOf({ hand_ins = [] }: Lesson): string {
+function marksOf({ hand_ins = [] }: RecordedLesson): string {
   return hand_ins
     .filter(({ marks = [] }) => marks.length > 0)
     .map(({ marks = [] }) => marks.filter((mark, i) => mark !== marks[i - 1]).join(" → "))

@@ -1,22 +1,22 @@
-/** A pupil over weeks: for the pupil, for the teacher, and on paper for a meeting with parents. */
+/** A pupil's record: for the pupil, for the teacher, and on paper for a meeting with parents. */
 
 import { useSignal } from "@preact/signals";
-import { useEffect } from "preact/hooks";
+import { useEffect, useRef } from "preact/hooks";
 
 import { language, t } from "../../i18n";
-import type { PupilRecord, Seat } from "../../protocol/classroom";
+import type { PupilRecord, RecordedLesson, Seat } from "../../protocol/classroom";
 import { Icon, type IconName } from "../../ui/icons";
 import { RemoveDialog } from "../class-page/dialogs";
 import { Frame } from "../class-page/frame";
 import { ClassStream } from "../class-page/stream";
 import { Aims } from "./aims";
 import { LessonTable } from "./lessons";
-import { lessonsOf, type Opened, openRecord } from "./record";
+import { fetchRecord, lessonsOf, type RecordOrState } from "./record";
 import "./record.css";
 
 export function RecordPage() {
-  const opened = useSignal<Opened>("loading");
-  useEffect(() => void openRecord().then((found) => (opened.value = found)), []);
+  const opened = useSignal<RecordOrState>("loading");
+  useEffect(() => void fetchRecord().then((found) => (opened.value = found)), []);
   const record = opened.value;
   if (typeof record === "string") return <Frame>{record !== "loading" && <p>{t(`page-record-${record}`)}</p>}</Frame>;
   return (
@@ -60,15 +60,14 @@ function Tools({ record }: { record: PupilRecord }) {
   );
 }
 
-/** Everything that is kept about the pupil can be taken along or deleted here, too. */
+/** The teacher can also download or delete everything that is kept about the pupil here. */
 function ForTeacher({ name }: { name: string }) {
-  const leaving = useSignal<ClassStream | null>(null);
+  const stream = useRef<ClassStream | null>(null);
+  const isAsking = useSignal(false);
   const id = pupilHere();
   const ask = () => {
-    const stream = new ClassStream("../../wall");
-    stream.open();
-    stream.on("Wall", ({ pupils = [] }) => pupils.includes(id) || location.assign("../../teacher"));
-    leaving.value = stream;
+    stream.current ??= openWall(id);
+    isAsking.value = true;
   };
   return (
     <>
@@ -80,16 +79,24 @@ function ForTeacher({ name }: { name: string }) {
         <Icon name="download" />
         {t("page-class-export")}
       </a>
-      {leaving.value && (
-        <RemoveDialog stream={leaving.value} seats={[{ id, name } as Seat]} close={() => (leaving.value = null)} />
+      {isAsking.value && stream.current && (
+        <RemoveDialog stream={stream.current} seats={[{ id, name } as Seat]} close={() => (isAsking.value = false)} />
       )}
     </>
   );
 }
 
+/** The wall's stream, which leaves this page once the pupil is deleted. */
+function openWall(pupil: string): ClassStream {
+  const stream = new ClassStream("../../wall");
+  stream.open();
+  stream.on("Wall", ({ pupils = [] }) => pupils.includes(pupil) || location.assign("../../teacher"));
+  return stream;
+}
+
 function Summary({ record }: { record: PupilRecord }) {
   const lessons = lessonsOf(record);
-  const sum = (of: (lesson: (typeof lessons)[number]) => number) => lessons.reduce((all, one) => all + of(one), 0);
+  const sum = (of: (lesson: RecordedLesson) => number) => lessons.reduce((all, one) => all + of(one), 0);
   const handIns = lessons.flatMap((lesson) => lesson.hand_ins ?? []);
   const improved = handIns.filter((handIn) => handIn.improved).length;
   const begun = lessons.length;

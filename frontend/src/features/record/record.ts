@@ -1,13 +1,11 @@
 /** What the server knows of a pupil. */
 
-import type { PupilRecord } from "../../protocol/classroom";
-
-type RecordedLesson = NonNullable<PupilRecord["lessons"]>[number];
+import type { PupilRecord, RecordedAim, RecordedLesson } from "../../protocol/classroom";
 
 /** The record, or why it is not shown. */
-export type Opened = PupilRecord | "loading" | "refused" | "lost";
+export type RecordOrState = PupilRecord | "loading" | "refused" | "lost";
 
-export async function openRecord(): Promise<Opened> {
+export async function fetchRecord(): Promise<RecordOrState> {
   try {
     const answer = await fetch("record.json");
     if (!answer.ok) return answer.status === 403 ? "refused" : "lost";
@@ -22,13 +20,13 @@ export function lessonsOf({ lessons = [] }: PupilRecord): readonly RecordedLesso
   return lessons;
 }
 
-/** An aim with the lesson that it belongs to. */
+/** An aim and its lesson. */
 export interface AimOfLesson {
   readonly lesson: RecordedLesson;
-  readonly aim: NonNullable<RecordedLesson["aims"]>[number];
+  readonly aim: RecordedAim;
 }
 
-/** The aims: first those on the way, the newest of each kind first. */
+/** The aims: those in progress first, and the newest first among equals. */
 export function aimsOf(record: PupilRecord): AimOfLesson[] {
   const all = [...lessonsOf(record)].reverse().flatMap((lesson) => (lesson.aims ?? []).map((aim) => ({ lesson, aim })));
   return all.sort((one, other) => Number(one.aim.reached ?? false) - Number(other.aim.reached ?? false));

@@ -10,7 +10,7 @@ from learnblock.i18n import Phrase
 from learnblock.lessons import editing, packing, reading
 from learnblock.lessons.archive import SUFFIX
 from learnblock.lessons.lesson import Step
-from learnblock.lessons.own import MOST, is_name, own_files, own_folder
+from learnblock.lessons.own import MOST_OWN, is_name, own_files, own_folder
 from learnblock.lessons.reading import OpenLesson
 from learnblock.lessons.texts import plain
 from learnblock.server.messages import LARGEST_LESSON, LessonChoice
@@ -83,8 +83,8 @@ def add_lesson(name: str, content: bytes) -> OpenLesson:
         message = Phrase("server-lesson-name", name=name[:100])
         raise FileError(f"{name[:100]}{SUFFIX}", [Diagnostic("wrong-name", message)])
     folder, files = own_folder(), own_files()
-    if len(files) >= MOST and folder / f"{name}{SUFFIX}" not in files:
-        raise LearnBlockError("server-lesson-too-many", limit=MOST)
+    if len(files) >= MOST_OWN and folder / f"{name}{SUFFIX}" not in files:
+        raise LearnBlockError("server-lesson-too-many", limit=MOST_OWN)
     folder.mkdir(parents=True, exist_ok=True)
     staged = folder / f".{name}{SUFFIX}"
     save(staged, content[:LARGEST_LESSON])
@@ -103,7 +103,7 @@ def free_lesson_name(title: str) -> str:
     if len(stem) < 2 or is_device_name(stem):
         stem = f"lesson-{stem}".strip("-")
     taken = {name.casefold() for name in (*reading.shipped(), *(f.stem for f in own_files()))}
-    names = (stem, *(f"{stem}-{number}" for number in range(2, MOST + 2)))
+    names = (stem, *(f"{stem}-{number}" for number in range(2, MOST_OWN + 2)))
     return next(name for name in names if name.casefold() not in taken)
 
 

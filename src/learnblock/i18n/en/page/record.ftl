@@ -1,6 +1,6 @@
 # A pupil over weeks: lessons, stars, hints, hand-ins and aims; for pupil, teacher and parents.
 
-page-record-title = Record of a pupil
+page-record-title = Pupil record
 page-record-own = My record
 page-record-of-pupil = Record
 page-record-back = My projects
@@ -9,10 +9,10 @@ page-record-print-meeting = Print for the meeting
 page-record-delete = Delete…
 page-record-refused = Only the pupil and the teacher can see this record. Join the class again, or open the teacher's wall first.
 page-record-lost = The class doesn't answer. Is it open? Reload the page to try again.
-page-record-none = No lesson has been begun yet.
-page-record-finished = Lessons finished
-# $count is the number of lessons that were begun.
-page-record-of-begun = of { $count } begun
+page-record-none = No lesson started yet.
+page-record-finished = Finished lessons
+# $count is the number of lessons that were started.
+page-record-of-begun = of { $count } started
 page-record-of = of { $count }
 page-record-hints = Hints
 page-record-no-hints = none
@@ -30,7 +30,7 @@ page-record-date = Date
 page-record-step = step { $step } of { $steps }
 page-record-waits = handed in
 page-record-aims = Aims
-page-record-aims-from = from what the programs did
+page-record-aims-from = based on what the programs did
 # $lesson is the title of a lesson.
 page-record-shown = Shown in { $lesson }
-page-record-on-the-way = On the way: { $stars } of { $all } stars in { $lesson }
+page-record-on-the-way = In progress: { $stars } of { $all } stars in { $lesson }
