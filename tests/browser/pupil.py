@@ -55,8 +55,8 @@ MENU_OF = {command: menu for menu, commands in MENUS.items() for command in comm
 SPEEDS = ("0.1×", "0.25×", "0.5×", "1×", "2×", "5×", "10×", "20×", "Fastest")
 #: What the tests' pupils see at first: all buttons, and two views of the program.
 LAYOUT = {"split": True, "views": ["blocks", "blocktext"], "panel": True}
-#: The heights of what lies over the top and the bottom of the world's picture; the floor is
-#: centred between.
+#: The heights of what covers the world's picture at the top and the bottom; the floor is centred
+#: between them.
 OVERLAYS = (56, 86)
 #: The initial scale of the workspace; the measures below are at scale 1.
 SCALE = 0.85

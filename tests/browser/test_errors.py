@@ -115,7 +115,7 @@ def test_below_the_problems_stands_which_robots_can_run_the_program(pupil):
     pupil.picture("runs-on")
 
 
-def test_a_pasted_program_that_uses_a_robot_gets_one_by_a_button(sit_down, server):
+def test_a_button_adds_a_robot_to_a_pasted_program_that_uses_one(sit_down, server):
     pupil = sit_down(server, viewport={"width": 1800, "height": 900}, empty=True, flat=True)
     pupil.show("Blocks", "Block-Text", "Python")
     pupil.write("python", "import math\n\n\nrobot.turn(math.degrees(1))\n")

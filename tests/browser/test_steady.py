@@ -8,8 +8,8 @@ from playwright.sync_api import expect
 from browser.pupil import WORKSPACE, box_of
 from browser.test_in_sight import SIZES, Reader
 
-#: The places of the hat, of the palette's blocks, of state, goals and lesson, and of the visible
-#: buttons, by name.
+#: The places, by name, of the world, its state and goals, the lesson, the hat, the palette's
+#: blocks and the visible buttons.
 PLACES = f"""() => {{
     const placeOf = (part) => {{
         const {{ x, y, width, height }} = part.getBoundingClientRect();
@@ -35,11 +35,10 @@ PLACES = f"""() => {{
     return {{ ...Object.fromEntries(places), state: `${{state.left}} ${{state.top}}` }};
 }}"""
 
-#: Whether the lesson has the height of all that it shows, and of what a run will say.
-ROOM_IS_KEPT = """() => {
-    const lesson = document.querySelector(".main > .lesson-pane");
-    return lesson.style.getPropertyValue("--lesson-least") !== "";
-}"""
+#: Whether the lesson keeps room for what a run will say.
+ROOM_IS_KEPT = """() =>
+    document.querySelector(".main > .lesson-pane").style.getPropertyValue("--lesson-least") !== ""
+"""
 WAITS = """main:
     function.sleep(0.5)
 end
@@ -198,7 +197,7 @@ def test_a_higher_level_moves_nothing_of_the_program(pupil):
     pupil.command("Settings and help", "Explorer")
     expect(page.get_by_role("button", name="Step", exact=True)).to_be_visible()
     moved = places.moved()
-    # The buttons that come take some room of the world.
+    # New buttons take some of the world's room.
     program = {name for name in moved if name == "hat" or name.startswith("offered")}
     assert program == set()
 

@@ -12,7 +12,7 @@ function shown(blocktext: string, stale: readonly string[] = [], readOnly: unkno
   return { state, readOnly: signal(readOnly), editedText: vi.fn() } as unknown as Program;
 }
 
-test("a robot is added by taking out one line of Block-Text", () => {
+test("adding a robot removes one line of Block-Text", () => {
   const program = shown(PLAIN);
   addRobot(program);
   const [notation, read] = vi.mocked(program.editedText).mock.lastCall!;

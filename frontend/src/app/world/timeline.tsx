@@ -22,52 +22,55 @@ const PERIOD = 500;
 
 export function Timeline() {
   const page = usePage();
+  useGrowth(page);
+  const timeline = page.context.running.timeline.value;
+  return (
+    <div class="timeline-place">{timeline?.end ? <Bar end={timeline.end} marks={timeline.marks ?? []} /> : null}</div>
+  );
+}
+
+function Bar({ end, marks }: { end: number; marks: readonly TimeMark[] }) {
+  const page = usePage();
   const { context, lookingBack } = page;
   const { running } = context;
-  useGrowth(page);
-  const timeline = running.timeline.value;
-  if (!timeline?.end) return <div class="timeline-place" />;
-  const { end, marks = [] } = timeline;
   const past = running.past.value;
   const time = Math.min(past?.time ?? end, end);
   const step = lookingBack.stepTo.value;
   return (
-    <div class="timeline-place">
-      <div class="timeline" role="group" aria-label={t("page-timeline-title")}>
-        <IconButton icon="markBefore" word="page-timeline-mark-before" onClick={() => lookingBack.toMark(-1)} />
-        <IconButton icon="lineBefore" word={`page-timeline-${step}-before`} onClick={() => lookingBack.step(-1)} />
-        <div class="timeline-bar">
-          <div class="timeline-marks" aria-hidden="true">
-            {marks.map((mark) => (
-              <MarkTick key={`${mark.time} ${mark.sort} ${mark.text}`} mark={mark} end={end} />
-            ))}
-          </div>
-          <input
-            class="slider"
-            type="range"
-            min={0}
-            max={end}
-            step={STEP}
-            value={time}
-            aria-label={t("page-timeline-time")}
-            aria-valuetext={valueText(time, marks)}
-            style={{ "--share": time / end }}
-            aria-keyshortcuts="Shift+ArrowLeft Shift+ArrowRight Control+ArrowLeft Control+ArrowRight Escape"
-            onInput={({ currentTarget }) => lookingBack.look(Number(currentTarget.value))}
-            onKeyDown={(event) => travel(event, page)}
-          />
+    <div class="timeline" role="group" aria-label={t("page-timeline-title")}>
+      <IconButton icon="markBefore" word="page-timeline-mark-before" onClick={() => lookingBack.toMark(-1)} />
+      <IconButton icon="lineBefore" word={`page-timeline-${step}-before`} onClick={() => lookingBack.step(-1)} />
+      <div class="timeline-bar">
+        <div class="timeline-marks" aria-hidden="true">
+          {marks.map((mark) => (
+            <MarkTick key={`${mark.time} ${mark.sort} ${mark.text}`} mark={mark} end={end} />
+          ))}
         </div>
-        <IconButton icon="lineAfter" word={`page-timeline-${step}-after`} onClick={() => lookingBack.step(1)} />
-        <IconButton icon="markAfter" word="page-timeline-mark-after" onClick={() => lookingBack.toMark(1)} />
-        <output class="timeline-time" aria-hidden="true">
-          {t("page-timeline-seconds", { seconds: time.toFixed(2) })}
-        </output>
-        <span class="timeline-none" role="status">
-          {past?.found === false && t("page-timeline-none")}
-        </span>
-        <StepMenu marks={marks} />
-        <IconButton icon="present" word="page-timeline-present" off={!past} onClick={() => running.leavePast()} />
+        <input
+          class="slider"
+          type="range"
+          min={0}
+          max={end}
+          step={STEP}
+          value={time}
+          aria-label={t("page-timeline-time")}
+          aria-valuetext={valueText(time, marks)}
+          style={{ "--share": time / end }}
+          aria-keyshortcuts="Shift+ArrowLeft Shift+ArrowRight Control+ArrowLeft Control+ArrowRight Escape"
+          onInput={({ currentTarget }) => lookingBack.look(Number(currentTarget.value))}
+          onKeyDown={(event) => travel(event, page)}
+        />
       </div>
+      <IconButton icon="lineAfter" word={`page-timeline-${step}-after`} onClick={() => lookingBack.step(1)} />
+      <IconButton icon="markAfter" word="page-timeline-mark-after" onClick={() => lookingBack.toMark(1)} />
+      <output class="timeline-time" aria-hidden="true">
+        {t("page-timeline-seconds", { seconds: time.toFixed(2) })}
+      </output>
+      <span class="timeline-none" role="status">
+        {past?.found === false && t("page-timeline-none")}
+      </span>
+      <StepMenu marks={marks} />
+      <IconButton icon="present" word="page-timeline-present" off={!past} onClick={() => running.leavePast()} />
     </div>
   );
 }

@@ -6,6 +6,7 @@ import { t } from "../../i18n";
 import type { Seat } from "../../protocol/classroom";
 import { Dialog } from "../../ui/dialog";
 import { PictureRow } from "./pictures";
+import { PupilTick } from "./pupil-tick";
 import type { ClassStream } from "./stream";
 
 interface Hinting {
@@ -70,12 +71,6 @@ interface Removed {
 export function RemovedDialog({ seats, remove, close }: Removed) {
   const chosen = useSignal<ReadonlySet<string>>(new Set());
   const known = [...seats].reverse();
-  const tick = (id: string, on: boolean) => {
-    const ids = new Set(chosen.peek());
-    if (on) ids.add(id);
-    else ids.delete(id);
-    chosen.value = ids;
-  };
   const next = () => {
     remove(known.filter(({ id }) => chosen.peek().has(id)));
     close();
@@ -84,16 +79,9 @@ export function RemovedDialog({ seats, remove, close }: Removed) {
     <Dialog title={t("page-class-remove-several")} close={close}>
       <p>{t("page-class-remove-which")}</p>
       <ul class="class-removed">
-        {known.map(({ id, name }) => (
-          <li key={id}>
-            <label>
-              <input
-                type="checkbox"
-                checked={chosen.value.has(id)}
-                onChange={({ currentTarget }) => tick(id, currentTarget.checked)}
-              />
-              <bdi>{name}</bdi>
-            </label>
+        {known.map((seat) => (
+          <li key={seat.id}>
+            <PupilTick seat={seat} chosen={chosen.value} choose={(ids) => (chosen.value = ids)} />
           </li>
         ))}
       </ul>

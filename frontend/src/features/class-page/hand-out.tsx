@@ -8,6 +8,7 @@ import { Dialog } from "../../ui/dialog";
 import { Icon } from "../../ui/icons";
 import { plain } from "../../ui/plain";
 import { inLanguage } from "../lessons/texts";
+import { PupilTick } from "./pupil-tick";
 import type { ClassStream } from "./stream";
 import { pictureOf, robotsInWords } from "./words";
 
@@ -36,7 +37,7 @@ export function HandOutDialog({ stream, now, seats, to, close }: Props) {
   const own = offers.filter((offer) => offer.own).length;
   const lesson = shown.find(({ name }) => name === chosen.value) ?? shown[0];
   // Null for all.
-  const receiving = useSignal<ReadonlySet<string> | null>(to ? new Set([to]) : null);
+  const recipients = useSignal<ReadonlySet<string> | null>(to ? new Set([to]) : null);
   // A step belongs to the lesson for which it was chosen.
   const from = useSignal({ lesson: "", step: 0 });
   const step = from.value.lesson === lesson?.name ? from.value.step : 0;
@@ -44,7 +45,7 @@ export function HandOutDialog({ stream, now, seats, to, close }: Props) {
     event.preventDefault();
     if (!lesson) return;
     const project = inLanguage(lesson.title);
-    const pupils = receiving.value && [...receiving.value];
+    const pupils = recipients.value && [...recipients.value];
     if (stream.send({ kind: "HandOut", lesson: lesson.name, project, pupils, step })) close();
   };
   return (
@@ -63,8 +64,8 @@ export function HandOutDialog({ stream, now, seats, to, close }: Props) {
           ))}
           {shown.length === 0 && <p class="dim">{t("page-class-no-such-lesson")}</p>}
         </div>
-        <Whom
-          {...{ seats, lesson, receiving, step }}
+        <Recipients
+          {...{ seats, lesson, recipients, step }}
           choose={(step) => (from.value = { lesson: lesson?.name ?? "", step })}
         />
       </form>
@@ -113,27 +114,27 @@ function Shelves({ wanted, shelf, own }: ShelvesProps) {
   );
 }
 
-interface WhomProps {
+interface RecipientsProps {
   readonly seats: readonly Seat[];
   readonly lesson: LessonOffer | undefined;
   /** The ids of those who get the lesson; null for all. */
-  readonly receiving: Signal<ReadonlySet<string> | null>;
+  readonly recipients: Signal<ReadonlySet<string> | null>;
   /** The step to begin with; 0 for where each pupil is. */
   readonly step: number;
   readonly choose: (step: number) => void;
 }
 
 /** Who gets the lesson, and from which step. */
-function Whom({ seats, lesson, receiving, step, choose }: WhomProps) {
-  const chosen = receiving.value;
+function Recipients({ seats, lesson, recipients, step, choose }: RecipientsProps) {
+  const chosen = recipients.value;
   return (
     <>
-      {chosen && <Receiving seats={seats} chosen={chosen} choose={(ids) => (receiving.value = ids)} />}
+      {chosen && <RecipientTicks seats={seats} chosen={chosen} choose={(ids) => (recipients.value = ids)} />}
       <div class="hand-out-foot">
         <select
           aria-label={t("page-class-receiving")}
           value={chosen ? "some" : "all"}
-          onChange={({ currentTarget }) => (receiving.value = currentTarget.value === "some" ? new Set() : null)}
+          onChange={({ currentTarget }) => (recipients.value = currentTarget.value === "some" ? new Set() : null)}
         >
           <option value="all">{t("page-class-to-all")}</option>
           <option value="some">{t("page-class-to-some", { count: chosen?.size ?? 0 })}</option>
@@ -160,32 +161,19 @@ function Whom({ seats, lesson, receiving, step, choose }: WhomProps) {
   );
 }
 
-interface ReceivingProps {
+interface RecipientTicksProps {
   readonly seats: readonly Seat[];
   readonly chosen: ReadonlySet<string>;
   readonly choose: (chosen: ReadonlySet<string>) => void;
 }
 
-/** Who gets the lesson. */
-function Receiving({ seats, chosen, choose }: ReceivingProps) {
-  const tick = (id: string, on: boolean) => {
-    const ids = new Set(chosen);
-    if (on) ids.add(id);
-    else ids.delete(id);
-    choose(ids);
-  };
+/** The pupils to choose from. */
+function RecipientTicks({ seats, chosen, choose }: RecipientTicksProps) {
   return (
     <fieldset class="hand-out-pupils">
       <legend>{t("page-class-receiving")}</legend>
-      {seats.map(({ id, name }) => (
-        <label key={id}>
-          <input
-            type="checkbox"
-            checked={chosen.has(id)}
-            onChange={({ currentTarget }) => tick(id, currentTarget.checked)}
-          />
-          <bdi>{name}</bdi>
-        </label>
+      {seats.map((seat) => (
+        <PupilTick key={seat.id} {...{ seat, chosen, choose }} />
       ))}
     </fieldset>
   );

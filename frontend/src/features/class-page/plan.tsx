@@ -1,4 +1,4 @@
-/** A world from above, without 3D; a small live one has where the robot is, and where it has been. */
+/** A world from above, without 3D; a live one also shows the robot and its way. */
 
 import type { ComponentChildren } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
@@ -25,7 +25,7 @@ export function FlatWorld({ plan, seat, label }: Props) {
   if (!world) return <div class="small-world empty" />;
   return (
     <WorldPlan world={world} label={label} look="small-world">
-      <polyline class="way" points={pairs(seat.way ?? []).join(" ")} />
+      <polyline class="way" points={wayPoints(seat.way ?? []).join(" ")} />
       {seat.pose && (
         <path
           class="robot"
@@ -66,8 +66,8 @@ export function WorldPlan({ world, label, look = "", children }: WorldPlanProps)
   );
 }
 
-/** The points of a way, whose x and y in mm come one after the other, in the picture, in which y grows downwards. */
-export function pairs(way: readonly number[]): readonly (readonly [number, number])[] {
+/** The points of a way of alternating x and y in mm; in the picture, y grows downwards. */
+export function wayPoints(way: readonly number[]): readonly (readonly [number, number])[] {
   const found: [number, number][] = [];
   for (let i = 0; i + 1 < way.length; i += 2) found.push([way[i]!, -way[i + 1]!]);
   return found;

@@ -26,7 +26,7 @@ export class ClassStream extends Channel<FromTeacher, ToTeacher> {
   /** Hints that are not sent yet, by pupil; those for all have an empty name. */
   readonly drafts = new Map<string, string>();
 
-  /** @param name of the websocket: that of the wall, also for a page about a pupil, or that of the projector. */
+  /** @param name of the websocket, relative to the page: the wall's, from the wall or from a pupil's record, or the projector's. */
   constructor(name: "wall" | "../../wall" | "projected") {
     super(socketAt(name));
     this.on("Wall", (wall) => this.show(wall));

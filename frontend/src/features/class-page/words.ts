@@ -26,6 +26,6 @@ export function robotsInWords(robots: readonly string[]): string {
 }
 
 /** The address of a lesson's picture; empty if it has none. */
-export function pictureOf({ name, picture = "" }: LessonOffer): string {
+export function pictureOf({ name, picture = "" }: Pick<LessonOffer, "name" | "picture">): string {
   return picture && `lessons/${encodeURIComponent(name)}/pictures/${encodeURIComponent(picture)}`;
 }

@@ -48,7 +48,7 @@ export function ShownWork({ stream }: { stream: HandInStream }) {
   );
 }
 
-/** The whole screen for a hand-in that the class may see: without the name, the note and the mark. */
+/** Shows a hand-in to the class on the whole screen: without the name, the note and the mark. */
 function Nameless({ shown, close }: { shown: ShownHandIn; close: () => void }) {
   return (
     <div class="nameless">

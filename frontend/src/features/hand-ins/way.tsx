@@ -3,7 +3,7 @@
 import { t } from "../../i18n";
 import type { ShownHandIn } from "../../protocol/classroom";
 import type { WorldValues } from "../../views/world/scenery/description";
-import { pairs, WorldPlan } from "../class-page/plan";
+import { WorldPlan, wayPoints } from "../class-page/plan";
 
 /** mm: the radius of the marks of start and end. */
 const START = 34;
@@ -11,7 +11,7 @@ const END = 26;
 
 export function DrivenWay({ shown: { world, checked }, label }: { shown: ShownHandIn; label: string }) {
   if (!world) return null;
-  const points = pairs(checked?.way ?? []);
+  const points = wayPoints(checked?.way ?? []);
   const [first, last] = [points[0], points.at(-1)];
   return (
     <figure class="hand-in-way">

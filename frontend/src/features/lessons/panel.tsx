@@ -1,6 +1,6 @@
 /** The lesson of the open project: the step's instructions, its goals, hints and questions. */
 
-import { useSignal } from "@preact/signals";
+import { useComputed, useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 
 import { t } from "../../i18n";
@@ -172,9 +172,9 @@ function Body({ shown }: { shown: LessonShown }) {
     if (body.current) body.current.scrollTop = 0;
   }, [name, step]);
   const Part = markdown.value?.Part;
-  const goals = lessons.goals.value;
-  const hasResult = goals.some(({ state }) => state === "failed");
-  useRoomForResult(body, `${name} ${step}`, goals.length > 0, hasResult);
+  // Only this matters here, of goals that change while a program runs.
+  const hasResult = useComputed(() => lessons.goals.value.some(({ state }) => state === "failed"));
+  useRoomForResult(body, `${name} ${step}`, (shown.goals?.length ?? 0) > 0, hasResult.value);
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: a keyboard user must be able to scroll it
     <div id="lesson-body" class="lesson-body" ref={body} tabIndex={0} role="group" aria-label={t("page-lesson-text")}>

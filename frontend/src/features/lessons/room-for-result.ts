@@ -3,14 +3,14 @@
 import type { RefObject } from "preact";
 import { useLayoutEffect } from "preact/hooks";
 
-/** A sentence about the run, and a missed goal's reason with its buttons, px. */
+/** The height of a sentence about the run and of a missed goal's reason with its buttons, px. */
 const ROOM = 62;
 const LEAST = "--lesson-least";
 
 /**
- * @param step the shown one, which has a height of its own.
- * @param hasGoals whether a run says anything about it.
- * @param hasResult whether a run has: its words are in the room that is kept for them.
+ * @param step the step shown; each has its own height.
+ * @param hasGoals whether a run is judged.
+ * @param hasResult whether the last run has missed a goal: its words then use the room.
  */
 export function useRoomForResult(
   body: RefObject<HTMLElement | null>,
@@ -23,19 +23,18 @@ export function useRoomForResult(
     return () => pane?.style.removeProperty(LEAST);
   }, [step, hasGoals]);
   useLayoutEffect(() => {
-    const content = body.current?.parentElement;
-    if (!content || !paneOf(content) || !hasGoals || hasResult) return undefined;
+    const content = body.current?.parentElement ?? null;
+    const pane = paneOf(content);
+    if (!content || !pane || !hasGoals || hasResult) return undefined;
     // The text, its pictures and drawn programs come one after the other.
-    const watcher = new ResizeObserver(() => keepRoom(content));
+    const watcher = new ResizeObserver(() => keepRoom(pane, content));
     watcher.observe(content);
     return () => watcher.disconnect();
   }, [step, hasGoals, hasResult]);
 }
 
-function keepRoom(content: HTMLElement): void {
-  const pane = paneOf(content);
-  if (!pane) return;
-  // Its own height, since the content fills what is kept.
+function keepRoom(pane: HTMLElement, content: HTMLElement): void {
+  // Measure without the kept room, which the content would fill.
   pane.style.removeProperty(LEAST);
   const below = Number.parseFloat(getComputedStyle(pane).paddingBlockEnd);
   pane.style.setProperty(LEAST, `${content.offsetTop + content.offsetHeight + below + ROOM}px`);

@@ -203,12 +203,12 @@ export function leaveOutSelection(): void {
 }
 
 /**
- * Patches the private `BlockSvg.recomputeAriaContext`: a block that consists of one field is read by that field, so what its
- * outline was called before it had the field is taken back. A screen reader would find a part of the palette without a role.
+ * Patches the private `BlockSvg.recomputeAriaContext`: a block that consists of one field is read by that field, but Blockly
+ * leaves the label that its outline had before, without a role. This removes it.
  *
- * Can go when Blockly takes it back.
+ * Can go when Blockly removes it.
  */
-export function leaveOutOutlines(): void {
+export function removeOutlineLabels(): void {
   const { recomputeAriaContext } = block as unknown as { recomputeAriaContext(this: Block): void };
   Object.assign(block, {
     recomputeAriaContext(this: Block) {

@@ -2,12 +2,12 @@
 
 import * as Blockly from "blockly/core";
 
-import { bumpOnlyWhatIsDropped, forgetDisposed, hideRuler, leaveOutOutlines } from "./patches";
+import { bumpOnlyWhatIsDropped, forgetDisposed, hideRuler, removeOutlineLabels } from "./patches";
 
 /** Call it once, before the first workspace is created. */
 export function tuneRendering(): void {
   hideRuler();
-  leaveOutOutlines();
+  removeOutlineLabels();
   enlargeButtons();
   forgetDisposed();
   bumpOnlyWhatIsDropped();

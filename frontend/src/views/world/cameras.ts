@@ -25,7 +25,7 @@ const FROM_SOUTH = new Vector3(0, -0.8, 1).normalize();
 const FROM_ABOVE = new Vector3(0, -0.001, 1).normalize();
 const STEEPEST = 0.001;
 const FLATTEST = 1.5;
-/** The largest share of a small picture's height that what lies over it is given. */
+/** The largest share of a small picture's height that is left to its overlays. */
 const MOST_COVERED = 0.35;
 /** How far in front of the floor's centre the camera may look, as a share of its depth: near objects appear larger. */
 const SHIFTS = [0, -0.03, -0.06, -0.09, -0.12, -0.15];
@@ -77,9 +77,10 @@ export class Cameras {
   /**
    * The picture's size in pixels.
    *
-   * @param top how much of it is covered at its upper edge, and `bottom` at its lower one: the view is centred in the rest.
+   * @param covered how many pixels are covered at the upper and at the lower edge: the view is centred in the rest.
    */
-  size(width: number, height: number, { top, bottom } = { top: 0, bottom: 0 }): void {
+  size(width: number, height: number, covered = { top: 0, bottom: 0 }): void {
+    const { top, bottom } = covered;
     const hidden = Math.min(top + bottom, MOST_COVERED * height);
     const free = Math.max(1, height - hidden);
     const above = hidden && (hidden * top) / (top + bottom);

@@ -53,7 +53,7 @@ export class Following {
     return !calm && whole > CLOSE;
   }
 
-  /** The part of the picture's height that nothing lies over: from -1, its lower edge, to 1. */
+  /** The middle and half the height of the part that nothing covers, where the picture's lower edge is -1 and its upper edge 1. */
   private freeHeight(): { middle: number; half: number } {
     const { view } = this.camera;
     if (!view) return { middle: 0, half: 1 };

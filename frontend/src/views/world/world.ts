@@ -34,7 +34,7 @@ import { Stage } from "./stage";
 import { View } from "./view";
 import { goalInWords, placeInWords } from "./words";
 
-/** The heights of what the page lays over the top and over the bottom of the picture: its menus, and its timeline with the chips, px. */
+/** The heights of what covers the picture, px: its menus at the top, its timeline and chips at the bottom. */
 const OVERLAYS = { top: 56, bottom: 86 };
 export class World implements WorldIsland {
   readonly dom = document.createElement("div");

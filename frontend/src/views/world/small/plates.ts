@@ -56,7 +56,7 @@ export interface Sprites {
 export class Plates {
   private readonly plates = new Map<string, Plate | null>();
   private readonly sprites = new Map<string, Sprites | null>();
-  /** What worlds and robots are made of, as text: each repaint asks for it. */
+  /** Worlds and robots as text, by object: each repaint looks them up. */
   private readonly texts = new WeakMap<object, string>();
   private readonly jobs: (() => Promise<void>)[] = [];
   private readonly camera = new PerspectiveCamera(NARROW, 1, 20, 60_000);
@@ -101,9 +101,11 @@ export class Plates {
     return null;
   }
 
-  /** The values of something that does not change, as text. */
+  /** The values of an object that never changes, as text; made once. */
   private textOf(of: object, values: unknown): string {
-    const text = this.texts.get(of) ?? JSON.stringify(values);
+    const known = this.texts.get(of);
+    if (known !== undefined) return known;
+    const text = JSON.stringify(values);
     this.texts.set(of, text);
     return text;
   }
