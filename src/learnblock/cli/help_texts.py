@@ -43,21 +43,24 @@ def english(command: click.Command, path: tuple[str, ...]) -> Iterator[tuple[str
 
 def translated(command: click.Command, path: tuple[str, ...]) -> click.Command:
     """A copy of a command with help in the reader's language."""
-    translation = copy.copy(command)
-    translation.context_class = Context
-    translation.help = _help(command.help, _command_code(path))
-    translation.short_help = " ".join(translation.help.partition("\n\n")[0].split()).rstrip(".")
-    translation.options_metavar = _common("[OPTIONS]")
-    translation.params = [_parameter(parameter, path) for parameter in command.params]
-    translation.params.append(_help_option())
+    translated_command = copy.copy(command)
+    translated_command.context_class = Context
+    translated_command.help = _help(command.help, _command_code(path))
+    translated_command.short_help = " ".join(
+        translated_command.help.partition("\n\n")[0].split()
+    ).rstrip(".")
+    translated_command.options_metavar = _common("[OPTIONS]")
+    translated_command.params = [_parameter(parameter, path) for parameter in command.params]
+    translated_command.params.append(_help_option())
     if command.epilog:
-        translation.epilog = words(_EPILOG, command.epilog)
-    if isinstance(translation, click.Group):
-        translation.subcommand_metavar = _common("COMMAND [ARGS]...")
-        translation.commands = {
-            name: translated(inner, (*path, name)) for name, inner in translation.commands.items()
+        translated_command.epilog = words(_EPILOG, command.epilog)
+    if isinstance(translated_command, click.Group):
+        translated_command.subcommand_metavar = _common("COMMAND [ARGS]...")
+        translated_command.commands = {
+            name: translated(inner, (*path, name))
+            for name, inner in translated_command.commands.items()
         }
-    return translation
+    return translated_command
 
 
 class _Formatter(click.HelpFormatter):
@@ -92,10 +95,11 @@ def _parts(text: str | None) -> tuple[str, str]:
 
 
 def _parameter(parameter: click.Parameter, path: tuple[str, ...]) -> click.Parameter:
-    translation = copy.copy(parameter)
-    if isinstance(translation, click.Option):
-        translation.help = words(_option_code(path, translation), translation.help or "")
-    return translation
+    translated_parameter = copy.copy(parameter)
+    if isinstance(translated_parameter, click.Option):
+        code = _option_code(path, translated_parameter)
+        translated_parameter.help = words(code, translated_parameter.help or "")
+    return translated_parameter
 
 
 def _help_option() -> click.Option:

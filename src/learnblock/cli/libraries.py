@@ -139,19 +139,19 @@ def import_command(addresses: tuple[str, ...], renames: tuple[str, ...], *, repl
     """
     from learnblock.extensions import libraries  # noqa: PLC0415
 
-    originals = [libraries.find(address) for address in addresses]
+    found_libraries = [libraries.find(address) for address in addresses]
     names = dict(map(_renaming, renames))
     for name in names:
-        if not any(name in library.skills for library in originals):
+        if not any(name in library.skills for library in found_libraries):
             raise LearnBlockError("cli-library-rename-unknown", skill=name)
-    copies = [
+    renamed_libraries = [
         libraries.renamed(
             library, {old: new for old, new in names.items() if old in library.skills}
         )
-        for library in originals
+        for library in found_libraries
     ]
-    new = libraries.install(copies, replace=replace)
-    for library in copies:
+    new = libraries.install(renamed_libraries, replace=replace)
+    for library in renamed_libraries:
         code = "cli-library-imported" if library in new else "cli-library-unchanged"
         say(code, name=library.name, version=library.manifest.version, skills=tuple(library.skills))
 

@@ -41,8 +41,8 @@ def print_serving(skill: BlockConfiguration) -> None:
     """Print what serves the needs of a skill on each robot."""
     served = serving(skill)
     kinds = {need.partition(":")[0] for need in skill.needed()}
-    known_senses = [ways for ways in served.values() if ways is not None]
-    if kinds & UNSERVED and not any(map(_is_served, known_senses)):
+    known_ways = [ways for ways in served.values() if ways is not None]
+    if kinds & UNSERVED and not any(map(_is_served, known_ways)):
         click.echo(f"  {text(Phrase('cli-served-by-no-robot'))}")
     else:
         _print({robot: _told(senses) for robot, senses in served.items()})
