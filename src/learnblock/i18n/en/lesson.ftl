@@ -210,7 +210,7 @@ lesson-too-large = Your program has { $blocks } blocks; at most { $most } are al
 
 # The lesson's own Python; $error is Python's own text, $reason the lesson's.
 lesson-expert-silent = The lesson's own check gave no answer.
-lesson-expert-no-verdict = The lesson's own check got no answer within { $seconds } seconds, because this computer is too busy; the program is not to blame. Try again.
+lesson-expert-no-verdict = The lesson's own check got no answer within { $seconds } seconds, because this computer is too busy. This is not the fault of the program. Try again.
 lesson-expert-error = The lesson's own check has a mistake: { $error }
 lesson-expert-no = The lesson's own check was not met.
 lesson-expert-says = { $reason }

@@ -210,7 +210,7 @@ lesson-too-large = Tu programa tiene { $blocks } bloques; se permiten { $most } 
 
 # El Python propio de la lección; $error es el texto de Python, $reason el de la lección.
 lesson-expert-silent = La comprobación propia de la lección no dio ninguna respuesta.
-lesson-expert-no-verdict = La comprobación propia de la lección no ha respondido en { $seconds } segundos, porque este ordenador está demasiado ocupado; la culpa no es del programa. Prueba otra vez.
+lesson-expert-no-verdict = La comprobación propia de la lección no ha respondido en { $seconds } segundos, porque este ordenador está demasiado ocupado. La culpa no es del programa. Prueba otra vez.
 lesson-expert-error = La comprobación propia de la lección tiene un error: { $error }
 lesson-expert-no = La comprobación propia de la lección no se cumplió.
 lesson-expert-says = { $reason }
