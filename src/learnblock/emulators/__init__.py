@@ -112,7 +112,7 @@ def emulate(robot: str, world: str | None = None, *, seed: int = 0, **place: Any
 
 
 def usual_place(robot: str) -> dict[str, Any]:
-    """Where a page finds an emulated robot by itself, for `emulate`; empty if there is no such place.
+    """Where a page finds an emulated robot by itself, as `emulate` takes it; empty if nowhere.
 
     Args:
         robot: its id.

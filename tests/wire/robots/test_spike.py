@@ -188,8 +188,8 @@ def test_a_pressed_button_ends_the_agent_and_the_driver_says_so():
 @pytest.mark.parametrize(
     ("unplugged", "chosen", "phrase"),
     [
-        ("A", {}, Phrase("spike-no-motor", motor="right", port="")),
-        ("B", {"right": "B"}, Phrase("spike-no-motor", motor="right", port="B")),
+        ("A", {}, Phrase("spike-no-motor", motor="right")),
+        ("B", {"right": "B"}, Phrase("spike-no-motor-at", motor="right", port="B")),
         ("C", {"distance": "C"}, Phrase("spike-no-sensor", sensor="distance", port="C")),
     ],
 )

@@ -13,12 +13,12 @@ from learnblock.emulators.gatt import (
     Notify,
     Services,
 )
-from learnblock.emulators.spike.devices import LEFT, RIGHT, Devices
-from learnblock.emulators.spike.program import Program, micropython
+from learnblock.emulators.spike.devices import LEFT, RIGHT, HubDevices
+from learnblock.emulators.spike.program import HubProgram, micropython
 from learnblock.emulators.twin import Twin
 from learnblock.emulators.vehicle import Vehicle
 from learnblock.robots.spike import profile
-from learnblock.robots.spike.profile import Capability, Command, Event, Status
+from learnblock.robots.spike.profile import Capability, HubCommand, HubEvent, HubStatus
 
 #: Errors of Pybricks' protocol.
 INVALID_COMMAND, BUSY = 0x80, 0x81
@@ -30,7 +30,7 @@ NAME = "Pybricks Hub"
 _DEVICE_INFORMATION = "0000180a-0000-1000-8000-00805f9b34fb"
 
 
-class Hub:
+class EmulatedHub:
     """The hub as seen by Bluetooth.
 
     Args:
@@ -47,19 +47,19 @@ class Hub:
         _DEVICE_INFORMATION: {profile.SOFTWARE_REVISION: ["read"]},
     }
 
-    def __init__(self, devices: Devices) -> None:
+    def __init__(self, devices: HubDevices) -> None:
         self.devices = devices
         self._lock = threading.RLock()
         self._memory = bytearray(LARGEST_PROGRAM)
         self._size = 0
-        self._program: Program | None = None
+        self._program: HubProgram | None = None
         self._notify: Notify | None = None
         self._commands = {
-            Command.STOP_PROGRAM: self._stop,
-            Command.START_PROGRAM: self._start,
-            Command.WRITE_PROGRAM_SIZE: self._write_size,
-            Command.WRITE_PROGRAM: self._write_program,
-            Command.WRITE_STDIN: self._write_stdin,
+            HubCommand.STOP_PROGRAM: self._stop,
+            HubCommand.START_PROGRAM: self._start,
+            HubCommand.WRITE_PROGRAM_SIZE: self._write_size,
+            HubCommand.WRITE_PROGRAM: self._write_program,
+            HubCommand.WRITE_STDIN: self._write_stdin,
         }
 
     def connected(self, notify: Notify) -> None:
@@ -87,7 +87,7 @@ class Hub:
         if value[0] not in self._commands:
             raise GattError(INVALID_COMMAND)
         try:
-            self._commands[Command(value[0])](value[1:])
+            self._commands[HubCommand(value[0])](value[1:])
         except struct.error:
             raise GattError(INVALID_COMMAND) from None
 
@@ -116,7 +116,7 @@ class Hub:
             # The size, the name and a zero byte precede what mpy-cross made.
             (size,) = struct.unpack_from("<I", code)
             begin = code.index(b"\0", 4) + 1
-            self._program = Program(
+            self._program = HubProgram(
                 code[begin : begin + size], self.devices, self._print, self._end
             )
             self._report()
@@ -146,7 +146,7 @@ class Hub:
     def _print(self, text: bytes) -> None:
         size = LARGEST - 1
         for begin in range(0, len(text), size):
-            self._send(bytes([Event.WRITE_STDOUT]) + text[begin : begin + size])
+            self._send(bytes([HubEvent.WRITE_STDOUT]) + text[begin : begin + size])
 
     def _end(self) -> None:
         with self._lock:
@@ -155,8 +155,8 @@ class Hub:
             self._report()
 
     def _report(self) -> None:
-        flags = Status.PROGRAM_RUNNING if self._program else Status(0)
-        self._send(struct.pack("<BI", Event.STATUS, flags))
+        flags = HubStatus.PROGRAM_RUNNING if self._program else HubStatus(0)
+        self._send(struct.pack("<BI", HubEvent.STATUS, flags))
 
     def _send(self, event: bytes) -> None:
         notify = self._notify
@@ -183,7 +183,7 @@ class Emulator:
     def __init__(self, twin: Twin, *, address: str = "127.0.0.1", port: int = 0) -> None:
         # Before anybody connects.
         micropython()
-        self.hub = Hub(Devices(Vehicle(twin, LEFT, RIGHT)))
+        self.hub = EmulatedHub(HubDevices(Vehicle(twin, LEFT, RIGHT)))
         self._server = GattServer(self.hub, address, port)
         self.settings: Mapping[str, Any] = {"address": f"{address}:{self._server.port}"}
 

@@ -22,7 +22,7 @@ FASTEST = 1000
 STATUS_LIGHT = "Status"
 
 
-class Devices:
+class HubDevices:
     """Answers a program's questions.
 
     Args:

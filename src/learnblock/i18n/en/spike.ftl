@@ -4,14 +4,15 @@ spike-too-old = The Pybricks firmware of the hub at { $place } is too old (proto
 spike-garbled = The device at { $place } does not behave like a hub with Pybricks. Check the address in the robot settings.
 spike-not-started = LearnBlock's program did not start on the hub at { $place }. Switch the hub off and on, and try again.
 spike-agent-ended = LearnBlock's program on the hub at { $place } has ended. Was the hub's button pressed? Run the program again.
-# $motor is left or right, $port a letter or empty.
+# $motor is left or right, $port a letter.
 spike-no-motor = The hub has no { $motor ->
         [left] left
        *[other] right
-    } motor{ $port ->
-        [""] { "" }
-       *[other] { " " }at port { $port }
-    }. Plug it in, or change the port in the robot settings.
+    } motor. Plug it in at any port.
+spike-no-motor-at = The hub has no { $motor ->
+        [left] left
+       *[other] right
+    } motor at port { $port }. Plug it in, or change the port in the robot settings.
 spike-motor-lost = The { $motor ->
         [left] left
        *[other] right

@@ -55,12 +55,13 @@ async def find(robot: str, address: str, service: str) -> "BLEDevice":
             }
         return service in seen.service_uuids
 
-    device = await reachable(bleak.BleakScanner.find_device_by_filter(is_it, timeout=LOOKING))
+    device: BLEDevice | None = await reachable(
+        bleak.BleakScanner.find_device_by_filter(is_it, timeout=LOOKING)
+    )
     if device is None:
         code = "bluetooth-other-not-found" if address else "bluetooth-not-found"
         raise RobotNotFoundError(code, robot=robot, address=address, seconds=LOOKING)
-    found: BLEDevice = device
-    return found
+    return device
 
 
 async def reachable(awaitable: Any) -> Any:

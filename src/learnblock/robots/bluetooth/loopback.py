@@ -13,11 +13,6 @@ hexadecimal.
 import json
 import socket
 from contextlib import suppress
-from functools import cache
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from bleak.backends.client import BaseBleakClient
 
 #: Where an emulator listens, unless it is told another place or another one is there already.
 HOME = "127.0.0.1:18816"
@@ -47,11 +42,3 @@ def answers(address: str, service: str) -> bool:
             greeting = json.loads(lines.readline(LONGEST_LINE))
             return service in greeting.get("services", {})
     return False
-
-
-@cache
-def backend() -> "type[BaseBleakClient]":
-    """The class of bleak's back end, made when bleak is first used: it is an add-on's."""
-    from learnblock.robots.bluetooth.loopback_client import LoopbackClient  # noqa: PLC0415
-
-    return LoopbackClient

@@ -85,7 +85,11 @@ class Radio(Closing):
         from bleak import BleakClient  # noqa: PLC0415 - an add-on
 
         if loopback.is_address(address):
-            return BleakClient(address, self._note_loss, backend=loopback.backend())
+            from learnblock.robots.bluetooth.loopback_client import (  # noqa: PLC0415 - as above
+                LoopbackClient,
+            )
+
+            return BleakClient(address, self._note_loss, backend=LoopbackClient)
         device = await finding.find(robot, address, service)
         return BleakClient(device, self._note_loss)
 

@@ -23,7 +23,7 @@ from learnblock.robots.calibration import Calibration
 from learnblock.robots.real import RealRobot
 from learnblock.robots.spike import lines, profile
 from learnblock.robots.spike.hub import Hub
-from learnblock.robots.spike.lines import State
+from learnblock.robots.spike.lines import HubState
 from learnblock.robots.spike.settings import Settings
 from learnblock.robots.wheel_counts import WheelCounts, motor_speeds
 from learnblock.wheels import Drivetrain
@@ -92,7 +92,7 @@ class Robot(RealRobot[Settings]):
         state = self._hub.known if self._hub else None
         return RobotStatus(battery=state.battery if state else None)
 
-    def _follow(self, state: State) -> None:
+    def _follow(self, state: HubState) -> None:
         self._counts.follow(state.left, state.right)
 
     def _drive(self, adv: float, rot: float) -> None:

@@ -116,7 +116,7 @@ def reading(measure):
         return "-"
 
 
-class Input:
+class Arrivals:
     """The lines that arrive."""
 
     def __init__(self):
@@ -274,7 +274,7 @@ def numbers(text, count):
 
 
 def main():
-    arriving = Input()
+    arriving = Arrivals()
     try:
         serve(Devices(wished(arriving.first().decode())), arriving)
     except AgentError as error:

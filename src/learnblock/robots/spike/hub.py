@@ -9,7 +9,7 @@ from learnblock.closing import Closing
 from learnblock.errors import LearnBlockError, RobotConnectionError
 from learnblock.robots.bluetooth import Radio
 from learnblock.robots.spike import lines, profile
-from learnblock.robots.spike.lines import State
+from learnblock.robots.spike.lines import HubState
 from learnblock.robots.spike.settings import Settings
 from learnblock.timing import MONOTONIC, Deadline, SteadyClock
 
@@ -46,7 +46,7 @@ class Hub(Closing):
     def __init__(
         self,
         settings: Settings,
-        on_state: Callable[[State], None],
+        on_state: Callable[[HubState], None],
         clock: SteadyClock = MONOTONIC,
     ) -> None:
         self._clock = clock
@@ -56,7 +56,7 @@ class Hub(Closing):
         self._running = False
         self._greeting: str | None = None
         self._error: LearnBlockError | None = None
-        self._state: State | None = None
+        self._state: HubState | None = None
         self._heard = clock.now()
         self._wish = lines.pulse()
         self._pulse = Deadline.after(PULSE, clock)
@@ -82,11 +82,11 @@ class Hub(Closing):
         return self._radio.loop.place
 
     @property
-    def known(self) -> State | None:
+    def known(self) -> HubState | None:
         """The last report, however old."""
         return self._state
 
-    def latest(self) -> State:
+    def latest(self) -> HubState:
         """A report that is at most 0.1 s old.
 
         Raises:
@@ -131,7 +131,7 @@ class Hub(Closing):
             self._closed.set()
             # Not if the connection is broken: then the agent ends by itself.
             with suppress(LearnBlockError):
-                self._write(bytes([profile.Command.STOP_PROGRAM]))
+                self._write(bytes([profile.HubCommand.STOP_PROGRAM]))
         self._radio.close()
         if self._thread.is_alive() and self._thread is not threading.current_thread():
             self._thread.join()
@@ -156,7 +156,7 @@ class Hub(Closing):
 
     def _begin(self, settings: Settings) -> dict[str, str]:
         """Replace the hub's program by the agent, and start it; return the ports in use."""
-        self._command(bytes([profile.Command.STOP_PROGRAM]))
+        self._command(bytes([profile.HubCommand.STOP_PROGRAM]))
         self._wait_for(lambda: not self._running)
         agent = resources.files("learnblock.robots.spike").joinpath(AGENT).read_bytes()
         for command in profile.uploading(profile.packed("__main__", agent), self._largest):
@@ -226,12 +226,12 @@ class Hub(Closing):
 
     def _take(self, event: bytes) -> None:
         kind, payload = event[:1], event[1:]
-        if kind == bytes([profile.Event.STATUS]):
+        if kind == bytes([profile.HubEvent.STATUS]):
             was_running = self._running
-            self._running = bool(profile.status(event) & profile.Status.PROGRAM_RUNNING)
+            self._running = bool(profile.status(event) & profile.HubStatus.PROGRAM_RUNNING)
             if was_running and not self._running and self._greeting:
                 raise RobotConnectionError("spike-agent-ended", place=self.place)
-        elif kind == bytes([profile.Event.WRITE_STDOUT]):
+        elif kind == bytes([profile.HubEvent.WRITE_STDOUT]):
             self._printed += payload.decode("ascii", "replace")
             *complete, self._printed = self._printed.split("\n")
             if len(self._printed) > LONGEST_LINE:

@@ -10,6 +10,10 @@ from learnblock.robots.plain_letters import in_ascii
 GREETING = "learnblock 1"
 #: The first word of a line that reports an error.
 ERROR = "error "
+#: The first word of a report.
+REPORT = "s "
+#: The largest number of a report that is not nonsense.
+_LARGEST = 1e9
 #: The longest text for the light matrix, which shows a letter each half a second.
 LONGEST_TEXT = 100
 #: The names of the sensors that the agent may find.
@@ -17,7 +21,7 @@ SENSORS = ("distance", "colour", "force")
 
 
 @dataclass(frozen=True, slots=True)
-class State:
+class HubState:
     """What a hub reports.
 
     Args:
@@ -39,19 +43,19 @@ class State:
     battery: float
 
 
-def state(line: str) -> State | None:
+def state(line: str) -> HubState | None:
     """Parse a report; None if the line is none.
 
     Raises:
         ValueError: it is an incomplete one.
     """
-    word, *values = line.split()
-    if word != "s":
+    if not line.startswith(REPORT):
         return None
+    values = line.removeprefix(REPORT).split()
     left, right, heading, distance, colour, force, battery = map(_number, values)
     if left is None or right is None:
         raise RobotConnectionError("spike-motor-lost", motor="left" if left is None else "right")
-    return State(
+    return HubState(
         left, right, (heading or 0.0) / 10, distance, colour, force, (battery or 0.0) / 1000
     )
 
@@ -76,8 +80,10 @@ def error(line: str) -> RobotConnectionError:
     _, code, *values = [*line.split(), "", ""]
     part, port = values[:2]
     match code:
+        case "no-motor" if port:
+            return RobotConnectionError("spike-no-motor-at", motor=part, port=port)
         case "no-motor":
-            return RobotConnectionError("spike-no-motor", motor=part, port=port)
+            return RobotConnectionError("spike-no-motor", motor=part)
         case "no-sensor":
             return RobotConnectionError("spike-no-sensor", sensor=part, port=port)
         case "motor-lost":
@@ -118,4 +124,9 @@ def pulse() -> bytes:
 
 
 def _number(word: str) -> float | None:
-    return None if word == "-" else float(word)
+    if word == "-":
+        return None
+    number = int(word)
+    if abs(number) > _LARGEST:
+        raise ValueError("no hub reports such a number")
+    return float(number)

@@ -19,7 +19,7 @@ SOFTWARE_REVISION = "00002a28-0000-1000-8000-00805f9b34fb"
 OLDEST = (1, 3)
 
 
-class Command(IntEnum):
+class HubCommand(IntEnum):
     """The first byte of what is written."""
 
     STOP_PROGRAM = 0
@@ -29,14 +29,14 @@ class Command(IntEnum):
     WRITE_STDIN = 6
 
 
-class Event(IntEnum):
+class HubEvent(IntEnum):
     """The first byte of what is notified."""
 
     STATUS = 0
     WRITE_STDOUT = 1
 
 
-class Status(IntFlag):
+class HubStatus(IntFlag):
     """What a hub reports of itself."""
 
     BATTERY_LOW = 1 << 0
@@ -88,7 +88,7 @@ def version(text: str) -> tuple[int, int]:
     return int(major), int(minor)
 
 
-def status(event: bytes) -> Status:
+def status(event: bytes) -> HubStatus:
     """The flags of a status event.
 
     Raises:
@@ -96,7 +96,7 @@ def status(event: bytes) -> Status:
     """
     if len(event) < 5:
         raise ValueError("the hub's status is incomplete")
-    return Status(struct.unpack_from("<I", event, 1)[0])
+    return HubStatus(struct.unpack_from("<I", event, 1)[0])
 
 
 def packed(name: str, program: bytes) -> bytes:
@@ -106,21 +106,21 @@ def packed(name: str, program: bytes) -> bytes:
 
 def uploading(program: bytes, largest_write: int) -> Iterator[bytes]:
     """The commands that store a program; while it is incomplete, its size is 0."""
-    yield struct.pack("<BI", Command.WRITE_PROGRAM_SIZE, 0)
+    yield struct.pack("<BI", HubCommand.WRITE_PROGRAM_SIZE, 0)
     size = largest_write - 5
     for offset in range(0, len(program), size):
-        yield struct.pack("<BI", Command.WRITE_PROGRAM, offset) + program[offset : offset + size]
-    yield struct.pack("<BI", Command.WRITE_PROGRAM_SIZE, len(program))
+        yield struct.pack("<BI", HubCommand.WRITE_PROGRAM, offset) + program[offset : offset + size]
+    yield struct.pack("<BI", HubCommand.WRITE_PROGRAM_SIZE, len(program))
 
 
 def starting(slots: int) -> bytes:
     """The command that starts the program that was stored."""
     slot = bytes([0]) if slots else b""
-    return bytes([Command.START_PROGRAM]) + slot
+    return bytes([HubCommand.START_PROGRAM]) + slot
 
 
 def typing(text: bytes, largest_write: int) -> Iterator[bytes]:
     """The commands that write to a program's standard input."""
     size = largest_write - 1
     for offset in range(0, len(text), size):
-        yield bytes([Command.WRITE_STDIN]) + text[offset : offset + size]
+        yield bytes([HubCommand.WRITE_STDIN]) + text[offset : offset + size]
