@@ -20,18 +20,20 @@ LOOKING = 8.0
 _MARGIN = 2.0
 
 
-def scan(robot: str, service: str, seconds: float) -> Iterator[dict[str, str]]:
-    """Yield the settings that reach each robot with a service, an emulated one first.
+def scan(robot: str, address: str, service: str, seconds: float) -> Iterator[dict[str, str]]:
+    """Yield the settings that reach each robot with a service, emulated ones first.
 
     Nothing is found where this computer has no Bluetooth; who connects is told why.
 
     Args:
         robot: the robot's id, such as ``spike``.
+        address: the one in its settings, where another robot may be emulated.
         service: the UUID that such robots advertise.
         seconds: the time limit.
     """
-    if loopback.answers(loopback.HOME, service):
-        yield {"address": loopback.HOME}
+    for place in sorted({loopback.HOME, address}):
+        if loopback.is_address(place) and loopback.answers(place, service):
+            yield {"address": place}
     require("bleak", robot)
     with EventLoop("Bluetooth") as loop, suppress(RobotConnectionError):
         devices = loop.run(_all(service, seconds), seconds + _MARGIN)

@@ -19,6 +19,7 @@ from learnblock.devices import (
 )
 from learnblock.errors import RobotConnectionError
 from learnblock.robots import bluetooth
+from learnblock.robots import settings as user_settings
 from learnblock.robots.calibration import Calibration
 from learnblock.robots.real import RealRobot
 from learnblock.robots.spike import lines, profile
@@ -62,7 +63,8 @@ class Robot(RealRobot[Settings]):
 
     @classmethod
     def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:
-        yield from bluetooth.scan(cls.name(), profile.SERVICE, seconds)
+        address = user_settings.load(cls.name(), Settings).address
+        yield from bluetooth.scan(cls.name(), address, profile.SERVICE, seconds)
 
     def connect(self) -> None:
         self._counts = WheelCounts(self.settings.wheel_radius, self.settings.track)

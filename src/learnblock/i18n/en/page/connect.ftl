@@ -24,6 +24,7 @@ page-connect-near = Found near you
 page-connect-before = Used before
 page-connect-others = Not found
 page-connect-connect = Connect
+page-connect-save-connect = Save and connect
 page-connect-connect-named = Connect { $robot }
 page-connect-disconnect = Disconnect
 page-connect-connected = Connected

@@ -21,6 +21,7 @@ page-connect-near = Cerca de ti
 page-connect-before = Usados antes
 page-connect-others = No encontrados
 page-connect-connect = Conectar
+page-connect-save-connect = Guardar y conectar
 page-connect-connect-named = Conectar { $robot }
 page-connect-disconnect = Desconectar
 page-connect-connected = Conectado
