@@ -1,6 +1,6 @@
 """What becomes of each example on each robot, in the world in which its purpose is a goal.
 
-With `--wires` the robots are the six real ones, each emulated at the other end of its wire, in
+With `--wires` the robots are the seven real ones, each emulated at the other end of its wire, in
 real time: some 25 minutes. Words select examples: `agnosticism.py --wires first/park square`. With
 `--page` it also writes the table of the docs.
 """

@@ -18,15 +18,16 @@ from learnblock.emulators import emulate
 from learnblock.emulators.ev3 import AGENT
 from learnblock.robots import connect
 from learnblock.robots.ev3 import direct, lines
+from learnblock.robots.ev3.brick import Drive
 from learnblock.robots.ev3.rpyc_link import BEGIN
 from learnblock.robots.ev3.settings import Settings
-from learnblock.robots.ev3.wheels import turns
 from learnblock.robots.ev3.wires import UNLOCK
+from learnblock.robots.wheel_counts import motor_speeds
 
 #: Short and many, because the machine is also doing other work.
 ROUNDS, CYCLES = 100, 100
 #: The command that `move_straight(1)` sends.
-DRIVE = turns(1, 0, 30, 120)
+DRIVE = Drive(*motor_speeds(1, 0, 30, 120))
 #: The allowed extra cost over the bare connection: this fraction, or so many microseconds.
 PART, LITTLE = 0.05, 20.0
 

@@ -9,7 +9,7 @@ from playwright.sync_api import expect
 
 from emulated import LONG, settle
 from learnblock.emulators import emulate
-from learnblock.emulators.ev3.vehicle import Vehicle
+from learnblock.emulators.vehicle import Vehicle
 from learnblock.simulator import load_world
 from waiting import wait_for
 

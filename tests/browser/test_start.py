@@ -9,6 +9,8 @@ from playwright.sync_api import expect
 import small_lesson
 from browser.conftest import ARTEFACTS
 from browser.pupil import WORKSPACE, Pupil
+from emulated import settle
+from learnblock.emulators import emulate
 from waiting import wait_for
 
 #: Large parts that the start page does without.
@@ -283,3 +285,17 @@ def test_undo_has_no_effect_on_the_start_page(sit_down, server):
     row(pupil, re.escape(name)).click()
     pupil.expect_project(name)
     expect(pupil.page.locator(".toast")).to_have_count(0)
+
+
+def test_a_robot_that_was_tried_is_named_with_its_charge(newcomer, own_server, monkeypatch):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(own_server.home))
+    with emulate("spike", "empty") as emulation:
+        settle("spike", {**emulation.settings, "patience": 15.0})
+        robots = section(newcomer, "Which robot do you have?")
+        robots.get_by_role("button", name="Connect", exact=True).click()
+        dialog = newcomer.dialog()
+        dialog.get_by_role("button", name="Connect LEGO SPIKE Prime").click()
+        expect(dialog.get_by_label("Live values")).to_contain_text("Distance in front")
+        dialog.get_by_role("button", name="Use this robot").click()
+        expect(robots).to_contain_text("LEGO SPIKE Prime is ready · 87%")
+        newcomer.picture("robot-ready")

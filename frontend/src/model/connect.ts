@@ -39,6 +39,8 @@ export class Connect {
   readonly state = signal<RobotConnected>(NONE);
   readonly values = signal<RobotValues | null>(null);
   readonly corrected = signal<RobotCorrected | null>(null);
+  /** The robot that was tried and is used from then on, with its charge, 0 to 1; null if it is unknown. */
+  readonly used = signal<{ readonly robot: string; readonly charge: number | null } | null>(null);
   readonly requests: DialogRequests;
 
   readonly lists = computed(() => lists(this.nearby.value, this.state.value));
@@ -106,6 +108,8 @@ export class Connect {
   }
 
   use(): void {
+    const { robot = "" } = this.state.value;
+    this.used.value = { robot, charge: this.values.value?.charge ?? null };
     void this.requests.ask({ kind: "UseRobot" });
   }
 }

@@ -163,7 +163,8 @@ def emulate_command(name: str, world: str | None, seed: int) -> None:
     from learnblock import emulators  # noqa: PLC0415
     from learnblock.cli.interrupts import served_until_ctrl_c  # noqa: PLC0415
 
-    with emulators.emulate(name, world, seed=seed) as emulation, served_until_ctrl_c():
+    place = emulators.usual_place(name)
+    with emulators.emulate(name, world, seed=seed, **place) as emulation, served_until_ctrl_c():
         say("cli-emulating", robot=name)
         for setting, value in emulation.settings.items():
             spelled = value if isinstance(value, str) else typed(value)

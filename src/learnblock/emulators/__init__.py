@@ -11,6 +11,7 @@ They are for testing a driver, or for trying it without the robot (``learnblock 
 """
 
 import importlib
+import socket
 from collections.abc import Callable, Mapping
 from contextlib import ExitStack
 from functools import partial
@@ -20,6 +21,7 @@ from learnblock.closing import Closing
 from learnblock.emulators.twin import Twin
 from learnblock.errors import UnknownNameError
 from learnblock.i18n import Phrase
+from learnblock.robots.bluetooth import loopback
 
 #: The twin of each robot that can be emulated. RCIS's robot is an EBO, and the paper's scene in
 #: CoppeliaSim contains an EV3.
@@ -29,8 +31,12 @@ TWINS: Mapping[str, str] = {
     "ebo": "sim-ebo",
     "ev3": "sim-ev3",
     "rcis": "sim-ebo",
+    "spike": "sim-spike",
 }
 
+
+#: Robots with Bluetooth, which a page finds by itself if they are emulated at their usual place.
+BY_BLUETOOTH = frozenset({"spike"})
 
 #: Robots that are emulated in another simulator, to which our worlds are converted.
 SIMULATED_ELSEWHERE = frozenset({"thymio"})
@@ -103,3 +109,20 @@ def emulate(robot: str, world: str | None = None, *, seed: int = 0, **place: Any
         return Emulation(partial(make, world, **place))
     twin = Twin(TWINS[robot], world, seed=seed)
     return Emulation(partial(make, twin, **place), twin)
+
+
+def usual_place(robot: str) -> dict[str, Any]:
+    """Where a page finds an emulated robot by itself, as `emulate` takes it; empty if nowhere.
+
+    Args:
+        robot: its id.
+    """
+    if robot not in BY_BLUETOOTH:
+        return {}
+    address, port = loopback.place(loopback.HOME)
+    try:
+        socket.create_server((address, port)).close()
+    except OSError:
+        # Another robot is emulated there.
+        return {}
+    return {"address": address, "port": port}

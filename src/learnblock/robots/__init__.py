@@ -22,11 +22,13 @@ _OURS = (
     "sim-thymio",
     "sim-ev3",
     "sim-cozmo",
+    "sim-spike",
     "coppeliasim",
     "cozmo",
     "ebo",
     "ev3",
     "rcis",
+    "spike",
     "thymio",
 )
 

@@ -4,7 +4,7 @@ import pytest
 
 from learnblock import robots
 from learnblock.robots.ev3 import Settings
-from learnblock.robots.ev3.wheels import turns
+from learnblock.robots.wheel_counts import motor_speeds
 from learnblock.wheels import wheel_speeds
 
 
@@ -13,7 +13,7 @@ def home(tmp_path, monkeypatch):
     monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path))
 
 
-@pytest.mark.parametrize("name", ["cozmo", "ebo", "ev3", "thymio"])
+@pytest.mark.parametrize("name", ["cozmo", "ebo", "ev3", "spike", "thymio"])
 def test_a_robot_can_do_about_what_its_twin_can(name):
     real, twin = (robots.find(one).load().drivetrain() for one in (name, f"sim-{name}"))
 
@@ -37,8 +37,8 @@ def test_a_robot_of_other_sizes_has_other_limits():
 def test_a_curve_that_an_ev3_is_too_slow_for_stays_the_same_curve():
     settings = Settings()
     drivetrain = robots.find("ev3").load().drivetrain_for(settings)
-    sent = turns(*drivetrain.reachable(900, 90), settings.wheel_radius, settings.track)
+    sent = motor_speeds(*drivetrain.reachable(900, 90), settings.wheel_radius, settings.track)
     left, right = wheel_speeds(900, 90, settings.track)
 
     assert max(sent) <= settings.full_speed + 1e-6
-    assert sent.left / sent.right == pytest.approx(left / right)
+    assert sent[0] / sent[1] == pytest.approx(left / right)

@@ -48,10 +48,19 @@ DEVICES = {
         "RGBLed:Right",
         "Speaker:ROBOT",
     },
+    "spike": {
+        "Base:ROBOT",
+        "Bumper:ROBOT",
+        "DistanceSensors:ROBOT",
+        "GroundSensors:ROBOT",
+        "Gyroscope:Z_AXIS",
+        "RGBLed:Status",
+        "Speaker:ROBOT",
+    },
 }
 
 
-def test_the_four_robots_are_built_in() -> None:
+def test_the_five_robots_are_built_in() -> None:
     assert set(robot_names()) == set(DEVICES)
 
 

@@ -18,8 +18,7 @@ from learnblock.i18n import Phrase
 from learnblock.robots import connect, find
 from learnblock.robots import settings as user_settings
 from learnblock.robots.ev3 import Robot, Settings
-from learnblock.robots.ev3.brick import State
-from learnblock.robots.ev3.wheels import WheelCounts, turns
+from learnblock.robots.wheel_counts import WheelCounts, motor_speeds
 from learnblock.running import Job, Options, ProgramRun, program, read
 from learnblock.runtime.process import ThreadWorker
 from learnblock.testing import Fault, check_robot
@@ -38,33 +37,29 @@ def ev3(settings, **others):
 
 
 def test_a_wheel_of_30_mm_turns_once_for_188_mm():
-    assert degrees(turns(math.tau * 30, 0, 30, 120)) == pytest.approx((360, 360))
+    assert motor_speeds(math.tau * 30, 0, 30, 120) == pytest.approx((360, 360))
 
 
 def test_a_right_turn_runs_the_left_wheel_forward_and_the_right_one_back():
     # 90 degrees/s on a track of 120 mm move each wheel by 60 * pi / 2 mm, which is half a turn.
-    assert degrees(turns(0, 90, 30, 120)) == pytest.approx((180, -180))
-
-
-def degrees(drive):
-    return drive.left, drive.right
+    assert motor_speeds(0, 90, 30, 120) == pytest.approx((180, -180))
 
 
 def test_odometry_counts_mm_forward_and_degrees_clockwise():
     odometry = WheelCounts(30, 120)
-    odometry.follow(State(1000, -500))
-    odometry.follow(State(1360, -140))
+    odometry.follow(1000, -500)
+    odometry.follow(1360, -140)
     assert odometry.pose == pytest.approx((math.tau * 30, 0, 0))
-    odometry.follow(State(1360 + 180, -140 - 180))
+    odometry.follow(1360 + 180, -140 - 180)
     assert odometry.pose == pytest.approx((math.tau * 30, 0, 90))
-    odometry.follow(State(1360 + 180 + 360, -140 - 180 + 360))
+    odometry.follow(1360 + 180 + 360, -140 - 180 + 360)
     assert odometry.pose == pytest.approx((math.tau * 30, -math.tau * 30, 90))
 
 
 def test_the_heading_of_odometry_stays_between_minus_180_and_180():
     odometry = WheelCounts(30, 120)
-    odometry.follow(State(0, 0))
-    odometry.follow(State(540, -540))
+    odometry.follow(0, 0)
+    odometry.follow(540, -540)
     assert odometry.pose[2] == pytest.approx(-90)
 
 

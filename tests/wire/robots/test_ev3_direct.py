@@ -14,8 +14,8 @@ from emulated import LONG
 from ev3_wires import Bytes
 from learnblock.devices import LONGEST_TEXT, Base, Gyroscope
 from learnblock.emulators.ev3.firmware import Firmware
-from learnblock.emulators.ev3.vehicle import Vehicle
 from learnblock.emulators.twin import Twin
+from learnblock.emulators.vehicle import Vehicle
 from learnblock.errors import RobotConnectionError
 from learnblock.robots import connect
 from learnblock.robots.ev3 import direct, scan

@@ -5,7 +5,7 @@ import pytest
 from emulated import settle
 from learnblock.emulators import emulate
 from learnblock.emulators.cozmo.machine import CozmoMachine
-from learnblock.emulators.ev3.vehicle import Vehicle
+from learnblock.emulators.vehicle import Vehicle
 from learnblock.why.drift import NOTICEABLE, drift
 from learnblock.why.ghost import findings, unrecorded
 from learnblock.why.prediction import predict

@@ -5,6 +5,7 @@ const STEPS: Readonly<Record<string, readonly string[]>> = {
   cozmo: ["on", "charged", "wifi", "other", "again"],
   thymio: ["on", "charged", "cable", "permission", "other"],
   ev3: ["on", "charged", "system", "network", "setup"],
+  spike: ["on", "charged", "pybricks", "bluetooth", "other"],
   ebo: ["on", "charged", "wifi", "other", "again"],
   rcis: ["started", "computer"],
   coppeliasim: ["started", "service", "other"],

@@ -1,7 +1,7 @@
 /** The real robots: on the left those near this computer, on the right what to do with one. */
 
 import { useSignal } from "@preact/signals";
-import { useEffect } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 
 import { say, t } from "../../i18n";
 import type { Listed } from "../../model/connect";
@@ -20,7 +20,12 @@ import { Connected, Idle, Trouble } from "./panel";
 export function RealRobots() {
   const { connect } = usePage();
   const aside = useSignal<Aside>(ROBOT);
-  const show = (next: Aside) => (aside.value = next);
+  // Who has been helped with a robot means that one, wherever they go on.
+  const meant = useSignal("");
+  const show = (next: Aside) => {
+    if ("robot" in next) meant.value = next.robot;
+    aside.value = next;
+  };
   const state = connect.state.value.state;
   // A new connection is what the user wants to see.
   useEffect(() => {
@@ -28,7 +33,7 @@ export function RealRobots() {
   }, [state]);
   return (
     <div class={state === "none" && aside.value === ROBOT ? "connect-real idle" : "connect-real"}>
-      <Robots show={show} />
+      <Robots meant={meant.value} show={show} />
       <div class="connect-panel">
         <Panel aside={aside.value} show={show} />
       </div>
@@ -48,11 +53,11 @@ function Panel({ aside, show }: { aside: Aside; show: (next: Aside) => void }) {
   return <Connected show={show} />;
 }
 
-function Robots({ show }: { show: (next: Aside) => void }) {
+function Robots({ meant, show }: { meant: string; show: (next: Aside) => void }) {
   const { connect } = usePage();
   const { found, before, others } = connect.lists.value;
   const real = others.filter((one) => !OTHER_SIMULATORS.has(one.robot));
-  const first = connect.state.value.robot || before[0]?.robot || real[0]?.robot || "cozmo";
+  const first = meant || connect.state.value.robot || before[0]?.robot || real[0]?.robot || "cozmo";
   return (
     <div class="connect-list">
       <p class="connect-count" role="status">
@@ -197,6 +202,14 @@ function state({ isBusy, addOn, isLooking }: Listed): string {
 
 function AwayRobot({ robot, show }: { robot: Listed; show: (next: Aside) => void }) {
   const title = useTitle(robot);
+  const help = useRef<HTMLButtonElement>(null);
+  const hadButton = useRef(false);
+  const hasButton = robot.addOn?.ours ?? false;
+  // An add-on that is installed takes its button away, and the focus with it.
+  useLayoutEffect(() => {
+    if (hadButton.current && !hasButton && document.activeElement === document.body) help.current?.focus();
+    hadButton.current = hasButton;
+  }, [hasButton]);
   return (
     <li aria-label={title}>
       <RobotPicture robot={robot.robot} />
@@ -207,6 +220,7 @@ function AwayRobot({ robot, show }: { robot: Listed; show: (next: Aside) => void
         {robot.addOn?.ours && <InstallButton robot={robot.robot} title={title} addOn={robot.addOn} />}
       </div>
       <button
+        ref={help}
         type="button"
         class="button soft"
         aria-label={t("page-connect-help-named", { robot: title })}
@@ -278,10 +292,16 @@ function Address({ robot, back }: { robot: string; back: () => void }) {
           ))}
         </select>
       </label>
-      <button type="button" class="button filled" onClick={() => connect.connect(chosen.value)}>
-        {t("page-connect-connect")}
-      </button>
-      <SettingsForm key={chosen.value} robot={chosen.value} cancel={back} />
+      <SettingsForm
+        key={chosen.value}
+        robot={chosen.value}
+        cancel={back}
+        next={{
+          word: "page-connect-connect",
+          savingWord: "page-connect-save-connect",
+          go: () => connect.connect(chosen.value),
+        }}
+      />
     </div>
   );
 }

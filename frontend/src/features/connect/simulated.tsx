@@ -9,7 +9,7 @@ import { Icon } from "../../ui/icons";
 import { RobotPicture } from "../../ui/robots/picture";
 
 /** Our twins; the others are the user's. */
-const TWINS: ReadonlySet<string> = new Set(["sim-ebo", "sim-thymio", "sim-ev3", "sim-cozmo"]);
+const TWINS: ReadonlySet<string> = new Set(["sim-ebo", "sim-thymio", "sim-ev3", "sim-cozmo", "sim-spike"]);
 
 export function SimulatedRobots() {
   const { project } = usePage();

@@ -2,7 +2,7 @@
 
 import { useComputed, useSignal } from "@preact/signals";
 import { type ComponentChildren, Fragment } from "preact";
-import { useLayoutEffect } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 
 import { say, t } from "../../i18n";
 import { usePage } from "../../model/page";
@@ -57,11 +57,13 @@ export function PerceptionDialog() {
 interface SettingsFormProps {
   readonly robot: string;
   readonly cancel: () => void;
+  /** What the button does once the settings are saved, such as to connect; by default it only saves. */
+  readonly next?: { readonly word: string; readonly savingWord: string; readonly go: () => void };
   /** Below the settings; told whether they are saved as they are shown. */
   readonly children?: (isSaved: boolean) => ComponentChildren;
 }
 
-export function SettingsForm({ robot, cancel, children }: SettingsFormProps) {
+export function SettingsForm({ robot, cancel, next, children }: SettingsFormProps) {
   const machine = usePage().robotSettings;
   // Before the form of an older answer is shown.
   useLayoutEffect(() => machine.read(robot), []);
@@ -72,27 +74,41 @@ export function SettingsForm({ robot, cancel, children }: SettingsFormProps) {
       <p role="alert" class="refused">
         {problem && say(problem)}
       </p>
-      {table.value?.settings && <Form table={table.value} robot={robot} cancel={cancel} children={children} />}
+      {table.value?.settings && (
+        <Form table={table.value} robot={robot} cancel={cancel} next={next} children={children} />
+      )}
     </>
   );
 }
 
-function Form({ table, robot, cancel, children }: SettingsFormProps & { readonly table: SettingsTable }) {
+function Form({ table, robot, cancel, next, children }: SettingsFormProps & { readonly table: SettingsTable }) {
   const machine = usePage().robotSettings;
   const { settings = [], wrong = {} } = table;
   const values = useSignal<Values>(valuesOf(settings));
   const agreed = useSignal(false);
   const saves = useSignal(false);
+  const goes = useRef(false);
   // The server may change a saved value, such as a video's path into an absolute one. Before the
   // browser shows the answer, so that nothing is lost that a user has typed into it.
   useLayoutEffect(() => {
-    if (Object.keys(wrong).length === 0) values.value = valuesOf(settings);
+    if (Object.keys(wrong).length > 0) {
+      goes.current = false;
+      return;
+    }
+    values.value = valuesOf(settings);
+    if (goes.current) next?.go();
+    goes.current = false;
   }, [table]);
   const changed = changes(settings, values.value);
   const asks = changed[EMOTIONS] === true;
   const save = (event: SubmitEvent) => {
     event.preventDefault();
+    if (next && !isChanged) {
+      next.go();
+      return;
+    }
     saves.value = true;
+    goes.current = next !== undefined;
     machine.change(robot, changed, agreed.value);
   };
   const isChanged = Object.keys(changed).length > 0;
@@ -114,8 +130,8 @@ function Form({ table, robot, cancel, children }: SettingsFormProps & { readonly
         {isChanged ? t("page-robots-unsaved") : saves.value && t("page-robots-saved")}
       </p>
       <Actions cancel={cancel}>
-        <button type="submit" class="button filled" disabled={!isChanged || (asks && !agreed.value)}>
-          {t("page-robots-save")}
+        <button type="submit" class="button filled" disabled={!(isChanged || next) || (asks && !agreed.value)}>
+          {t(next ? (isChanged ? next.savingWord : next.word) : "page-robots-save")}
         </button>
       </Actions>
     </form>

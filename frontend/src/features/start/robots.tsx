@@ -7,6 +7,7 @@ import { hasReal, plainTitle } from "../../model/robots";
 import type { RobotChoice } from "../../protocol/messages";
 import { Icon } from "../../ui/icons";
 import { RobotPicture } from "../../ui/robots/picture";
+import { kindTitle } from "../connect/names";
 
 /** The robots that are offered, in this order. */
 const SHOWN = ["sim-ebo", "sim-cozmo", "sim-thymio", "sim-ev3"];
@@ -24,8 +25,7 @@ export function Robots() {
         ))}
       </fieldset>
       <div class="start-no-robot">
-        <span class="start-dot" />
-        {t("page-start-no-robot")}
+        <RealRobot robots={robots} />
         {hasReal(robots) && (
           <button type="button" class="button bordered" onClick={() => dialogs.show("connect")}>
             <Icon name="bluetooth" />
@@ -34,6 +34,28 @@ export function Robots() {
         )}
       </div>
     </section>
+  );
+}
+
+/** The real robot that is used, if there is one. */
+function RealRobot({ robots }: { robots: readonly RobotChoice[] }) {
+  const used = usePage().connect.used.value;
+  if (used === null || preferences.value.robot !== used.robot) {
+    return (
+      <>
+        <span class="start-dot" />
+        {t("page-start-no-robot")}
+      </>
+    );
+  }
+  const robot = kindTitle(robots, used.robot);
+  return (
+    <span role="status" class="start-ready">
+      <Icon name="check" />
+      {used.charge === null
+        ? t("page-start-robot-ready", { robot })
+        : t("page-start-robot-charge", { robot, percent: Math.round(used.charge * 100) })}
+    </span>
   );
 }
 

@@ -8,8 +8,9 @@ from typing import Any
 
 from learnblock.emulators.ev3.ev3dev import RPYC, Ev3dev
 from learnblock.emulators.ev3.firmware import Firmware
-from learnblock.emulators.ev3.vehicle import Vehicle
+from learnblock.emulators.ev3.motors import LEFT, RIGHT
 from learnblock.emulators.twin import Twin
+from learnblock.emulators.vehicle import Vehicle
 from learnblock.errors import UnknownNameError
 
 #: The agent's file.
@@ -35,7 +36,7 @@ class Emulator:
     ) -> None:
         if connection not in _BRICKS:
             raise UnknownNameError("connection", connection, _BRICKS)
-        self.brick, settings = _BRICKS[connection](Vehicle(twin), address, port)
+        self.brick, settings = _BRICKS[connection](Vehicle(twin, LEFT, RIGHT), address, port)
         self.settings: Mapping[str, Any] = {
             "connection": connection,
             "address": address,

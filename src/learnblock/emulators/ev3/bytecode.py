@@ -9,7 +9,8 @@ import struct
 import time
 from collections.abc import Callable
 
-from learnblock.emulators.ev3.vehicle import FASTEST, Vehicle
+from learnblock.emulators.ev3.motors import FASTEST
+from learnblock.emulators.vehicle import Vehicle
 
 PORTS = "ABCD"
 #: The plugged-in devices: touch, gyroscope, colour, ultrasonic, and two large motors.

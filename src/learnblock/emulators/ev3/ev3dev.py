@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from learnblock.emulators.ev3.sysfs import Tree
-from learnblock.emulators.ev3.vehicle import Vehicle
+from learnblock.emulators.vehicle import Vehicle
 from learnblock.errors import EmulatorError
 
 #: Seconds between two checks of the files; the kernel's own loop takes 2 ms.

@@ -9,7 +9,7 @@ from contextlib import suppress
 from time import monotonic
 
 from learnblock.emulators.ev3.bytecode import ByteCodeMachine
-from learnblock.emulators.ev3.vehicle import Vehicle
+from learnblock.emulators.vehicle import Vehicle
 
 #: Seconds between two turns of the motors, and between two beacons.
 PERIOD, BEACON = 0.005, 2.0

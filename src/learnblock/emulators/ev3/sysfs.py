@@ -9,7 +9,8 @@ import os
 from collections.abc import Callable
 from pathlib import Path
 
-from learnblock.emulators.ev3.vehicle import FASTEST, LEFT, RIGHT, Vehicle
+from learnblock.emulators.ev3.motors import FASTEST, LEFT, RIGHT
+from learnblock.emulators.vehicle import Vehicle
 
 #: Characters of every file, more than any value, so that each value overwrites the last one.
 WIDTH = 64

@@ -18,12 +18,12 @@ from learnblock.devices import (
 from learnblock.errors import RobotConnectionError
 from learnblock.i18n import Phrase
 from learnblock.robots.calibration import Calibration
-from learnblock.robots.ev3.brick import Say, Show, State, Tone, Word
+from learnblock.robots.ev3.brick import Drive, Say, Show, State, Tone, Word
 from learnblock.robots.ev3.link import BrickLink
 from learnblock.robots.ev3.settings import Settings
 from learnblock.robots.ev3.ways import open_link
-from learnblock.robots.ev3.wheels import WheelCounts, turns
 from learnblock.robots.real import RealRobot
+from learnblock.robots.wheel_counts import WheelCounts, motor_speeds
 from learnblock.wheels import Drivetrain
 
 __all__ = ["Robot", "Settings"]
@@ -64,7 +64,7 @@ class Robot(RealRobot[Settings]):
         self._link: BrickLink | None = None
         self._counts = WheelCounts(self.settings.wheel_radius, self.settings.track)
         self._zero = 0.0
-        link = self._link = open_link(self.settings, self._counts.follow, self.steady_clock)
+        link = self._link = open_link(self.settings, self._follow, self.steady_clock)
         state = link.begin()
         self.add(Base(self._drive, self._pose, self.drivetrain_for(self.settings)))
         self._add_sensors(state)
@@ -113,10 +113,14 @@ class Robot(RealRobot[Settings]):
         if state.touch is not None:
             self.add(Bumper(self._touched))
 
+    def _follow(self, state: State) -> None:
+        self._counts.follow(state.left, state.right)
+
     def _drive(self, adv: float, rot: float) -> None:
         # The brick limits each motor by itself, which would bend a curve.
         speeds = self.drivetrain_for(self.settings).reachable(adv, rot)
-        self._send(turns(*speeds, self.settings.wheel_radius, self.settings.track))
+        size = self.settings.wheel_radius, self.settings.track
+        self._send(Drive(*motor_speeds(*speeds, *size)))
 
     def _say(self, text: str) -> None:
         self._send(Say(text))

@@ -6,9 +6,10 @@ import { ebo } from "./ebo";
 import { ev3 } from "./ev3";
 import { type Look, RobotModel } from "./model";
 import { plain } from "./plain";
+import { spike } from "./spike";
 import { thymio } from "./thymio";
 
-const LOOKS: Readonly<Record<string, (robot: RobotValues) => Look>> = { ebo, thymio, ev3, cozmo };
+const LOOKS: Readonly<Record<string, (robot: RobotValues) => Look>> = { ebo, thymio, ev3, cozmo, spike };
 
 export function robotModel(robot: RobotValues): RobotModel {
   return new RobotModel((LOOKS[robot.name] ?? plain)(robot), robot);

@@ -4,6 +4,9 @@ import { type CanvasTexture, Mesh, MeshBasicMaterial, PlaneGeometry } from "thre
 import { createCanvas } from "./canvas";
 import { letter } from "./lettering";
 
+/** Of EV3's screen. */
+const GREY = { paper: "#b9cdb4", ink: "#1d2a1f" } as const;
+
 export class Lcd {
   readonly mesh: Mesh;
   private readonly pen: CanvasRenderingContext2D;
@@ -11,7 +14,11 @@ export class Lcd {
   private text: string | null = null;
 
   /** @param width and height of the screen, mm; its upper edge is ahead. */
-  constructor(width: number, height: number) {
+  constructor(
+    width: number,
+    height: number,
+    private readonly colours: { readonly paper: string; readonly ink: string } = GREY,
+  ) {
     ({ pen: this.pen, texture: this.texture } = createCanvas(width, height));
     const screen = new PlaneGeometry(width, height).rotateZ(-Math.PI / 2);
     this.mesh = new Mesh(screen, new MeshBasicMaterial({ map: this.texture, toneMapped: false }));
@@ -22,9 +29,9 @@ export class Lcd {
     if (text === this.text) return;
     this.text = text;
     const { width, height } = this.pen.canvas;
-    this.pen.fillStyle = "#b9cdb4";
+    this.pen.fillStyle = this.colours.paper;
     this.pen.fillRect(0, 0, width, height);
-    letter(this.pen, text, "#1d2a1f", 44);
+    letter(this.pen, text, this.colours.ink, 44);
     this.texture.needsUpdate = true;
   }
 

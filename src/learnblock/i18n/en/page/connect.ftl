@@ -24,6 +24,7 @@ page-connect-near = Found near you
 page-connect-before = Used before
 page-connect-others = Not found
 page-connect-connect = Connect
+page-connect-save-connect = Save and connect
 page-connect-connect-named = Connect { $robot }
 page-connect-disconnect = Disconnect
 page-connect-connected = Connected
@@ -124,6 +125,17 @@ page-connect-help-thymio-permission = May you use this computer's serial ports?
 page-connect-help-thymio-permission-do = On Linux, run: sudo usermod -a -G dialout $USER. Then log in again. Other systems need nothing.
 page-connect-help-thymio-other = Is Thymio free?
 page-connect-help-thymio-other-do = Close other programs that use Thymio, such as Aseba Studio or Scratch. Thymio Suite itself may stay open.
+
+page-connect-help-spike-on = Is the hub on?
+page-connect-help-spike-on-do = Press its round button. A Bluetooth light blinks until something connects to it.
+page-connect-help-spike-charged = Is the hub charged?
+page-connect-help-spike-charged-do = If it goes off by itself, charge it by its USB cable.
+page-connect-help-spike-pybricks = Does it run Pybricks?
+page-connect-help-spike-pybricks-do = LEGO's own software has a dance of lights when it starts; Pybricks does not. Put Pybricks on it once, in a browser: code.pybricks.com, under Tools.
+page-connect-help-spike-bluetooth = Is this computer's Bluetooth on?
+page-connect-help-spike-bluetooth-do = Switch it on in the system's settings, and allow LearnBlock to use it. The hub is not paired there: remove it from the list if it is.
+page-connect-help-spike-other = Is the hub free?
+page-connect-help-spike-other-do = Close other programs that use it, such as Pybricks Code, on every computer and tablet nearby. Only one can use it at a time.
 
 page-connect-help-ev3-on = Is the EV3 on?
 page-connect-help-ev3-on-do = Press its middle button. It is ready when its lamp glows green, which takes up to two minutes with ev3dev.

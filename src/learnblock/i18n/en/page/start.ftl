@@ -21,6 +21,8 @@ page-start-try = Try it
 
 page-start-robots = Which robot do you have?
 page-start-no-robot = No robot? A simulated one drives here.
+page-start-robot-ready = { $robot } is ready
+page-start-robot-charge = { $robot } is ready · { $percent }%
 page-start-connect = Connect
 
 ## Lessons and examples

@@ -21,6 +21,7 @@ page-connect-near = Cerca de ti
 page-connect-before = Usados antes
 page-connect-others = No encontrados
 page-connect-connect = Conectar
+page-connect-save-connect = Guardar y conectar
 page-connect-connect-named = Conectar { $robot }
 page-connect-disconnect = Desconectar
 page-connect-connected = Conectado
@@ -117,6 +118,17 @@ page-connect-help-thymio-permission = ¿Puedes usar los puertos serie de este or
 page-connect-help-thymio-permission-do = En Linux, ejecuta: sudo usermod -a -G dialout $USER. Después vuelve a iniciar sesión. Otros sistemas no necesitan nada.
 page-connect-help-thymio-other = ¿Está libre Thymio?
 page-connect-help-thymio-other-do = Cierra otros programas que usen Thymio, como Aseba Studio o Scratch. Thymio Suite puede seguir abierta.
+
+page-connect-help-spike-on = ¿Está encendido el hub?
+page-connect-help-spike-on-do = Pulsa su botón redondo. La luz de Bluetooth parpadea hasta que algo se conecta.
+page-connect-help-spike-charged = ¿Tiene batería el hub?
+page-connect-help-spike-charged-do = Si se apaga solo, cárgalo con su cable USB.
+page-connect-help-spike-pybricks = ¿Lleva Pybricks?
+page-connect-help-spike-pybricks-do = El programa propio de LEGO hace un baile de luces al arrancar; Pybricks no. Pon Pybricks una vez, desde un navegador: code.pybricks.com, en Tools.
+page-connect-help-spike-bluetooth = ¿Está encendido el Bluetooth de este ordenador?
+page-connect-help-spike-bluetooth-do = Enciéndelo en los ajustes del sistema y deja que LearnBlock lo use. El hub no se empareja allí: si está en la lista, quítalo.
+page-connect-help-spike-other = ¿Está libre el hub?
+page-connect-help-spike-other-do = Cierra otros programas que lo usen, como Pybricks Code, en todos los ordenadores y tabletas cercanos. Solo uno puede usarlo a la vez.
 
 page-connect-help-ev3-on = ¿Está encendido el EV3?
 page-connect-help-ev3-on-do = Pulsa su botón central. Está listo cuando su luz es verde; con ev3dev tarda hasta dos minutos.

@@ -21,6 +21,8 @@ page-start-try = Pruébalo
 
 page-start-robots = ¿Qué robot tienes?
 page-start-no-robot = ¿No tienes robot? Aquí conduce uno simulado.
+page-start-robot-ready = { $robot } está listo
+page-start-robot-charge = { $robot } está listo · { $percent } %
 page-start-connect = Conectar
 
 ## Lecciones y ejemplos

@@ -1,14 +1,13 @@
-"""Converts between the robot's speeds and those of its two driven wheels."""
+"""Converts between the robot's speeds and the degrees that two motors with encoders turn."""
 
 import math
 import threading
 
 from learnblock.devices import Pose
-from learnblock.robots.ev3.brick import Drive, State
 from learnblock.wheels import Odometry, wheel_speeds
 
 
-def turns(adv: float, rot: float, radius: float, track: float) -> Drive:
+def motor_speeds(adv: float, rot: float, radius: float, track: float) -> tuple[float, float]:
     """The wheels' speeds in degrees/s at adv mm/s forward and rot degrees/s clockwise.
 
     Args:
@@ -18,7 +17,7 @@ def turns(adv: float, rot: float, radius: float, track: float) -> Drive:
         track: the distance between the wheels in mm.
     """
     left, right = wheel_speeds(adv, rot, track)
-    return Drive(math.degrees(left / radius), math.degrees(right / radius))
+    return math.degrees(left / radius), math.degrees(right / radius)
 
 
 class WheelCounts:
@@ -33,7 +32,7 @@ class WheelCounts:
         self._radius = radius
         self._odometry = Odometry(track)
         self._lock = threading.Lock()
-        self._last: State | None = None
+        self._last: tuple[float, float] | None = None
 
     @property
     def pose(self) -> Pose:
@@ -41,11 +40,11 @@ class WheelCounts:
         with self._lock:
             return self._odometry.pose
 
-    def follow(self, state: State) -> None:
-        """Process the rotations of a new state."""
+    def follow(self, left: float, right: float) -> None:
+        """Process the degrees that each wheel has turned since the start."""
         with self._lock:
-            last, self._last = self._last or state, state
+            last, self._last = self._last or (left, right), (left, right)
             self._odometry.roll(
-                math.radians(state.left - last.left) * self._radius,
-                math.radians(state.right - last.right) * self._radius,
+                math.radians(left - last[0]) * self._radius,
+                math.radians(right - last[1]) * self._radius,
             )

@@ -1,15 +1,11 @@
-"""Two motors and four sensors of a brick, connected to a twin."""
+"""Two motors and four sensors of a LEGO brick or hub, connected to a twin."""
 
 import math
 from collections.abc import Mapping
 
 from learnblock.emulators.twin import Twin
+from learnblock.simulator.colours import RGB
 from learnblock.wheels import body_speeds
-
-#: The motor ports of the left and right wheels.
-LEFT, RIGHT = "B", "D"
-#: Degrees/s of a large motor at full speed.
-FASTEST = 1050
 
 
 class Vehicle:
@@ -17,17 +13,20 @@ class Vehicle:
 
     Args:
         twin: the robot.
+        left: the motor port of the left wheel.
+        right: the motor port of the right wheel.
     """
 
-    def __init__(self, twin: Twin) -> None:
+    def __init__(self, twin: Twin, left: str, right: str) -> None:
         self._twin = twin
+        self._ports = left, right
         with twin.body() as body:
             wheels = body.description.wheels
         self._radius, self._track = wheels.radius, wheels.track
 
     def turn(self, speeds: Mapping[str, float]) -> None:
         """Turn the motors at these speeds: degrees/s by port."""
-        left, right = (math.radians(speeds[port]) * self._radius for port in (LEFT, RIGHT))
+        left, right = (math.radians(speeds[port]) * self._radius for port in self._ports)
         with self._twin.body() as body:
             body.drive(*body_speeds((left, right), self._track))
 
@@ -35,10 +34,8 @@ class Vehicle:
         """The degrees that each motor has turned, by port."""
         with self._twin.body() as body:
             left, right = body.wheels_rolled
-        return {
-            LEFT: math.degrees(left / self._radius),
-            RIGHT: math.degrees(right / self._radius),
-        }
+        angles = (math.degrees(rolled / self._radius) for rolled in (left, right))
+        return dict(zip(self._ports, angles, strict=True))
 
     def distance(self) -> float:
         """The ultrasonic sensor's distance in mm; 2550 if it sees nothing."""
@@ -65,6 +62,11 @@ class Vehicle:
         """Show a text on the screen."""
         with self._twin.body() as body:
             body.show_text(text)
+
+    def light(self, lamp: str, colour: RGB) -> None:
+        """Show a colour on a lamp."""
+        with self._twin.body() as body:
+            body.set_led(lamp, colour)
 
     def note(self, action: str, *values: object) -> None:
         """Record a command for the loudspeaker."""

@@ -1,0 +1,96 @@
+"""Looks for robots by Bluetooth Low Energy, and says what keeps it from finding them."""
+
+import asyncio
+from collections.abc import Iterator
+from contextlib import suppress
+from typing import TYPE_CHECKING, Any
+
+from learnblock.errors import RobotConnectionError, RobotNotFoundError
+from learnblock.robots.bluetooth import loopback
+from learnblock.robots.event_loop import EventLoop
+from learnblock.robots.real import require
+
+if TYPE_CHECKING:
+    from bleak.backends.device import BLEDevice
+    from bleak.backends.scanner import AdvertisementData
+
+#: Seconds for which to look for a robot that one connects to; most advertise once a second.
+LOOKING = 8.0
+#: Seconds that a look may take longer than it was told.
+_MARGIN = 2.0
+
+
+def scan(robot: str, address: str, service: str, seconds: float) -> Iterator[dict[str, str]]:
+    """Yield the settings that reach each robot with a service, emulated ones first.
+
+    Nothing is found where this computer has no Bluetooth; who connects is told why.
+
+    Args:
+        robot: the robot's id, such as ``spike``.
+        address: the one in its settings, where another robot may be emulated.
+        service: the UUID that such robots advertise.
+        seconds: the time limit.
+    """
+    for place in sorted({loopback.HOME, address}):
+        if loopback.is_address(place) and loopback.answers(place, service):
+            yield {"address": place}
+    require("bleak", robot)
+    with EventLoop("Bluetooth") as loop, suppress(RobotConnectionError):
+        devices = loop.run(_all(service, seconds), seconds + _MARGIN)
+        yield from ({"address": device.address} for device in devices)
+
+
+async def find(robot: str, address: str, service: str) -> "BLEDevice":
+    """The robot with an address or a name, or the first one with this service.
+
+    Raises:
+        RobotNotFoundError: there is none.
+        RobotConnectionError: this computer's Bluetooth can't be used.
+    """
+    bleak = require("bleak", robot)
+
+    def is_it(device: "BLEDevice", seen: "AdvertisementData") -> bool:
+        if address:
+            return address.casefold() in {
+                device.address.casefold(),
+                (seen.local_name or "").casefold(),
+            }
+        return service in seen.service_uuids
+
+    device: BLEDevice | None = await reachable(
+        bleak.BleakScanner.find_device_by_filter(is_it, timeout=LOOKING)
+    )
+    if device is None:
+        code = "bluetooth-other-not-found" if address else "bluetooth-not-found"
+        raise RobotNotFoundError(code, robot=robot, address=address, seconds=LOOKING)
+    return device
+
+
+async def reachable(awaitable: Any) -> Any:
+    """The result of what uses this computer's Bluetooth.
+
+    Raises:
+        RobotConnectionError: it can't be used; the error says why.
+    """
+    from bleak.exc import BleakBluetoothNotAvailableError  # noqa: PLC0415 - an add-on
+    from bleak.exc import BleakBluetoothNotAvailableReason as Reason  # noqa: PLC0415 - as above
+
+    denied = {Reason.DENIED_BY_USER, Reason.DENIED_BY_SYSTEM, Reason.DENIED_BY_UNKNOWN}
+    try:
+        return await awaitable
+    except BleakBluetoothNotAvailableError as error:
+        if error.reason in denied:
+            raise RobotConnectionError("bluetooth-denied") from error
+        code = "bluetooth-off" if error.reason is Reason.POWERED_OFF else "bluetooth-none"
+        raise RobotConnectionError(code) from error
+    except FileNotFoundError as error:
+        # On Linux, the service that bleak speaks with is missing.
+        raise RobotConnectionError("bluetooth-none") from error
+
+
+async def _all(service: str, seconds: float) -> list["BLEDevice"]:
+    from bleak import BleakScanner  # noqa: PLC0415 - an add-on
+
+    looking = BleakScanner.discover(timeout=seconds, service_uuids=[service])
+    devices: list[BLEDevice] = await asyncio.wait_for(reachable(looking), seconds + _MARGIN)
+    return devices

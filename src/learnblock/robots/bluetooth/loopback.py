@@ -1,0 +1,44 @@
+"""Where emulated robots are, and the lines in which bleak's back end speaks with them.
+
+The emulator (`learnblock.emulators.gatt`) sends one line of JSON with the robot's services, then
+one for each answer and each notification; `loopback_client` sends one for each request. Values are
+hexadecimal.
+
+    {"name": "Pybricks Hub", "largest": 509, "services": {"c5f5...": {"c5f5...": ["read"]}}}
+    {"write": "c5f5...", "value": "0601"}
+    {"done": true}            or {"value": "3401"}, or {"error": 129}, an error of Bluetooth's
+    {"notify": "c5f5...", "value": "0073"}
+"""
+
+import json
+import socket
+from contextlib import suppress
+
+#: Where an emulator listens, unless it is told another place or another one is there already.
+HOME = "127.0.0.1:18816"
+#: The maximum number of bytes of a line.
+LONGEST_LINE = 65536
+#: Seconds for an emulator on this computer to answer.
+_SOON = 0.5
+
+
+def is_address(address: str) -> bool:
+    """Whether an address is that of an emulator."""
+    host, _, port = address.rpartition(":")
+    return host == "127.0.0.1" and port.isdecimal()
+
+
+def place(address: str) -> tuple[str, int]:
+    """The host and the port of an emulator."""
+    host, _, port = address.rpartition(":")
+    return host, int(port)
+
+
+def answers(address: str, service: str) -> bool:
+    """Whether an emulator of a robot with this service is there, and free."""
+    with suppress(OSError, ValueError), socket.create_connection(place(address), _SOON) as probe:
+        probe.settimeout(_SOON)
+        with probe.makefile("rb") as lines:
+            greeting = json.loads(lines.readline(LONGEST_LINE))
+            return service in greeting.get("services", {})
+    return False
