@@ -60,6 +60,7 @@ PYTHON_BLOCKS: tuple[Entry, ...] = (
     _words(LINE, "raise", ("raise ", ""), _value(("ValueError(", ")"), _text("abc"))),
     _words(LINE, "assert", ("assert ", ", ", ""), _TRUE, _text("abc")),
     _parts("with", (("with ", " as file"),), _value(("open(", ")"), _text("notes.txt"))),
+    _parts("match", (("match ", ""), ("case 1",), ("case _",)), _ONE),
     _parts("class", (("class Dog",),)),
     _parts("def", (("def bark(times=", ")"),), _ONE),
     _parts("for", (("for x in ", ""), ("else",)), _RANGE),

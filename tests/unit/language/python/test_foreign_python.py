@@ -3,6 +3,8 @@
 The floors may only rise; `scripts/bench foreign_python` prints the scores.
 """
 
+import re
+
 import pytest
 
 from learnblock.blocks.schema.loading import builtin
@@ -139,3 +141,49 @@ def test_activate_without_events_is_a_method_like_any_other():
 def test_adding_the_two_lines_of_the_robot_is_enough():
     blocktext = format_program(from_python(WITHOUT_ITS_ROBOT)).removeprefix("without robot\n\n")
     assert check(parse(blocktext), builtin()) == []
+
+
+MATCH = """\
+def sort(command):
+    match (command,  # zero
+           1):  # one
+        # two
+
+        # three
+        case [
+            # four
+            str(first), *_
+        ] if first:  # five
+            print(first)
+            # six
+        # seven
+        case [0 | 1]: print(1)  # eight
+        case _:
+            # nine
+            pass
+        # ten
+    # eleven
+    return command
+"""
+
+
+def test_comments_in_a_match_come_through_every_notation():
+    program = from_python(MATCH)
+    assert to_python(program).text == MATCH
+    block_text = format_program(program)
+    words = re.findall(r"# (\w+)", block_text)
+    assert sorted(words) == sorted(re.findall(r"# (\w+)", MATCH))
+    again = parse(block_text)
+    assert again == program == from_python(to_python(again).text)
+    read = from_workspace(to_workspace(program, builtin()).workspace, builtin())
+    assert (read.program, read.problems) == (program, ())
+
+
+def test_names_that_patterns_set_are_known_and_their_lines_have_a_place():
+    python = MATCH.replace("return command", "return first").replace("command):", "command):\n")
+    program = from_python(python)
+    assert check(program, builtin(), python=python) == []
+    assert check(parse(format_program(program)), builtin()) == []
+    mapped = to_python(program).source_map
+    lines = [number for number, line in enumerate(python.split("\n"), 1) if "case" in line]
+    assert [mapped.source_line(number) for number in lines] == lines
