@@ -59,7 +59,7 @@ PYTHON_BLOCKS: tuple[Entry, ...] = (
     _parts("try", (("try",), ("except ValueError as error",))),
     _words(LINE, "raise", ("raise ", ""), _value(("ValueError(", ")"), _text("abc"))),
     _words(LINE, "assert", ("assert ", ", ", ""), _TRUE, _text("abc")),
-    _parts("with", (("with ", " as file"),), _value(("open(", ")"), _text("notes.txt"))),
+    _parts("with", (("with ", " as file"),), _value(("open(", ")"), _text("a.txt"))),
     _parts("match", (("match ", ""), ("case 1",), ("case _",)), _ONE),
     _parts("class", (("class Dog",),)),
     _parts("def", (("def bark(times=", ")"),), _ONE),
