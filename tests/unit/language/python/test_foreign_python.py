@@ -4,10 +4,13 @@ The floors may only rise; `scripts/bench foreign_python` prints the scores.
 """
 
 import re
+import runpy
 
 import pytest
+from click.testing import CliRunner
 
 from learnblock.blocks.schema.loading import builtin
+from learnblock.cli import main
 from learnblock.language import (
     check,
     from_python,
@@ -19,6 +22,7 @@ from learnblock.language import (
 from learnblock.language import format as format_program
 from learnblock.language.tree.nodes import PythonLine, Raw, SkillCall
 from learnblock.language.tree.traversal import all_expressions, statements, within
+from places import ROOT
 from python_scores import TURTLEDEMO, scores_of
 
 STATEMENTS_IN_BLOCKS = 99.9
@@ -187,3 +191,25 @@ def test_names_that_patterns_set_are_known_and_their_lines_have_a_place():
     mapped = to_python(program).source_map
     lines = [number for number, line in enumerate(python.split("\n"), 1) if "case" in line]
     assert [mapped.source_line(number) for number in lines] == lines
+
+
+EXAMPLES = sorted((ROOT / "examples" / "elsewhere").glob("*.py"))
+each_example = pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+
+
+@each_example
+def test_an_example_from_elsewhere_is_blocks_as_a_whole(path):
+    scores = scores_of([path])
+    assert (scores.ungrey, scores.kept, scores.same, scores.in_blocks) == (1, 1, 1, 100)
+
+
+@each_example
+def test_an_example_from_elsewhere_does_what_it_does_in_python(path, tmp_path, capsys):
+    runpy.run_path(str(path), run_name="__main__")
+    output = capsys.readouterr().out
+    as_block_text = tmp_path / f"{path.stem}.bt"
+    as_block_text.write_text(format_program(from_python(path.read_text("utf-8"))), "utf-8")
+    for file in (path, as_block_text):
+        result = CliRunner().invoke(main, ["run", str(file)])
+        assert result.exit_code == 0
+        assert result.stdout.startswith(output)
