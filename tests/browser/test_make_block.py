@@ -50,6 +50,23 @@ def test_a_block_is_made_with_its_inputs_and_undone_in_one_step(sit_down, server
     expect(pupil.blocks("procedures_defnoreturn")).to_have_count(0)
 
 
+@pytest.mark.parametrize(("stage", "python"), [("explorer", "x = 0"), ("starter", "global x")])
+def test_variables_of_a_new_block_are_its_own_from_explorer_on(sit_down, server, stage, python):
+    pupil = sit_down(server, stage=stage, empty=True, flat=True)
+    pupil.show("Blocks")
+    open_dialog(pupil)
+    pupil.page.keyboard.type("count")
+    pupil.page.keyboard.press("Enter")
+    definition = pupil.blocks("procedures_defnoreturn")
+    expect(definition).to_be_in_viewport()
+    pupil.make_variable("x")
+    hat = definition.get_attribute("data-id")
+    pupil.set_variable("x", "0", to=lambda: pupil.inside(hat))
+    expect(definition.locator(".variables_set")).to_be_visible()
+    pupil.show("Python")
+    pupil.sees("python", "def count():", f"    {python}")
+
+
 @pytest.fixture
 def dancer(sit_down, server):
     """A pupil with a block of the program and a call of it, in sight as blocks and text."""

@@ -5,6 +5,7 @@ slower. A failing seed is enough to reproduce a failure: `Trees(seed).program()`
 """
 
 import random
+from dataclasses import replace
 
 from learnblock.language import format as format_program
 from learnblock.language import parse
@@ -101,6 +102,7 @@ HEADERS = (
     ("class Dog(Pet, n=2)",),
     ("def f(a, b=[1, 'c'], *rest, **more)",),
     ("for a, (b, c) in d.e", "else"),
+    ("match f(x), *a", "case {'a': Dog(b, n=-1), **c} | None as d if not e[0]", "case [x, *_]"),
 )
 RAW_STATEMENTS = (
     "import os\n",
@@ -293,9 +295,13 @@ class Trees:
     def python_block(self, depth):
         headers = self.choice(HEADERS)
         outer, self.unset_locals = self.unset_locals, None
-        parts = tuple(PythonPart(header, self.body(depth), self.comment()) for header in headers)
+        parts = tuple(self.python_part(header, depth) for header in headers)
         self.unset_locals = outer
         return PythonBlock(parts)
+
+    def python_part(self, header, depth):
+        part = PythonPart(header, (), self.comment())
+        return part if part.has_cases else replace(part, body=self.body(depth))
 
     def item(self):
         kind = self.random.randrange(8)

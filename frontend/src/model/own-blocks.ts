@@ -63,12 +63,20 @@ export function callInText({ name, inputs }: OwnBlock): string {
   return `${name}(${words.join(", ")})`;
 }
 
-/** A program with a new definition, and its id. */
-export function withNew(program: Workspace, own: OwnBlock): { program: Workspace; id: string } {
+/**
+ * A program with a new definition, and its id.
+ *
+ * @param hasLocals whether the variables that only it uses are its own; the server takes them for local.
+ */
+export function withNew(
+  program: Workspace,
+  own: OwnBlock,
+  { hasLocals = false } = {},
+): { program: Workspace; id: string } {
   const fresh = freshIds(program);
   const { variables, inputs } = stored(program.variables, own.inputs, fresh);
   const id = fresh();
-  const block: Block = { type: DEFINITIONS[0]!, id, fields: { NAME: own.name }, ...stateOf(inputs) };
+  const block: Block = { type: DEFINITIONS[0]!, id, fields: { NAME: own.name }, ...stateOf(inputs, hasLocals) };
   return { program: { variables, stacks: [...program.stacks, [block]] }, id };
 }
 
@@ -97,8 +105,8 @@ function redefined(
   inputs: readonly StoredInput[],
   renamed: ReadonlyMap<string, StoredInput>,
 ): Block {
-  const { extraState: _, ...definition } = changedBlocks([block], (one) => withVariables(one, renamed))[0]!;
-  return { ...definition, fields: { ...definition.fields, NAME: name }, ...stateOf(inputs) };
+  const { extraState, ...definition } = changedBlocks([block], (one) => withVariables(one, renamed))[0]!;
+  return { ...definition, fields: { ...definition.fields, NAME: name }, ...stateOf(inputs, isMarked(extraState)) };
 }
 
 /** A block whose variables are those of the renamed inputs. */
@@ -138,8 +146,14 @@ function fittingCall(block: Block, own: OwnBlock, fresh: () => string): Block {
   return { ...block, inputs, extraState: { name: own.name, ...(params.length ? { params } : {}) } };
 }
 
-function stateOf(inputs: readonly StoredInput[]): Pick<Block, "extraState"> {
-  return inputs.length ? { extraState: { params: inputs } } : {};
+function stateOf(inputs: readonly StoredInput[], hasLocals: boolean): Pick<Block, "extraState"> {
+  const state = { ...(inputs.length ? { params: inputs } : {}), ...(hasLocals ? { locals: true } : {}) };
+  return Object.keys(state).length ? { extraState: state } : {};
+}
+
+/** Whether the state of a definition says that the variables that only it uses are its own. */
+export function isMarked(state: unknown): boolean {
+  return (state as { locals?: boolean } | null | undefined)?.locals === true;
 }
 
 function storedIn({ extraState }: Block): readonly StoredInput[] {

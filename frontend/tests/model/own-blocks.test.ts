@@ -79,6 +79,13 @@ test("a new block is a definition at the end of the program, with a variable for
   expect(made.variables.map(({ name }) => name)).toEqual(["rounds", "music"]);
 });
 
+test("a definition keeps what says that its variables are its own", () => {
+  const { program: made, id } = withNew({ stacks: [], variables: [] }, { name: "go", inputs: [] }, { hasLocals: true });
+  expect(made.stacks[0]![0]!.extraState).toEqual({ locals: true });
+  const changed = withChanged(made, id, { name: "run", inputs: [{ name: "fast", sample: true }] });
+  expect(changed.stacks[0]![0]!.extraState).toMatchObject({ params: [{ name: "fast" }], locals: true });
+});
+
 test("the calls of a changed block keep the values of the inputs that stay, wherever these are now", () => {
   const [call] = bodyOf(withChanged(program(), "def", EDITED));
   expect(call!.extraState).toEqual({ name: "tango", params: ["music", "turns", "shout"] });

@@ -68,6 +68,7 @@ FORMS: Mapping[str, tuple[PythonForm, ...]] = {
         PythonForm("WHILE", "while %1"),
         PythonForm("MATCH", "match %1"),
         PythonForm("ANY_CASE", "case _"),
+        PythonForm("CASE_IF", "case %1 if %2"),
         PythonForm("CASE", "case %1"),
     ),
     VALUE: (

@@ -139,6 +139,8 @@ TERMINALS = {
     "FSTRING": spaced('f"a{x}"', "f'{x[0]} {y}'", 'f"{{}}"', "F'{state_seen}!'"),
     "RAW_HEADER": spaced("`for a, in b`"),
     "RAW_PART": spaced("`else`"),
+    "RAW_MATCH": spaced("`match x, *[y]`"),
+    "RAW_CASE": spaced("`case [a, *b] if c`", "`case _`"),
     "RAW": spaced("`{1, 2}`", "`lambda: 0`"),
     "PYTHON_BLOCK": spaced("\npython:\n    import os\n    end\n", "\npython:\n\\end\n  end\n"),
     "_NL": st.sampled_from(["\n", "\n\n", " # note\n", "\n# main\n\n  # end\n"]),

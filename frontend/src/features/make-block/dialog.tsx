@@ -8,6 +8,7 @@ import type { MakeBlockDialogName } from "../../model/dialogs";
 import { nameInTexts, takenNames } from "../../model/own-block-names";
 import { callInText, type OwnBlock, type SampleKind, withChanged, withNew } from "../../model/own-blocks";
 import { usePage } from "../../model/page";
+import { preferences } from "../../model/preferences";
 import { IconButton } from "../../ui/button";
 import { Actions, Dialog } from "../../ui/dialog";
 import { Icon } from "../../ui/icons";
@@ -38,7 +39,7 @@ export function MakeBlockDialog({ of: { makeBlock: definition } }: { of: MakeBlo
     made.current = definition;
     views.changeBlocks((program) => {
       if (definition) return withChanged(program, definition, making.own.peek());
-      const found = withNew(program, making.own.peek());
+      const found = withNew(program, making.own.peek(), { hasLocals: preferences.peek().stage !== "starter" });
       made.current = found.id;
       return found.program;
     });

@@ -56,6 +56,7 @@ export const MEANINGS: Readonly<Record<string, readonly string[]>> = {
   module: ["lb_python_line:import", "lb_python_line:from"],
   exception: ["lb_python_block:try", "lb_python_line:raise", "lb_python_line:assert"],
   object: ["lb_python_block:class", "lb_python_form:attribute", "lb_python_form:method"],
+  switch: ["lb_python_block:match"],
   comprehension: ["lb_python_form:list"],
   anonymous: ["lb_python_form:lambda"],
   file: ["lb_python_block:with"],

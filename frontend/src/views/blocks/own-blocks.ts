@@ -4,6 +4,7 @@ import * as Blockly from "blockly/core";
 
 import {
   DEFINITIONS,
+  isMarked,
   type OwnBlock,
   type OwnInput,
   type Sample,
@@ -13,13 +14,15 @@ import {
 } from "../../model/own-blocks";
 
 type State = Blockly.serialization.blocks.State;
-type Params = { params?: StoredInput[] };
+type Params = { params?: StoredInput[]; locals?: true };
 
 /** What Blockly keeps in a definition. */
 type Definition = Blockly.Block & {
   arguments_: string[];
   /** By the ids of the inputs' variables. */
   samples_?: Map<string, Sample>;
+  /** Whether the variables that only it uses are its own. */
+  hasLocals_?: boolean;
 };
 
 const CALLS = ["procedures_callnoreturn", "procedures_callreturn"];
@@ -125,10 +128,12 @@ function replaceDefinition(definition: any): void {
         const sample = this.samples_?.get(input.id);
         return sample === undefined ? input : { ...input, sample };
       });
-      return params ? { ...state, params } : state;
+      const found = { ...(params && { params }), ...(this.hasLocals_ && { locals: true as const }) };
+      return Object.keys(found).length ? { ...state, ...found } : state;
     },
     loadExtraState(this: Definition, state: Params) {
       loadExtraState.call(this, state);
+      this.hasLocals_ = isMarked(state);
       for (const { id, sample } of state.params ?? []) if (sample !== undefined) this.samples_?.set(id, sample);
     },
   });

@@ -33,10 +33,16 @@ const PYTHON = {
     lines.forEach((words, place) => {
       addLine(this, { words, first, part: state.parts ? place : null });
       first += Math.max(0, words.length - 1);
-      if (state.parts) this.appendStatementInput(`DO${place}`);
+      if (state.parts) addBody(this, place);
     });
   },
 };
+
+/** The mouth of a part; a `match` has only cases, each below it on a row of its own. */
+function addBody(block: Python, place: number): void {
+  if (place === 0 && beginning(block.python_) === "match") block.appendEndRowInput("CASES");
+  else block.appendStatementInput(`DO${place}`);
+}
 
 function addLine(block: Python, line: Line): void {
   const sentence = sentenceOf(block.type, line.words, beginning(block.python_));

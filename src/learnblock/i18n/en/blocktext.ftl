@@ -53,7 +53,6 @@ blocktext-reserved-word = '{ $word }' is a reserved word. Choose another name.
 blocktext-unknown-word = No statement begins with '{ $word }'. Check its spelling.
 blocktext-unknown-word-near = No statement begins with '{ $word }'. Did you mean '{ $near }'?
 blocktext-switch = Block-Text has no 'switch'. Use 'if' and 'elif'.
-blocktext-match = Block-Text has no 'match'. Use 'if' and 'elif', or write all of it in Python between the lines 'python:' and 'end'.
 blocktext-case = Block-Text has no 'case'. Write 'if' or 'elif' and a condition, such as 'elif x == 1:'.
 blocktext-walrus = In Block-Text, a value can't set a variable. Write '{ $line }' on the line above, and '{ $instead }' instead of '{ $found }'.
 # $word: var or let
@@ -135,6 +134,9 @@ blocktext-two-statements = Start a new line before '{ $word }'. Each statement n
 # $word: the word that begins the block, here and below
 blocktext-missing-colon = Write ':' at the end of this '{ $word }' line.
 blocktext-empty-block = This '{ $word }' is empty. Write 'pass' if it should do nothing.
+# $words: the first line of a part, such as except ValueError
+blocktext-not-a-beginning = '{ $words }' can't begin a block. Remove the 'end' above it, or write the first part of its block above.
+blocktext-match-without-case = A 'match' has cases and nothing else. Write one below it, such as '`case 1`:'.
 blocktext-missing-end = This '{ $word }' has no 'end'. Write 'end' on its own line below the block.
 blocktext-python-without-end = This 'python:' has no 'end'. Write 'end' on its own line below the Python code.
 blocktext-stray-end = This 'end' closes nothing. Remove it, or check the block above.

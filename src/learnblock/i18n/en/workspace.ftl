@@ -28,7 +28,7 @@ workspace-without-robot = This program has no robot. Delete the block 'without r
 workspace-robot-not-first = 'robot' must come before everything else. Move this block to the beginning.
 workspace-second-main = A program can have only one 'when Run is pressed'. Move the blocks under this one to the other one, and delete this one.
 # $words: the first line of a part of a statement in Python
-workspace-not-a-part = '{ $words }' can't be a further part of this block. Begin it with 'except', 'else' or 'finally'.
+workspace-not-a-part = '{ $words }' can't be a further part of this block. Begin it with 'except', 'else', 'finally' or 'case'.
 workspace-not-a-beginning = A block can't begin with '{ $words }'. Put this part into the block that it belongs to.
 workspace-empty-comparison = This comparison compares nothing. Remove it.
 workspace-python-lines = A Python value must be on one line. Use the block for Python lines instead.

@@ -53,7 +53,6 @@ blocktext-reserved-word = '{ $word }' es una palabra reservada. Elige otro nombr
 blocktext-unknown-word = Ninguna instrucción empieza con '{ $word }'. Revisa cómo está escrito.
 blocktext-unknown-word-near = Ninguna instrucción empieza con '{ $word }'. ¿Querías decir '{ $near }'?
 blocktext-switch = En Block-Text no hay 'switch'. Usa 'if' y 'elif'.
-blocktext-match = En Block-Text no hay 'match'. Usa 'if' y 'elif', o escríbelo todo en Python entre las líneas 'python:' y 'end'.
 blocktext-case = En Block-Text no hay 'case'. Escribe 'if' o 'elif' y una condición, por ejemplo 'elif x == 1:'.
 blocktext-walrus = En Block-Text, un valor no da valor a ninguna variable. Escribe '{ $line }' en la línea anterior, y '{ $instead }' en lugar de '{ $found }'.
 # $word: var or let
@@ -135,6 +134,9 @@ blocktext-two-statements = Empieza una línea nueva antes de '{ $word }'. Cada i
 # $word: the word that begins the block, here and below
 blocktext-missing-colon = Escribe ':' al final de esta línea de '{ $word }'.
 blocktext-empty-block = Este '{ $word }' está vacío. Escribe 'pass' si no debe hacer nada.
+# $words: the first line of a part, such as except ValueError
+blocktext-not-a-beginning = '{ $words }' no puede empezar un bloque. Quita el 'end' de arriba, o escribe encima la primera parte de su bloque.
+blocktext-match-without-case = Un 'match' tiene casos y nada más. Escribe uno debajo, por ejemplo '`case 1`:'.
 blocktext-missing-end = A este '{ $word }' le falta el 'end'. Escribe 'end' en su propia línea, debajo del bloque.
 blocktext-python-without-end = A este 'python:' le falta el 'end'. Escribe 'end' en su propia línea, debajo del código de Python.
 blocktext-stray-end = Este 'end' no cierra nada. Quítalo, o revisa el bloque de arriba.

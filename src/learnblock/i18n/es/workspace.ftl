@@ -28,7 +28,7 @@ workspace-without-robot = Este programa no tiene robot. Borra el bloque 'sin rob
 workspace-robot-not-first = 'robot' va antes que todo lo demás. Mueve este bloque al principio.
 workspace-second-main = Un programa solo puede tener un 'al pulsar Ejecutar'. Mueve los bloques de este al otro, y borra este.
 # $words: the first line of a part of a statement in Python
-workspace-not-a-part = '{ $words }' no puede ser otra parte de este bloque. Empiézala con 'except', 'else' o 'finally'.
+workspace-not-a-part = '{ $words }' no puede ser otra parte de este bloque. Empiézala con 'except', 'else', 'finally' o 'case'.
 workspace-not-a-beginning = Un bloque no puede empezar con '{ $words }'. Pon esta parte en el bloque al que pertenece.
 workspace-empty-comparison = Esta comparación no compara nada. Quítala.
 workspace-python-lines = Un valor de Python va en una sola línea. Usa el bloque de líneas de Python.

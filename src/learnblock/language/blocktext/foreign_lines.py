@@ -393,6 +393,7 @@ RULES = (
     CURLY_QUOTES,
     *_COMMENTS,
     *_ENDS,
+    python_lines.MATCH,
     *spoken_lines.EVENTS,
     *_EVENTS,
     *_LOOPS,

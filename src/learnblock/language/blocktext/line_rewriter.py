@@ -9,6 +9,7 @@ from learnblock.language.blocktext.expression_parser import ExpressionParser
 from learnblock.language.blocktext.foreign_lines import NAME_WITH_SPACE, RULES
 from learnblock.language.blocktext.lexer import LINE_ENDS, Token, Tokens, tokenize
 from learnblock.language.blocktext.line_rules import Rewording, Rule, reworded
+from learnblock.language.blocktext.python_lines import CASES
 
 #: At most this many lines are compared with known slips; a pupil reads only the first messages.
 MAX_COMPARED = 200
@@ -23,6 +24,15 @@ def is_in_function(openers: Iterable[Token]) -> bool:
         openers: the first tokens of the open blocks.
     """
     return any(opener.kind in _FUNCTIONS for opener in openers)
+
+
+def is_in_match(openers: Iterable[Token]) -> bool:
+    """Whether open blocks are in a ``match`` of Python.
+
+    Args:
+        openers: the first tokens of the open blocks.
+    """
+    return any(opener.text.startswith(("`match", "`case")) for opener in openers)
 
 
 class LineRewriter(ExpressionParser):
@@ -55,7 +65,8 @@ class LineRewriter(ExpressionParser):
         self.compared += 1
         inside = is_in_function(openers)
         declared = declarations.IN_FUNCTIONS if inside else declarations.OUTSIDE
-        rules = (*self.spaced_names, *declared, *RULES)
+        cases = CASES if is_in_match(openers) else ()
+        rules = (*self.spaced_names, *declared, *cases, *RULES)
         rewording = reworded(self.code_of(number, end), rules)
         if rewording is None:
             return False

@@ -13,6 +13,7 @@ from learnblock.language.tree.loads import Function, loaded_names, parsed
 from learnblock.language.tree.markers import defined_names
 from learnblock.language.tree.nodes import (
     Activate,
+    AnyPython,
     Blank,
     Body,
     Call,
@@ -24,7 +25,6 @@ from learnblock.language.tree.nodes import (
     Main,
     Name,
     PythonBlock,
-    PythonLine,
     Raw,
     RawExpression,
     Setup,
@@ -138,11 +138,8 @@ class _Uses:
         for statement in statements_at_once(body):
             if isinstance(statement, Activate | Deactivate):
                 yield When, statement.name
-            elif isinstance(statement, Raw | PythonLine):
+            elif isinstance(statement, AnyPython):
                 yield from _keys_in(statement.text)
-            elif isinstance(statement, PythonBlock):
-                for part in statement.parts:
-                    yield from _keys_in(f"{part.header}: pass")
             for node in all_expressions(statement):
                 yield from self.named_in(node)
 

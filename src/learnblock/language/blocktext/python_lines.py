@@ -28,6 +28,12 @@ IMPORTS = (
         r"\s*(?P<wrong>(?:import|from)\s+[^\W\d]\w*(?:\.\w+|\s.*\bas\s+\w).*?)\s*$", _in_backticks
     ),
 )
+MATCH = Rule(r"\s*(?P<wrong>match\b\s*(?![=.,:\[])(\S.*?)\s*:)\s*$", r"`match \2`:")
+#: Parts of a ``match``; elsewhere they come from another language.
+CASES = (
+    Rule(r"\s*(?P<wrong>case\b\s*(?![=.,:])(\S.*?)\s*:?)\s*$", r"`case \2`:"),
+    Rule(r"\s*(?P<wrong>(?:default|otherwise)\s*:)\s*$", "`case _`:"),
+)
 _OWNER = rf"(?!(?:functions?|fuction|funtion|robot)\b){NAME}"
 #: What has a dot in it, such as `turtle.forward` and `pets[0].name`.
 _DOTTED = rf"{_OWNER}(?:\[[^\[\]]*\]|\([^()]*\))*\.[^\W\d]\w*"

@@ -36,7 +36,7 @@ _CHARACTERS: Mapping[str, Phrase] = MappingProxyType(
     }
 )
 _PYTHON_STATEMENTS = ("del", "raise", "assert", "yield", "await", "nonlocal")
-_PYTHON_BLOCKS = ("class", "try", "except", "finally", "with", "async")
+_PYTHON_BLOCKS = ("class", "try", "except", "finally", "with", "match", "async")
 #: They continue a ``try``.
 HANDLERS = frozenset(("except", "finally"))
 _OTHER_LANGUAGES: Mapping[str, Phrase] = MappingProxyType(
@@ -44,7 +44,6 @@ _OTHER_LANGUAGES: Mapping[str, Phrase] = MappingProxyType(
         **_replaced({"elseif": "elif", "elsif": "elif", "function": "def", "func": "def"}),
         **_replaced(dict.fromkeys(("endif", "endwhile", "fi", "done"), "end")),
         "switch": Phrase("blocktext-switch"),
-        "match": Phrase("blocktext-match"),
         "case": Phrase("blocktext-case"),
         "var": Phrase("blocktext-declaration", word="var"),
         "let": Phrase("blocktext-declaration", word="let"),

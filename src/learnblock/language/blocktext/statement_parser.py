@@ -9,7 +9,12 @@ from typing import NamedTuple
 
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext import slips
-from learnblock.language.blocktext.block_parser import STATEMENT_ENDS, TOP_LEVEL, BlockParser
+from learnblock.language.blocktext.block_parser import (
+    STATEMENT_ENDS,
+    STATEMENT_STARTS,
+    TOP_LEVEL,
+    BlockParser,
+)
 from learnblock.language.blocktext.expression_parser import OPERATORS, name_of, python_of
 from learnblock.language.blocktext.lexer import LINE_ENDS, Token
 from learnblock.language.blocktext.line_rewriter import is_in_function
@@ -47,6 +52,7 @@ from learnblock.language.tree.nodes import (
     Statement,
     WaitUntil,
     While,
+    is_further_part,
 )
 
 ASSIGNMENTS = frozenset(("=", "+=", "-=", "*=", "/=", "//=", "%=", "**="))
@@ -206,13 +212,35 @@ class StatementParser(BlockParser):
         if self.kinds[self.index + 1] != ":":
             self.index += 1
             return PythonLine(python_of(token), *self.line_end(token))
-        parts = [self.python_part(token)]
+        if is_further_part(python_of(token)):
+            message = Phrase("blocktext-not-a-beginning", words=python_of(token))
+            self.report("not-a-beginning", message, token)
+        has_cases = PythonPart(python_of(token), ()).has_cases
+        parts = self.match_parts(token) if has_cases else [self.python_part(token)]
         while self.kinds[self.index] == "raw":
             parts.append(self.python_part(self.token))
         last = list(parts[-1].body)
         self.close(token, last)
         parts[-1] = replace(parts[-1], body=tuple(last))
         return PythonBlock(tuple(parts), self.line_span(token))
+
+    def match_parts(self, token: Token) -> list[PythonPart]:
+        """The first line of a ``match``, and its first case with the comments above it."""
+        self.index += 1
+        _, comment = self.header(token, lambda: None, None)
+        match = PythonPart(python_of(token), (), comment, self.line_span(token))
+        above: list[Statement] = []
+        while self.note(above):
+            pass
+        if self.token.kind == "name" and self.rewrite_line([*self.openers, token]):
+            self.index = self.line_start()
+        if self.kinds[self.index] == "raw" and is_further_part(self.token.text[1:]):
+            case = self.python_part(self.token)
+            return [match, replace(case, body=(*above, *case.body))]
+        self.report("match-without-case", Phrase("blocktext-match-without-case"), token)
+        if self.kinds[self.index] in STATEMENT_STARTS:
+            self.body(token)
+        return [match]
 
     def python_part(self, opener: Token) -> PythonPart:
         self.index += 1

@@ -33,7 +33,7 @@ def renamed_in(text: str, old: str, new: str) -> str:
         new: the new name as spelled in Python.
 
     Raises:
-        UnsupportedNameError: it is used in a pattern, or where its place is not certain.
+        UnsupportedNameError: it is used where its place is not certain.
     """
     # The parser reads neither a decorator alone nor an indented expression.
     indent = 1 if text.startswith("@") else len(text) - len(text.lstrip(" "))
@@ -74,9 +74,12 @@ def _places(node: ast.AST, old: str, lines: list[bytes]) -> Iterator[_Place]:
             yield _behind(r"\bas\s+", old, node, lines)
         case ast.alias():
             yield from _imported(node, old, lines)
-        case ast.MatchAs(name=name) | ast.MatchStar(name=name) | ast.MatchMapping(rest=name):
-            if name == old:
-                raise UnsupportedNameError
+        case ast.MatchAs(name=name) | ast.MatchStar(name=name) if name == old:
+            # The name is their last word.
+            start = (node.end_col_offset or 0) - len(old.encode(*_ENCODING))
+            yield _Place(node.end_lineno or node.lineno, start)
+        case ast.MatchMapping(rest=name) if name == old:
+            yield _behind(r"\*\*\s*", old, node, lines)
 
 
 def _imported(node: ast.alias, old: str, lines: list[bytes]) -> Iterator[_Place]:
@@ -89,7 +92,10 @@ def _imported(node: ast.alias, old: str, lines: list[bytes]) -> Iterator[_Place]
 
 
 def _behind(
-    words: str, name: str, node: ast.stmt | ast.ExceptHandler | ast.alias, lines: list[bytes]
+    words: str,
+    name: str,
+    node: ast.stmt | ast.ExceptHandler | ast.alias | ast.pattern,
+    lines: list[bytes],
 ) -> _Place:
     """The place of a name that the tree does not give: behind some words of its node's line."""
     line = lines[node.lineno - 1].decode(*_ENCODING)

@@ -212,9 +212,7 @@ def _in_python(node: Any, name: str, new: str) -> Any:
     if text == node.text:
         return node
     if isinstance(node, PythonBlock):
-        headers = [line.removesuffix(": pass") for line in text.splitlines()]
-        parts = zip(node.parts, headers, strict=True)
-        return replace(node, parts=tuple(replace(part, header=header) for part, header in parts))
+        return node.with_text(text)
     return replace(node, text=text)
 
 

@@ -88,9 +88,24 @@ def line_form(text: str) -> SplitLine | None:
 
 @lru_cache(maxsize=4096)
 def header_form(header: str) -> SplitLine:
-    """The form of the first line of a block, without its colon."""
-    node = _only_statement(f"{header}: pass")
+    """The form of the first line of a part of a block, without its colon."""
+    texts = (f"{header}: pass", f"{header}:\n case _: pass")
+    node = next(filter(None, map(_only_statement, texts)), None) or _case(header)
     return SplitLine((header,)) if node is None else _split(header, node)
+
+
+def _case(header: str) -> ast.match_case | None:
+    """The case that a first line begins, at the places of that line."""
+    match _only_statement(f"match _:\n {header}: pass"):
+        case ast.Match(cases=[case]):
+            for node in ast.walk(case):
+                if isinstance(node, ast.expr | ast.keyword | ast.arg):
+                    node.lineno -= 1
+                    node.col_offset -= 1
+                    node.end_lineno = node.lineno
+                    node.end_col_offset = (node.end_col_offset or 0) - 1
+            return case
+    return None
 
 
 def filled(words: Sequence[str], texts: Sequence[str], split: Split) -> str:
@@ -205,6 +220,9 @@ def _parts(node: ast.AST) -> Iterable[ast.AST]:
             return [part for part in parts if isinstance(part, ast.FormattedValue)]
         case ast.FunctionDef() | ast.AsyncFunctionDef():
             return (node.args,)
+        case ast.Match(subject=value) | ast.match_case(guard=value):
+            # A value in a pattern is no value by itself: a variable there would be set.
+            return () if value is None else (value,)
     return ast.iter_child_nodes(node)
 
 

@@ -1,14 +1,17 @@
 """Read statements of Python that Block-Text has no words of its own for, each for itself."""
 
 import ast
+import bisect
 import re
 from copy import copy
+from dataclasses import replace
 
 from learnblock.language.python.expression_reader import Unlike, span_of, start_of
 from learnblock.language.python.scopes import SCOPES
 from learnblock.language.python.skeleton import is_text
-from learnblock.language.python.statement_reader import StatementReader
+from learnblock.language.python.statement_reader import StatementReader, as_statement, stripped
 from learnblock.language.tree.nodes import (
+    Body,
     Item,
     Pass,
     PythonBlock,
@@ -26,10 +29,14 @@ _BLOCKS = (
     ast.AsyncWith,
     ast.Try,
     ast.TryStar,
+    ast.Match,
 )
-_COMPOUND = (*_BLOCKS, ast.If, ast.Match)
+_COMPOUND = (*_BLOCKS, ast.If)
+_Owner = ast.stmt | ast.ExceptHandler | ast.match_case
 #: A part of a block: where it begins, its header if that is known, and its statements.
 _Part = tuple[int, str, list[ast.stmt]]
+#: A comment there is no marker, wherever it is.
+_NO_COLUMN = -1
 
 
 class PythonReader(StatementReader):
@@ -65,34 +72,58 @@ class PythonReader(StatementReader):
         outer = self.keeps_globals
         self.keeps_globals = outer or isinstance(node, SCOPES)
         try:
-            parts = self.parts(node)
-            read = [
-                self.python_part(part, following)
-                for part, following in zip(parts, [*parts[1:], None], strict=True)
-            ]
+            read = self.python_parts(node)
         finally:
             self.keeps_globals = outer
         first = read[0]
         span = first.span._replace(end_line=first.span.line)
-        read[0] = PythonPart(first.header, first.body, first.comment, span)
+        read[0] = replace(first, span=span)
         return PythonBlock(tuple(read), span_of(node)._replace(line=node.lineno))
+
+    def python_parts(self, node: ast.stmt) -> list[PythonPart]:
+        parts = self.parts(node)
+        read: list[PythonPart] = []
+        above: Body = ()
+        if isinstance(node, ast.Match):
+            line, header, body = parts.pop(0)
+            comment = self.header_comment(line, body)
+            read.append(PythonPart(header, (), comment, self.place(line)))
+            above = self.above_first_case(line, parts[0])
+        for part, following in zip(parts, [*parts[1:], None], strict=True):
+            found = self.python_part(part, following)
+            read.append(replace(found, body=stripped((*above, *found.body))) if above else found)
+            above = ()
+        return read
+
+    def above_first_case(self, line: int, case: _Part) -> Body:
+        """The comments between the ``match`` on a line and the statements of its first case."""
+        first, _, body = case
+        self.line = self.header_end(line, body) + 1
+        above: list[Item] = []
+        self.notes(above, first, _NO_COLUMN)
+        above += self.comments_in(first, self.header_end(first, body))
+        return tuple(map(as_statement, above))
 
     def parts(self, node: ast.stmt) -> list[_Part]:
         """The parts of a block, each from its header on."""
-        body = _body(node)
-        found: list[_Part] = [(node.lineno, self.header(node), body)]
+        found: list[_Part] = [(node.lineno, self.header(node, node.lineno), _body(node))]
         handlers: list[ast.ExceptHandler] = getattr(node, "handlers", [])
-        found += [(handler.lineno, self.header(handler), handler.body) for handler in handlers]
+        found += [
+            (handler.lineno, self.header(handler, handler.lineno), handler.body)
+            for handler in handlers
+        ]
+        for case in node.cases if isinstance(node, ast.Match) else ():
+            line = self.first_line(case.pattern.lineno)
+            found.append((line, self.header(case, line), case.body))
         for field, word in (("orelse", "else"), ("finalbody", "finally")):
             body = getattr(node, field, [])
             if body:
                 found.append((self.word_line(word, start_of(body[0])), word, body))
         return found
 
-    def header(self, node: ast.stmt | ast.ExceptHandler) -> str:
+    def header(self, node: _Owner, first: int) -> str:
         """The first line of a part, without its colon."""
         body = _body(node)
-        first = node.lineno
         if self.header_end(first, body) == first:
             line = self.lines[first - 1]
             end = len(line)
@@ -100,19 +131,27 @@ class PythonReader(StatementReader):
                 end = self.character(first, body[0].col_offset)
             elif (comment := self.comments.get(first)) is not None:
                 end = comment.column
-            text = line[self.character(first, node.col_offset) : end].rstrip()
+            text = line[:end].strip()
             if text.endswith(":"):
                 return text[:-1].rstrip()
         if isinstance(node, ast.Try | ast.TryStar):
             return "try"
         bare = copy(node)
-        for field in ("body", "orelse", "decorator_list"):
+        for field in ("body", "orelse", "decorator_list", "cases"):
             if hasattr(bare, field):
                 setattr(bare, field, [ast.Pass()] if field == "body" else [])
-        lines = ast.unparse(bare).split("\n")
-        if len(lines) != 2:
+        header, *rest = ast.unparse(bare).split("\n")
+        if rest and rest != ["    pass"]:
             raise Unlike
-        return lines[0].removesuffix(":")
+        return header.removesuffix(":")
+
+    def first_line(self, line: int) -> int:
+        """The line on which the statement begins that goes on in a line."""
+        place = bisect.bisect_left(self.line_ends, line)
+        first = self.line_ends[place - 1] + 1 if place else 1
+        while self.is_blank(first) or (first in self.comments and self.comments[first].own_line):
+            first += 1
+        return first
 
     def word_line(self, word: str, first: int) -> int:
         """The line of the word above the statements that begin on a line."""
@@ -129,10 +168,17 @@ class PythonReader(StatementReader):
         if following is not None:
             below = following[0], self.header_end(following[0], following[2])
         body = self.part_body(line, nodes, below)
-        column = len(self.lines[line - 1]) - len(self.lines[line - 1].lstrip())
-        return PythonPart(header, body or (Pass(),), comment, Span(line, column + 1, line))
+        return PythonPart(header, body or (Pass(),), comment, self.place(line))
+
+    def place(self, line: int) -> Span:
+        """The span of the header that begins on a line."""
+        text = self.lines[line - 1]
+        return Span(line, len(text) - len(text.lstrip()) + 1, line)
 
 
-def _body(node: ast.stmt | ast.ExceptHandler) -> list[ast.stmt]:
+def _body(node: _Owner) -> list[ast.stmt]:
+    """The statements of a part; of a ``match``, which has none, those of its first case."""
+    if isinstance(node, ast.Match):
+        return node.cases[0].body
     body: list[ast.stmt] = getattr(node, "body", [])
     return body

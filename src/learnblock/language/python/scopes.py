@@ -3,6 +3,8 @@
 import ast
 from collections.abc import Iterator
 
+from learnblock.language.tree.loads import matched_names
+
 #: The statements that have variables of their own.
 SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 _WITH_LAMBDAS = (*SCOPES, ast.Lambda)
@@ -39,8 +41,10 @@ def _own_nodes(node: ast.AST) -> Iterator[ast.AST]:
 
 def stored_names(node: ast.AST) -> set[str]:
     """The variables that a syntax tree sets or deletes."""
-    return {
-        inner.id
-        for inner in ast.walk(node)
-        if isinstance(inner, ast.Name) and not isinstance(inner.ctx, ast.Load)
-    }
+    found: set[str] = set()
+    for inner in ast.walk(node):
+        if isinstance(inner, ast.Name) and not isinstance(inner.ctx, ast.Load):
+            found.add(inner.id)
+        else:
+            found.update(matched_names(inner))
+    return found

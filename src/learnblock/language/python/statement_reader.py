@@ -75,7 +75,7 @@ class StatementReader(CommentReader):
         column = node.body[0].col_offset  # type: ignore[attr-defined]
         if self.line <= len(self.lines):
             self.notes_of_body(items, column)
-        return stripped(tuple(_statement(item) for item in items))
+        return stripped(tuple(as_statement(item) for item in items))
 
     def add_raw(self, items: list[Item], nodes: list[ast.stmt], index: int) -> int:
         first = nodes[index]
@@ -153,7 +153,7 @@ class StatementReader(CommentReader):
     def body(self, owner: int, nodes: list[ast.stmt], limit: int) -> Body:
         self.line = min(self.header_end(owner, nodes) + 1, start_of(nodes[0]))
         return stripped(
-            tuple(_statement(item) for item in self.block(nodes, nodes[0].col_offset, limit))
+            tuple(as_statement(item) for item in self.block(nodes, nodes[0].col_offset, limit))
         )
 
     def own_body(self, node: ast.stmt, body: list[ast.stmt]) -> tuple[Body, str | None]:
@@ -178,7 +178,7 @@ class StatementReader(CommentReader):
             while self.notes(read, below[0], column):
                 pass
             read += self.comments_in(*below)
-        body = stripped(tuple(_statement(item) for item in read))
+        body = stripped(tuple(as_statement(item) for item in read))
         return body if any(map(acts, body)) else (*body, Pass())
 
     # Statements.
@@ -409,7 +409,7 @@ def _last(end: Expression, direction: int) -> Expression:
     return found
 
 
-def _statement(item: Item) -> Statement:
+def as_statement(item: Item) -> Statement:
     if isinstance(item, Def | When | Import | Setup | WithoutRobot):
         raise Unlike
     return item

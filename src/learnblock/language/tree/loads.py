@@ -46,10 +46,19 @@ def bound_names(nodes: Iterable[ast.AST]) -> Iterator[str]:
                 yield name
             case ast.Global(names=names) | ast.Nonlocal(names=names):
                 yield from names
-            case ast.MatchAs(name=str(name)) | ast.MatchStar(name=str(name)):
-                yield name
-            case ast.MatchMapping(rest=str(name)):
-                yield name
+            case ast.pattern():
+                yield from matched_names(node)
+
+
+def matched_names(node: ast.AST) -> Iterator[str]:
+    """The names that a part of a pattern itself sets."""
+    match node:
+        case (
+            ast.MatchAs(name=str(name))
+            | ast.MatchStar(name=str(name))
+            | ast.MatchMapping(rest=str(name))
+        ):
+            yield name
 
 
 def _inner(node: ast.AST) -> Iterator[ast.AST]:

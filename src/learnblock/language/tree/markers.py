@@ -13,7 +13,7 @@ from collections.abc import Container
 from functools import lru_cache
 from typing import NamedTuple
 
-from learnblock.language.tree.loads import parsed
+from learnblock.language.tree.loads import matched_names, parsed
 
 MAIN, END, PYTHON = "main", "end", "python"
 _MARKERS = frozenset((MAIN, END, PYTHON))
@@ -159,18 +159,21 @@ def variable_names(tree: ast.AST, whens: Container[str] | None = None) -> set[st
             names.add(node.id)
         elif isinstance(node, ast.arg):
             names.add(node.arg)
+        else:
+            names.update(matched_names(node))
     return names
 
 
 def set_names(text: str) -> set[str]:
     """The variables that Python source sets, and the parameters of its functions."""
-    nodes = ast.walk(parsed(text.removeprefix("@")))
-    return {
-        node.arg if isinstance(node, ast.arg) else node.id
-        for node in nodes
-        if isinstance(node, ast.arg)
-        or (isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store))
-    }
+    found: set[str] = set()
+    for node in ast.walk(parsed(text.removeprefix("@"))):
+        match node:
+            case ast.arg(arg=name) | ast.Name(id=name, ctx=ast.Store()):
+                found.add(name)
+            case _:
+                found.update(matched_names(node))
+    return found
 
 
 def defined_names(text: str) -> set[str]:

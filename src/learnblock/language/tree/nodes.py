@@ -7,7 +7,7 @@ the one before a ``def``, are not in the tree.
 """
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 
@@ -22,7 +22,7 @@ class Span(NamedTuple):
 
 NOWHERE = Span()
 _WORDS = re.compile(r"\w+")
-_FURTHER = re.compile(r"(?:except|finally|else)\b")
+_FURTHER = re.compile(r"(?:except|finally|else|case)\b")
 
 
 @dataclass(frozen=True, slots=True)
@@ -405,10 +405,18 @@ class PythonPart:
         words = _WORDS.findall(self.header)
         return "" if not words else words[1] if words[0] == "async" and words[1:] else words[0]
 
+    @property
+    def has_cases(self) -> bool:
+        """Whether it begins a ``match``: it has no statements, and its cases are further parts."""
+        return self.word == "match"
+
 
 @dataclass(frozen=True, slots=True)
 class PythonBlock:
-    """A statement of Python with statements in it: a ``class``, a ``try`` with its handlers."""
+    """A statement of Python with statements in it: a ``class``, a ``try`` with its handlers.
+
+    The first part of a ``match`` has no statements; its further parts are the cases.
+    """
 
     parts: tuple[PythonPart, ...]
     span: Span = field(default=NOWHERE, compare=False)
@@ -416,7 +424,22 @@ class PythonBlock:
     @property
     def text(self) -> str:
         """Its first lines as Python, without the statements in it."""
-        return "".join(f"{part.header}: pass\n" for part in self.parts)
+        if not self.has_cases:
+            return "".join(f"{part.header}: pass\n" for part in self.parts)
+        cases = "".join(f" {part.header}: pass\n" for part in self.parts[1:])
+        return f"{self.parts[0].header}:\n{cases}"
+
+    def with_text(self, text: str) -> "PythonBlock":
+        """The block with other first lines, written like `text`."""
+        lines = text.splitlines()
+        headers = [line.strip().removesuffix("pass").rstrip().removesuffix(":") for line in lines]
+        parts = zip(self.parts, headers, strict=True)
+        return replace(self, parts=tuple(replace(part, header=header) for part, header in parts))
+
+    @property
+    def has_cases(self) -> bool:
+        """Whether it is a ``match``, which chooses among the statements of its cases."""
+        return self.parts[0].has_cases
 
     @property
     def defers(self) -> bool:

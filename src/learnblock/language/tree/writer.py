@@ -181,8 +181,13 @@ class ProgramWriter(ExpressionWriter):
         self.line(self.python(node.text), node, node.comment)
 
     def python_block(self, node: PythonBlock) -> None:
-        for part in node.parts:
+        parts, outer = node.parts, self.indent
+        if node.has_cases:
+            self.line(self.python(parts[0].header) + ":", parts[0], parts[0].comment)
+            self.indent, parts = outer + "    ", parts[1:]
+        for part in parts:
             self.block(self.python(part.header), part.body, part, part.comment)
+        self.indent = outer
         self.close()
 
     def python(self, text: str) -> str:

@@ -25,5 +25,6 @@ types and inputs of all these blocks, `blocks.py` their form in messages and fil
 a block stores but doesn't show. `writer.py` and `value_writer.py` turn shapes into blocks and keep
 those of the workspace before, which `alignment.py` finds and `survey.py` lists; `arrangement.py`
 decides which stack is where. `block_reader.py` is below all readers. Messages: `idle_blocks.py`
-about blocks that do nothing, `wording.py` in the words of blocks.
+about blocks that do nothing, `wording.py` in the words of blocks. `own_variables.py` makes
+variables local in the functions that the page makes.
 """

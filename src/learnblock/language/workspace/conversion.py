@@ -7,6 +7,7 @@ from learnblock.blocks import BlockConfiguration
 from learnblock.errors import Diagnostic
 from learnblock.language.tree.nodes import Program
 from learnblock.language.workspace.blocks import Workspace
+from learnblock.language.workspace.own_variables import without_locals
 from learnblock.language.workspace.reader import read
 from learnblock.language.workspace.survey import distinct, survey
 from learnblock.language.workspace.writer import WorkspaceWriter
@@ -65,7 +66,7 @@ def to_workspace(
         in_use = survey(before)
     reader = read(before, configurations)
     writer = WorkspaceWriter(program, configurations, reader, before, in_use)
-    return WorkspaceText(writer.workspace, writer.ids)
+    return WorkspaceText(without_locals(writer.workspace), writer.ids)
 
 
 def from_workspace(

@@ -25,6 +25,7 @@ from learnblock.language.workspace.arrangement import arranged
 from learnblock.language.workspace.block_reader import extra, extra_list, is_disabled, plugged
 from learnblock.language.workspace.blocks import Block, Workspace
 from learnblock.language.workspace.notes import Ends, Notes
+from learnblock.language.workspace.own_variables import with_locals
 from learnblock.language.workspace.python_shapes import Joiner
 from learnblock.language.workspace.statement_reader import (
     Group,
@@ -227,7 +228,7 @@ def read(workspace: Workspace, configurations: Mapping[str, BlockConfiguration])
         ProgramError: its blocks are nested too deeply.
     """
     try:
-        return WorkspaceReader(workspace, configurations)
+        return WorkspaceReader(with_locals(workspace), configurations)
     except RecursionError:
         too_deep = Diagnostic("too-deep", Phrase("workspace-too-deep"))
         raise ProgramError("workspace", [too_deep]) from None

@@ -1,6 +1,7 @@
 """Read statement blocks and their stacks."""
 
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 from learnblock.blocks.toolbox import SKILL
@@ -322,8 +323,11 @@ def _python_block(
             code = "workspace-not-a-part" if place else "workspace-not-a-beginning"
             reader.report(block, "invalid-python", Phrase(code, words=header))
             header = "else" if place else "try"
-        parts.append(PythonPart(header, reader.body(block, f"DO{place}"), comment))
-        reader.note(parts[-1], block)
+        part = PythonPart(header, (), comment)
+        if place or not part.has_cases:
+            part = replace(part, body=reader.body(block, f"DO{place}"))
+        parts.append(part)
+        reader.note(part, block)
     return PythonBlock(tuple(parts)) if parts else None
 
 

@@ -1,6 +1,6 @@
 """Find the ids of the blocks and variables that a workspace uses."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import count
 from typing import NamedTuple
 
@@ -30,14 +30,18 @@ def survey(workspace: Workspace) -> Survey:
     for block in _blocks(workspace):
         ids.append(block.id)
         if "VAR" in block.fields or block.extraState is not None:
-            variables.update(_variables(block))
+            variables.update(variables_of(block))
     blocks = set(ids)
     return Survey(blocks, variables, len(blocks) < len(ids))
 
 
 def _blocks(workspace: Workspace) -> Iterator[Block]:
-    """Every block, including shadows."""
-    ahead = [block for stack in workspace.stacks for block in stack]
+    return blocks_in(block for stack in workspace.stacks for block in stack)
+
+
+def blocks_in(blocks: Iterable[Block]) -> Iterator[Block]:
+    """Some blocks and all blocks inside them, including shadows."""
+    ahead = list(blocks)
     while ahead:
         block = ahead.pop()
         yield block
@@ -63,7 +67,8 @@ def distinct(workspace: Workspace) -> Workspace:
     return copied
 
 
-def _variables(block: Block) -> set[str]:
+def variables_of(block: Block) -> set[str]:
+    """The ids of the variables that a block itself names."""
     fields = block.fields.values()
     found = {chosen.get("id", "") for chosen in fields if isinstance(chosen, dict)}
     parameters = block.extraState.get("params") if isinstance(block.extraState, dict) else None

@@ -22,9 +22,10 @@ from learnblock.language.tree.nodes import (
 from learnblock.language.tree.traversal import bodies, expressions, statements
 from learnblock.language.workspace.alignment import Match, aligned
 from learnblock.language.workspace.arrangement import drawn, grouped
-from learnblock.language.workspace.block_reader import extra_list, is_disabled
+from learnblock.language.workspace.block_reader import extra, extra_list, is_disabled
 from learnblock.language.workspace.blocks import Block, Input, Variable, Workspace
 from learnblock.language.workspace.notes import comment_of
+from learnblock.language.workspace.own_variables import MARK
 from learnblock.language.workspace.reader import WorkspaceReader, is_note, is_part, statements_of
 from learnblock.language.workspace.shapes import Shape
 from learnblock.language.workspace.statement_reader import Group
@@ -253,14 +254,17 @@ class WorkspaceWriter(ValueWriter):
 
     def parametrized(self, shape: Shape, old: Block | None) -> Shape:
         """The shape of a function, with the ids of its parameters and what a call begins with."""
-        if shape.type not in {FUNCTION, ANSWERING_FUNCTION} or shape.extra is None:
+        if shape.type not in {FUNCTION, ANSWERING_FUNCTION}:
             return shape
+        mark = {MARK: True} if old is not None and extra(old, MARK) is True else {}
+        if shape.extra is None:
+            return shape._replace(extra=mark or None)
         names = [parameter["name"] for parameter in shape.extra["params"]]
         samples = {} if old is None else _samples(old)
         parameters = [
             {"name": name, "id": self.variable(name), **samples.get(name, {})} for name in names
         ]
-        return shape._replace(extra={"params": parameters})
+        return shape._replace(extra={"params": parameters, **mark})
 
     def body(self, body: Body, old: Input | None) -> Input:
         """Write a body, and keep the blocks of the old stack that have no content."""

@@ -103,8 +103,28 @@ def test_a_variable_in_raw_python_is_renamed_too():
     assert expected == renamed(text, "variable", "x", "n")
 
 
+def test_a_variable_that_patterns_set_is_renamed_too():
+    text = """x = [1]
+`match x`:
+    `case [x, *_] | [*_, 'x', x] if x.x`:
+        print(x)
+    `case {"x": int() as x} | {"y": 1, **x}`:
+        print(`x.x`)
+end
+"""
+    expected = """wide = [1]
+`match wide`:
+    `case [wide, *_] | [*_, 'x', wide] if wide.x`:
+        print(wide)
+    `case {"x": int() as wide} | {"y": 1, **wide}`:
+        print(`wide.x`)
+end
+"""
+    assert expected == renamed(text, "variable", "x", "wide")
+
+
 def test_raw_python_with_an_unsupported_use_of_the_name_is_refused():
-    text = "x = 1\npython:\n    match 3:\n        case x:\n            pass\nend\n"
+    text = "x = 1\npython:\n    import x.y\nend\n"
     with pytest.raises(LearnBlockError) as error:
         renamed(text, "variable", "x", "n")
     assert error.value.phrase == Phrase("edit-used-in-line", name="x", line="2")

@@ -3,9 +3,14 @@
 The floors may only rise; `scripts/bench foreign_python` prints the scores.
 """
 
+import re
+import runpy
+
 import pytest
+from click.testing import CliRunner
 
 from learnblock.blocks.schema.loading import builtin
+from learnblock.cli import main
 from learnblock.language import (
     check,
     from_python,
@@ -17,6 +22,7 @@ from learnblock.language import (
 from learnblock.language import format as format_program
 from learnblock.language.tree.nodes import PythonLine, Raw, SkillCall
 from learnblock.language.tree.traversal import all_expressions, statements, within
+from places import ROOT
 from python_scores import TURTLEDEMO, scores_of
 
 STATEMENTS_IN_BLOCKS = 99.9
@@ -139,3 +145,71 @@ def test_activate_without_events_is_a_method_like_any_other():
 def test_adding_the_two_lines_of_the_robot_is_enough():
     blocktext = format_program(from_python(WITHOUT_ITS_ROBOT)).removeprefix("without robot\n\n")
     assert check(parse(blocktext), builtin()) == []
+
+
+MATCH = """\
+def sort(command):
+    match (command,  # zero
+           1):  # one
+        # two
+
+        # three
+        case [
+            # four
+            str(first), *_
+        ] if first:  # five
+            print(first)
+            # six
+        # seven
+        case [0 | 1]: print(1)  # eight
+        case _:
+            # nine
+            pass
+        # ten
+    # eleven
+    return command
+"""
+
+
+def test_comments_in_a_match_come_through_every_notation():
+    program = from_python(MATCH)
+    assert to_python(program).text == MATCH
+    block_text = format_program(program)
+    words = re.findall(r"# (\w+)", block_text)
+    assert sorted(words) == sorted(re.findall(r"# (\w+)", MATCH))
+    again = parse(block_text)
+    assert again == program == from_python(to_python(again).text)
+    read = from_workspace(to_workspace(program, builtin()).workspace, builtin())
+    assert (read.program, read.problems) == (program, ())
+
+
+def test_names_that_patterns_set_are_known_and_their_lines_have_a_place():
+    python = MATCH.replace("return command", "return first").replace("command):", "command):\n")
+    program = from_python(python)
+    assert check(program, builtin(), python=python) == []
+    assert check(parse(format_program(program)), builtin()) == []
+    mapped = to_python(program).source_map
+    lines = [number for number, line in enumerate(python.split("\n"), 1) if "case" in line]
+    assert [mapped.source_line(number) for number in lines] == lines
+
+
+EXAMPLES = sorted((ROOT / "examples" / "elsewhere").glob("*.py"))
+each_example = pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+
+
+@each_example
+def test_an_example_from_elsewhere_is_blocks_as_a_whole(path):
+    scores = scores_of([path])
+    assert (scores.ungrey, scores.kept, scores.same, scores.in_blocks) == (1, 1, 1, 100)
+
+
+@each_example
+def test_an_example_from_elsewhere_does_what_it_does_in_python(path, tmp_path, capsys):
+    runpy.run_path(str(path), run_name="__main__")
+    output = capsys.readouterr().out
+    as_block_text = tmp_path / f"{path.stem}.bt"
+    as_block_text.write_text(format_program(from_python(path.read_text("utf-8"))), "utf-8")
+    for file in (path, as_block_text):
+        result = CliRunner().invoke(main, ["run", str(file)])
+        assert result.exit_code == 0
+        assert result.stdout.startswith(output)

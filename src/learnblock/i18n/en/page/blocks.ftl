@@ -114,6 +114,7 @@ page-blocks-meaning-show = write, display, text
 page-blocks-meaning-module = module, library, package
 page-blocks-meaning-exception = exception, error, catch, handle
 page-blocks-meaning-object = object, method, attribute, property, object-oriented
+page-blocks-meaning-switch = switch, pattern, choose among cases
 page-blocks-meaning-comprehension = list comprehension
 page-blocks-meaning-anonymous = anonymous function, lambda
 page-blocks-meaning-file = open a file, read, context

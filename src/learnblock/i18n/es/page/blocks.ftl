@@ -115,6 +115,7 @@ page-blocks-meaning-show = escribir, pantalla, texto
 page-blocks-meaning-module = módulo, biblioteca, paquete
 page-blocks-meaning-exception = excepción, error, capturar, tratar
 page-blocks-meaning-object = objeto, método, atributo, propiedad, orientada a objetos
+page-blocks-meaning-switch = switch, patrón, elegir entre casos
 page-blocks-meaning-comprehension = comprensión de listas, lista por comprensión
 page-blocks-meaning-anonymous = función anónima, lambda
 page-blocks-meaning-file = abrir un archivo, leer, contexto
