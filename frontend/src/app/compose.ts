@@ -52,6 +52,7 @@ export function compose(): Page {
   const { announcer, context } = model;
   const lessons = new Lessons(connection, { program: context.program, announcer, toasts });
   const lessonMaking = new LessonMaking(connection, { program: context.program, dialogs, toasts, lessons });
+  stores.handIns.follow(context.program.state, lessons.shown);
   const page = { ...model, ...stores, lessons, lessonMaking, share: new Share(model) };
   connect(page);
   return page;
@@ -132,6 +133,7 @@ function makeModel(connection: Connection, toasts: Toasts, dialogs: Dialogs, sto
     runError: runError(program, running),
     customBlocks: customBlocks.blocks,
     tagNames: tags.names,
+    noted: stores.handIns.noted,
     ways: computed(() => (keptRuns.ways.value.length > 0 ? keptRuns.ways.value : ghost.ways.value)),
     ghost: ghost.robot,
     shownBlocks: blockSets.shown,

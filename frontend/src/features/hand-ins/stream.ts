@@ -10,6 +10,7 @@ import type {
   HandInList,
   HandInStep,
   HandInSteps,
+  NotedLine,
   ShownHandIn,
   ToTeacher,
 } from "../../protocol/classroom";
@@ -74,8 +75,8 @@ export class HandInStream extends Channel<FromTeacher, ToTeacher> {
     this.act((place) => ({ kind: "CheckHandIns", ...place }));
   }
 
-  mark(pupil: string, note: string, mark: string): void {
-    this.act((place) => ({ kind: "MarkHandIn", pupil, note, mark, ...place }));
+  mark(pupil: string, note: string, mark: string, line: NotedLine | null): void {
+    this.act((place) => ({ kind: "MarkHandIn", pupil, note, mark, line, ...place }));
   }
 
   handBack(pupils: string[]): void {
