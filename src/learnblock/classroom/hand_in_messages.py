@@ -67,6 +67,24 @@ def own_hand_in(file: HandInFile) -> OwnHandIn:
     return OwnHandIn(work.lesson, work.step, file.at, not last or file.is_new, file.improving, last)
 
 
+class HandInRun(Message, frozen=True):
+    """What to run beside a hand-in, for the teacher's page that shows the run.
+
+    Args:
+        lesson: the name of the lesson.
+        step: the number of the step.
+        program: the program.
+        robot: the robot of the run that the list of hand-ins speaks of.
+        variant: the variant of the world of that run.
+    """
+
+    lesson: str
+    step: int
+    program: GivenProgram
+    robot: str
+    variant: int = 0
+
+
 class OwnHandIns(Message, frozen=True):
     """What the pupil has handed in, the oldest first."""
 

@@ -55,7 +55,7 @@ class NotedLine(Struct, frozen=True):
         text: the line as it was handed in, or its beginning; it is shown if the line is gone.
     """
 
-    number: Annotated[int, Meta(ge=1, le=LARGEST)]
+    number: Annotated[int, Meta(ge=1, le=1_000_000)]
     text: Annotated[str, Meta(min_length=1, max_length=200)]
 
 
@@ -96,6 +96,7 @@ class CheckedWork(Struct, frozen=True, omit_defaults=True):
         checks: the checks of the step.
         hints: the hints that fit, best first.
         way: where the robot drove in the run that is shown: x and y in mm, alternating.
+        robot: the robot of that run.
         variant: the variant of the world of that run.
         seconds: how long it took, in the robot's time.
         reason: why the program could not be run, or the error that ended the run.
@@ -106,6 +107,7 @@ class CheckedWork(Struct, frozen=True, omit_defaults=True):
     checks: tuple[CheckSummary, ...] = ()
     hints: tuple[HintSummary, ...] = ()
     way: tuple[float, ...] = ()
+    robot: str = ""
     variant: int = 0
     seconds: float = 0.0
     reason: LessonText = ""

@@ -13,7 +13,7 @@ LONGEST_DRAWING = 4000
 
 
 @dataclass(frozen=True, slots=True)
-class Drawing:
+class ProgramDrawing:
     """A program as blocks.
 
     Args:
@@ -25,7 +25,7 @@ class Drawing:
     lines: Mapping[str, int]
 
 
-def drawing_of(text: str) -> Drawing | None:
+def drawing_of(text: str) -> ProgramDrawing | None:
     """The blocks of a program in Block-Text, and their lines; None if it has mistakes."""
     try:
         program = parse(text, "lesson.bt")
@@ -33,10 +33,12 @@ def drawing_of(text: str) -> Drawing | None:
     except (LearnBlockError, RecursionError):
         return None
     blocks = ((drawn.block_ids.get(id(node)), node.span.line) for node in every(program))
-    return Drawing(drawn.workspace, {block: line for block, line in blocks if block and line})
+    return ProgramDrawing(
+        drawn.workspace, {block: line for block, line in blocks if block and line}
+    )
 
 
 def drawn_program(text: str) -> Workspace | None:
     """The blocks of a program in Block-Text; None if it has mistakes."""
     drawing = drawing_of(text)
-    return drawing and drawing.workspace
+    return drawing.workspace if drawing else None

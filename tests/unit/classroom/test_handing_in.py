@@ -229,7 +229,10 @@ def test_a_class_goes_on_after_what_no_wall_sends(room):
             {"kind": "CheckHandIns", "lesson": LESSON, "step": 1e99},
             {"kind": "HandBack", "pupils": ["a" * 10] * 61, **PLACE},
             {"kind": "MarkHandIn", "pupil": 1, "note": "x" * 2000, "mark": "", **PLACE},
-            *({"kind": "MarkHandIn", "pupil": "a" * 10, "line": line, **MARK} for line in WRONG_LINES),
+            *(
+                {"kind": "MarkHandIn", "pupil": "a" * 10, "line": line, **MARK}
+                for line in WRONG_LINES
+            ),
             {"kind": "CollectHandIns", "lesson": "\u0000", "step": 2},
             {"kind": "WorkGiven", "work": {}},
         ):

@@ -1,6 +1,7 @@
 /** One hand-in: the program beside its run, the checks, why, and the teacher's note and mark. */
 
 import { type Signal, useSignal } from "@preact/signals";
+import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 
 import { language, t } from "../../i18n";
@@ -51,7 +52,9 @@ function HandIn({ stream, shown }: HandInProps) {
         <IconButton icon="previous" word="page-handins-previous" onClick={() => stream.move(-1)} />
         <IconButton icon="next" word="page-handins-next" onClick={() => stream.move(1)} />
       </header>
-      <Work shown={shown} label={t("page-handins-way", { name: line.name })} noted={noted} />
+      <Work shown={shown} noted={noted}>
+        <RunPlace stream={stream} shown={shown} />
+      </Work>
       <Why shown={shown} />
       <Answer stream={stream} shown={shown} noted={noted} />
       {isNameless.value && <Nameless shown={shown} close={() => (isNameless.value = false)} />}
@@ -64,7 +67,9 @@ function Nameless({ shown, close }: { shown: ShownHandIn; close: () => void }) {
   return (
     <div class="nameless">
       <Dialog title={t("page-handins-nameless-title", { step: shown.step })} size="whole" close={close}>
-        <Work shown={shown} label={t("page-class-world-shown")} />
+        <Work shown={shown}>
+          <DrivenWay shown={shown} label={t("page-class-world-shown")} />
+        </Work>
       </Dialog>
     </div>
   );
@@ -72,13 +77,14 @@ function Nameless({ shown, close }: { shown: ShownHandIn; close: () => void }) {
 
 interface WorkProps {
   readonly shown: ShownHandIn;
-  readonly label: string;
+  /** Where the robot drove. */
+  readonly children: ComponentChildren;
   /** The line that the note is about; undefined where no note is written. */
   readonly noted?: Signal<NotedLine | null>;
 }
 
 /** The program, where the robot drove, and what the checks say. */
-function Work({ shown, label, noted }: WorkProps) {
+function Work({ shown, children, noted }: WorkProps) {
   const { line, program, checked, blocktext, blocks } = shown;
   const pick = (block: string) => {
     const number = shown.lines?.[block];
@@ -103,7 +109,34 @@ function Work({ shown, label, noted }: WorkProps) {
         </div>
         {checked && <Checks checks={checked.checks ?? []} runs={checked.runs} />}
       </div>
-      <DrivenWay shown={shown} label={label} />
+      {children}
+    </div>
+  );
+}
+
+/** Where the robot drove, from above; or in 3D, by the page that pupils have, which is loaded only then. */
+function RunPlace({ stream, shown }: HandInProps) {
+  const { line, lesson, step } = shown;
+  const sees = stream.seesRuns.value;
+  const query = new URLSearchParams({ pupil: line.pupil, lesson, step: String(step) });
+  return (
+    <div class="hand-in-run-place">
+      {sees ? (
+        <iframe
+          // What was handed in again runs again.
+          key={`${line.at} ${language.value}`}
+          src={`p/hand-ins/?${query}`}
+          title={t("page-handins-run-of", { name: line.name })}
+        />
+      ) : (
+        <DrivenWay shown={shown} label={t("page-handins-way", { name: line.name })} />
+      )}
+      {shown.world && (
+        <button type="button" class="button bordered" onClick={() => (stream.seesRuns.value = !sees)}>
+          <Icon name={sees ? "top" : "run"} />
+          {t(sees ? "page-handins-run-hide" : "page-handins-run-show")}
+        </button>
+      )}
     </div>
   );
 }

@@ -29,6 +29,8 @@ export class HandInStream extends Channel<FromTeacher, ToTeacher> {
   readonly place = signal<Place | null>(null);
   /** The id of the pupil whose hand-in is shown. */
   readonly pupil = signal("");
+  /** Whether the run of each hand-in that is shown is seen in 3D. */
+  readonly seesRuns = signal(false);
   /** Whether the teacher moves in the list by keyboard, so that the note does not take the focus. */
   staysInList = false;
   readonly marked = computed(() => (this.list.value?.lines ?? []).filter(({ state }) => state === "marked"));

@@ -104,7 +104,7 @@ function NotedPlace({ line }: { line: NotedLine | null | undefined }) {
   if (!block) return <span class="handed-back-gone">{t("page-handins-own-gone", { line: line.text })}</span>;
   return (
     <button type="button" class="handed-back-line" onClick={() => context.reveal(block)}>
-      <Icon name="show" />
+      <Icon name="blocks" />
       {t("page-handins-own-line", { line: line.text })}
     </button>
   );

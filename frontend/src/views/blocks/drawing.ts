@@ -99,7 +99,9 @@ export class Drawing implements Island {
     this.host.style.height = `${scale * (height + 2 * MARGIN)}px`;
     workspace.setScale(scale);
     Blockly.svgResize(workspace);
-    workspace.translate((MARGIN - left) * scale, (MARGIN - top) * scale);
+    // Blockly puts it there again when the window changes its size.
+    [workspace.scrollX, workspace.scrollY] = [(MARGIN - left) * scale, (MARGIN - top) * scale];
+    workspace.translate(workspace.scrollX, workspace.scrollY);
   }
 }
 
