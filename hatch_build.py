@@ -130,7 +130,7 @@ def page_sources(root: Path) -> list[Path]:
     """Return everything that the built page depends on, with what `hatch_types.py` writes."""
     frontend = root / "frontend"
     single = ["package.json", "package-lock.json", "tsconfig.json", "vite.config.ts"]
-    single += ["index.html", "class.html"]
+    single += ["index.html", "class.html", "hand-in-run.html"]
     folders = [
         (frontend / "src", "*"),
         (frontend / "public", "*"),

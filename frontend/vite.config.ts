@@ -34,7 +34,9 @@ const fontLicences: Plugin = {
 const pages: Plugin = {
   name: "pages",
   config({ root = "." }) {
-    const input = ["index.html", "class.html"].map((page) => resolve(root, page)).filter(existsSync);
+    const input = ["index.html", "class.html", "hand-in-run.html"]
+      .map((page) => resolve(root, page))
+      .filter(existsSync);
     return { build: { rolldownOptions: { input } } };
   },
 };

@@ -14,6 +14,15 @@ LESSON, STEP = "1-01-first-drive", 2
 #: Runs of a check on a computer that is busy.
 LONGEST_CHECK = 300_000
 NOTE = "Well driven! Now stop on the blue line."
+SHORT = """\
+main:
+    function.move_straight(40)
+    function.sleep(1)
+    function.stop_bot()
+end
+"""
+#: Until a server has started, and a run has ended; in ms.
+LONGEST_RUN = 60_000
 
 
 @pytest.fixture
@@ -46,7 +55,7 @@ def test_a_pupil_hands_in_and_gets_it_back_with_a_note_and_a_mark(room, desk, ax
     with room.wall() as wall, room.pupil("Leo").page() as leo, room.pupil("Kim").page() as kim:
         wall.say("HandOut", lesson=LESSON, project="First drive", step=STEP)
         step_of(leo)
-        leo.type("main:\n    pass\nend\n")
+        leo.type(SHORT)
         leo.say("HandIn")
         step_of(kim)
         room.pupil("Eva")
@@ -61,13 +70,15 @@ def test_a_pupil_hands_in_and_gets_it_back_with_a_note_and_a_mark(room, desk, ax
         assert faults(SimpleNamespace(page=teacher), axe) == []
         expect(page.locator(".handed-back")).to_contain_text(NOTE)
         expect(page.locator(".handed-back")).to_contain_text("9 of 10")
+        expect(page.locator(".handed-back-line")).to_be_visible()
+        expect(page.locator("#blocks .lbNoted")).to_have_count(1)
         assert faults(SimpleNamespace(page=page), axe) == []
         picture(page, "pupil-handed-back-en")
         button(page, "Improve and hand in again").click()
         expect(teacher.get_by_role("heading", name="Improving · 1")).to_be_visible()
         button(page, "Hand in again").click()
         expect(page.locator(".handed-in")).to_contain_text("Your teacher looks at it")
-        teacher.locator("select").last.select_option("es")
+        teacher.locator(".class-language select").select_option("es")
         expect(teacher.get_by_role("heading", name="Entregas", level=1)).to_be_visible()
         picture(teacher, "teacher-es")
 
@@ -88,11 +99,19 @@ def mark(teacher):
     teacher.get_by_role("button", name="Leo").click()
     expect(teacher.get_by_role("heading", name="Why?")).to_be_visible()
     expect(teacher.locator(".block-drawing svg").first).to_be_visible()
+    button(teacher, "Show the run").click()
+    run = teacher.frame_locator("iframe")
+    expect(run.locator(".timeline")).to_be_visible(timeout=LONGEST_RUN)
+    run.locator(".lesson-goal.failed").get_by_role("button", name="Why?").first.click()
+    expect(run.locator(".why-answer li").first).to_be_visible()
     picture(teacher, "teacher-missed-en")
+    button(teacher, "From above").click()
     teacher.get_by_role("button", name="Ana").click()
     note = teacher.get_by_label("Note to Ana")
     expect(note).to_be_focused()
     note.fill(NOTE)
+    teacher.locator(".block-drawing .blocklyPath").last.click(force=True)
+    expect(teacher.get_by_label("About")).not_to_have_value("0")
     teacher.get_by_label("Your mark").fill("9 of 10")
     picture(teacher, "teacher-en")
     button(teacher, "Hand back").click()

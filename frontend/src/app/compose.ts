@@ -24,7 +24,7 @@ import { Connect } from "../model/connect";
 import type { Context } from "../model/context";
 import { Controls } from "../model/controls";
 import { Dialogs } from "../model/dialogs";
-import { BrowserDrafts } from "../model/drafts";
+import { BrowserDrafts, type Drafts } from "../model/drafts";
 import { Ghost } from "../model/ghost";
 import { KeptRuns } from "../model/kept-runs";
 import { LookingBack } from "../model/looking-back";
@@ -43,15 +43,25 @@ import { Toasts } from "../ui/toasts";
 /** The parts of the page that listen to the server and need little else. */
 type Stores = ReturnType<typeof makeStores>;
 
-export function compose(): Page {
-  const connection = new Connection(socketAddress(), takeToken());
+interface Place {
+  /** What keeps edits until they are saved. */
+  readonly drafts: Drafts;
+  /** What the address of the connection says besides the path. */
+  readonly query: string;
+}
+
+export function compose({ drafts, query }: Place = { drafts: new BrowserDrafts(), query: "" }): Page {
+  const address = socketAddress();
+  address.search = query;
+  const connection = new Connection(address, takeToken());
   const toasts = new Toasts();
   const dialogs = new Dialogs();
   const stores = makeStores(connection, toasts, dialogs);
-  const model = makeModel(connection, toasts, dialogs, stores);
+  const model = makeModel(connection, toasts, dialogs, { ...stores, drafts });
   const { announcer, context } = model;
   const lessons = new Lessons(connection, { program: context.program, announcer, toasts });
   const lessonMaking = new LessonMaking(connection, { program: context.program, dialogs, toasts, lessons });
+  stores.handIns.follow(context.program.state, lessons.shown);
   const page = { ...model, ...stores, lessons, lessonMaking, share: new Share(model) };
   connect(page);
   return page;
@@ -115,9 +125,14 @@ function blockDialogs(dialogs: Dialogs): Pick<Context, "makeBlock" | "listCustom
   };
 }
 
-function makeModel(connection: Connection, toasts: Toasts, dialogs: Dialogs, stores: Stores) {
+function makeModel(
+  connection: Connection,
+  toasts: Toasts,
+  dialogs: Dialogs,
+  stores: Stores & { readonly drafts: Drafts },
+) {
   const { blockSets, customBlocks, tags } = stores;
-  const program = new Program(connection, new BrowserDrafts());
+  const program = new Program(connection, stores.drafts);
   const tabs = new RobotTabs(connection, program);
   const running = new Running(connection);
   const views = new Views();
@@ -132,6 +147,7 @@ function makeModel(connection: Connection, toasts: Toasts, dialogs: Dialogs, sto
     runError: runError(program, running),
     customBlocks: customBlocks.blocks,
     tagNames: tags.names,
+    noted: stores.handIns.noted,
     ways: computed(() => (keptRuns.ways.value.length > 0 ? keptRuns.ways.value : ghost.ways.value)),
     ghost: ghost.robot,
     shownBlocks: blockSets.shown,

@@ -30,6 +30,8 @@ export interface Context {
   readonly ghost: ReadonlySignal<Robot | null>;
   /** The tag dictionary: the number of each name. */
   readonly tagNames: ReadonlySignal<Readonly<Record<string, number>>>;
+  /** The block that the teacher's note on what came back is about; null without one. */
+  readonly noted: ReadonlySignal<string | null>;
   /** Shows a statement, given by its block's id, in every view. */
   reveal(block: string): void;
   /** Shows a problem in its view, and a statement as that view shows it. */

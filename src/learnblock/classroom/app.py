@@ -18,6 +18,7 @@ from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 from websockets.exceptions import InvalidHandshake, InvalidMessage
 
+from learnblock.classroom import hand_in_runs
 from learnblock.classroom import messages as ours
 from learnblock.classroom.archive import export
 from learnblock.classroom.badges import Visitors
@@ -78,7 +79,7 @@ def create_app(
     # The page's own guard, against pages of other servers; badges take the token's place.
     protection = Protection.of("", ("*", *hosts))
     files = static_files.PageFiles(directory=static, check_dir=False)
-    page = partial(_class_page, static)
+    page = partial(_built_page, "class.html", static)
     return Starlette(
         routes=[
             Route("/", page),
@@ -89,6 +90,7 @@ def create_app(
             WebSocketRoute("/projected", partial(door.board, ProjectorView)),
             *_teachers(door, page),
             *_tables(Tables(room, visitors)),
+            *_hand_in_run(door, partial(_built_page, "hand-in-run.html", static)),
             *_pupils(door, page, static),
             # Files of the page are everybody's.
             Mount("/", files, middleware=[_GZIP]),
@@ -114,6 +116,13 @@ def _tables(tables: Tables) -> Iterator[BaseRoute]:
     yield Route("/marks.csv", tables.marks)
 
 
+def _hand_in_run(door: "_Door", page: Endpoint) -> Iterator[BaseRoute]:
+    yield Route(hand_in_runs.PATH, door.teacher(page))
+    yield WebSocketRoute(f"{hand_in_runs.PATH}ws", door.hand_in_run)
+    for folder in ("textures", "worlds"):
+        yield Route(f"{hand_in_runs.PATH}{folder}/{{path:path}}", door.teacher(door.file_of_run))
+
+
 def _pupils(door: "_Door", page: Endpoint, static: Path) -> Iterator[BaseRoute]:
     yield WebSocketRoute("/p/{pupil}/ws", door.websocket)
     yield Route("/p/{pupil}/record", door.pupils(page))
@@ -128,8 +137,8 @@ def _folder(folder: Path) -> static_files.PageFiles:
     return static_files.PageFiles(directory=folder, check_dir=False)
 
 
-async def _class_page(static: Path, _: Request) -> Response:
-    file = static / "class.html"
+async def _built_page(name: str, static: Path, _: Request) -> Response:
+    file = static / name
     if not file.is_file():
         return static_files.index(static)
     return HTMLResponse(file.read_text("utf-8"), headers={"cache-control": "no-store"})
@@ -240,15 +249,13 @@ class _Door:
         pupil, is_teacher = shown
         if request.method == "POST" and is_teacher:
             return _forbidden()
-        try:
-            place = await self._room.place(pupil)
-            if request.method == "POST":
-                return await self._upload(request, self._room.desk(pupil), place)
-            return await self._forwarder.ask(request, place)
-        except httpx.InvalidURL:
-            return Response(status_code=HTTPStatus.NOT_FOUND)
-        except (LearnBlockError, httpx.HTTPError) as error:
-            return PlainTextResponse(f"{error}\n", HTTPStatus.SERVICE_UNAVAILABLE)
+        return await _reached(self._forwarded(request, pupil))
+
+    async def _forwarded(self, request: Request, pupil: Pupil) -> Response:
+        place = await self._room.place(pupil)
+        if request.method == "POST":
+            return await self._upload(request, self._room.desk(pupil), place)
+        return await self._forwarder.ask(request, place)
 
     def pupils(self, page: Endpoint) -> Endpoint:
         """A page about a pupil, for the pupil and the teacher."""
@@ -288,7 +295,8 @@ class _Door:
             with nullcontext() if is_teacher else desk.opening():
                 place = await self._room.place(pupil)
                 first = None if is_teacher else await self._room.first_lesson(pupil)
-                await Relay(socket, desk, is_teacher=is_teacher).serve(place, first)
+                relay = Relay(socket, desk, is_teacher=is_teacher)
+                await relay.serve(place, [first] if first else [])
         except TooManyPagesError as error:
             await _close(socket, _TOO_MANY, error.phrase)
         except (LearnBlockError, OSError, InvalidHandshake, InvalidMessage):
@@ -299,6 +307,40 @@ class _Door:
             pass
         finally:
             self._room.left(pupil)
+
+    async def hand_in_run(self, socket: WebSocket) -> None:
+        """Connect the teacher's page with the server that runs a hand-in."""
+        await socket.accept(SUBPROTOCOL if socket.scope["subprotocols"] else None)
+        if not self._visitors.is_teacher(socket):
+            await _close(socket, _FORBIDDEN)
+            return
+        room = self._room
+        try:
+            pupil, run = await asyncio.to_thread(room.wanted_run, **socket.query_params)
+        except (LearnBlockError, TypeError, ValueError):
+            await _close(socket, _FORBIDDEN)
+            return
+        # A desk of the teacher's own, who may run the program.
+        desk = Desk(pupil, lambda: None, room.hand_ins)
+        desk.writing = "yes"
+        relay = Relay(socket, desk, is_teacher=True)
+        relay.tell(run)
+        try:
+            async with room.hand_in_runs.page(relay, run.lesson) as place:
+                await relay.serve(place, hand_in_runs.beginning(run))
+        except (LearnBlockError, OSError, InvalidHandshake, InvalidMessage):
+            await _close(socket, _TRY_LATER)
+        except asyncio.CancelledError:
+            # As in `websocket`.
+            pass
+
+    async def file_of_run(self, request: Request) -> Response:
+        """A picture of the world in which a hand-in runs."""
+        return await _reached(self._asked_of_run(request))
+
+    async def _asked_of_run(self, request: Request) -> Response:
+        async with self._room.hand_in_runs.used() as place:
+            return await self._forwarder.ask(request, place)
 
     async def board(self, view: type[View], socket: WebSocket) -> None:
         """Show the class to the teacher."""
@@ -320,6 +362,16 @@ class _Door:
         return Response(
             content, media_type="application/zip", headers={"content-disposition": disposition}
         )
+
+
+async def _reached(answer: Awaitable[Response]) -> Response:
+    """What another server answers, or why it does not."""
+    try:
+        return await answer
+    except httpx.InvalidURL:
+        return Response(status_code=HTTPStatus.NOT_FOUND)
+    except (LearnBlockError, httpx.HTTPError) as error:
+        return PlainTextResponse(f"{error}\n", HTTPStatus.SERVICE_UNAVAILABLE)
 
 
 async def _close(socket: WebSocket, code: int, reason: Phrase | None = None) -> None:

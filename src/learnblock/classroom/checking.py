@@ -207,6 +207,7 @@ def summary(plan: Plan, rows: Sequence[Row]) -> CheckedWork | None:
             for hint in [*hints.values()][:_MOST_HINTS]
         ),
         way=tuple(float(value) for point in shown.result.path for value in point),
+        robot=shown.attempt.robot,
         variant=shown.attempt.variant,
         seconds=shown.result.seconds,
         reason=dict(shown.result.reason) or "",

@@ -1,5 +1,6 @@
 """The conversation of a class about what is handed in, checked, marked and handed back."""
 
+from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
 from msgspec import Meta, Struct
@@ -11,6 +12,7 @@ from learnblock.classroom.hand_ins import (
     HandInFile,
     Mark,
     Note,
+    NotedLine,
     State,
 )
 from learnblock.classroom.roster import MOST_PUPILS, PupilId
@@ -65,6 +67,24 @@ def own_hand_in(file: HandInFile) -> OwnHandIn:
     return OwnHandIn(work.lesson, work.step, file.at, not last or file.is_new, file.improving, last)
 
 
+class HandInRun(Message, frozen=True):
+    """What to run beside a hand-in, for the teacher's page that shows the run.
+
+    Args:
+        lesson: the name of the lesson.
+        step: the number of the step.
+        program: the program.
+        robot: the robot of the run that the list of hand-ins speaks of.
+        variant: the variant of the world of that run.
+    """
+
+    lesson: str
+    step: int
+    program: GivenProgram
+    robot: str
+    variant: int = 0
+
+
 class OwnHandIns(Message, frozen=True):
     """What the pupil has handed in, the oldest first."""
 
@@ -108,13 +128,23 @@ class EndChecking(Message, frozen=True):
 
 
 class MarkHandIn(Message, frozen=True):
-    """Keep a note and a mark, which are handed back later; `HandInList` follows."""
+    """Keep a note and a mark, which are handed back later; `HandInList` follows.
+
+    Args:
+        pupil: whose hand-in it is.
+        lesson: the name of the lesson.
+        step: the number of the step.
+        note: the note.
+        mark: the mark.
+        line: what the note is about; None if it is about the whole program.
+    """
 
     pupil: PupilId
     lesson: LessonName
     step: StepNumber
     note: Note
     mark: Mark
+    line: NotedLine | None = None
 
 
 class HandBack(Message, frozen=True):
@@ -199,6 +229,7 @@ class HandInLine(Struct, frozen=True, omit_defaults=True):
         missed: the first check that was missed; empty if none was.
         note: the teacher's note.
         mark: the teacher's mark.
+        line: what the note is about; None if it is about the whole program.
     """
 
     pupil: str
@@ -212,6 +243,7 @@ class HandInLine(Struct, frozen=True, omit_defaults=True):
     missed: LessonText = ""
     note: str = ""
     mark: str = ""
+    line: NotedLine | None = None
 
 
 class PupilWithout(Struct, frozen=True):
@@ -279,6 +311,7 @@ class ShownHandIn(Message, frozen=True):
         world: the contents of the world's file (`WorldFile`); None if the step has none.
         blocktext: the program in Block-Text; empty if it can't be written so.
         blocks: its blocks; None if it has mistakes, or is too long to be drawn.
+        lines: the line of each block in Block-Text, by the id of the block.
     """
 
     line: HandInLine
@@ -290,6 +323,7 @@ class ShownHandIn(Message, frozen=True):
     world: dict[str, Any] | None = None
     blocktext: str = ""
     blocks: Workspace | None = None
+    lines: Mapping[str, int] = {}
 
 
 FromHandInPages = (

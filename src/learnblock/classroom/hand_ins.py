@@ -47,6 +47,18 @@ Count = Annotated[int, Meta(ge=0, le=1000)]
 State = Literal["to check", "to mark", "marked", "handed back", "improving"]
 
 
+class NotedLine(Struct, frozen=True):
+    """The line of a program that a note is about.
+
+    Args:
+        number: of the line, from 1: in Block-Text, or in Python that can't be written so.
+        text: the line as it was handed in, or its beginning; it is shown if the line is gone.
+    """
+
+    number: Annotated[int, Meta(ge=1, le=1_000_000)]
+    text: Annotated[str, Meta(min_length=1, max_length=200)]
+
+
 class CheckSummary(Struct, frozen=True, omit_defaults=True):
     """What a check of the step says of a hand-in.
 
@@ -84,6 +96,7 @@ class CheckedWork(Struct, frozen=True, omit_defaults=True):
         checks: the checks of the step.
         hints: the hints that fit, best first.
         way: where the robot drove in the run that is shown: x and y in mm, alternating.
+        robot: the robot of that run.
         variant: the variant of the world of that run.
         seconds: how long it took, in the robot's time.
         reason: why the program could not be run, or the error that ended the run.
@@ -94,6 +107,7 @@ class CheckedWork(Struct, frozen=True, omit_defaults=True):
     checks: tuple[CheckSummary, ...] = ()
     hints: tuple[HintSummary, ...] = ()
     way: tuple[float, ...] = ()
+    robot: str = ""
     variant: int = 0
     seconds: float = 0.0
     reason: LessonText = ""
@@ -125,12 +139,14 @@ class HandedBack(Struct, frozen=True, omit_defaults=True):
         note: the teacher's note.
         mark: the teacher's mark; empty without one.
         checked: what the checks said; None if they were not asked.
+        line: what the note is about; None if it is about the whole program.
     """
 
     at: float
     note: Note = ""
     mark: Mark = ""
     checked: CheckedWork | None = None
+    line: NotedLine | None = None
 
 
 class HandInFile(Struct, frozen=True, omit_defaults=True):
@@ -148,6 +164,7 @@ class HandInFile(Struct, frozen=True, omit_defaults=True):
         mark: the teacher's mark, not handed back yet.
         back: what was handed back, the newest last.
         improving: whether the pupil improves what was handed back.
+        line: what the note is about; None if it is about the whole program.
     """
 
     work: GivenWork
@@ -161,6 +178,7 @@ class HandInFile(Struct, frozen=True, omit_defaults=True):
     mark: Mark = ""
     back: Annotated[tuple[HandedBack, ...], Meta(max_length=_MOST_BACK)] = ()
     improving: bool = False
+    line: NotedLine | None = None
 
     @property
     def is_new(self) -> bool:
@@ -244,6 +262,7 @@ class HandInShelf:
                     checked=before.checked if same else None,
                     note=before.note if before.waits else "",
                     mark=before.mark if before.waits else "",
+                    line=before.line if before.waits else None,
                 )
             return self._keep(pupil, file)
 
@@ -259,8 +278,17 @@ class HandInShelf:
             if not file.waits:
                 self._keep(pupil, replace(file, improving=True))
 
-    def say(self, pupil: str, lesson: str, step: int, *, note: str, mark: str) -> None:
-        """Set the note and the mark that are handed back next.
+    def say(
+        self,
+        pupil: str,
+        lesson: str,
+        step: int,
+        *,
+        note: str,
+        mark: str,
+        line: NotedLine | None = None,
+    ) -> None:
+        """Set the note and the mark that are handed back next, and what the note is about.
 
         Raises:
             LearnBlockError: nothing was handed in.
@@ -268,7 +296,7 @@ class HandInShelf:
         """
         with self._lock:
             file = self.known(pupil, lesson, step)
-            self._keep(pupil, replace(file, note=note, mark=mark, waits=True))
+            self._keep(pupil, replace(file, note=note, mark=mark, line=line, waits=True))
 
     def hand_back(self, pupil: str, lesson: str, step: int) -> None:
         """Hand back note and mark; nothing happens if they are back already.
@@ -280,7 +308,13 @@ class HandInShelf:
         with self._lock:
             file = self.known(pupil, lesson, step)
             if file.waits:
-                back = HandedBack(self._now(), file.note, file.mark, file.checked)
+                back = HandedBack(
+                    self._now(),
+                    file.note,
+                    file.mark,
+                    file.checked,
+                    file.line if file.note else None,
+                )
                 backs = (*file.back, back)[-_MOST_BACK:]
                 self._keep(pupil, replace(file, waits=False, improving=False, back=backs))
 

@@ -15,7 +15,7 @@ from learnblock.classroom.collecting import made_by
 from learnblock.classroom.hand_ins import HandInFile, HandInShelf, State
 from learnblock.classroom.roster import Roster, names_of
 from learnblock.errors import FileError, LearnBlockError
-from learnblock.lessons.drawing import LONGEST_DRAWING, drawn_program
+from learnblock.lessons.drawing import LONGEST_DRAWING, drawing_of
 from learnblock.lessons.lesson import LessonText
 from learnblock.lessons.opened import OpenLesson
 from learnblock.lessons.reading import named_lesson
@@ -134,6 +134,7 @@ class Marking:
         file = self._shelf.known(pupil, lesson, step)
         variant = file.checked.variant if file.checked else 0
         blocktext = _blocktext(file.work.program)
+        drawing = drawing_of(blocktext) if 0 < len(blocktext) <= LONGEST_DRAWING else None
         return ours.ShownHandIn(
             line=_line(pupil, names_of(self._roster.pupils)[pupil], file),
             lesson=lesson,
@@ -143,7 +144,8 @@ class Marking:
             back=file.back,
             world=_world(named_lesson(lesson), step, variant),
             blocktext=blocktext,
-            blocks=drawn_program(blocktext) if 0 < len(blocktext) <= LONGEST_DRAWING else None,
+            blocks=drawing.workspace if drawing else None,
+            lines=drawing.lines if drawing else {},
         )
 
     def collect(self, lesson: str, step: int) -> None:
@@ -261,6 +263,7 @@ def _line(pupil: str, name: str, file: HandInFile) -> ours.HandInLine:
         missed=_missed(file),
         note=last.note if last else file.note,
         mark=last.mark if last else file.mark,
+        line=last.line if last else file.line,
     )
 
 

@@ -9,6 +9,7 @@ from msgspec import Meta, Struct
 
 from learnblock.classroom.hand_in_messages import (
     FromHandInPages,
+    HandInRun,
     ImproveHandIn,
     OwnHandIns,
     Pupils,
@@ -366,7 +367,7 @@ class Projected(Message, frozen=True):
 
 
 FromPupil = AskForHelp | LetTeacherWrite | AskToWrite | ImproveHandIn
-ToPupil = InClass | OwnHandIns
+ToPupil = InClass | OwnHandIns | HandInRun
 FromTeacher = (
     EyesUp
     | StopAll

@@ -1,6 +1,7 @@
 """Passes the messages between a page and a pupil's server on, if the page may send them."""
 
 import asyncio
+from collections.abc import Iterable
 from contextlib import suppress
 from typing import TYPE_CHECKING, get_args
 
@@ -80,15 +81,22 @@ class Relay:
 
     async def send_away(self) -> None:
         """Close the page's connection, since it may not be here any more."""
-        with suppress(RuntimeError, WebSocketDisconnect):
-            await self._page.close(_FORBIDDEN)
+        await self._leave(_FORBIDDEN)
 
-    async def serve(self, place: "ServerAddress", first: messages.Message | None = None) -> None:
+    async def restart(self) -> None:
+        """Close the page's connection, since its server ends; the page connects again."""
+        await self._leave(_BACK_SOON)
+
+    async def _leave(self, code: int) -> None:
+        with suppress(RuntimeError, WebSocketDisconnect):
+            await self._page.close(code)
+
+    async def serve(self, place: "ServerAddress", first: Iterable[messages.Message] = ()) -> None:
         """Pass messages on until the page or the pupil's server is gone.
 
         Args:
             place: the pupil's server.
-            first: a message that the server gets first on behalf of the page.
+            first: messages that the server gets first on behalf of the page.
         """
         async with connect(
             f"ws://{place.host}{place.base_url}ws?{SEAT}",
@@ -103,8 +111,8 @@ class Relay:
             self._server = server
             self._desk.progress.answered()
             self._desk.joined(self)
-            if first:
-                await self.order(first)
+            for message in first:
+                await self.order(message)
             listening = asyncio.create_task(self._listen(server))
             try:
                 await self._pass_on(server)

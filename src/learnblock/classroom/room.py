@@ -3,9 +3,12 @@
 import asyncio
 import time
 from collections.abc import Iterable
+from pathlib import Path
 from typing import Protocol
 
 from learnblock.classroom.desk import Desk
+from learnblock.classroom.hand_in_messages import HandInRun
+from learnblock.classroom.hand_in_runs import HandInRuns, wanted_run
 from learnblock.classroom.hand_ins import HandInShelf
 from learnblock.classroom.marking import Marking
 from learnblock.classroom.messages import LessonOffer
@@ -60,12 +63,15 @@ class Room:
         self.boards: set[RoomBoard] = set()
         self.desks: dict[str, Desk] = {}
         self._servers = Servers(lambda _: self.changed(), roster.blocks)
+        self.hand_in_runs = HandInRuns(roster.folder, self._servers, self._give)
         self._ending: dict[str, asyncio.Task[None]] = {}
         for pupil in roster.pupils:
             self._seat(pupil)
 
     async def open(self) -> None:
         """Get ready to start pupils' servers."""
+        # A class that was killed has left it.
+        await asyncio.to_thread(self.hand_in_runs.delete)
         await self._servers.open()
 
     @property
@@ -83,6 +89,7 @@ class Room:
             task.cancel()
         await self.marking.checking.close()
         await self._servers.close()
+        await self.hand_in_runs.close()
 
     def hurry(self) -> None:
         """Have every server save and end at once; from another thread than the event loop's."""
@@ -127,7 +134,7 @@ class Room:
             OSError: it can't be given to the pupils.
         """
         receiving = tuple(self.roster.pupils if pupils is None else pupils)
-        await self._give(lesson.lesson, receiving)
+        await self._give(lesson.lesson, map(self.roster.folder_of, receiving))
         # What a few get besides is not the lesson of the class.
         if pupils is None or 2 * len(receiving) > len(self.roster.pupils):
             self.lesson, self.began = lesson.lesson, time.time()
@@ -146,13 +153,12 @@ class Room:
         lesson, project = self.roster.lesson, self.roster.project
         if lesson is None or await asyncio.to_thread(self._has_begun, pupil):
             return None
-        await self._give(lesson, [pupil])
+        await self._give(lesson, [self.roster.folder_of(pupil)])
         return messages.StartLesson(lesson, project or lesson)
 
-    async def _give(self, lesson: str, pupils: Iterable[Pupil]) -> None:
-        """Put a lesson into pupils' folders if it is one of the teacher's own."""
+    async def _give(self, lesson: str, folders: Iterable[Path]) -> None:
+        """Put a lesson into folders of servers if it is one of the teacher's own."""
         if any(offer.own for offer in self.offers if offer.name == lesson):
-            folders = [self.roster.folder_of(pupil) for pupil in pupils]
             await asyncio.to_thread(give_lesson, lesson, folders)
 
     def left(self, pupil: Pupil) -> None:
@@ -170,6 +176,20 @@ class Room:
         if pupil is None:
             raise LearnBlockError("class-no-pupil")
         return pupil
+
+    def wanted_run(self, pupil: str, lesson: str, step: str) -> tuple[Pupil, HandInRun]:
+        """Whose hand-in it is, and what to run of it; this reads a file.
+
+        Raises:
+            LearnBlockError: it is not there.
+            ValueError: the step is no number.
+        """
+        known = self.known(pupil)
+        place = lesson, int(step)
+        # The name of a lesson is the name of a file only if it is one that was handed in.
+        if place not in self.hand_ins.of_pupil(known.id):
+            raise LearnBlockError("class-not-handed-in")
+        return known, wanted_run(self.hand_ins.known(known.id, *place))
 
     def rest(self, *, eyes_up: bool) -> None:
         """Pause all pages because the teacher speaks, or resume them."""
@@ -210,6 +230,7 @@ class Room:
         """
         await self.desk(pupil).send_away()
         await self._servers.stop(pupil.id)
+        await self.hand_in_runs.forget()
         await self.marking.forget(pupil.id)
         await asyncio.to_thread(self.roster.remove, pupil)
         await asyncio.to_thread(self.marking.forget_runs)

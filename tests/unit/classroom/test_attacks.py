@@ -61,10 +61,12 @@ PATHS = [
     "/assets/../../../../class.json", "/class.json", "/classes/7b/class.json",
     "/%2e%2e/class.json", "/p/../class.json", "/p/", "/p/{ana}", "/p/*/", "/p/%00/",
     "/teacher", "/teacher?key=", "/teacher?key=x", "/teacher?key=é", "/teacher?key={ana}",
+    "/p/hand-ins/", "/p/hand-ins/textures/tag/1.png", "/p/hand-ins/projects/mine.learnblock",
     "/p/{ana}/record", "/p/{ana}/record.json", "/p/{leo}/../{ana}/record.json",
     "/export.zip", "/export.zip?pupil={ana}", "/export.zip?pupil={leo}", "/export.zip?pupil=*",
 ]  # fmt: skip
 
+HAND_IN = "/p/hand-ins/ws?pupil={ana}&lesson=1-03-square&step=4"
 ROBBERS = ("leo", "nobody", "forged", "made up")
 
 
@@ -113,7 +115,9 @@ def listen(room, path, cookie):
 
 
 @pytest.mark.parametrize("robber", ROBBERS)
-@pytest.mark.parametrize("path", ["/p/{ana}/ws", "/wall", "/projected", "/p/{leo}/../{ana}/ws"])
+@pytest.mark.parametrize(
+    "path", ["/p/{ana}/ws", "/wall", "/projected", "/p/{leo}/../{ana}/ws", HAND_IN]
+)
 def test_no_socket_opens_to_what_is_anothers(room, ana, leo, path, robber):
     path = path.format(ana=ana.id, leo=leo.id)
     with pytest.raises((ConnectionClosed, InvalidStatus)) as closed:

@@ -6,11 +6,18 @@ from hypothesis import strategies as st
 from msgspec import json
 
 from learnblock.classroom import hand_ins
-from learnblock.classroom.hand_ins import CheckedWork, CheckSummary, HandInFile, HandInShelf
+from learnblock.classroom.hand_ins import (
+    CheckedWork,
+    CheckSummary,
+    HandInFile,
+    HandInShelf,
+    NotedLine,
+)
 from learnblock.errors import LearnBlockError
 from learnblock.server.messages import GivenProgram, GivenWork
 
 ANA, LESSON = "a" * 10, "1-03-square"
+LINE = NotedLine(2, "repeat 3:")
 CHECKED = CheckedWork(runs=4, done=1, checks=(CheckSummary("Four corners", 1),))
 
 
@@ -70,6 +77,23 @@ def test_a_note_waits_although_the_pupil_hands_in_again(shelf):
     shelf.add(ANA, work())
     shelf.say(ANA, LESSON, 4, note="Good start", mark="")
     assert shelf.add(ANA, work("main:\n    pass\nend\n")).note == "Good start"
+
+
+def test_the_line_of_a_note_is_handed_back_with_it(shelf):
+    shelf.add(ANA, work())
+    shelf.say(ANA, LESSON, 4, note="How often?", mark="", line=LINE)
+    again = shelf.add(ANA, work("main:\n    pass\nend\n"))
+    assert again.line == LINE
+    shelf.hand_back(ANA, LESSON, 4)
+    assert shelf.read(ANA, LESSON, 4).back[-1].line == LINE
+    assert shelf.add(ANA, work()).line is None
+
+
+def test_without_a_note_no_line_is_handed_back(shelf):
+    shelf.add(ANA, work())
+    shelf.say(ANA, LESSON, 4, note="", mark="8", line=LINE)
+    shelf.hand_back(ANA, LESSON, 4)
+    assert shelf.read(ANA, LESSON, 4).back[-1].line is None
 
 
 def test_another_process_finds_what_was_kept(shelf, tmp_path):

@@ -22,6 +22,15 @@ pytestmark = [pytest.mark.realtime, pytest.mark.slow]
 #: Each check tries it once on each of two robots, so it takes a moment.
 LESSON, STEP = small_lesson.NAME, 2
 PLACE = {"lesson": LESSON, "step": STEP}
+MARK = {"note": "x", "mark": "", **PLACE}
+WRONG_LINES = [
+    2,
+    {"number": 0, "text": "pass"},
+    {"number": 1e99, "text": "pass"},
+    {"number": 2, "text": ""},
+    {"number": 2, "text": "x" * 201},
+    {"number": 2},
+]
 QUERY = f"lesson={LESSON}&step={STEP}"
 
 
@@ -113,7 +122,9 @@ def test_what_is_handed_in_is_checked_marked_and_handed_back(room, tmp_path):
         assert shown["world"]["floor"]
         assert shown["checked"]["hints"]
 
-        wall.say("MarkHandIn", pupil=leo.id, note="Drive first.", mark="=3", **PLACE)
+        line = {"number": 2, "text": "pass"}
+        assert shown["lines"][shown["blocks"]["stacks"][0][0]["id"]] == line["number"]
+        wall.say("MarkHandIn", pupil=leo.id, note="Drive first.", mark="=3", line=line, **PLACE)
         wall.hear("HandInList")
         marks = room.ask(f"/marks.csv?{QUERY}", cookie=cookie).body
         assert marks.startswith(b"\xef\xbb\xbf")
@@ -128,7 +139,7 @@ def test_what_is_handed_in_is_checked_marked_and_handed_back(room, tmp_path):
 
         wall.say("HandBack", pupils=[leo.id], **PLACE)
         back = other.hear("OwnHandIns")["hand_ins"][0]["back"]
-        assert (back["note"], back["mark"]) == ("Drive first.", "=3")
+        assert (back["note"], back["mark"], back["line"]) == ("Drive first.", "=3", line)
         assert back["checked"]["checks"]
         page.pulse()
         assert "Drive first." not in str(page.last["OwnHandIns"])
@@ -218,6 +229,10 @@ def test_a_class_goes_on_after_what_no_wall_sends(room):
             {"kind": "CheckHandIns", "lesson": LESSON, "step": 1e99},
             {"kind": "HandBack", "pupils": ["a" * 10] * 61, **PLACE},
             {"kind": "MarkHandIn", "pupil": 1, "note": "x" * 2000, "mark": "", **PLACE},
+            *(
+                {"kind": "MarkHandIn", "pupil": "a" * 10, "line": line, **MARK}
+                for line in WRONG_LINES
+            ),
             {"kind": "CollectHandIns", "lesson": "\u0000", "step": 2},
             {"kind": "WorkGiven", "work": {}},
         ):

@@ -69,6 +69,7 @@ def test_a_message_about_hand_ins_is_done_or_refused_in_words(room, data):
         "pupils": data.draw(st.just([room.ana]) | VALUES),
         "note": data.draw(TEXTS | VALUES),
         "mark": data.draw(TEXTS | VALUES),
+        "line": data.draw(st.fixed_dictionaries({"number": VALUES, "text": TEXTS}) | VALUES),
     }
     with suppress(LearnBlockError, OSError, ValueError):
         asyncio.run(do(room, _from_teacher.decode(msgspec.json.encode(fields))))

@@ -18,7 +18,7 @@ export function RunBar() {
   );
 }
 
-function RunButtons() {
+export function RunButtons() {
   const { context, controls, lessons } = usePage();
   const active = context.running.active.value;
   const waiting = context.running.waits.value;

@@ -1,5 +1,6 @@
 /** The world, the chips and menus over its picture, and the run controls below it. */
 
+import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
 
 import { GhostFindings, GhostLegend } from "../../features/ghost/ghost";
@@ -21,11 +22,6 @@ import { WorldMenu } from "./world-menu";
 import "./world-pane.css";
 
 export function WorldPane() {
-  const page = usePage();
-  // A lesson marks what its step asks for, which may be less than its world's goals.
-  const missed = (page.lessons.shown.value ? page.lessons : page.context.running).missed.value;
-  const world = page.views.world.value;
-  useEffect(() => world?.showMissed(missed), [world, missed]);
   return (
     <section
       id="world"
@@ -38,29 +34,41 @@ export function WorldPane() {
       <h2 id="title-world" class="hidden">
         {t("page-shell-world")}
       </h2>
-      <div class="world-place">
-        <IslandPlace load={() => loadWorld(page)} ready={(world) => (page.views.world.value = world)} />
-        <div class="world-top">
-          <Chips />
-          <WorldMenu />
-          <EyeMenu />
-        </div>
-        <div class="world-bottom">
-          <Said />
-          <Hint />
-          <Timeline />
-          <Status />
-          <WhyChip />
-          <Goals />
-          <Legend />
-          <GhostLegend />
-        </div>
-        <Extras />
-      </div>
+      <WorldPlace>
+        <Chips />
+        <WorldMenu />
+        <EyeMenu />
+      </WorldPlace>
       <ShownRun />
       <GhostFindings />
       <RunBar />
     </section>
+  );
+}
+
+/** The world, with what the run tells over it; above all that, chips and menus. */
+export function WorldPlace({ children }: { children: ComponentChildren }) {
+  const page = usePage();
+  // A lesson marks what its step asks for, which may be less than its world's goals.
+  const missed = (page.lessons.shown.value ? page.lessons : page.context.running).missed.value;
+  const world = page.views.world.value;
+  useEffect(() => world?.showMissed(missed), [world, missed]);
+  return (
+    <div class="world-place">
+      <IslandPlace load={() => loadWorld(page)} ready={(world) => (page.views.world.value = world)} />
+      <div class="world-top">{children}</div>
+      <div class="world-bottom">
+        <Said />
+        <Hint />
+        <Timeline />
+        <Status />
+        <WhyChip />
+        <Goals />
+        <Legend />
+        <GhostLegend />
+      </div>
+      <Extras />
+    </div>
   );
 }
 

@@ -1,13 +1,15 @@
 /** One hand-in: the program beside its run, the checks, why, and the teacher's note and mark. */
 
-import { useSignal } from "@preact/signals";
+import { type Signal, useSignal } from "@preact/signals";
+import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 
 import { language, t } from "../../i18n";
-import type { CheckSummary, ShownHandIn } from "../../protocol/classroom";
+import type { CheckSummary, NotedLine, ShownHandIn } from "../../protocol/classroom";
 import { IconButton } from "../../ui/button";
 import { Dialog } from "../../ui/dialog";
 import { Icon } from "../../ui/icons";
+import { linesToNote, notedLine, numberIn } from "../in-class/noted-line";
 import { DrawnBlocks } from "../lessons/drawn-blocks";
 import { inLanguage } from "../lessons/texts";
 import { Stars } from "./list";
@@ -15,10 +17,20 @@ import type { HandInStream } from "./stream";
 import { DrivenWay } from "./way";
 
 export function ShownWork({ stream }: { stream: HandInStream }) {
-  const isNameless = useSignal(false);
   const shown = stream.shown.value;
   if (!shown || shown.line.pupil !== stream.pupil.value) return <section class="hand-in empty" />;
+  return <HandIn key={shown.line.pupil} stream={stream} shown={shown} />;
+}
+
+interface HandInProps {
+  readonly stream: HandInStream;
+  readonly shown: ShownHandIn;
+}
+
+function HandIn({ stream, shown }: HandInProps) {
+  const isNameless = useSignal(false);
   const { line } = shown;
+  const noted = useSignal<NotedLine | null>(line.line ?? null);
   const time = new Date(line.at * 1000).toLocaleString(language.value, { dateStyle: "short", timeStyle: "short" });
   return (
     <section class="hand-in" aria-labelledby="hand-in-name">
@@ -40,9 +52,11 @@ export function ShownWork({ stream }: { stream: HandInStream }) {
         <IconButton icon="previous" word="page-handins-previous" onClick={() => stream.move(-1)} />
         <IconButton icon="next" word="page-handins-next" onClick={() => stream.move(1)} />
       </header>
-      <Work shown={shown} label={t("page-handins-way", { name: line.name })} />
+      <Work shown={shown} noted={noted}>
+        <RunPlace stream={stream} shown={shown} />
+      </Work>
       <Why shown={shown} />
-      <Answer key={line.pupil} stream={stream} shown={shown} />
+      <Answer stream={stream} shown={shown} noted={noted} />
       {isNameless.value && <Nameless shown={shown} close={() => (isNameless.value = false)} />}
     </section>
   );
@@ -53,31 +67,88 @@ function Nameless({ shown, close }: { shown: ShownHandIn; close: () => void }) {
   return (
     <div class="nameless">
       <Dialog title={t("page-handins-nameless-title", { step: shown.step })} size="whole" close={close}>
-        <Work shown={shown} label={t("page-class-world-shown")} />
+        <Work shown={shown}>
+          <DrivenWay shown={shown} label={t("page-class-world-shown")} />
+        </Work>
       </Dialog>
     </div>
   );
 }
 
+interface WorkProps {
+  readonly shown: ShownHandIn;
+  /** Where the robot drove. */
+  readonly children: ComponentChildren;
+  /** The line that the note is about; undefined where no note is written. */
+  readonly noted?: Signal<NotedLine | null>;
+}
+
 /** The program, where the robot drove, and what the checks say. */
-function Work({ shown, label }: { shown: ShownHandIn; label: string }) {
+function Work({ shown, children, noted }: WorkProps) {
   const { line, program, checked, blocktext, blocks } = shown;
+  const pick = (block: string) => {
+    const number = shown.lines?.[block];
+    if (noted && number) noted.value = notedLine(textOf(shown), number);
+  };
   return (
     <div class="hand-in-body">
       <div>
         {/* biome-ignore lint/a11y/noNoninteractiveTabindex: a keyboard user must be able to scroll it */}
         <div class="hand-in-program" role="group" tabIndex={0} aria-label={t("page-handins-program")}>
           {blocks ? (
-            <DrawnBlocks key={`${line.pupil} ${line.at}`} workspace={blocks} text={blocktext ?? ""} />
+            <DrawnBlocks
+              key={`${line.pupil} ${line.at}`}
+              workspace={blocks}
+              text={blocktext ?? ""}
+              marked={noted?.value && blockAt(shown, noted.value)}
+              pick={noted && pick}
+            />
           ) : (
             <pre>{program.text}</pre>
           )}
         </div>
         {checked && <Checks checks={checked.checks ?? []} runs={checked.runs} />}
       </div>
-      <DrivenWay shown={shown} label={label} />
+      {children}
     </div>
   );
+}
+
+/** Where the robot drove, from above; or in 3D, by the page that pupils have, which is loaded only then. */
+function RunPlace({ stream, shown }: HandInProps) {
+  const { line, lesson, step } = shown;
+  const sees = stream.seesRuns.value;
+  const query = new URLSearchParams({ pupil: line.pupil, lesson, step: String(step) });
+  return (
+    <div class="hand-in-run-place">
+      {sees ? (
+        <iframe
+          // What was handed in again runs again.
+          key={`${line.at} ${language.value}`}
+          src={`p/hand-ins/?${query}`}
+          title={t("page-handins-run-of", { name: line.name })}
+        />
+      ) : (
+        <DrivenWay shown={shown} label={t("page-handins-way", { name: line.name })} />
+      )}
+      {shown.world && (
+        <button type="button" class="button bordered" onClick={() => (stream.seesRuns.value = !sees)}>
+          <Icon name={sees ? "top" : "run"} />
+          {t(sees ? "page-handins-run-hide" : "page-handins-run-show")}
+        </button>
+      )}
+    </div>
+  );
+}
+
+/** The text in which lines are counted. */
+function textOf({ blocktext, program }: ShownHandIn): string {
+  return blocktext || program.text;
+}
+
+function blockAt(shown: ShownHandIn, line: NotedLine): string | null {
+  const number = numberIn(textOf(shown), line);
+  return Object.entries(shown.lines ?? {}).find(([, at]) => at === number)?.[0] ?? null;
 }
 
 function Checks({ checks, runs }: { checks: readonly CheckSummary[]; runs: number }) {
@@ -121,16 +192,26 @@ function Why({ shown: { checked } }: { shown: ShownHandIn }) {
   );
 }
 
+interface AnswerProps extends HandInProps {
+  readonly noted: Signal<NotedLine | null>;
+}
+
 /** The note and the mark are the teacher's own: empty at first, never computed, on any scale. */
-function Answer({ stream, shown: { line, back = [] } }: { stream: HandInStream; shown: ShownHandIn }) {
+function Answer({ stream, shown, noted }: AnswerProps) {
+  const { line, back = [] } = shown;
   const note = useSignal(line.note ?? "");
   const mark = useSignal(line.mark ?? "");
   const field = useRef<HTMLTextAreaElement>(null);
   useEffect(() => {
     if (!stream.staysInList) field.current?.focus({ preventScroll: true });
   }, []);
-  const isNew = () => note.peek() !== (line.note ?? "") || mark.peek() !== (line.mark ?? "");
-  const keep = () => isNew() && stream.mark(line.pupil, note.peek().trim(), mark.peek().trim());
+  const keep = () => {
+    const about = note.peek().trim() ? noted.peek() : null;
+    const isOther = JSON.stringify(about) !== JSON.stringify(line.line ?? null);
+    if (note.peek() !== (line.note ?? "") || mark.peek() !== (line.mark ?? "") || isOther)
+      stream.mark(line.pupil, note.peek().trim(), mark.peek().trim(), about);
+  };
+  useEffect(keep, [noted.value]);
   const handBack = (event: Event) => {
     event.preventDefault();
     keep();
@@ -170,9 +251,36 @@ function Answer({ stream, shown: { line, back = [] } }: { stream: HandInStream; 
         <Icon name="move" />
         {t(isBack ? "page-handins-back-again" : "page-handins-back")}
       </button>
+      <About shown={shown} noted={noted} />
       <LastNotes stream={stream} choose={(text) => (note.value = text)} />
       {back.length > 0 && <p class="dim">{earlier(back.map((one) => one.mark ?? ""))}</p>}
     </form>
+  );
+}
+
+/** What the note is about, for keys too: a click on a block chooses the same. */
+function About({ shown, noted }: { shown: ShownHandIn; noted: Signal<NotedLine | null> }) {
+  const text = textOf(shown);
+  const lines = linesToNote(text);
+  const about = noted.value;
+  const number = about ? numberIn(text, about) : 0;
+  const isGone = about !== null && !lines.some((line) => line.number === number);
+  const choose = (value: string) => {
+    if (value) noted.value = Number(value) > 0 ? notedLine(text, Number(value)) : null;
+  };
+  return (
+    <label class="hand-in-about">
+      {t("page-handins-about")}
+      <select value={isGone ? "" : String(number)} onChange={({ currentTarget }) => choose(currentTarget.value)}>
+        <option value="0">{t("page-handins-about-all")}</option>
+        {isGone && <option value="">{t("page-handins-about-gone", { line: about.text })}</option>}
+        {lines.map((line) => (
+          <option key={line.number} value={line.number}>
+            {line.number} · {line.text}
+          </option>
+        ))}
+      </select>
+    </label>
   );
 }
 

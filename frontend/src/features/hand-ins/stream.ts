@@ -10,6 +10,7 @@ import type {
   HandInList,
   HandInStep,
   HandInSteps,
+  NotedLine,
   ShownHandIn,
   ToTeacher,
 } from "../../protocol/classroom";
@@ -28,6 +29,8 @@ export class HandInStream extends Channel<FromTeacher, ToTeacher> {
   readonly place = signal<Place | null>(null);
   /** The id of the pupil whose hand-in is shown. */
   readonly pupil = signal("");
+  /** Whether the run of each hand-in that is shown is seen in 3D. */
+  readonly seesRuns = signal(false);
   /** Whether the teacher moves in the list by keyboard, so that the note does not take the focus. */
   staysInList = false;
   readonly marked = computed(() => (this.list.value?.lines ?? []).filter(({ state }) => state === "marked"));
@@ -74,8 +77,8 @@ export class HandInStream extends Channel<FromTeacher, ToTeacher> {
     this.act((place) => ({ kind: "CheckHandIns", ...place }));
   }
 
-  mark(pupil: string, note: string, mark: string): void {
-    this.act((place) => ({ kind: "MarkHandIn", pupil, note, mark, ...place }));
+  mark(pupil: string, note: string, mark: string, line: NotedLine | null): void {
+    this.act((place) => ({ kind: "MarkHandIn", pupil, note, mark, line, ...place }));
   }
 
   handBack(pupils: string[]): void {

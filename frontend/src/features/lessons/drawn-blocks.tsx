@@ -1,15 +1,29 @@
 /** Blocks of a lesson's text, as a picture. */
 
+import { useSignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
-import { useRef } from "preact/hooks";
+import { useEffect, useRef } from "preact/hooks";
 
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
 import type { Workspace } from "../../protocol/messages";
 import { IslandPlace } from "../../ui/island-place";
+import type { Drawing } from "../../views/blocks/drawing";
 import { isSameProgram } from "./same-program";
 
-export function DrawnBlocks({ workspace, text }: { workspace: Workspace; text: string }) {
+interface DrawnProps {
+  readonly workspace: Workspace;
+  readonly text: string;
+  /** The block that is marked. */
+  readonly marked?: string | null;
+  /** Called with the block at which the picture is clicked; keys need another way. */
+  readonly pick?: (block: string) => void;
+}
+
+export function DrawnBlocks({ workspace, text, marked = null, pick }: DrawnProps) {
+  const drawing = useSignal<Drawing | null>(null);
+  const shown = drawing.value;
+  useEffect(() => shown?.mark(marked), [shown, marked]);
   const load = async () => {
     const [{ Drawing }, { prepare }] = await Promise.all([
       import("../../views/blocks/drawing"),
@@ -18,9 +32,14 @@ export function DrawnBlocks({ workspace, text }: { workspace: Workspace; text: s
     prepare();
     return new Drawing(workspace, text);
   };
+  const clicked = ({ clientX, clientY }: MouseEvent) => {
+    const block = shown?.statementAt(clientX, clientY);
+    if (block) pick?.(block);
+  };
   return (
-    <div class="lesson-blocks">
-      <IslandPlace load={load} />
+    // biome-ignore lint/a11y: whoever uses it offers a list of the lines for keys
+    <div class={pick ? "lesson-blocks picked" : "lesson-blocks"} onClick={pick && clicked}>
+      <IslandPlace load={load} ready={(island) => (drawing.value = island)} />
     </div>
   );
 }

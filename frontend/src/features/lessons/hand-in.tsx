@@ -2,7 +2,7 @@
 
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
-import type { OwnHandIn } from "../../protocol/classroom";
+import type { NotedLine, OwnHandIn } from "../../protocol/classroom";
 import type { LessonShown } from "../../protocol/messages";
 import { Icon } from "../../ui/icons";
 import { inLanguage } from "./texts";
@@ -36,7 +36,7 @@ export function HandedIn({ shown }: { shown: LessonShown }) {
       {found.waits && <p>{t("page-handins-own-waits")}</p>}
       {found.improving && (
         <p>
-          {t("page-handins-own-improving")} {found.back?.note}
+          {t("page-handins-own-improving")} {found.back?.note} <NotedPlace line={found.back?.line} />
         </p>
       )}
       {back && <Back handIn={back} />}
@@ -59,7 +59,7 @@ export function BackLine({ shown, open }: { shown: LessonShown; open: () => void
 /** The teacher's note first, then what was reached, then what was missed. */
 function Back({ handIn }: { handIn: OwnHandIn }) {
   const { handIns } = usePage();
-  const { note, mark, checked } = handIn.back ?? {};
+  const { note, mark, checked, line } = handIn.back ?? {};
   const checks = checked?.checks ?? [];
   const runs = checked?.runs ?? 0;
   const inTurn = [...checks].sort((a, b) => Number(b.met === runs) - Number(a.met === runs));
@@ -72,7 +72,7 @@ function Back({ handIn }: { handIn: OwnHandIn }) {
       </h3>
       {note && (
         <p class="handed-back-note">
-          <strong>{t("page-handins-own-teacher")}</strong> {note}
+          <strong>{t("page-handins-own-teacher")}</strong> {note} <NotedPlace line={line} />
         </p>
       )}
       <ul>
@@ -93,5 +93,19 @@ function Back({ handIn }: { handIn: OwnHandIn }) {
         </button>
       </div>
     </section>
+  );
+}
+
+/** What the note is about: a button to the marked block, or the line as it was if that is gone. */
+function NotedPlace({ line }: { line: NotedLine | null | undefined }) {
+  const { handIns, context } = usePage();
+  const block = handIns.noted.value;
+  if (!line) return null;
+  if (!block) return <span class="handed-back-gone">{t("page-handins-own-gone", { line: line.text })}</span>;
+  return (
+    <button type="button" class="handed-back-line" onClick={() => context.reveal(block)}>
+      <Icon name="blocks" />
+      {t("page-handins-own-line", { line: line.text })}
+    </button>
   );
 }

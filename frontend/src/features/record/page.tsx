@@ -1,7 +1,8 @@
 /** A pupil's record: for the pupil, for the teacher, and on paper for a meeting with parents. */
 
 import { useSignal } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import type { ComponentChildren } from "preact";
+import { useEffect, useMemo, useRef } from "preact/hooks";
 
 import { language, t } from "../../i18n";
 import type { PupilRecord, RecordedLesson, Seat } from "../../protocol/classroom";
@@ -10,32 +11,74 @@ import { RemoveDialog } from "../class-page/dialogs";
 import { Frame } from "../class-page/frame";
 import { ClassStream } from "../class-page/stream";
 import { Aims } from "./aims";
+import { ChosenRecord, inTerm, termInWords } from "./choice";
 import { LessonTable } from "./lessons";
 import { fetchRecord, lessonsOf, type RecordOrState } from "./record";
 import "./record.css";
 
+/** More lessons than these have no room in the card. */
+const MOST_BARS = 16;
+
 export function RecordPage() {
   const opened = useSignal<RecordOrState>("loading");
+  const chosen = useMemo(() => new ChosenRecord(), []);
   useEffect(() => void fetchRecord().then((found) => (opened.value = found)), []);
   const record = opened.value;
   if (typeof record === "string") return <Frame>{record !== "loading" && <p>{t(`page-record-${record}`)}</p>}</Frame>;
+  const counted = inTerm(record, chosen.now.value);
+  const term = termInWords(chosen.now.value);
   return (
     <Frame title={t("page-record-title")} tools={<Tools record={record} />}>
       <article class="record">
-        <Summary record={record} />
-        {lessonsOf(record).length === 0 ? (
-          <p class="record-card record-none">{t("page-record-none")}</p>
+        <Term chosen={chosen} />
+        <Summary record={counted} term={term} />
+        {lessonsOf(counted).length === 0 ? (
+          <p class="record-card record-none">{t(term ? "page-record-none-then" : "page-record-none")}</p>
         ) : (
           <>
-            <LessonTable record={record} />
-            <Aims record={record} />
+            <LessonTable record={counted} />
+            <Aims record={counted} chosen={chosen} />
           </>
         )}
         <footer>
-          {t("page-class-title", { title: record.title })} · {new Date().toLocaleDateString(language.value)}
+          {[t("page-class-title", { title: record.title }), new Date().toLocaleDateString(language.value), term]
+            .filter(Boolean)
+            .join(" · ")}
         </footer>
       </article>
     </Frame>
+  );
+}
+
+/** The days of the term; without them, everything is counted. */
+function Term({ chosen }: { chosen: ChosenRecord }) {
+  const { from, to } = chosen.now.value;
+  return (
+    <form class="record-term" aria-label={t("page-record-term")} title={t("page-record-term-help")}>
+      <label>
+        {t("page-record-from")}
+        <input
+          type="date"
+          value={from}
+          max={to}
+          onChange={({ currentTarget }) => chosen.choose({ from: currentTarget.value })}
+        />
+      </label>
+      <label>
+        {t("page-record-to")}
+        <input
+          type="date"
+          value={to}
+          min={from}
+          onChange={({ currentTarget }) => chosen.choose({ to: currentTarget.value })}
+        />
+      </label>
+      {(from || to) && (
+        <button type="button" class="button" onClick={() => chosen.choose({ from: "", to: "" })}>
+          {t("page-record-always")}
+        </button>
+      )}
+    </form>
   );
 }
 
@@ -94,7 +137,7 @@ function openWall(pupil: string): ClassStream {
   return stream;
 }
 
-function Summary({ record }: { record: PupilRecord }) {
+function Summary({ record, term }: { record: PupilRecord; term: string }) {
   const lessons = lessonsOf(record);
   const sum = (of: (lesson: RecordedLesson) => number) => lessons.reduce((all, one) => all + of(one), 0);
   const handIns = lessons.flatMap((lesson) => lesson.hand_ins ?? []);
@@ -107,6 +150,7 @@ function Summary({ record }: { record: PupilRecord }) {
           <bdi>{record.name}</bdi>
         </h2>
         <p class="dim">{t("page-class-title", { title: record.title })}</p>
+        {term && <p class="dim">{term}</p>}
       </div>
       <Figure
         icon="lesson"
@@ -125,7 +169,9 @@ function Summary({ record }: { record: PupilRecord }) {
         word={t("page-record-hints")}
         figure={sum(({ hints = 0 }) => hints)}
         more={t("page-record-in-lessons", { count: begun })}
-      />
+      >
+        <HintBars lessons={lessons} />
+      </Figure>
       <Figure
         icon="handedIn"
         word={t("page-class-hand-ins")}
@@ -136,7 +182,27 @@ function Summary({ record }: { record: PupilRecord }) {
   );
 }
 
-function Figure({ icon, word, figure, more }: { icon: IconName; word: string; figure: number; more: string }) {
+/** How many hints each lesson needed, in the order in which they were worked on; the table has them in numbers. */
+function HintBars({ lessons }: { lessons: readonly RecordedLesson[] }) {
+  const most = Math.max(1, ...lessons.map(({ hints = 0 }) => hints));
+  return (
+    <span class="record-bars" aria-hidden="true">
+      {lessons.slice(-MOST_BARS).map(({ name, hints = 0 }) => (
+        <i key={name} class={hints ? "" : "none"} style={{ "--share": hints / most }} />
+      ))}
+    </span>
+  );
+}
+
+interface FigureProps {
+  readonly icon: IconName;
+  readonly word: string;
+  readonly figure: number;
+  readonly more: string;
+  readonly children?: ComponentChildren;
+}
+
+function Figure({ icon, word, figure, more, children }: FigureProps) {
   return (
     <div class="record-card">
       <p class="record-word">
@@ -146,6 +212,7 @@ function Figure({ icon, word, figure, more }: { icon: IconName; word: string; fi
       <p>
         <strong class="record-figure">{figure}</strong> {more}
       </p>
+      {children}
     </div>
   );
 }

@@ -83,6 +83,7 @@ class Blocks implements BlocksIsland {
       effect(() => this.showBreakpoints()),
       effect(() => this.showRunning()),
       effect(() => this.showValues()),
+      effect(() => this.showNoted()),
     );
   }
 
@@ -279,6 +280,7 @@ class Blocks implements BlocksIsland {
       this.showBreakpoints();
       this.showRunning();
       this.showValues();
+      this.showNoted();
     });
   }
 
@@ -341,6 +343,11 @@ class Blocks implements BlocksIsland {
   private showValues(): void {
     const texts = valuesInWords(this.context.running.values.value);
     this.editor?.marks.showValues(texts);
+  }
+
+  private showNoted(): void {
+    const block = this.context.noted.value;
+    this.editor?.marks.showNoted(block);
   }
 
   private follow(block: Parameters<BlockEditor["follow"]>[0], atOnce: boolean): void {

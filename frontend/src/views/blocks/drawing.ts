@@ -53,10 +53,20 @@ export class Drawing implements Island {
   /** Mark a block as running, or none. */
   mark(id: string | null): void {
     if (id === this.marked) return;
-    const find = (block: string | null) => (block ? (this.workspace?.getBlockById(block) ?? null) : null);
-    (find(this.marked) as Blockly.BlockSvg | null)?.removeClass("lbRunning");
-    (find(id) as Blockly.BlockSvg | null)?.addClass("lbRunning");
+    this.find(this.marked)?.removeClass("lbRunning");
+    this.find(id)?.addClass("lbRunning");
     this.marked = id;
+  }
+
+  /** The innermost statement that is drawn at a place of the window; null without one. */
+  statementAt(x: number, y: number): string | null {
+    const blocks = this.workspace?.getAllBlocks(true).filter((block) => !block.outputConnection) ?? [];
+    const there = blocks.filter((block) => covers((block as Blockly.BlockSvg).pathObject.svgPath, x, y));
+    return there.at(-1)?.id ?? null;
+  }
+
+  private find(id: string | null): Blockly.BlockSvg | null {
+    return (id && this.workspace?.getBlockById(id)) || null;
   }
 
   /** Blockly can only draw once the element has a size. */
@@ -71,6 +81,7 @@ export class Drawing implements Island {
     this.workspace?.dispose();
     this.workspace = Blockly.inject(this.host, pictureOptions());
     this.fill(this.workspace);
+    this.find(this.marked)?.addClass("lbRunning");
     Blockly.renderManagement.triggerQueuedRenders(this.workspace);
     this.fit(this.workspace);
   }
@@ -88,8 +99,15 @@ export class Drawing implements Island {
     this.host.style.height = `${scale * (height + 2 * MARGIN)}px`;
     workspace.setScale(scale);
     Blockly.svgResize(workspace);
-    workspace.translate((MARGIN - left) * scale, (MARGIN - top) * scale);
+    // Blockly puts it there again when the window changes its size.
+    [workspace.scrollX, workspace.scrollY] = [(MARGIN - left) * scale, (MARGIN - top) * scale];
+    workspace.translate(workspace.scrollX, workspace.scrollY);
   }
+}
+
+function covers(path: SVGElement, x: number, y: number): boolean {
+  const { left, right, top, bottom } = path.getBoundingClientRect();
+  return left <= x && x <= right && top <= y && y <= bottom;
 }
 
 /** Teach Blockly the blocks of a language; the view of the blocks, if it is shown, has the same. */

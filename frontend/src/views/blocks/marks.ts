@@ -1,4 +1,4 @@
-/** Marks on blocks: problems, breakpoints, and the running block. */
+/** Marks on blocks: problems, breakpoints, the running block, and the one that a teacher's note is about. */
 
 import * as Blockly from "blockly/core";
 import { say } from "../../i18n";
@@ -34,6 +34,7 @@ export class Marks {
   private problems = new Map<Svg, Finding>();
   private stops = new Set<Svg>();
   private running: Svg | null = null;
+  private noted: Svg | null = null;
   private readonly labels: ValueLabels;
 
   constructor(
@@ -77,11 +78,21 @@ export class Marks {
 
   /** Mark the running block, or none; return the block that shows the mark. */
   showRunning(id: string | null): Svg | null {
+    this.running = this.moved(id, this.running, "lbRunning");
+    return this.running;
+  }
+
+  /** Mark the block that a teacher's note is about, or none. */
+  showNoted(id: string | null): void {
+    this.noted = this.moved(id, this.noted, "lbNoted");
+  }
+
+  /** Move a mark to another block; return the block that shows it. */
+  private moved(id: string | null, before: Svg | null, look: string): Svg | null {
     const block = id === null ? null : visible(this.find(id));
-    if (block === this.running) return block;
-    if (this.running && !this.running.isDisposed()) this.running.removeClass("lbRunning");
-    block?.addClass("lbRunning");
-    this.running = block;
+    if (block === before) return block;
+    if (before && !before.isDisposed()) before.removeClass(look);
+    block?.addClass(look);
     return block;
   }
 

@@ -33,10 +33,10 @@ import { openBlock } from "./enter";
 import { blocktextFolding } from "./folding";
 import { help } from "./help";
 import { highlighter } from "./highlighter";
+import { markedLines } from "./marked-lines";
 import { problemMarks } from "./problems";
 import { renamePanel } from "./rename";
 import type { Requests } from "./requests";
-import { runningLine } from "./running-line";
 import { values } from "./values";
 
 /** Keys that the page uses instead of CodeMirror: Ctrl+Enter runs the program. */
@@ -108,7 +108,7 @@ export function extensions(notation: Notation, actions: TextActions, requests: R
     completion(requests),
     help(requests),
     renamePanel(),
-    runningLine(),
+    markedLines(),
     values(),
     editing(),
     keys(actions),

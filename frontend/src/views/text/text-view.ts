@@ -16,12 +16,12 @@ import type { Island } from "../../ui/island";
 import { TextActions } from "./actions";
 import { showBreakpoints } from "./breakpoints";
 import { extensions } from "./editor";
+import { showNoted, showRunning } from "./marked-lines";
 import { Outline } from "./outline";
 import { words } from "./phrases";
 import { cursorLine, positionOf, scrollTo, selectAt } from "./places";
 import { showProblems } from "./problems";
 import { Requests } from "./requests";
-import { showRunning } from "./running-line";
 import { sendEdits, showText } from "./sync";
 import { createToolbar } from "./toolbar";
 import { showValues } from "./values";
@@ -52,6 +52,7 @@ class TextView implements TextIsland {
   private hasBreakpoints = false;
   private runs = false;
   private hasValues = false;
+  private hasNoted = false;
 
   constructor(
     private readonly context: Context,
@@ -74,6 +75,7 @@ class TextView implements TextIsland {
       effect(() => this.showBreakpoints()),
       effect(() => this.showRunning()),
       effect(() => this.showValues()),
+      effect(() => this.showNoted()),
       effect(() => {
         this.boxes.ariaLabel = t("page-text-boxes", { view: t(`page-text-${notation}`) });
       }),
@@ -166,6 +168,14 @@ class TextView implements TextIsland {
     }
     if (byLine.size > 0 || this.hasValues) showValues(this.view, byLine);
     this.hasValues = byLine.size > 0;
+  }
+
+  private showNoted(): void {
+    this.showProgram();
+    const block = this.context.noted.value;
+    const lines = block ? this.outline.value.head(block) : null;
+    if (lines || this.hasNoted) showNoted(this.view, lines);
+    this.hasNoted = lines !== null;
   }
 
   private showRunning(): void {

@@ -34,3 +34,12 @@ page-record-aims-from = based on what the programs did
 # $lesson is the title of a lesson.
 page-record-shown = Shown in { $lesson }
 page-record-on-the-way = In progress: { $stars } of { $all } stars in { $lesson }
+# The dates of a term choose what is counted.
+page-record-term = Term
+page-record-term-help = Counts the lessons last worked on within these dates, and what was handed in then.
+page-record-from = From
+page-record-to = To
+page-record-always = All dates
+page-record-none-then = Nothing was done within these dates.
+page-record-standards = Standards
+page-record-all-standards = All standards

@@ -34,3 +34,12 @@ page-record-aims-from = según lo que hicieron los programas
 # $lesson is the title of a lesson.
 page-record-shown = Demostrado en { $lesson }
 page-record-on-the-way = En camino: { $stars } de { $all } estrellas en { $lesson }
+# The dates of a term choose what is counted.
+page-record-term = Trimestre
+page-record-term-help = Cuenta las lecciones en las que se trabajó por última vez entre estas fechas, y lo que se entregó entonces.
+page-record-from = Desde
+page-record-to = Hasta
+page-record-always = Todas las fechas
+page-record-none-then = Entre estas fechas no hay nada.
+page-record-standards = Estándares
+page-record-all-standards = Todos los estándares

@@ -1,0 +1,96 @@
+// @vitest-environment happy-dom
+
+import { cleanup, fireEvent, render, screen, within } from "@testing-library/preact";
+import { afterEach, beforeAll, beforeEach, expect, test } from "vitest";
+
+import { ShownWork } from "../../src/features/hand-ins/shown";
+import { HandInStream } from "../../src/features/hand-ins/stream";
+import type { FromTeacher, HandInLine, ShownHandIn } from "../../src/protocol/classroom";
+import { button } from "../dialog";
+import { emptyWorld } from "../worlds";
+
+const PROGRAM = "main:\n    repeat 3:\n        function.turn(90)\n    end\nend\n";
+const PLACE = { lesson: "1-03-square", step: 4 };
+const LINE: HandInLine = { pupil: "a", name: "Mateo", state: "marked", at: 1, note: "Count them.", mark: "8 of 10" };
+const SHOWN: ShownHandIn = {
+  kind: "ShownHandIn",
+  ...PLACE,
+  line: LINE,
+  program: { text: PROGRAM },
+  blocktext: PROGRAM,
+  world: null,
+};
+
+class Played extends HandInStream {
+  readonly sent: FromTeacher[] = [];
+
+  override send(message: FromTeacher): boolean {
+    this.sent.push(message);
+    return true;
+  }
+}
+
+let stream: Played;
+
+beforeAll(() => {
+  // happy-dom has no dialogs.
+  HTMLDialogElement.prototype.showModal ??= () => {};
+});
+
+beforeEach(() => {
+  stream = new Played();
+  stream.place.value = PLACE;
+});
+
+afterEach(cleanup);
+
+function show(line: Partial<HandInLine> = {}, more: Partial<ShownHandIn> = {}): void {
+  stream.pupil.value = "a";
+  stream.shown.value = { ...SHOWN, line: { ...LINE, ...line }, ...more };
+  render(<ShownWork stream={stream} />);
+}
+
+test("what is shown to the class has the program, and neither name nor note nor mark", () => {
+  show();
+  fireEvent.click(button("Show without name"));
+  const dialog = screen.getByRole("dialog");
+  expect(dialog.textContent).toContain("repeat 3:");
+  expect(document.body.innerHTML).toContain("Mateo");
+  expect(dialog.outerHTML).not.toContain("Mateo");
+  for (const own of ["Count them.", "8 of 10"]) {
+    screen.getByDisplayValue(own);
+    expect(within(dialog).queryByDisplayValue(own)).toBeNull();
+    expect(dialog.outerHTML).not.toContain(own);
+  }
+});
+
+test("a note is tied to a line with the keyboard, and to the whole program again", () => {
+  show();
+  const about = screen.getByLabelText<HTMLSelectElement>("About");
+  fireEvent.change(about, { target: { value: "2" } });
+  const sent = { kind: "MarkHandIn", pupil: "a", note: "Count them.", mark: "8 of 10", ...PLACE };
+  expect(stream.sent.at(-1)).toEqual({ ...sent, line: { number: 2, text: "repeat 3:" } });
+});
+
+test("a line without a note changes nothing that was handed back", () => {
+  show({ state: "handed back", note: "", mark: "8" });
+  fireEvent.change(screen.getByLabelText("About"), { target: { value: "2" } });
+  expect(stream.sent).toEqual([]);
+});
+
+test("the line of a note that the program lacks now is still named", () => {
+  show({ line: { number: 2, text: "while true:" } });
+  const about = screen.getByLabelText<HTMLSelectElement>("About");
+  expect(about.selectedOptions[0]?.textContent).toBe("while true: (not in this program)");
+  expect(stream.sent).toEqual([]);
+});
+
+test("the run is loaded when it is asked for, and then for each hand-in", () => {
+  show({}, { world: { ...emptyWorld() } });
+  expect(document.querySelector("iframe")).toBeNull();
+  fireEvent.click(button("Show the run"));
+  const address = document.querySelector("iframe")?.getAttribute("src");
+  expect(address).toBe("p/hand-ins/?pupil=a&lesson=1-03-square&step=4");
+  fireEvent.click(button("From above"));
+  expect(document.querySelector("iframe")).toBeNull();
+});
