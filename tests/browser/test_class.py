@@ -43,10 +43,11 @@ def button(page, name, **options):
 def join(desk, address, word, name, **options):
     """Join as a child does who is new; return the page and the pictures."""
     page = desk(address, **options)
-    page.get_by_label("What is the join word?").fill(word)
-    page.keyboard.press("Enter")
-    page.get_by_label("What is your first name?").fill(name)
+    expect(page.get_by_label("Join word")).to_be_focused()
+    page.keyboard.type(word)
+    page.get_by_label("Your first name").fill(name)
     button(page, "I am new here").click()
+    button(page, "Join").click()
     expect(page.locator(".pin-row li")).to_have_count(4)
     pictures = page.locator(".pin-row li").all_text_contents()
     page.get_by_role("link", name="I'll remember them").click()

@@ -31,6 +31,9 @@ Writing = Literal["no", "asked", "yes"]
 # Joining.
 
 
+TypedWord = Annotated[str, Meta(max_length=60)]
+
+
 class Join(Struct, frozen=True):
     """Come into the class.
 
@@ -38,11 +41,23 @@ class Join(Struct, frozen=True):
         word: the join word, as typed.
         name: the first name.
         pictures: the PIN; None for a pupil who is new.
+        is_first_name: whether a name of several words has been confirmed to be a first name.
     """
 
-    word: Annotated[str, Meta(max_length=60)]
+    word: TypedWord
     name: Annotated[str, Meta(max_length=200)]
     pictures: Pictures | None = None
+    is_first_name: bool = False
+
+
+class TryWord(Struct, frozen=True):
+    """Ask whether this is the join word.
+
+    Args:
+        word: as typed.
+    """
+
+    word: TypedWord
 
 
 class Joined(Struct, frozen=True, omit_defaults=True):

@@ -5,13 +5,26 @@ page-class-title = Class { $title }
 
 ## Joining
 
-page-class-word = What is the join word?
+page-class-join = Join class { $title }
+page-class-join-text = No account and no e-mail. Your work stays in this room.
+# On a phone: word, name and pictures.
+page-class-join-step = Step { $step } of 3
+page-class-word = 1 · Join word, from the board
 page-class-next = Next
-page-class-name = What is your first name?
+page-class-name = 2 · Your first name
+# $name has several words.
+page-class-is-first-name = { $name } is my first name
+page-class-whether = Have you been here before?
 page-class-known = I have been here before
 page-class-new = I am new here
 page-class-back = Back
-page-class-pictures = Tap your four pictures
+page-class-given = You will get four secret pictures, with which you find your work again on any device.
+page-class-pictures = 3 · Tap your four secret pictures
+page-class-take-back = Take the last picture back
+page-class-forgotten = Forgotten? Your teacher can give you new ones.
+page-class-join-do = Join
+# $count is the number of pictures that are missing.
+page-class-join-more = Join · { $count } more
 page-class-chosen = { $count } of 4 pictures
 # $name is a first name.
 page-class-hello = Hello, { $name }!

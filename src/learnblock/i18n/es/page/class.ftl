@@ -4,13 +4,26 @@ page-class-title = Clase { $title }
 
 ## Entrar
 
-page-class-word = ¿Cuál es la palabra para entrar?
+page-class-join = Entrar en la clase { $title }
+page-class-join-text = Sin cuenta ni correo. Tu trabajo se queda en esta sala.
+page-class-join-step = Paso { $step } de 3
+page-class-word = 1 · Palabra de la pizarra
 page-class-next = Siguiente
-page-class-name = ¿Cómo te llamas?
+page-class-name = 2 · Tu nombre, sin apellidos
+page-class-is-first-name = { $name } es mi nombre
+page-class-whether = ¿Has estado aquí antes?
 page-class-known = Ya he estado aquí
 page-class-new = Vengo por primera vez
 page-class-back = Atrás
-page-class-pictures = Toca tus cuatro dibujos
+page-class-given = Recibirás cuatro dibujos secretos: con ellos encuentras tu trabajo en cualquier dispositivo.
+page-class-pictures = 3 · Toca tus cuatro dibujos secretos
+page-class-take-back = Quitar el último dibujo
+page-class-forgotten = ¿No los recuerdas? Tu profe puede darte otros.
+page-class-join-do = Entrar
+page-class-join-more = { $count ->
+        [one] Entrar · falta 1
+       *[other] Entrar · faltan { $count }
+    }
 page-class-chosen = { $count } de 4 dibujos
 page-class-hello = ¡Hola, { $name }!
 page-class-go-on = Continuar
