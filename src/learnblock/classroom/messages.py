@@ -111,6 +111,10 @@ class AskForHelp(Own, frozen=True):
     question: Question = ""
 
 
+class AskNews(Own, frozen=True):
+    """Ask what happens in the class: if no answer comes, its computer may be asleep."""
+
+
 class LetTeacherWrite(Own, frozen=True):
     """Let the teacher change the program, or no more."""
 
@@ -138,6 +142,8 @@ class InClass(Message, frozen=True):
         question: what the pupil needs help with.
         hint: the teacher's last hint; empty if there is none.
         hints: how many there have been, so that the same words twice are two hints.
+        title: the name of the class.
+        lesson: the name of the lesson that was handed out to the pupil last; empty without one.
     """
 
     name: str
@@ -148,6 +154,8 @@ class InClass(Message, frozen=True):
     question: str = ""
     hint: str = ""
     hints: int = 0
+    title: str = ""
+    lesson: str = ""
 
 
 # From the wall.
@@ -380,7 +388,7 @@ class Projected(Message, frozen=True):
     joined: int = 0
 
 
-FromPupil = AskForHelp | LetTeacherWrite | AskToWrite | ImproveHandIn
+FromPupil = AskNews | AskForHelp | LetTeacherWrite | AskToWrite | ImproveHandIn
 ToPupil = InClass | OwnHandIns
 FromTeacher = (
     EyesUp

@@ -47,7 +47,7 @@ export function LanguageChoice() {
 export function Problem({ isLost, problem }: { isLost: boolean; problem: Phrase | null | undefined }) {
   return (
     <p role="alert" class={isLost || problem ? "class-problem" : "hidden"}>
-      {isLost ? t("page-shell-lost") : problem && say(problem)}
+      {isLost ? t("page-class-lost") : problem && say(problem)}
     </p>
   );
 }

@@ -22,8 +22,10 @@ export function JoinPage({ joining }: { joining: Joining }) {
   return (
     <div class={`join ${LAYOUTS[room.value]}`}>
       <Scene />
-      <main class="join-main">{about && <Inside joining={joining} />}</main>
-      <LanguageChoice />
+      <main class="join-main">
+        {about && <Inside joining={joining} />}
+        <LanguageChoice />
+      </main>
     </div>
   );
 }
@@ -36,7 +38,7 @@ function Inside({ joining }: { joining: Joining }) {
 /** The robots that wait in the class. */
 function Scene() {
   return (
-    <div class="join-scene">
+    <header class="join-scene">
       <p>
         <Logo size={40} />
         LearnBlock
@@ -44,7 +46,7 @@ function Scene() {
       {["thymio", "ev3", "ebo", "cozmo"].map((robot) => (
         <RobotPicture key={robot} robot={robot} />
       ))}
-    </div>
+    </header>
   );
 }
 

@@ -125,6 +125,7 @@ page-class-changes = { $count ->
         [one] 1 change · Sort
        *[other] { $count } changes · Sort
     }
+page-class-lost = The class doesn't answer: it is closed, or its computer is asleep. What pupils' pages showed as saved is saved; changes made since then are kept on their devices.
 page-class-keys = Arrow keys go from pupil to pupil, and a letter to the next name that begins with it. Enter opens the pupil's page, H writes a hint, Shift+F10 opens the menu. F6 goes to the next part of the wall.
 page-class-open = Open
 page-class-look = Look
@@ -207,6 +208,8 @@ page-class-waiting = You have asked { $name } to let you write.
 page-class-ask-not = Never mind
 page-class-may = You can write in the program of { $name }.
 page-class-stop-writing = Only look again
+page-class-lost-saved = Your class doesn't answer. Everything you have made is saved. Keep working: it goes on when your teacher's computer is back.
+page-class-lost-unsaved = Your class doesn't answer. Keep working: your changes are kept on this device, and are saved when your teacher's computer is back.
 page-class-eyes-up = Eyes up!
 page-class-eyes-up-text = Look at your teacher for a moment.
-page-class-eyes-up-safe = Your program is safe.
+page-class-eyes-up-safe = Your program is safe. Your robot waits.

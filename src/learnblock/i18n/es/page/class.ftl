@@ -115,6 +115,7 @@ page-class-changes = { $count ->
         [one] 1 cambio · Ordenar
        *[other] { $count } cambios · Ordenar
     }
+page-class-lost = La clase no responde: está cerrada o su ordenador está en reposo. Lo que las páginas mostraban como guardado está guardado; los cambios posteriores se conservan en los dispositivos.
 page-class-keys = Con las flechas vas de una persona a otra, y con una letra al siguiente nombre que empieza por ella. Intro abre su página, H escribe una pista y Mayús+F10 abre el menú. F6 pasa a la parte siguiente del panel.
 page-class-open = Abrir
 page-class-look = Mirar
@@ -193,6 +194,8 @@ page-class-waiting = Has pedido a { $name } permiso para escribir.
 page-class-ask-not = Déjalo
 page-class-may = Puedes escribir en el programa de { $name }.
 page-class-stop-writing = Volver a solo mirar
+page-class-lost-saved = Tu clase no responde. Todo lo que has hecho está guardado. Sigue trabajando: continuará cuando vuelva el ordenador de tu profe.
+page-class-lost-unsaved = Tu clase no responde. Sigue trabajando: tus cambios se conservan en este dispositivo y se guardarán cuando vuelva el ordenador de tu profe.
 page-class-eyes-up = ¡Atención!
 page-class-eyes-up-text = Mira a tu profe un momento.
-page-class-eyes-up-safe = Tu programa está a salvo.
+page-class-eyes-up-safe = Tu programa está a salvo. Tu robot espera.
