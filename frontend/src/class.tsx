@@ -24,7 +24,7 @@ function pageAt(path: string) {
   if (path.endsWith("/hand-ins")) return <HandInsPage stream={new HandInStream()} />;
   if (path.endsWith("/record")) return <RecordPage />;
   if (path.endsWith("/projector")) return <ProjectorPage stream={new ClassStream("projected")} />;
-  return <JoinPage joining={new Joining()} />;
+  return <JoinPage joining={new Joining(new URLSearchParams(location.search).get("word") ?? "")} />;
 }
 
 async function begin(root: HTMLElement): Promise<void> {

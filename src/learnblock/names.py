@@ -64,6 +64,14 @@ def flaw_of_first_name(name: str) -> Flaw | None:
     return None if fits and _is_written_as_name(name) else Flaw()
 
 
+def may_have_surname(name: str) -> bool:
+    """Whether a name has several words, so that it may be a first name and a surname.
+
+    A single letter is none: it tells pupils of one name apart.
+    """
+    return sum(sum(map(str.isalpha, word)) > 1 for word in name.split()) > 1
+
+
 def _is_written_as_name(name: str) -> bool:
     start = name.lstrip("".join(_APOSTROPHES))
     if len(name) - len(start) > 1 or not start or not start[0].isalpha():

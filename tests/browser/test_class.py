@@ -43,10 +43,11 @@ def button(page, name, **options):
 def join(desk, address, word, name, **options):
     """Join as a child does who is new; return the page and the pictures."""
     page = desk(address, **options)
-    page.get_by_label("What is the join word?").fill(word)
-    page.keyboard.press("Enter")
-    page.get_by_label("What is your first name?").fill(name)
+    expect(page.get_by_label("Join word")).to_be_focused()
+    page.keyboard.type(word)
+    page.get_by_label("Your first name").fill(name)
     button(page, "I am new here").click()
+    button(page, "Join").click()
     expect(page.locator(".pin-row li")).to_have_count(4)
     pictures = page.locator(".pin-row li").all_text_contents()
     page.get_by_role("link", name="I'll remember them").click()
@@ -206,18 +207,22 @@ def test_the_wall_and_the_entrance_have_no_faults_for_axe(room, desk, axe):
         return faults(SimpleNamespace(page=page), axe)
 
     entrance = desk(room.address)
-    expect(entrance.get_by_label("What is the join word?")).to_be_visible()
+    expect(entrance.get_by_label("Join word")).to_be_visible()
     assert found(entrance) == []
     page, pictures = join(desk, room.address, room.word, "Ana")
     again = desk(room.address, width=390, height=844)
-    again.get_by_label("What is the join word?").fill(room.word)
+    expect(again.get_by_label("Join word")).to_be_focused()
+    again.keyboard.type(room.word)
     again.keyboard.press("Enter")
-    again.get_by_label("What is your first name?").fill("Ana")
+    expect(again.get_by_label("Your first name")).to_be_focused()
+    again.keyboard.type("Ana")
     button(again, "I have been here before").click()
     assert found(again) == []
     picture(again, "pictures-390")
     for name in pictures:
         button(again, name.strip()).click()
+    expect(button(again, "Join")).to_be_focused()
+    again.keyboard.press("Enter")
     expect(again.locator(".pupil-chip")).to_contain_text("Ana")
     picture(again, "joined-390")
     wall = desk(f"{room.address}/teacher?key={room.key}")
@@ -290,13 +295,13 @@ def test_the_wall_is_not_shown_to_pupils(room, desk):
 
 def test_wrong_pictures_are_said_in_spanish(room, desk):
     join(desk, room.address, room.word, "Ana")
-    page = desk(room.address)
+    page = desk(f"{room.address}/?word={room.word}")
     page.get_by_role("combobox").select_option("es")
-    page.get_by_label("¿Cuál es la palabra para entrar?").fill(room.word)
-    page.keyboard.press("Enter")
-    page.get_by_label("¿Cómo te llamas?").fill("Ana")
+    page.get_by_label("Tu nombre").fill("Ana")
     button(page, "Ya he estado aquí").click()
-    for _ in range(4):
-        button(page, "Manzana").click()
+    for name in ("Paraguas", "Manzana", "Pelota", "Campana"):
+        button(page, name).click()
+    expect(page.locator(".pin-keys button").first).to_have_text("Manzana2")
+    button(page, "Entrar").click()
     expect(page.get_by_role("alert")).to_contain_text("no van juntos")
     picture(page, "wrong-pictures-es")

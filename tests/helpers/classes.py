@@ -106,6 +106,7 @@ class Class:
     def join(self, name, pictures=None, word=None, device=None):
         """Come in as a child does; return the answer."""
         request = {"word": word or self.word, "name": name, "pictures": pictures}
+        request["is_first_name"] = True
         return self.ask("/join", json.dumps(request), device=device)
 
     def device(self):

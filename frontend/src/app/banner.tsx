@@ -1,5 +1,5 @@
 import { say, t } from "../i18n";
-import { usePage } from "../model/page";
+import { type Page, usePage } from "../model/page";
 import type { ConnectionState } from "../protocol/connection";
 
 /** What the banner says of a connection that is not open. */
@@ -19,11 +19,17 @@ export function ReadOnlyBanner() {
   );
 }
 
-/** A banner while the server cannot be reached. */
+/** What the banner says; null while there is a connection. */
+function bannerWords({ classNews, context: { connection, program } }: Page): string | null {
+  const words = WORDS[connection.state.value] ?? null;
+  const isInClass = classNews.now.value?.role === "pupil";
+  if (!isInClass || (words !== WORDS.lost && !classNews.silent.value)) return words;
+  return program.saved.value ? "page-class-lost-saved" : "page-class-lost-unsaved";
+}
+
+/** A banner while the server cannot be reached; in a class it says whether everything is saved. */
 export function ConnectionBanner() {
-  const { connection } = usePage().context;
-  const state = connection.state.value;
-  const words = WORDS[state];
+  const words = bannerWords(usePage());
   return (
     <div role="alert" class={words ? "banner" : "hidden"}>
       {words && t(words)}

@@ -10,10 +10,10 @@ import { media } from "./media";
  */
 export type Room = "wide" | "medium" | "narrow";
 
-const narrow = media("(max-width: 699px)");
+export const isNarrow = media("(max-width: 699px)");
 const upright = media("(max-width: 1199px) and (orientation: portrait)");
 
 export const room = computed<Room>(() => {
-  if (narrow.value) return "narrow";
+  if (isNarrow.value) return "narrow";
   return upright.value ? "medium" : "wide";
 });

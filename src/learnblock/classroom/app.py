@@ -54,6 +54,7 @@ _TO_WALL = (
 )
 _GZIP = Middleware(GZipMiddleware, minimum_size=1000, compresslevel=5)
 _join = msgspec.json.Decoder(ours.Join)
+_word = msgspec.json.Decoder(ours.TryWord)
 
 Endpoint = Callable[[Request], Awaitable[Response]]
 
@@ -84,6 +85,7 @@ def create_app(
         routes=[
             Route("/", page),
             Route("/about.json", door.about),
+            Route("/word", door.word, methods=["POST"]),
             Route("/join", door.join, methods=["POST"]),
             Route("/leave", door.leave, methods=["POST"]),
             Route("/projector", page),
@@ -216,12 +218,20 @@ class _Door:
             )
         )
 
+    async def word(self, request: Request) -> Response:
+        """Whether the join word is right, before the rest is typed."""
+        try:
+            message = _word.decode(await _short_body(request))
+            self._entrance.require_word(message.word, _address_of(request))
+        except (LearnBlockError, ValueError) as error:
+            return _json(ours.NotJoined(phrase_of(error)), HTTPStatus.FORBIDDEN)
+        return Response(status_code=HTTPStatus.NO_CONTENT)
+
     async def join(self, request: Request) -> Response:
         """Let a pupil in."""
-        address = network_of(request.client.host) if request.client else ""
         try:
             message = _join.decode(await _short_body(request))
-            pupil, pictures = await self._entrance.join(message, address)
+            pupil, pictures = await self._entrance.join(message, _address_of(request))
         except AsksTeacherError as error:
             self._room.knock(checked_name(message.name))
             return _json(ours.NotJoined(error.phrase), HTTPStatus.FORBIDDEN)
@@ -385,6 +395,10 @@ async def _close(socket: WebSocket, code: int, reason: Phrase | None = None) -> 
 def _json(message: msgspec.Struct | Phrase, status: int = HTTPStatus.OK) -> Response:
     headers = {"cache-control": "no-store"}
     return Response(msgspec.json.encode(message), status, headers, "application/json")
+
+
+def _address_of(request: Request) -> str:
+    return network_of(request.client.host) if request.client else ""
 
 
 def _forbidden() -> Response:

@@ -52,10 +52,21 @@ class Desk:
         pupil: the pupil.
         changed: called when the wall should show something else.
         shelf: the hand-ins of the class.
+        title: the name of the class.
+        lesson: the name of the lesson that was handed out last; empty without one.
     """
 
-    def __init__(self, pupil: Pupil, changed: Callable[[], object], shelf: HandInShelf) -> None:
+    def __init__(
+        self,
+        pupil: Pupil,
+        changed: Callable[[], object],
+        shelf: HandInShelf,
+        title: str = "",
+        lesson: str = "",
+    ) -> None:
         self.pupil = pupil
+        self._title = title
+        self._lesson = lesson
         self._shelf = shelf
         self.progress = Progress()
         self.writing: Writing = "no"
@@ -66,6 +77,8 @@ class Desk:
         self.hints: list[str] = []
         self.pages: list[DeskPage] = []
         self.paces = Paces()
+        #: Whether the pupil's program is paused because the teacher speaks.
+        self._rests = False
         self._opening = 0
         self._uploading = False
         self._changed = changed
@@ -163,6 +176,9 @@ class Desk:
             OSError: it can't be saved.
         """
         match message:
+            case ours.AskNews():
+                self._tell_pages()
+                return
             case ImproveHandIn(lesson=lesson, step=step):
                 await asyncio.to_thread(self._shelf.improve, self.pupil.id, lesson, step)
                 self.tell_hand_ins()
@@ -176,10 +192,22 @@ class Desk:
                 assert_never(message)
         self.tell()
 
-    def rest(self, *, eyes_up: bool) -> None:
-        """Pause or resume the pupil's pages."""
+    def hand_out(self, lesson: str) -> None:
+        """A lesson has been handed out to the pupil."""
+        self._lesson = lesson
+        self.tell()
+
+    async def rest(self, *, eyes_up: bool) -> None:
+        """Pause or resume the pupil's pages and program."""
         self.eyes_up = eyes_up
         self.tell()
+        # A run that the pupil has paused stays paused.
+        if eyes_up and self.progress.is_running:
+            self._rests = True
+            await self.order(messages.Pause())
+        elif not eyes_up and self._rests:
+            self._rests = False
+            await self.order(messages.Resume())
 
     def help(self, hint: str) -> None:
         """Show a hint of the teacher, which also answers a raised hand."""
@@ -202,10 +230,13 @@ class Desk:
             await page.send_away()
 
     def tell(self) -> None:
-        """Tell the pages what is going on in the class."""
+        """Tell the pages what is going on in the class, and the wall that something has changed."""
+        self._tell_pages()
+        self._changed()
+
+    def _tell_pages(self) -> None:
         for page in self.pages:
             page.tell(self._news(page))
-        self._changed()
 
     def tell_hand_ins(self) -> None:
         """Tell the pupil's pages what is handed in, and what is back."""
@@ -227,4 +258,6 @@ class Desk:
             question=self.question,
             hint=self.hints[-1] if self.hints else "",
             hints=len(self.hints),
+            title=self._title,
+            lesson=self._lesson,
         )

@@ -58,15 +58,26 @@ class Entrance:
                 there have been too many tries.
             OSError: a new pupil can't be saved.
         """
-        self._addresses.require(address)
-        if not is_join_word(message.word, self.roster.word):
-            self._addresses.failed(address)
-            raise LearnBlockError("class-wrong-word")
+        self.require_word(message.word, address)
         name = checked_name(message.name)
+        is_new = message.pictures is None
+        if is_new and not message.is_first_name and names.may_have_surname(name):
+            raise LearnBlockError("class-only-first-name", name=name)
         async with self._turn_of(address):
             if message.pictures is None:
                 return await self._added(name, address)
             return await self._recognised(name, message.pictures, address), ()
+
+    def require_word(self, word: str, address: str) -> None:
+        """Check the join word that is typed at an address.
+
+        Raises:
+            LearnBlockError: it is wrong, or there have been too many tries.
+        """
+        self._addresses.require(address)
+        if not is_join_word(word, self.roster.word):
+            self._addresses.failed(address)
+            raise LearnBlockError("class-wrong-word")
 
     @asynccontextmanager
     async def _turn_of(self, address: str) -> AsyncIterator[None]:

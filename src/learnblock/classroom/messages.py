@@ -32,6 +32,9 @@ Writing = Literal["no", "asked", "yes"]
 # Joining.
 
 
+TypedWord = Annotated[str, Meta(max_length=60)]
+
+
 class Join(Struct, frozen=True):
     """Come into the class.
 
@@ -39,11 +42,23 @@ class Join(Struct, frozen=True):
         word: the join word, as typed.
         name: the first name.
         pictures: the PIN; None for a pupil who is new.
+        is_first_name: whether a name of several words has been confirmed to be a first name.
     """
 
-    word: Annotated[str, Meta(max_length=60)]
+    word: TypedWord
     name: Annotated[str, Meta(max_length=200)]
     pictures: Pictures | None = None
+    is_first_name: bool = False
+
+
+class TryWord(Struct, frozen=True):
+    """Ask whether this is the join word.
+
+    Args:
+        word: as typed.
+    """
+
+    word: TypedWord
 
 
 class Joined(Struct, frozen=True, omit_defaults=True):
@@ -97,6 +112,10 @@ class AskForHelp(Own, frozen=True):
     question: Question = ""
 
 
+class AskNews(Own, frozen=True):
+    """Ask what happens in the class: if no answer comes, its computer may be asleep."""
+
+
 class LetTeacherWrite(Own, frozen=True):
     """Let the teacher change the program, or no more."""
 
@@ -124,6 +143,8 @@ class InClass(Message, frozen=True):
         question: what the pupil needs help with.
         hint: the teacher's last hint; empty if there is none.
         hints: how many there have been, so that the same words twice are two hints.
+        title: the name of the class.
+        lesson: the name of the lesson that was handed out to the pupil last; empty without one.
     """
 
     name: str
@@ -134,6 +155,8 @@ class InClass(Message, frozen=True):
     question: str = ""
     hint: str = ""
     hints: int = 0
+    title: str = ""
+    lesson: str = ""
 
 
 # From the wall.
@@ -366,7 +389,7 @@ class Projected(Message, frozen=True):
     joined: int = 0
 
 
-FromPupil = AskForHelp | LetTeacherWrite | AskToWrite | ImproveHandIn
+FromPupil = AskNews | AskForHelp | LetTeacherWrite | AskToWrite | ImproveHandIn
 ToPupil = InClass | OwnHandIns | HandInRun
 FromTeacher = (
     EyesUp

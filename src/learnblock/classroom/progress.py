@@ -118,6 +118,11 @@ class Progress:
         self._pages.pop(page, None)
 
     @property
+    def is_running(self) -> bool:
+        """Whether the program that is shown runs, as far as its page has said."""
+        return self._shown.now.work.state in {"starting", "running"}
+
+    @property
     def lesson_name(self) -> str:
         """The name of the lesson that is shown; empty without one."""
         return self._shown.now.work.lesson_name

@@ -139,6 +139,8 @@ class Room:
         if pupils is None or 2 * len(receiving) > len(self.roster.pupils):
             self.lesson, self.began = lesson.lesson, time.time()
         self._late |= {pupil.id: lesson for pupil in receiving if not self.desk(pupil).own_pages}
+        for pupil in receiving:
+            self.desk(pupil).hand_out(lesson.lesson)
         await self.order(lesson, receiving)
 
     async def first_lesson(self, pupil: Pupil) -> messages.StartLesson | None:
@@ -191,11 +193,10 @@ class Room:
             raise LearnBlockError("class-not-handed-in")
         return known, wanted_run(self.hand_ins.known(known.id, *place))
 
-    def rest(self, *, eyes_up: bool) -> None:
+    async def rest(self, *, eyes_up: bool) -> None:
         """Pause all pages because the teacher speaks, or resume them."""
         self.eyes_up = eyes_up
-        for desk in self.desks.values():
-            desk.rest(eyes_up=eyes_up)
+        await asyncio.gather(*(desk.rest(eyes_up=eyes_up) for desk in self.desks.values()))
 
     @property
     def taught(self) -> tuple[str, ...]:
@@ -243,7 +244,9 @@ class Room:
         return any(folder.entries())
 
     def _seat(self, pupil: Pupil) -> Desk:
-        desk = self.desks[pupil.id] = Desk(pupil, self.changed, self.hand_ins)
+        desk = self.desks[pupil.id] = Desk(
+            pupil, self.changed, self.hand_ins, self.roster.title, self.lesson
+        )
         desk.eyes_up = self.eyes_up
         return desk
 

@@ -26,7 +26,7 @@ async def do(room: Room, message: ours.FromTeacher) -> ours.ToTeacher | None:
 
 
 async def _eyes_up(room: Room, message: ours.EyesUp) -> None:
-    room.rest(eyes_up=message.on)
+    await room.rest(eyes_up=message.on)
 
 
 async def _stop_all(room: Room, _: ours.StopAll) -> None:

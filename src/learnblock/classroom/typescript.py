@@ -25,5 +25,5 @@ def typescript() -> str:
         "ToTeacher": ours.ToTeacher,
     }
     aliases = {"Picture": Picture, "Writing": ours.Writing}
-    others = (ours.Join, ours.Joined, ours.NotJoined, ours.AboutClass, PupilRecord)
+    others = (ours.Join, ours.TryWord, ours.Joined, ours.NotJoined, ours.AboutClass, PupilRecord)
     return module(_HEADER, unions, aliases, others)

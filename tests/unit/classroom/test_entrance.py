@@ -7,6 +7,7 @@ import pytest
 from clocks import Clock
 from learnblock.classroom import messages as ours
 from learnblock.classroom.entrance import Entrance
+from learnblock.classroom.limits import WRONG_BY_ADDRESS
 from learnblock.classroom.roster import Roster
 from learnblock.errors import LearnBlockError
 
@@ -23,9 +24,9 @@ def entrance(tmp_path, clock):
     return Entrance(Roster(tmp_path, "7b"), clock)
 
 
-async def joined(entrance, name, pictures=None, address="10.0.0.1"):
+async def joined(entrance, name, pictures=None, address="10.0.0.1", *, is_first_name=False):
     """Join; return how it ended."""
-    message = ours.Join(entrance.roster.word, name, pictures)
+    message = ours.Join(entrance.roster.word, name, pictures, is_first_name)
     try:
         await entrance.join(message, address)
     except LearnBlockError as error:
@@ -67,3 +68,27 @@ def test_one_address_with_many_tries_at_once_is_refused_some(entrance):
     *codes, other = asyncio.run(run())
     assert codes.count("class-join-wait") == 5
     assert other == "joined"
+
+
+@pytest.mark.parametrize("name", ["Ana García", "José Luis", "Юля Иванова"])
+def test_a_new_pupil_confirms_that_several_words_are_a_first_name(entrance, name):
+    assert asyncio.run(joined(entrance, name)) == "class-only-first-name"
+    assert entrance.roster.pupils == ()
+    assert asyncio.run(joined(entrance, name, is_first_name=True)) == "joined"
+
+
+@pytest.mark.parametrize("name", ["Ana", "Ana G.", "Leo 2", "Anne-Marie", "O’Neil"])
+def test_a_letter_of_a_surname_needs_no_confirmation(entrance, name):
+    assert asyncio.run(joined(entrance, name)) == "joined"
+
+
+def test_a_pupil_who_has_been_here_is_not_asked(entrance):
+    asyncio.run(joined(entrance, "José Luis", is_first_name=True))
+    assert asyncio.run(joined(entrance, "José Luis", WRONG)) == "class-wrong-pictures"
+
+
+def test_a_wrong_word_counts_wherever_it_is_tried(entrance):
+    for _ in range(WRONG_BY_ADDRESS[0] + 1):
+        with pytest.raises(LearnBlockError, match="That is not the join word"):
+            entrance.require_word("banana 11", "10.0.0.1")
+    assert asyncio.run(joined(entrance, "Ana")) == "class-wait"

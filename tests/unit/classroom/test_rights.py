@@ -19,7 +19,7 @@ def test_as_many_messages_have_each_role_as_was_decided():
     assert roles == {
         "helper, pupil, watcher": 44,
         "helper, pupil": 32,
-        "pupil": 41,
+        "pupil": 42,
         "helper, watcher": 1,
         "": 29,
     }

@@ -1,6 +1,7 @@
 """What the wall is sent, and what its orders do to pupils' desks."""
 
 import asyncio
+from types import SimpleNamespace
 
 import pytest
 
@@ -186,3 +187,29 @@ def test_pupils_begin_with_a_teachers_own_lesson(taught, own, monkeypatch):
     first = asyncio.run(taught.first_lesson(taught.roster.pupils[0]))
     assert first == StartLesson(own, "Mine")
     assert has_own(taught, own, monkeypatch)
+
+
+@pytest.mark.parametrize(
+    ("state", "orders"), [("running", ["Pause", "Resume"]), ("paused", []), ("ended", [])]
+)
+def test_eyes_up_pauses_a_program_that_runs_and_resumes_it(room, desk, page, state, orders):
+    desk.see(page, AtSeat(Work(state=state)))
+    asyncio.run(do(room, ours.EyesUp(on=True)))
+    desk.see(page, AtSeat(Work(state="paused")))
+    asyncio.run(do(room, ours.EyesUp(on=False)))
+    assert [type(order).__name__ for order in page.orders] == orders
+
+
+def test_a_page_knows_the_class_and_the_lesson_that_was_handed_out(room, page):
+    assert (page.told[0].title, page.told[0].lesson) == ("7b", "")
+    asyncio.run(do(room, ours.HandOut(LESSON, "A square")))
+    assert page.told[-1].lesson == LESSON
+
+
+def test_a_page_that_asks_whether_the_class_answers_wakes_no_wall(room, desk, page):
+    woken = []
+    room.boards = [SimpleNamespace(wake=lambda: woken.append("wall"))]
+    told = len(page.told)
+    asyncio.run(desk.heard(ours.AskNews()))
+    assert [type(message) for message in page.told[told:]] == [ours.InClass]
+    assert woken == []

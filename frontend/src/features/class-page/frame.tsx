@@ -21,19 +21,25 @@ export function Frame({ title = "LearnBlock", tools, children }: Props) {
         <Logo />
         <h1>{title}</h1>
         {tools}
-        <label class="class-language">
-          <span class="hidden">{t("page-bar-language")}</span>
-          <select value={language.value} onChange={({ currentTarget }) => prefer({ language: currentTarget.value })}>
-            {languages.map((code) => (
-              <option key={code} value={code}>
-                {languageName(code)}
-              </option>
-            ))}
-          </select>
-        </label>
+        <LanguageChoice />
       </header>
       <main>{children}</main>
     </div>
+  );
+}
+
+export function LanguageChoice() {
+  return (
+    <label class="class-language">
+      <span class="hidden">{t("page-bar-language")}</span>
+      <select value={language.value} onChange={({ currentTarget }) => prefer({ language: currentTarget.value })}>
+        {languages.map((code) => (
+          <option key={code} value={code}>
+            {languageName(code)}
+          </option>
+        ))}
+      </select>
+    </label>
   );
 }
 
@@ -41,7 +47,7 @@ export function Frame({ title = "LearnBlock", tools, children }: Props) {
 export function Problem({ isLost, problem }: { isLost: boolean; problem: Phrase | null | undefined }) {
   return (
     <p role="alert" class={isLost || problem ? "class-problem" : "hidden"}>
-      {isLost ? t("page-shell-lost") : problem && say(problem)}
+      {isLost ? t("page-class-lost") : problem && say(problem)}
     </p>
   );
 }

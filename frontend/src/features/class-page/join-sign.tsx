@@ -9,7 +9,7 @@ import type { ClassStream } from "./stream";
 export function JoinSign({ address, word }: { address: string; word: string }) {
   return (
     <div class="join-sign">
-      <QrCode address={address} />
+      <QrCode address={address} word={word} />
       <div>
         <p>{t("page-class-go-to")}</p>
         <p class="join-address">{address}</p>

@@ -24,24 +24,24 @@ import { h } from "preact";
 import { t } from "../../i18n";
 import type { Picture } from "../../protocol/classroom";
 
-/** Colours differ by lightness, too, and no two pictures have the same outline. */
+/** Each has a colour of its own besides its outline and its name. */
 const PICTURES: Readonly<Record<Picture, readonly [IconNode, string]>> = {
-  apple: [Apple, "#e5383b"],
-  ball: [Volleyball, "#f3a712"],
-  bell: [Bell, "#ffd166"],
-  boat: [Sailboat, "#4ea8de"],
-  car: [Car, "#d62828"],
-  cloud: [Cloud, "#bde0fe"],
-  fish: [Fish, "#fb8500"],
-  flower: [Flower2, "#ff8fab"],
-  heart: [Heart, "#f0529c"],
-  house: [House, "#c8956c"],
-  key: [KeyRound, "#ffe066"],
-  moon: [Moon, "#cdb4db"],
-  star: [Star, "#ffc531"],
-  sun: [Sun, "#ffb703"],
-  tree: [TreeDeciduous, "#52b788"],
-  umbrella: [Umbrella, "#8257e6"],
+  apple: [Apple, "#dc2626"],
+  ball: [Volleyball, "#c2470a"],
+  bell: [Bell, "#a16207"],
+  boat: [Sailboat, "#2563eb"],
+  car: [Car, "#c4267f"],
+  cloud: [Cloud, "#0369a1"],
+  fish: [Fish, "#0b7a75"],
+  flower: [Flower2, "#a21caf"],
+  heart: [Heart, "#c81e3a"],
+  house: [House, "#9a4a00"],
+  key: [KeyRound, "#8a5a00"],
+  moon: [Moon, "#4338ca"],
+  star: [Star, "#9a6200"],
+  sun: [Sun, "#b45309"],
+  tree: [TreeDeciduous, "#15803d"],
+  umbrella: [Umbrella, "#7c3aed"],
 };
 
 export const ALL = Object.keys(PICTURES) as readonly Picture[];
@@ -50,20 +50,15 @@ export function pictureName(picture: Picture): string {
   return t(`page-class-picture-${picture}`);
 }
 
+/** The colour of a picture, for the style of what shows it. */
+export function pictureColor(picture: Picture): Record<string, string> {
+  return { "--picture": PICTURES[picture][1] };
+}
+
 export function PinPicture({ picture }: { picture: Picture }) {
-  const [node, color] = PICTURES[picture];
   return (
-    <svg
-      class="pin-picture"
-      viewBox="0 0 24 24"
-      fill={color}
-      stroke="#1a2138"
-      stroke-width="1.4"
-      stroke-linecap="round"
-      stroke-linejoin="round"
-      aria-hidden="true"
-    >
-      {node.map(([name, attributes]) => h(name, attributes))}
+    <svg class="icon pin-picture" viewBox="0 0 24 24" aria-hidden="true" style={pictureColor(picture)}>
+      {PICTURES[picture][0].map(([name, attributes]) => h(name, attributes))}
     </svg>
   );
 }
@@ -73,7 +68,7 @@ export function PictureRow({ pictures }: { pictures: readonly Picture[] }) {
   return (
     <ol class="pin-row">
       {pictures.map((picture) => (
-        <li key={picture}>
+        <li key={picture} class="pin-tile" style={pictureColor(picture)}>
           <PinPicture picture={picture} />
           <span>{pictureName(picture)}</span>
         </li>

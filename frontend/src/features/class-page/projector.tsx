@@ -46,7 +46,7 @@ function HowToJoin({ shown: { address, word, here = 0, joined = 0 } }: { shown: 
         </li>
       </ol>
       <div class="projector-code">
-        <QrCode address={address} />
+        <QrCode address={address} word={word} />
         <RobotPicture robot="ebo" />
       </div>
       <p class="projector-here" role="status">

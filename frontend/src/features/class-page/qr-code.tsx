@@ -1,14 +1,15 @@
-/** An address as a code to scan. */
+/** The address of a class as a code to scan, with the word that children then need not type. */
 
 import { renderSVG } from "uqr";
 
 import { t } from "../../i18n";
 
-export function QrCode({ address }: { address: string }) {
+export function QrCode({ address, word }: { address: string; word: string }) {
+  const link = `${address}/?word=${encodeURIComponent(word)}`;
   return (
     <img
       class="qr-code"
-      src={`data:image/svg+xml,${encodeURIComponent(renderSVG(address))}`}
+      src={`data:image/svg+xml,${encodeURIComponent(renderSVG(link))}`}
       alt={t("page-device-code")}
     />
   );

@@ -35,6 +35,8 @@ export function PupilChip() {
           type="button"
           class="button bordered"
           aria-pressed={now.hand}
+          title={t("page-class-hand")}
+          aria-label={t("page-class-hand")}
           onClick={() => news.askForHelp(!now.hand)}
         >
           <Icon name="hand" />

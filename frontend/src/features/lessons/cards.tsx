@@ -11,7 +11,7 @@ import type { LessonChoice } from "../../protocol/messages";
 import { chooseFile, chooseFolder } from "../../ui/files";
 import { Icon } from "../../ui/icons";
 import { Menu, type MenuItem } from "../../ui/menu";
-import { inLanguage, LESSON_FILE, LESSON_ZIP } from "./lessons";
+import { inLanguage, isDone, LESSON_FILE, LESSON_ZIP } from "./lessons";
 import "./cards.css";
 
 const LEVELS = [1, 2, 3, 4] as const;
@@ -58,10 +58,6 @@ export function LessonCards() {
       </ul>
     </section>
   );
-}
-
-function isDone({ earned = 0, stars, project = "" }: LessonChoice): boolean {
-  return stars > 0 ? earned >= stars : project !== "";
 }
 
 /** Adds a lesson from its file or its folder. */

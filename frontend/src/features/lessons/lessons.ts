@@ -34,6 +34,11 @@ export { inLanguage, sayWords };
 export const [LESSON_FILE, LESSON_ZIP] = [".lblesson", ".zip"];
 const { filename: LONGEST_NAME, content: LARGEST } = LIMITS.ImportLesson;
 
+/** Whether all its stars are earned; a lesson without stars is done once it was begun. */
+export function isDone({ earned = 0, stars, project = "" }: LessonChoice): boolean {
+  return stars > 0 ? earned >= stars : project !== "";
+}
+
 /** More marks would hide the world. */
 const MOST_MISSED = 3;
 
@@ -135,13 +140,13 @@ export class Lessons {
     this.connection.send({ kind: "ListLessons" });
   }
 
-  /** Go on with a lesson, or begin it. */
-  start(lesson: Pick<LessonChoice, "name" | "title">, again = false): void {
+  /** Go on with a lesson, or begin it; 0 for the step where the pupil is. */
+  start(lesson: Pick<LessonChoice, "name" | "title">, again = false, step = 0): void {
     this.others.program.flush();
     this.opened = "";
     const { robot } = preferences.value;
     const name = inLanguage(lesson.title).slice(0, 80);
-    this.connection.send({ kind: "StartLesson", lesson: lesson.name, name, robot, again });
+    this.connection.send({ kind: "StartLesson", lesson: lesson.name, name, robot, again, step });
   }
 
   showStep(step: number): void {

@@ -10,7 +10,7 @@ import { Icon } from "../../ui/icons";
 import { RobotPicture } from "../../ui/robots/picture";
 import { pictureOf } from "../examples/pictures";
 import { exampleText, exampleTitle } from "../examples/words";
-import { inLanguage } from "../lessons/lessons";
+import { inLanguage, isDone } from "../lessons/lessons";
 import { day } from "../projects/dates";
 import { projectPicture } from "./project-picture";
 import { tryExample } from "./try-example";
@@ -21,10 +21,13 @@ const FIRST = "first-square";
 const USUAL = "sim-ebo";
 
 export function Hero() {
-  const { project } = usePage();
+  const { project, lessons, classNews } = usePage();
   const [last] = project.entries.value ?? [];
   const first = project.welcome.value?.examples.find(({ name }) => name === FIRST);
-  const lesson = usePage().lessons.choices.value?.find((one) => one.project && one.project === last?.name);
+  const choices = lessons.choices.value ?? [];
+  const lesson = choices.find((one) => one.project && one.project === last?.name);
+  const handedOut = choices.find(({ name }) => name === classNews.now.value?.lesson);
+  if (handedOut && (handedOut === lesson || !isDone(handedOut))) return <HandedOut lesson={handedOut} />;
   if (last) return lesson ? <GoOn lesson={lesson} last={last} /> : <Continue last={last} />;
   return project.entries.value && first ? <FirstProgram example={first} /> : <div class="start-hero" />;
 }
@@ -49,29 +52,57 @@ function Continue({ last }: { last: ProjectEntry }) {
 /** The last project belongs to a lesson: its step, and the stars earned so far. */
 function GoOn({ lesson, last }: { lesson: LessonChoice; last: ProjectEntry }) {
   const { project } = usePage();
-  const { level, step = 1, steps: count, earned = 0, stars } = lesson;
-  const place = t("page-lesson-step-of", { step: Math.max(1, step), count });
+  const { level } = lesson;
   return (
     <Card
       over={`${t("page-lesson-level", { level })} · ${day(last.changed)}`}
       title={inLanguage(lesson.title)}
-      text={place}
+      text={placeIn(lesson)}
       picture={projectPicture(last) ?? lessonPicture(lesson)}
     >
-      {stars > 0 && (
-        <span class="start-stars">
-          {Array.from({ length: stars }, (_, index) => (
-            <Icon key={index} name={index < earned ? "earned" : "star"} />
-          ))}
-          <span class="hidden">{t("page-lesson-stars-of", { earned, stars })}</span>
-        </span>
-      )}
+      <Stars lesson={lesson} />
       <button type="button" class="start-big" onClick={() => project.open(last.name)}>
         <Icon name="run" />
         {t("page-start-continue")}
       </button>
     </Card>
   );
+}
+
+/** What the teacher has handed out, until it is done. */
+function HandedOut({ lesson }: { lesson: LessonChoice }) {
+  const { project, lessons } = usePage();
+  const begun = project.entries.value?.find(({ name }) => name === lesson.project);
+  return (
+    <Card
+      over={t("page-start-handed-out")}
+      title={inLanguage(lesson.title)}
+      text={begun ? placeIn(lesson) : t("page-lesson-minutes", { minutes: lesson.minutes })}
+      picture={(begun && projectPicture(begun)) ?? lessonPicture(lesson)}
+    >
+      <Stars lesson={lesson} />
+      <button type="button" class="start-big" onClick={() => lessons.start(lesson)}>
+        <Icon name="run" />
+        {t(begun ? "page-start-continue" : "page-start-begin")}
+      </button>
+    </Card>
+  );
+}
+
+function Stars({ lesson: { earned = 0, stars } }: { lesson: LessonChoice }) {
+  if (stars === 0) return null;
+  return (
+    <span class="start-stars">
+      {Array.from({ length: stars }, (_, index) => (
+        <Icon key={index} name={index < earned ? "earned" : "star"} />
+      ))}
+      <span class="hidden">{t("page-lesson-stars-of", { earned, stars })}</span>
+    </span>
+  );
+}
+
+function placeIn({ step = 1, steps }: LessonChoice): string {
+  return t("page-lesson-step-of", { step: Math.max(1, step), count: steps });
 }
 
 function lessonPicture({ name, picture }: LessonChoice): string | undefined {

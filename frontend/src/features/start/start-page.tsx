@@ -7,6 +7,7 @@ import { usePage } from "../../model/page";
 import { LessonCards } from "../lessons/cards";
 import { Teachers } from "../teachers/teachers";
 import { Examples } from "./examples";
+import { OwnHandIns } from "./hand-ins";
 import { Hero } from "./hero";
 import { preload } from "./preload";
 import { type OpenFiles, Projects } from "./projects";
@@ -15,7 +16,7 @@ import { TopBar } from "./top-bar";
 import "./start.css";
 
 export function StartPage({ openFiles }: { openFiles: OpenFiles }) {
-  const { project, classes } = usePage();
+  const { project, classes, classNews } = usePage();
   const main = useRef<HTMLElement>(null);
   useEffect(() => {
     project.list();
@@ -31,7 +32,7 @@ export function StartPage({ openFiles }: { openFiles: OpenFiles }) {
       ) : (
         <main id="home" ref={main} tabIndex={-1} aria-label={t("page-start-home")}>
           <Hero />
-          <Robots />
+          {classNews.now.value ? <OwnHandIns /> : <Robots />}
           <LessonCards />
           <Examples />
           <Projects openFiles={openFiles} />

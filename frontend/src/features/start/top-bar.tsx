@@ -20,7 +20,7 @@ const PLACES: readonly (readonly [string, IconName])[] = [
 
 export function TopBar() {
   const { classes, classNews } = usePage();
-  const inClass = classNews.now.value !== null;
+  const news = classNews.now.value;
   const atTeachers = classes.shown.value;
   const wanted = useSignal("");
   const show = (place: string) => {
@@ -36,7 +36,7 @@ export function TopBar() {
   return (
     <header class="start-bar">
       <Logo />
-      <span class="start-brand">LearnBlock</span>
+      <span class="start-brand">{news?.title ? t("page-class-title", { title: news.title }) : "LearnBlock"}</span>
       <nav aria-label={t("page-start-places")}>
         {PLACES.map(([name, icon]) => (
           <button
@@ -52,7 +52,7 @@ export function TopBar() {
       </nav>
       <PupilChip />
       <LanguageMenu />
-      {!inClass && (
+      {!news && (
         <button
           type="button"
           class="button"

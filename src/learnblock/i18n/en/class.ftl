@@ -42,6 +42,8 @@ class-newer = { $file } was made by a newer LearnBlock. Update this one.
 
 class-wrong-word = That is not the join word. It is on the board.
 class-no-name = Type your first name: 1 to { $most } characters that begin with a letter.
+# $name has several words.
+class-only-first-name = Only your first name, please, without a surname. Is all of { $name } your first name?
 # $character is the number of a character, such as U+202E.
 class-hidden-character = Your name has a character that can't be seen ({ $character }). Delete it and type it again.
 class-wrong-pictures = The name and the pictures don't belong together. Try again, or ask your teacher for new pictures.

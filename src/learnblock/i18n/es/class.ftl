@@ -39,6 +39,7 @@ class-newer = { $file } lo creó un LearnBlock más nuevo. Actualiza este.
 
 class-wrong-word = Esa no es la palabra para entrar. Está en la pizarra.
 class-no-name = Escribe tu nombre: de 1 a { $most } caracteres, y el primero una letra.
+class-only-first-name = Solo tu nombre, por favor, sin apellidos. ¿Todo esto es tu nombre: { $name }?
 class-hidden-character = Tu nombre tiene un carácter que no se ve ({ $character }). Bórralo y escríbelo de nuevo.
 class-wrong-pictures = El nombre y los dibujos no van juntos. Prueba otra vez o pide dibujos nuevos a tu profe.
 class-wait = Ha fallado demasiadas veces. Espera { $seconds } { $seconds ->

@@ -5,13 +5,26 @@ page-class-title = Class { $title }
 
 ## Joining
 
-page-class-word = What is the join word?
+page-class-join = Join class { $title }
+page-class-join-text = No account and no e-mail. Your work stays in this room.
+# On a phone: word, name and pictures.
+page-class-join-step = Step { $step } of 3
+page-class-word = 1 · Join word, from the board
 page-class-next = Next
-page-class-name = What is your first name?
+page-class-name = 2 · Your first name
+# $name has several words.
+page-class-is-first-name = { $name } is my first name
+page-class-whether = Have you been here before?
 page-class-known = I have been here before
 page-class-new = I am new here
 page-class-back = Back
-page-class-pictures = Tap your four pictures
+page-class-given = You will get four secret pictures, with which you find your work again on any device.
+page-class-pictures = 3 · Tap your four secret pictures
+page-class-take-back = Take the last picture back
+page-class-forgotten = Forgotten? Your teacher can give you new ones.
+page-class-join-do = Join
+# $count is the number of pictures that are missing.
+page-class-join-more = Join · { $count } more
 page-class-chosen = { $count } of 4 pictures
 # $name is a first name.
 page-class-hello = Hello, { $name }!
@@ -112,6 +125,7 @@ page-class-changes = { $count ->
         [one] 1 change · Sort
        *[other] { $count } changes · Sort
     }
+page-class-lost = The class doesn't answer: it is closed, or its computer is asleep. What pupils' pages showed as saved is saved; changes made since then are kept on their devices.
 page-class-keys = Arrow keys go from pupil to pupil, and a letter to the next name that begins with it. Enter opens the pupil's page, H writes a hint, Shift+F10 opens the menu. F6 goes to the next part of the wall.
 page-class-open = Open
 page-class-look = Look
@@ -194,6 +208,8 @@ page-class-waiting = You have asked { $name } to let you write.
 page-class-ask-not = Never mind
 page-class-may = You can write in the program of { $name }.
 page-class-stop-writing = Only look again
+page-class-lost-saved = Your class doesn't answer. Everything you have made is saved. Keep working: it goes on when your teacher's computer is back.
+page-class-lost-unsaved = Your class doesn't answer. Keep working: your changes are kept on this device, and are saved when your teacher's computer is back.
 page-class-eyes-up = Eyes up!
 page-class-eyes-up-text = Look at your teacher for a moment.
-page-class-eyes-up-safe = Your program is safe.
+page-class-eyes-up-safe = Your program is safe. Your robot waits.

@@ -17,6 +17,16 @@ page-start-first = Your first program
 page-start-first-text = Watch it, then change it.
 page-start-try = Try it
 
+## In a class
+
+page-start-handed-out = From your teacher
+page-start-begin = Begin
+page-start-hand-ins = Handed in
+page-start-no-hand-ins = When you hand in a step of a lesson, it appears here, and so does what your teacher says about it.
+page-start-improving = You are improving it
+# $lesson is the title of a lesson.
+page-start-step = { $lesson } · step { $step }
+
 ## Robots
 
 page-start-robots = Which robot do you have?

@@ -4,13 +4,26 @@ page-class-title = Clase { $title }
 
 ## Entrar
 
-page-class-word = ¿Cuál es la palabra para entrar?
+page-class-join = Entrar en la clase { $title }
+page-class-join-text = Sin cuenta ni correo. Tu trabajo se queda en esta sala.
+page-class-join-step = Paso { $step } de 3
+page-class-word = 1 · Palabra de la pizarra
 page-class-next = Siguiente
-page-class-name = ¿Cómo te llamas?
+page-class-name = 2 · Tu nombre, sin apellidos
+page-class-is-first-name = { $name } es mi nombre
+page-class-whether = ¿Has estado aquí antes?
 page-class-known = Ya he estado aquí
 page-class-new = Vengo por primera vez
 page-class-back = Atrás
-page-class-pictures = Toca tus cuatro dibujos
+page-class-given = Recibirás cuatro dibujos secretos: con ellos encuentras tu trabajo en cualquier dispositivo.
+page-class-pictures = 3 · Toca tus cuatro dibujos secretos
+page-class-take-back = Quitar el último dibujo
+page-class-forgotten = ¿No los recuerdas? Tu profe puede darte otros.
+page-class-join-do = Entrar
+page-class-join-more = { $count ->
+        [one] Entrar · falta 1
+       *[other] Entrar · faltan { $count }
+    }
 page-class-chosen = { $count } de 4 dibujos
 page-class-hello = ¡Hola, { $name }!
 page-class-go-on = Continuar
@@ -102,6 +115,7 @@ page-class-changes = { $count ->
         [one] 1 cambio · Ordenar
        *[other] { $count } cambios · Ordenar
     }
+page-class-lost = La clase no responde: está cerrada o su ordenador está en reposo. Lo que las páginas mostraban como guardado está guardado; los cambios posteriores se conservan en los dispositivos.
 page-class-keys = Con las flechas vas de una persona a otra, y con una letra al siguiente nombre que empieza por ella. Intro abre su página, H escribe una pista y Mayús+F10 abre el menú. F6 pasa a la parte siguiente del panel.
 page-class-open = Abrir
 page-class-look = Mirar
@@ -180,6 +194,8 @@ page-class-waiting = Has pedido a { $name } permiso para escribir.
 page-class-ask-not = Déjalo
 page-class-may = Puedes escribir en el programa de { $name }.
 page-class-stop-writing = Volver a solo mirar
+page-class-lost-saved = Tu clase no responde. Todo lo que has hecho está guardado. Sigue trabajando: continuará cuando vuelva el ordenador de tu profe.
+page-class-lost-unsaved = Tu clase no responde. Sigue trabajando: tus cambios se conservan en este dispositivo y se guardarán cuando vuelva el ordenador de tu profe.
 page-class-eyes-up = ¡Atención!
 page-class-eyes-up-text = Mira a tu profe un momento.
-page-class-eyes-up-safe = Tu programa está a salvo.
+page-class-eyes-up-safe = Tu programa está a salvo. Tu robot espera.

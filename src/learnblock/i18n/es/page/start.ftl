@@ -17,6 +17,15 @@ page-start-first = Tu primer programa
 page-start-first-text = Míralo y después cámbialo.
 page-start-try = Pruébalo
 
+## En una clase
+
+page-start-handed-out = De tu profe
+page-start-begin = Empezar
+page-start-hand-ins = Entregas
+page-start-no-hand-ins = Cuando entregues un paso de una lección aparecerá aquí, y también lo que diga tu profe.
+page-start-improving = Lo estás mejorando
+page-start-step = { $lesson } · paso { $step }
+
 ## Robots
 
 page-start-robots = ¿Qué robot tienes?
