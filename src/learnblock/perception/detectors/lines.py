@@ -1,6 +1,7 @@
 """Black, red and blue lines, by the colours of pixels in three parts of a frame.
 
-Lines are on the floor: what is inside of a tag or a face is none.
+Lines are on the floor: what is inside of a tag or a face is none, and neither is a tag that the
+edge cuts.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -12,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from learnblock.perception.detections import Face, Lines, LineView, Tag
+from learnblock.perception.detectors.cut_tags import cut_tags
 from learnblock.perception.frames import Frame, checked
 
 if TYPE_CHECKING:
@@ -35,6 +37,8 @@ DILATION = 3
 BLOB = 10
 # A tag has a white margin around its corners, of which this times its size is inside.
 MARGIN = 1.15
+# The blurred rim of a tag, in pixels of a frame 240 high.
+BLURRED = 2
 # A head is larger than its face by these shares of the face: hair, ears, neck and shoulders.
 HEAD = (0.5, 0.5, 0.5, 0.9)
 
@@ -43,10 +47,13 @@ Masks = Mapping[str, cv2.typing.MatLike]
 
 def look(sight: "Sight") -> Lines:
     masks = _masks(sight.frame)
+    height = sight.frame.shape[0]
+    if cv2.hasNonZero(masks["black"]):
+        _erase(masks, cut_tags(sight.frame, BLACK), height, BLURRED)
     for name, outlines in (("tags", _tag_outlines), ("faces", _face_outlines)):
-        if not _has_blob(masks, sight.frame.shape[0]):
+        if not _has_blob(masks, height):
             break
-        _erase(masks, outlines(sight.detect(name)), sight.frame.shape[0])
+        _erase(masks, outlines(sight.detect(name)), height)
     return _lines(masks, sight.frame)
 
 
@@ -115,12 +122,18 @@ def _is_blob(mask: cv2.typing.MatLike, height: int) -> bool:
     )
 
 
-def _erase(masks: Masks, outlines: Iterator[NDArray[np.float64]], height: int) -> None:
+def _erase(
+    masks: Masks, outlines: Iterator[NDArray[np.float64]], height: int, rim: int = 0
+) -> None:
+    """Erase what is within the outlines, and a rim of pixels, of a frame 240 high, around them."""
     top, _ = _rows(height)
+    thickness = 1 + 2 * round(rim * height / 240)
     for outline in outlines:
         corners = np.rint(outline - (0, top)).astype(np.int32)
         for mask in masks.values():
             cv2.fillConvexPoly(mask, corners, 0)
+            if rim:
+                cv2.polylines(mask, [corners], isClosed=True, color=0, thickness=thickness)
 
 
 def _tag_outlines(tags: Sequence[Tag]) -> Iterator[NDArray[np.float64]]:
