@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from bleak import BleakClient
 
 
+# Why: docs/decisions.md, "Bluetooth Low Energy is bleak's, and its other end in tests a socket"
 class Radio(Closing):
     """Reads and writes the characteristics of a robot, from any thread; a failure ends it.
 
