@@ -134,7 +134,7 @@ blocktext-two-statements = Empieza una línea nueva antes de '{ $word }'. Cada i
 # $word: the word that begins the block, here and below
 blocktext-missing-colon = Escribe ':' al final de esta línea de '{ $word }'.
 blocktext-empty-block = Este '{ $word }' está vacío. Escribe 'pass' si no debe hacer nada.
-# $words: the first line of a part, such as except ValueError
+# $words: la primera línea de una parte, por ejemplo except ValueError
 blocktext-not-a-beginning = '{ $words }' no puede empezar un bloque. Quita el 'end' de arriba, o escribe encima la primera parte de su bloque.
 blocktext-match-without-case = Un 'match' tiene casos y nada más. Escribe uno debajo, por ejemplo '`case 1`:'.
 blocktext-missing-end = A este '{ $word }' le falta el 'end'. Escribe 'end' en su propia línea, debajo del bloque.
