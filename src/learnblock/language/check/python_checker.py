@@ -26,6 +26,8 @@ PYTHON_NAMES = frozenset((*dir(builtins), "__file__", "__doc__", "__spec__", "__
 DYNAMIC = frozenset(("exec", "eval", "globals", "locals", "vars", "__import__", "setattr"))
 #: Attributes of a robot that have a name similar to that of a skill.
 _OF_CLIENT = frozenset(("has_extra_camera", "learn", "read", "stop", "time", "wait_until"))
+#: The statements and values in which a robot is used in a wrong way.
+_USES = frozenset((ast.Assign, ast.Expr, ast.If, ast.While, ast.Attribute))
 _DECIMAL = re.compile(r"(\d+),(\d+)")
 
 
@@ -60,7 +62,7 @@ class _PythonChecker:
                     self.report(Phrase("python-robot-import", module=_MODULE), node)
                 case ast.Assign(value=ast.Tuple(elts=[ast.Constant(), ast.Constant()])):
                     self.decimal_comma(node.value)
-            if not self.is_other_robot:
+            if type(node) in _USES and not self.is_other_robot:
                 self.use_of_robot(node)
         for slip in event_slips(self.nodes):
             self.report(slip.message, slip.node, slip.severity)
