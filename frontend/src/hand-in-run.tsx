@@ -5,7 +5,7 @@ import { render } from "preact";
 
 import { compose } from "./app/compose";
 import { HandInRunPage } from "./app/hand-in-run-page";
-import { runHandIn } from "./features/hand-ins/run";
+import { revealAround, runHandIn } from "./features/hand-ins/run";
 import { language, startLanguage } from "./i18n";
 import { PageProvider } from "./model/page";
 import { preferredLanguage, theme } from "./model/preferences";
@@ -20,6 +20,7 @@ async function begin(root: HTMLElement): Promise<void> {
   });
   const page = compose({ drafts: NO_DRAFTS, query: location.search });
   runHandIn(page);
+  revealAround(page);
   page.context.connection.open();
   await startLanguage(preferredLanguage);
   render(

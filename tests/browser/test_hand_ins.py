@@ -66,7 +66,7 @@ def test_a_pupil_hands_in_and_gets_it_back_with_a_note_and_a_mark(room, desk, ax
         teacher = desk(f"{room.address}/teacher?key={room.key}", width=1366, height=768)
         teacher.get_by_role("link", name="Hand-ins").click()
         check(teacher)
-        mark(teacher)
+        mark(teacher, axe)
         assert faults(SimpleNamespace(page=teacher), axe) == []
         expect(page.locator(".handed-back")).to_contain_text(NOTE)
         expect(page.locator(".handed-back")).to_contain_text("9 of 10")
@@ -94,7 +94,7 @@ def check(teacher):
     expect(teacher.get_by_role("button", name="Leo")).not_to_contain_text("nothing")
 
 
-def mark(teacher):
+def mark(teacher, axe):
     """Look at a hand-in, write a note, give a mark and hand back."""
     teacher.get_by_role("button", name="Leo").click()
     expect(teacher.get_by_role("heading", name="Why?")).to_be_visible()
@@ -103,8 +103,10 @@ def mark(teacher):
     run = teacher.frame_locator("iframe")
     expect(run.locator(".timeline")).to_be_visible(timeout=LONGEST_RUN)
     run.locator(".lesson-goal.failed").get_by_role("button", name="Why?").first.click()
-    expect(run.locator(".why-answer li").first).to_be_visible()
+    run.get_by_role("button", name="Show the block").first.click()
+    expect(teacher.locator(".block-drawing .lbRunning")).to_have_count(1)
     picture(teacher, "teacher-missed-en")
+    assert faults(SimpleNamespace(page=teacher.frames[-1]), axe) == []
     button(teacher, "From above").click()
     teacher.get_by_role("button", name="Ana").click()
     note = teacher.get_by_label("Note to Ana")

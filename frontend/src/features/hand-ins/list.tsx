@@ -6,7 +6,7 @@ import { t } from "../../i18n";
 import type { HandInLine, HandInList } from "../../protocol/classroom";
 import { Icon } from "../../ui/icons";
 import { inLanguage } from "../lessons/texts";
-import { GROUPS, type HandInStream } from "./stream";
+import { GROUPS, type HandInStream, MOST_LINES } from "./stream";
 
 export function HandInTable({ stream }: { stream: HandInStream }) {
   const list = stream.list.value;
@@ -38,9 +38,13 @@ function Often({ list: { often } }: { list: HandInList }) {
   );
 }
 
+/** Keys in the list, and by how many lines they move. */
+const MOVES: Readonly<Record<string, number>> = { ArrowDown: 1, ArrowUp: -1, Home: -MOST_LINES, End: MOST_LINES };
+
+/** One stop for Tab: the arrows move in it, and Enter goes on to the note. */
 function Lines({ stream, lines }: { stream: HandInStream; lines: readonly HandInLine[] }) {
   const move = (event: KeyboardEvent) => {
-    const by = { ArrowDown: 1, ArrowUp: -1 }[event.key] as 1 | -1 | undefined;
+    const by = MOVES[event.key];
     if (!by) return;
     event.preventDefault();
     stream.move(by, { stay: true });
@@ -80,7 +84,7 @@ function Line({ stream, line }: { stream: HandInStream; line: HandInLine }) {
   const row = useRef<HTMLButtonElement>(null);
   useEffect(() => {
     if (isShown && stream.staysInList) row.current?.focus();
-  }, [isShown]);
+  }, [isShown, stream.focused.value]);
   return (
     <li>
       <button
@@ -88,7 +92,8 @@ function Line({ stream, line }: { stream: HandInStream; line: HandInLine }) {
         type="button"
         class="hand-ins-line"
         aria-current={isShown ? "true" : undefined}
-        onClick={() => stream.show(line.pupil)}
+        tabIndex={isShown ? 0 : -1}
+        onClick={() => stream.write(line.pupil)}
       >
         <bdi>{line.name}</bdi>
         <Stars line={line} />

@@ -1,8 +1,9 @@
-/** Runs what was handed in, on the page that shows its run. */
+/** Runs what was handed in, on the page that shows its run beside the program. */
 
 import { effect, signal } from "@preact/signals";
 
 import type { Page } from "../../model/page";
+import { VIEWS } from "../../model/views";
 import type { HandInRun } from "../../protocol/classroom";
 
 /** Once the server is at the step, give it the program, and run it as fast as it can; later runs are to be watched. */
@@ -27,4 +28,26 @@ export function runHandIn({ context, lessons }: Pick<Page, "context" | "lessons"
     connection.send({ kind: "SetSpeed", factor: null });
     connection.send({ kind: "ShowVariant", robot: run.robot, variant: run.variant ?? 0 });
   });
+}
+
+/** What the page with the run tells the page around it. */
+export interface ShowLine {
+  /** The line of the program in Block-Text whose block is to be shown. */
+  readonly showLine: number;
+}
+
+/** The program is on the page around this one: have that show the blocks that answers name. */
+export function revealAround({ views, context }: Pick<Page, "views" | "context">): void {
+  const reveal = (block: string) => {
+    const place = context.program.state.peek().places.find(([id]) => id === block);
+    const message: ShowLine = { showLine: place?.[1] ?? 0 };
+    if (message.showLine) parent.postMessage(message, location.origin);
+  };
+  const nothing = () => {};
+  const dom = document.createElement("div");
+  // A narrow page shows the panel of the answer in the place of the program, which is elsewhere here.
+  effect(() => {
+    if (views.area.value === "panel") views.area.value = "blocks";
+  });
+  for (const view of VIEWS) views.put(view, { dom, reveal, describeStep: () => "", focus: nothing, destroy: nothing });
 }

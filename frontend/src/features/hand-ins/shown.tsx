@@ -13,6 +13,7 @@ import { linesToNote, notedLine, numberIn } from "../in-class/noted-line";
 import { DrawnBlocks } from "../lessons/drawn-blocks";
 import { inLanguage } from "../lessons/texts";
 import { Stars } from "./list";
+import type { ShowLine } from "./run";
 import type { HandInStream } from "./stream";
 import { DrivenWay } from "./way";
 
@@ -31,6 +32,11 @@ function HandIn({ stream, shown }: HandInProps) {
   const isNameless = useSignal(false);
   const { line } = shown;
   const noted = useSignal<NotedLine | null>(line.line ?? null);
+  /** The line that an answer to "why" is about. */
+  const answered = useSignal(0);
+  useEffect(() => {
+    answered.value = 0;
+  }, [noted.value]);
   const time = new Date(line.at * 1000).toLocaleString(language.value, { dateStyle: "short", timeStyle: "short" });
   return (
     <section class="hand-in" aria-labelledby="hand-in-name">
@@ -52,8 +58,8 @@ function HandIn({ stream, shown }: HandInProps) {
         <IconButton icon="previous" word="page-handins-previous" onClick={() => stream.move(-1)} />
         <IconButton icon="next" word="page-handins-next" onClick={() => stream.move(1)} />
       </header>
-      <Work shown={shown} noted={noted}>
-        <RunPlace stream={stream} shown={shown} />
+      <Work shown={shown} noted={noted} answered={answered.value}>
+        <RunPlace stream={stream} shown={shown} showLine={(number) => (answered.value = number)} />
       </Work>
       <Why shown={shown} />
       <Answer stream={stream} shown={shown} noted={noted} />
@@ -81,10 +87,12 @@ interface WorkProps {
   readonly children: ComponentChildren;
   /** The line that the note is about; undefined where no note is written. */
   readonly noted?: Signal<NotedLine | null>;
+  /** The line to mark instead of that; 0 for none. */
+  readonly answered?: number;
 }
 
 /** The program, where the robot drove, and what the checks say. */
-function Work({ shown, children, noted }: WorkProps) {
+function Work({ shown, children, noted, answered = 0 }: WorkProps) {
   const { line, program, checked, blocktext, blocks } = shown;
   const pick = (block: string) => {
     const number = shown.lines?.[block];
@@ -100,7 +108,7 @@ function Work({ shown, children, noted }: WorkProps) {
               key={`${line.pupil} ${line.at}`}
               workspace={blocks}
               text={blocktext ?? ""}
-              marked={noted?.value && blockAt(shown, noted.value)}
+              marked={blockAt(shown, answered || lineOf(shown, noted?.value))}
               pick={noted && pick}
             />
           ) : (
@@ -115,14 +123,23 @@ function Work({ shown, children, noted }: WorkProps) {
 }
 
 /** Where the robot drove, from above; or in 3D, by the page that pupils have, which is loaded only then. */
-function RunPlace({ stream, shown }: HandInProps) {
+function RunPlace({ stream, shown, showLine }: HandInProps & { readonly showLine: (number: number) => void }) {
   const { line, lesson, step } = shown;
+  const frame = useRef<HTMLIFrameElement>(null);
+  useEffect(() => {
+    const listen = ({ source, data }: MessageEvent<Partial<ShowLine> | null>) => {
+      if (source && source === frame.current?.contentWindow) showLine(Number(data?.showLine) || 0);
+    };
+    addEventListener("message", listen);
+    return () => removeEventListener("message", listen);
+  }, []);
   const sees = stream.seesRuns.value;
   const query = new URLSearchParams({ pupil: line.pupil, lesson, step: String(step) });
   return (
     <div class="hand-in-run-place">
       {sees ? (
         <iframe
+          ref={frame}
           // What was handed in again runs again.
           key={`${line.at} ${language.value}`}
           src={`p/hand-ins/?${query}`}
@@ -146,9 +163,12 @@ function textOf({ blocktext, program }: ShownHandIn): string {
   return blocktext || program.text;
 }
 
-function blockAt(shown: ShownHandIn, line: NotedLine): string | null {
-  const number = numberIn(textOf(shown), line);
-  return Object.entries(shown.lines ?? {}).find(([, at]) => at === number)?.[0] ?? null;
+function lineOf(shown: ShownHandIn, line: NotedLine | null | undefined): number {
+  return line ? numberIn(textOf(shown), line) : 0;
+}
+
+function blockAt({ lines = {} }: ShownHandIn, number: number): string | null {
+  return Object.entries(lines).find(([, at]) => at === number)?.[0] ?? null;
 }
 
 function Checks({ checks, runs }: { checks: readonly CheckSummary[]; runs: number }) {
@@ -204,7 +224,7 @@ function Answer({ stream, shown, noted }: AnswerProps) {
   const field = useRef<HTMLTextAreaElement>(null);
   useEffect(() => {
     if (!stream.staysInList) field.current?.focus({ preventScroll: true });
-  }, []);
+  }, [stream.focused.value]);
   const keep = () => {
     const about = note.peek().trim() ? noted.peek() : null;
     const isOther = JSON.stringify(about) !== JSON.stringify(line.line ?? null);
@@ -220,6 +240,7 @@ function Answer({ stream, shown, noted }: AnswerProps) {
   };
   const keys = (event: KeyboardEvent) => {
     if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) handBack(event);
+    if (event.key === "Escape") stream.toList();
   };
   const isBack = line.state === "handed back" || line.state === "improving";
   return (
@@ -263,7 +284,7 @@ function About({ shown, noted }: { shown: ShownHandIn; noted: Signal<NotedLine |
   const text = textOf(shown);
   const lines = linesToNote(text);
   const about = noted.value;
-  const number = about ? numberIn(text, about) : 0;
+  const number = lineOf(shown, about);
   const isGone = about !== null && !lines.some((line) => line.number === number);
   const choose = (value: string) => {
     if (value) noted.value = Number(value) > 0 ? notedLine(text, Number(value)) : null;

@@ -33,6 +33,8 @@ export class HandInStream extends Channel<FromTeacher, ToTeacher> {
   readonly seesRuns = signal(false);
   /** Whether the teacher moves in the list by keyboard, so that the note does not take the focus. */
   staysInList = false;
+  /** Changes when the focus goes to the note or to the list of the hand-in that is shown already. */
+  readonly focused = signal(0);
   readonly marked = computed(() => (this.list.value?.lines ?? []).filter(({ state }) => state === "marked"));
 
   constructor() {
@@ -62,11 +64,25 @@ export class HandInStream extends Channel<FromTeacher, ToTeacher> {
     if (pupil && place) this.send({ kind: "ReadHandIn", pupil, ...place });
   }
 
-  /** Show the hand-in before this one in the list, or after it; the focus goes to its note unless it stays. */
-  move(by: 1 | -1, { stay = false } = {}): void {
+  /** Show a hand-in, and go to its note. */
+  write(pupil: string): void {
+    this.show(pupil);
+    this.staysInList = false;
+    this.focused.value += 1;
+  }
+
+  /** Go from the note back to the list. */
+  toList(): void {
+    this.staysInList = true;
+    this.focused.value += 1;
+  }
+
+  /** Show a hand-in above this one in the list, or below it; the focus goes to its note unless it stays. */
+  move(by: number, { stay = false } = {}): void {
     const ids = inOrder(this.list.peek()?.lines ?? []).map(({ pupil }) => pupil);
-    const next = ids[ids.indexOf(this.pupil.peek()) + by];
-    if (next) this.show(next, stay);
+    const place = Math.min(Math.max(ids.indexOf(this.pupil.peek()) + by, 0), ids.length - 1);
+    const next = ids[place];
+    if (next && next !== this.pupil.peek()) this.show(next, stay);
   }
 
   collect(): void {
@@ -114,6 +130,9 @@ export class HandInStream extends Channel<FromTeacher, ToTeacher> {
     this.show(isThere ? this.pupil.peek() : (lines[0]?.pupil ?? ""));
   }
 }
+
+/** More than a list has. */
+export const MOST_LINES = 1000;
 
 /** The groups of the list, by what the teacher has to do. */
 export const GROUPS = ["to check", "to mark", "marked", "handed back", "improving"] as const;
