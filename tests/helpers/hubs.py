@@ -38,7 +38,12 @@ c.ConfigurableHTTPProxy.command = [settings["proxy"]]
 c.SimpleLocalProcessSpawner.home_dir_template = settings["homes"] + "/{{username}}"
 # Jupyter asks for this where the tests run as root.
 c.Spawner.args = [*c.Spawner.args, "--allow-root"]
-c.JupyterHub.services = [{{"name": "tests", "api_token": settings["token"]}}]
+{shown_class}
+(room,) = c.JupyterHub.services
+room["url"] = settings["room"]
+room["command"] = [settings["python"], "-m", *room["command"][:-1], settings["address"]]
+room["environment"] = {{"LEARNBLOCK_HOME": settings["homes"] + "/class"}}
+c.JupyterHub.services = [room, {{"name": "tests", "api_token": settings["token"]}}]
 c.JupyterHub.load_roles = [*c.JupyterHub.load_roles, settings["role"]]
 """
 
@@ -54,9 +59,10 @@ def proxy_command():
 
 
 def shown_config():
-    """Return the configuration that the docs show."""
+    """Return the configurations that the docs show: of a hub, and of a class at it."""
     text = (ROOT / "docs" / "jupyterhub.md").read_text("utf-8")
-    return re.search(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)[1]
+    blocks = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+    return blocks[0], next(block for block in blocks if "services" in block)
 
 
 class Hub:
@@ -70,8 +76,8 @@ class Hub:
     def __init__(self, folder, proxy):
         self._folder = folder
         self._token = secrets.token_urlsafe()
-        ports = free_ports(3)
-        self.address, hub, api = (f"http://127.0.0.1:{port}" for port in ports)
+        ports = free_ports(4)
+        self.address, hub, api, room = (f"http://127.0.0.1:{port}" for port in ports)
         settings = {
             "address": self.address,
             "hub": hub,
@@ -80,9 +86,12 @@ class Hub:
             "homes": str(folder / "homes"),
             "token": self._token,
             "role": ROLE,
+            "room": room,
+            "python": sys.executable,
         }
         (folder / "homes").mkdir()
-        config = CONFIG.format(shown=shown_config(), settings=repr(settings))
+        shown, shown_class = shown_config()
+        config = CONFIG.format(shown=shown, shown_class=shown_class, settings=repr(settings))
         (folder / "jupyterhub_config.py").write_text(config)
         self._log = (folder / "log").open("w")
         self._users = []
@@ -153,6 +162,12 @@ class Hub:
                 return process
         return None
 
+    def service(self, command_of):
+        """Return the process of a service that the hub manages; None without one."""
+        named = f"-m learnblock {command_of} "
+        found = (one for one in descendants(self._process.pid) if named in command(one))
+        return next(found, None)
+
     def jupyter_server(self, name):
         """Return the process of a user's Jupyter server."""
         return parent(self.server(name))
@@ -203,10 +218,13 @@ class User:
     def post(self, path, body, of=None, **headers):
         return self.client.post(self._path(path, of), content=body, headers=headers)
 
-    @contextmanager
     def visit(self, of=None, origin=None):
         """Connect LearnBlock's page with its server, which may be another user's."""
-        path = self._path("ws", of)
+        return self.socket(self._path("ws", of), origin)
+
+    @contextmanager
+    def socket(self, path, origin=None):
+        """Connect with the websocket at a path of the hub."""
         cookies = self.client.build_request("GET", path).headers.get("cookie")
         with connect(
             f"{self._hub.address.replace('http', 'ws', 1)}{path}",
@@ -215,6 +233,7 @@ class User:
             subprotocols=["learnblock"],
             origin=origin or self._hub.address,
             max_size=None,
+            open_timeout=STARTING,
         ) as opened:
             yield Visitor(opened)
 

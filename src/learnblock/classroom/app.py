@@ -3,6 +3,7 @@
 import asyncio
 from collections.abc import AsyncIterator, Awaitable, Callable, Iterable, Iterator
 from contextlib import asynccontextmanager, nullcontext, suppress
+from dataclasses import dataclass
 from functools import partial
 from http import HTTPStatus
 from pathlib import Path
@@ -25,6 +26,7 @@ from learnblock.classroom.badges import Visitors
 from learnblock.classroom.desk import Desk, TooManyPagesError
 from learnblock.classroom.entrance import Entrance
 from learnblock.classroom.forward import Forwarder
+from learnblock.classroom.hub_class import HubLogin, HubService
 from learnblock.classroom.record import record_of
 from learnblock.classroom.relay import Relay
 from learnblock.classroom.room import Room
@@ -52,6 +54,8 @@ _YEAR = 365 * 24 * 3600
 _TO_WALL = (
     '<!doctype html><title>LearnBlock</title><meta http-equiv="refresh" content="0;url=teacher">'
 )
+#: The same, after the hub's login.
+_TO_CLASS = '<!doctype html><title>LearnBlock</title><meta http-equiv="refresh" content="0;url=./">'
 _GZIP = Middleware(GZipMiddleware, minimum_size=1000, compresslevel=5)
 _join = msgspec.json.Decoder(ours.Join)
 _word = msgspec.json.Decoder(ours.TryWord)
@@ -66,6 +70,7 @@ def create_app(
     hosts: Iterable[str] = (),
     tls: bool = False,
     static: Path = static_files.BUILT,
+    hub: "HubEntrance | None" = None,
 ) -> Starlette:
     """Create the application.
 
@@ -75,31 +80,57 @@ def create_app(
         hosts: allowed names of this computer, in addition to its own.
         tls: whether browsers come by HTTPS only.
         static: the folder of the built page.
+        hub: lets in whom the hub knows; None if pupils come by the word of the class.
     """
-    door = _Door(room, visitors, tls=tls)
+    door = _Door(room, visitors, tls=tls, base=hub.service.prefix if hub else "/")
     # The page's own guard, against pages of other servers; badges take the token's place.
     protection = Protection.of("", ("*", *hosts))
     files = static_files.PageFiles(directory=static, check_dir=False)
     page = partial(_built_page, "class.html", static)
+    routes = [
+        *(_hub(door, hub) if hub else _by_word(door, page)),
+        Route("/projector", page),
+        WebSocketRoute("/projected", partial(door.board, ProjectorView)),
+        *_teachers(door, page),
+        *_tables(Tables(room, visitors)),
+        *_hand_in_run(door, partial(_built_page, "hand-in-run.html", static)),
+        *_pupils(door, page, static),
+        # Files of the page are everybody's.
+        Mount("/", files, middleware=[_GZIP]),
+    ]
+    if hub:
+        routes = [Mount(hub.service.prefix.rstrip("/"), routes=routes)]
     return Starlette(
-        routes=[
-            Route("/", page),
-            Route("/about.json", door.about),
-            Route("/word", door.word, methods=["POST"]),
-            Route("/join", door.join, methods=["POST"]),
-            Route("/leave", door.leave, methods=["POST"]),
-            Route("/projector", page),
-            WebSocketRoute("/projected", partial(door.board, ProjectorView)),
-            *_teachers(door, page),
-            *_tables(Tables(room, visitors)),
-            *_hand_in_run(door, partial(_built_page, "hand-in-run.html", static)),
-            *_pupils(door, page, static),
-            # Files of the page are everybody's.
-            Mount("/", files, middleware=[_GZIP]),
-        ],
+        routes=routes,
         middleware=[Middleware(Guard, protection=protection)],
         lifespan=door.lifespan,
     )
+
+
+def _by_word(door: "_Door", page: Endpoint) -> Iterator[BaseRoute]:
+    yield Route("/", page)
+    yield Route("/about.json", door.about)
+    yield Route("/word", door.word, methods=["POST"])
+    yield Route("/join", door.join, methods=["POST"])
+    yield Route("/leave", door.leave, methods=["POST"])
+
+
+def _hub(door: "_Door", hub: "HubEntrance") -> Iterator[BaseRoute]:
+    yield Route("/", partial(door.enter, hub))
+    yield Route("/oauth_callback", partial(door.entered, hub))
+
+
+@dataclass(frozen=True)
+class HubEntrance:
+    """How those come in whom a hub knows.
+
+    Args:
+        service: what the hub has told.
+        login: the hub's login.
+    """
+
+    service: HubService
+    login: HubLogin
 
 
 def _teachers(door: "_Door", page: Endpoint) -> Iterator[BaseRoute]:
@@ -155,7 +186,8 @@ class _Door:
         tls: whether browsers come by HTTPS only.
     """
 
-    def __init__(self, room: Room, visitors: Visitors, *, tls: bool) -> None:
+    def __init__(self, room: Room, visitors: Visitors, *, tls: bool, base: str = "/") -> None:
+        self._base = base
         self._room = room
         self._visitors = visitors
         self._badges = visitors.badges
@@ -184,7 +216,13 @@ class _Door:
 
     def _give(self, response: Response, name: str, badge: str) -> None:
         response.set_cookie(
-            name, badge, max_age=_YEAR, httponly=True, samesite="strict", secure=self._tls
+            name,
+            badge,
+            path=self._base,
+            max_age=_YEAR,
+            httponly=True,
+            samesite="strict",
+            secure=self._tls,
         )
 
     # Joining.
@@ -243,6 +281,43 @@ class _Door:
         self._give(response, self._visitors.cookie, self._badges.of_pupil(pupil))
         return response
 
+    async def enter(self, hub: HubEntrance, request: Request) -> Response:
+        """Lead to the wall, to the pupil's page, or to the hub's login."""
+        if self._visitors.is_teacher(request):
+            return RedirectResponse(f"{self._base}teacher")
+        if pupil := self._visitors.pupil(request):
+            return RedirectResponse(f"{self._base}p/{pupil.id}/")
+        address, state = hub.login.begin()
+        response = RedirectResponse(address)
+        response.set_cookie(
+            hub.login.cookie,
+            state,
+            path=self._base,
+            httponly=True,
+            samesite="lax",
+            secure=self._tls,
+        )
+        return response
+
+    async def entered(self, hub: HubEntrance, request: Request) -> Response:
+        """Give a badge to who has logged in."""
+        try:
+            user = await hub.login.user(request)
+        except (LearnBlockError, httpx.HTTPError, KeyError):
+            return _forbidden()
+        if user is None:
+            return _forbidden()
+        response = HTMLResponse(_TO_CLASS, headers={"cache-control": "no-store"})
+        response.delete_cookie(hub.login.cookie, path=self._base)
+        if user.is_teacher:
+            self._give(response, self._visitors.teachers_cookie, self._badges.of_teacher())
+            return response
+        pupil = await asyncio.to_thread(self._room.roster.admit, user.id, user.name)
+        self._room.desk(pupil)
+        self._room.changed()
+        self._give(response, self._visitors.cookie, self._badges.of_pupil(pupil))
+        return response
+
     async def leave(self, _: Request) -> Response:
         """Forget the pupil in this browser, so that another one can join."""
         response = Response(status_code=HTTPStatus.NO_CONTENT)
@@ -255,7 +330,7 @@ class _Door:
         """Pass a request of a pupil's page on."""
         shown = self._shown(request)
         if shown is None:
-            return _forbidden() if request.path_params["path"] else RedirectResponse("/")
+            return _forbidden() if request.path_params["path"] else RedirectResponse(self._base)
         pupil, is_teacher = shown
         if request.method == "POST" and is_teacher:
             return _forbidden()

@@ -61,12 +61,20 @@ class Forwarder:
     async def _send(
         self, request: Request, place: ServerAddress, body: AsyncIterator[bytes] | None
     ) -> Response:
+        path = request.path_params["path"]
+        # At a hub, it would lead to the servers of others.
+        if ".." in path.split("/"):
+            raise httpx.InvalidURL(path)
         forwarded = self._client.build_request(
             request.method,
-            f"http://{place.host}{request.url.path}",
+            place.url("http", path),
             params=request.query_params,
-            headers={**_chosen(request.headers.items(), _ASKED), "x-forwarded-for": "class"},
-            cookies={"learnblock_token": place.token},
+            headers={
+                **_chosen(request.headers.items(), _ASKED),
+                **place.headers,
+                "x-forwarded-for": "class",
+            },
+            cookies={"learnblock_token": place.token} if place.token else None,
             content=body,
         )
         answer = await self._client.send(forwarded, stream=True)

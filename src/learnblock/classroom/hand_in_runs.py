@@ -12,7 +12,7 @@ from typing import Protocol
 
 from learnblock.classroom.hand_in_messages import HandInRun
 from learnblock.classroom.hand_ins import HandInFile
-from learnblock.classroom.servers import ServerAddress, Servers
+from learnblock.classroom.servers import PupilServers, ServerAddress
 from learnblock.lessons.reading import named_lesson
 from learnblock.server import messages
 
@@ -49,7 +49,7 @@ class HandInRuns:
     """
 
     def __init__(
-        self, folder: Path, servers: Servers, give: Give, *, grace: float = _GRACE
+        self, folder: Path, servers: PupilServers, give: Give, *, grace: float = _GRACE
     ) -> None:
         self.folder = folder / FOLDER
         self._servers = servers

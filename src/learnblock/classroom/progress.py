@@ -118,6 +118,12 @@ class Progress:
         self._pages.pop(page, None)
 
     @property
+    def place(self) -> tuple[str, int]:
+        """The lesson and the step that are shown."""
+        work = self._shown.now.work
+        return work.lesson_name, work.step
+
+    @property
     def is_running(self) -> bool:
         """Whether the program that is shown runs, as far as its page has said."""
         return self._shown.now.work.state in {"starting", "running"}

@@ -99,10 +99,10 @@ class Relay:
             first: messages that the server gets first on behalf of the page.
         """
         async with connect(
-            f"ws://{place.host}{place.base_url}ws?{SEAT}",
-            subprotocols=[SUBPROTOCOL, place.token],  # type: ignore[list-item] # plain strings
+            place.url("ws", f"ws?{SEAT}"),
+            subprotocols=list(filter(None, (SUBPROTOCOL, place.token))),  # type: ignore[arg-type] # plain strings
             # As a proxy does, so that the server takes no pupil for a user of its own computer.
-            additional_headers={"x-forwarded-for": "class"},
+            additional_headers={**place.headers, "x-forwarded-for": "class"},
             max_size=_LARGEST,
             compression=None,
             open_timeout=_PATIENCE,

@@ -16,7 +16,7 @@ from learnblock.classroom.offers import give_lesson
 from learnblock.classroom.pins import Picture
 from learnblock.classroom.pupil_folder import PROJECTS
 from learnblock.classroom.roster import Pupil, Roster
-from learnblock.classroom.servers import ServerAddress, Servers
+from learnblock.classroom.servers import PupilServers, ServerAddress, Servers
 from learnblock.errors import LearnBlockError
 from learnblock.project.files.folder import ProjectFolder
 from learnblock.server import messages
@@ -41,9 +41,17 @@ class Room:
         roster: the pupils.
         address: by which pupils reach the class.
         offers: the lessons that can be handed out.
+        servers: what starts the servers of pupils whom a hub lets in; None if they come by the word
+            of the class, and their servers run here.
     """
 
-    def __init__(self, roster: Roster, address: str, offers: Iterable[LessonOffer] = ()) -> None:
+    def __init__(
+        self,
+        roster: Roster,
+        address: str,
+        offers: Iterable[LessonOffer] = (),
+        servers: PupilServers | None = None,
+    ) -> None:
         self.roster = roster
         self.hand_ins = HandInShelf(roster.folder)
         self.marking = Marking(roster, self.hand_ins, self.changed)
@@ -62,7 +70,9 @@ class Room:
         #: The walls and projectors that are open.
         self.boards: set[RoomBoard] = set()
         self.desks: dict[str, Desk] = {}
-        self._servers = Servers(lambda _: self.changed(), roster.blocks)
+        #: Whether a hub lets pupils in and starts their servers.
+        self.is_hubs = servers is not None
+        self._servers = servers or Servers(lambda _: self.changed(), roster.blocks)
         self.hand_in_runs = HandInRuns(roster.folder, self._servers, self._give)
         self._ending: dict[str, asyncio.Task[None]] = {}
         for pupil in roster.pupils:
@@ -197,6 +207,26 @@ class Room:
         """Pause all pages because the teacher speaks, or resume them."""
         self.eyes_up = eyes_up
         await asyncio.gather(*(desk.rest(eyes_up=eyes_up) for desk in self.desks.values()))
+
+    @property
+    def word(self) -> str:
+        """The word by which pupils join; empty if a hub lets them in."""
+        return "" if self.is_hubs else self.roster.word
+
+    async def gather(self, lesson: str, step: int) -> None:
+        """Have pupils' servers hand in the programs that are open in a step, if none was handed in.
+
+        Where pupils' folders are here, they are read instead.
+        """
+        if not self.is_hubs:
+            return
+        desks = [
+            desk
+            for desk in self.desks.values()
+            if desk.progress.place == (lesson, step)
+            and (lesson, step) not in self.hand_ins.of_pupil(desk.pupil.id)
+        ]
+        await asyncio.gather(*(desk.order(messages.HandIn()) for desk in desks))
 
     @property
     def taught(self) -> tuple[str, ...]:

@@ -183,6 +183,21 @@ class Roster:
             self._change(pupils=(*self.pupils, pupil))
         return pupil, pictures
 
+    def admit(self, id: str, name: str) -> Pupil:  # noqa: A002 - as in `Pupil`
+        """The pupil with this id, whom others have recognised; a new one is added.
+
+        Raises:
+            LearnBlockError: the class is full.
+        """
+        with self._lock:
+            if pupil := self.find(id):
+                return pupil
+            if len(self.pupils) >= MOST_PUPILS:
+                raise LearnBlockError("class-full", most=MOST_PUPILS)
+            pupil = Pupil(id, name, Pin.of(new_pictures()), time.time())
+            self._change(pupils=(*self.pupils, pupil))
+        return pupil
+
     def recognise(self, name: str, pictures: Sequence[Picture]) -> Pupil | None:
         """The pupil with this name and these pictures, if there is one.
 

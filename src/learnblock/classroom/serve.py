@@ -9,9 +9,10 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-from learnblock.classroom.app import create_app
+from learnblock.classroom.app import HubEntrance, create_app
 from learnblock.classroom.badges import Badges, Visitors
 from learnblock.classroom.certificate import CertificateFiles
+from learnblock.classroom.hub_class import HubLogin, HubServers, HubService
 from learnblock.classroom.messages import LessonOffer
 from learnblock.classroom.room import Room
 from learnblock.classroom.roster import Roster, wall_address
@@ -42,6 +43,7 @@ class ClassService:
         certificate: for HTTPS; None for HTTP.
         allowed_hosts: more names of this computer.
         deadlines: how long its end may take.
+        hub: the JupyterHub whose service it is; None if it is open on its own.
         announce: shows the teacher how to come in.
     """
 
@@ -54,6 +56,7 @@ class ClassService:
     certificate: CertificateFiles | None = None
     allowed_hosts: tuple[str, ...] = ()
     deadlines: Deadlines = _DEADLINES
+    hub: HubService | None = None
 
 
 def serve_class(service: ClassService, *, show: Callable[[str], object] | None = None) -> None:
@@ -71,8 +74,9 @@ def serve_class(service: ClassService, *, show: Callable[[str], object] | None =
     connections = Connections(most_connections())
     plain = tcp_socket(service.host, service.port)
     with Listening(plain, connections) as listening, faults_said_once():
-        address = _address(service, listening)
-        room = Room(service.roster, address, service.offers)
+        address = service.hub.address if service.hub else _address(service, listening)
+        servers = HubServers(service.hub, service.roster) if service.hub else None
+        room = Room(service.roster, address, service.offers, servers)
         # Browsers keep one badge for each port.
         cookie = f"learnblock_class_{listening.getsockname()[1]}"
         visitors = Visitors(Badges(service.roster), cookie)
@@ -81,6 +85,7 @@ def serve_class(service: ClassService, *, show: Callable[[str], object] | None =
             visitors,
             hosts=(socket.gethostname(), *service.allowed_hosts),
             tls=service.certificate is not None,
+            hub=HubEntrance(service.hub, HubLogin(service.hub)) if service.hub else None,
         )
         config = configured(
             app,

@@ -5,10 +5,11 @@ import secrets
 import socket
 import subprocess
 import sys
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
+from typing import Protocol
 
 import msgspec
 
@@ -29,21 +30,50 @@ class ServerAddress:
     """Where a pupil's server answers.
 
     Args:
-        port: on this computer.
-        token: with which the classroom comes in.
-        base_url: the path of the pupil's page.
-        process: its process.
+        host: its address and port.
+        base_url: the path of the page there.
+        token: with which the classroom comes in; empty if others let it in by its headers.
+        headers: what each request says besides.
+        is_encrypted: whether it is reached by HTTPS.
+        process: its process; 0 if it is not on this computer.
     """
 
-    port: int
-    token: str
+    host: str
     base_url: str
-    process: int
+    token: str = ""
+    headers: Mapping[str, str] = field(default_factory=dict)
+    is_encrypted: bool = False
+    process: int = 0
+
+    def url(self, scheme: str, path: str) -> str:
+        """The address of a path of the page, by `http` or `ws`."""
+        return f"{scheme}{'s' * self.is_encrypted}://{self.host}{self.base_url}{path}"
+
+
+class PupilServers(Protocol):
+    """What starts and ends pupils' servers."""
 
     @property
-    def host(self) -> str:
-        """Its address and port."""
-        return f"127.0.0.1:{self.port}"
+    def are_saved(self) -> bool:
+        """Whether every server has saved everything, once all are closed."""
+
+    async def open(self) -> None:
+        """Get ready to start them."""
+
+    def refuse(self) -> None:
+        """Start no more servers."""
+
+    async def close(self) -> None:
+        """Have every server save everything and end."""
+
+    def hurry(self) -> None:
+        """Have every server save and end at once."""
+
+    async def place(self, pupil: str, folder: Path) -> ServerAddress:
+        """The place of a pupil's server, which is started if it is not running."""
+
+    async def stop(self, pupil: str) -> None:
+        """Have a pupil's server save everything and end."""
 
 
 class Servers:
@@ -149,7 +179,7 @@ class Servers:
             del self._starting[pupil]
         if not started.port:
             raise LearnBlockError("class-server-failed", reason=started.reason)
-        return ServerAddress(started.port, token, base_url, started.process)
+        return ServerAddress(f"127.0.0.1:{started.port}", base_url, token, process=started.process)
 
     def _ask(self, ask: NurseryRequest) -> None:
         assert self._writer is not None  # noqa: S101 - `open` comes first

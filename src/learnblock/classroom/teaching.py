@@ -84,6 +84,7 @@ async def _show_hand_in(room: Room, message: hand_ins.ReadHandIn) -> hand_ins.Sh
 
 async def _collect(room: Room, message: hand_ins.CollectHandIns) -> hand_ins.HandInList:
     await asyncio.to_thread(room.marking.collect, message.lesson, message.step)
+    await room.gather(message.lesson, message.step)
     for desk in room.desks.values():
         desk.tell_hand_ins()
     return await asyncio.to_thread(room.marking.listed, message.lesson, message.step)

@@ -166,7 +166,7 @@ def _wall(room: Room) -> ours.Wall:
     roster = room.roster
     return ours.Wall(
         title=roster.title,
-        word=roster.word,
+        word=room.word,
         address=room.address,
         open=roster.is_open,
         eyes_up=room.eyes_up,
@@ -184,7 +184,7 @@ def _projected(room: Room) -> ours.Projected:
     here = sum(bool(desk.own_pages) for desk in room.desks.values())
     shown = ours.Projected(
         roster.title,
-        roster.word,
+        room.word,
         room.address,
         roster.is_open,
         here=here,

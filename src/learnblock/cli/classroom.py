@@ -1,5 +1,6 @@
 """`learnblock class`: a class in one room, whose pupils join by a word."""
 
+import os
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -10,6 +11,7 @@ from learnblock.cli.console import say, text
 from learnblock.errors import LearnBlockError
 
 if TYPE_CHECKING:
+    from learnblock.classroom.hub_class import HubService
     from learnblock.i18n import Phrase
 
 
@@ -35,6 +37,13 @@ if TYPE_CHECKING:
 )
 @click.option("--tls", is_flag=True, help="Use HTTPS, with a certificate made for the class.")
 @click.option("--no-browser", is_flag=True, help="Only print the addresses.")
+@click.option(
+    "--hub",
+    metavar="ADDRESS",
+    help="Be a service of JupyterHub, whose proxy has this address; only the hub starts it so.",
+)
+@click.option("--pupils", metavar="GROUP", help="With --hub: the group of the pupils.")
+@click.option("--teachers", metavar="GROUP", help="With --hub: the group of the teachers.")
 @click.option("--delete", is_flag=True, help="Delete the class with everything its pupils made.")
 def class_command(name: str, folder: Path | None, *, delete: bool, **choices: Any) -> None:
     r"""Open a class: pupils join it by a word, from any device in the room.
@@ -57,7 +66,15 @@ def class_command(name: str, folder: Path | None, *, delete: bool, **choices: An
 
 
 def _open(
-    name: str, folder: Path, *, host: str | None, tls: bool, no_browser: bool, **place: Any
+    name: str,
+    folder: Path,
+    *,
+    host: str | None,
+    port: int | None,
+    tls: bool,
+    no_browser: bool,
+    allowed_hosts: tuple[str, ...],
+    **at_hub: str | None,
 ) -> None:
     if sys.platform == "win32":
         raise LearnBlockError("class-not-on-windows")
@@ -69,6 +86,9 @@ def _open(
     from learnblock.classroom.serve import EVERYWHERE, ClassService, serve_class  # noqa: PLC0415
     from learnblock.server.serve import show_in_browser  # noqa: PLC0415
 
+    hub = _hub(name, **at_hub)
+    if hub:
+        host, port = hub.listen
     with claimed(folder, name) as writer:
         roster = Roster(folder, name)
         offers, problems = lesson_offers()
@@ -78,12 +98,25 @@ def _open(
             roster,
             writer,
             _announce,
-            offers,
+            # A pupil's server at a hub can't be given a lesson's files.
+            [offer for offer in offers if not (hub and offer.own)],
             host=host or EVERYWHERE,
+            port=port,
             certificate=own_certificate(folder) if tls else None,
-            **place,
+            allowed_hosts=allowed_hosts,
+            hub=hub,
         )
-        serve_class(service, show=None if no_browser else show_in_browser)
+        serve_class(service, show=None if no_browser or hub else show_in_browser)
+
+
+def _hub(
+    name: str, *, hub: str | None, pupils: str | None, teachers: str | None
+) -> "HubService | None":
+    if hub is None:
+        return None
+    from learnblock.classroom.hub_class import HubService  # noqa: PLC0415 - see above
+
+    return HubService.of(os.environ, hub, pupils or name, teachers or f"teachers-{name}")
 
 
 def _delete(name: str, folder: Path) -> None:

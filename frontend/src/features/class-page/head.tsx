@@ -68,7 +68,11 @@ export function Tools({ stream, wall, showJoin, hintAll }: ToolsProps) {
       <button type="button" class="button bordered" aria-haspopup="dialog" onClick={showJoin}>
         <Icon name="qrCode" />
         <span>
-          <span class="wide">{t("page-class-join-word")}</span> <b>{wall.word}</b>
+          {/* At a hub, pupils log in instead. */}
+          <span class={wall.word ? "wide" : undefined}>
+            {t(wall.word ? "page-class-join-word" : "page-class-join-address")}
+          </span>{" "}
+          <b>{wall.word}</b>
         </span>
       </button>
       <a class="button bordered" href="projector" target="_blank" rel="noopener opener">

@@ -13,7 +13,7 @@ export function JoinSign({ address, word }: { address: string; word: string }) {
       <div>
         <p>{t("page-class-go-to")}</p>
         <p class="join-address">{address}</p>
-        <p>{t("page-class-type-word")}</p>
+        <p>{t(word ? "page-class-type-word" : "page-class-log-in")}</p>
         <p class="join-word">{word}</p>
       </div>
     </div>
@@ -30,17 +30,21 @@ interface Props {
 export function JoinRights({ stream, wall, remove }: Props) {
   return (
     <div class="class-tools">
-      <label>
-        <input
-          type="checkbox"
-          checked={wall.open}
-          onChange={({ currentTarget }) => stream.send({ kind: "LetJoin", on: currentTarget.checked })}
-        />
-        {t("page-class-open-door")}
-      </label>
-      <button type="button" class="button bordered" onClick={() => stream.send({ kind: "RenewWord" })}>
-        {t("page-class-renew-word")}
-      </button>
+      {wall.word && (
+        <>
+          <label>
+            <input
+              type="checkbox"
+              checked={wall.open}
+              onChange={({ currentTarget }) => stream.send({ kind: "LetJoin", on: currentTarget.checked })}
+            />
+            {t("page-class-open-door")}
+          </label>
+          <button type="button" class="button bordered" onClick={() => stream.send({ kind: "RenewWord" })}>
+            {t("page-class-renew-word")}
+          </button>
+        </>
+      )}
       <button type="button" class="button bordered" disabled={!wall.pupils?.length} onClick={remove}>
         {t("page-class-remove-several")}
       </button>

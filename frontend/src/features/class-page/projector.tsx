@@ -37,12 +37,14 @@ function HowToJoin({ shown: { address, word, here = 0, joined = 0 } }: { shown: 
           <p>{t("page-class-open-or-scan")}</p>
           <p class="join-address">{address}</p>
         </li>
+        {word && (
+          <li>
+            <p>{t("page-class-join-word")}</p>
+            <p class="join-word">{word}</p>
+          </li>
+        )}
         <li>
-          <p>{t("page-class-join-word")}</p>
-          <p class="join-word">{word}</p>
-        </li>
-        <li>
-          <p>{t("page-class-name-and-pictures")}</p>
+          <p>{t(word ? "page-class-name-and-pictures" : "page-class-log-in")}</p>
         </li>
       </ol>
       <div class="projector-code">

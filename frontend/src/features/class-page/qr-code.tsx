@@ -5,7 +5,7 @@ import { renderSVG } from "uqr";
 import { t } from "../../i18n";
 
 export function QrCode({ address, word }: { address: string; word: string }) {
-  const link = `${address}/?word=${encodeURIComponent(word)}`;
+  const link = word ? `${address}/?word=${encodeURIComponent(word)}` : `${address}/`;
   return (
     <img
       class="qr-code"

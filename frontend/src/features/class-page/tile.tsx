@@ -4,7 +4,7 @@ import type { Phrase } from "../../i18n";
 import { say, t } from "../../i18n";
 import type { Seat } from "../../protocol/classroom";
 import { Icon } from "../../ui/icons";
-import { Menu, type MenuGroup } from "../../ui/menu";
+import { Menu, type MenuGroup, type MenuItem } from "../../ui/menu";
 import { inLanguage } from "../lessons/texts";
 import { type Drawing, SmallWorld } from "./small-world";
 import { isOld, minutes, STATE_ICONS, stateOf } from "./states";
@@ -83,6 +83,11 @@ function moreOf(
   handOut: () => void,
   remove: () => void,
 ): MenuGroup[] {
+  const newPictures: MenuItem = {
+    text: t("page-class-renew-pin"),
+    icon: "image",
+    run: () => stream.send({ kind: "RenewPin", pupil: id }),
+  };
   return [
     {
       items: [
@@ -96,11 +101,8 @@ function moreOf(
     },
     {
       items: [
-        {
-          text: t("page-class-renew-pin"),
-          icon: "image",
-          run: () => stream.send({ kind: "RenewPin", pupil: id }),
-        },
+        // At a hub, pupils log in without pictures.
+        ...(stream.wall.value?.word ? [newPictures] : []),
         { text: t("page-record-of-pupil"), icon: "lesson", run: () => location.assign(`p/${id}/record`) },
         { text: t("page-class-export"), icon: "download", run: () => location.assign(`export.zip?pupil=${id}`) },
         { text: t("page-class-remove"), icon: "trash", run: remove },

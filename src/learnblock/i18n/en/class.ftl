@@ -34,6 +34,9 @@ class-delete = Delete class { $title } with everything that its pupils have made
 class-deleted = Class { $title } is deleted.
 class-not-on-windows = A class needs Linux or macOS on the teacher's computer. On Windows use WSL; pupils can have any device.
 class-no-cryptography = HTTPS needs an add-on that is not installed. Leave out --tls, or install it with: { $command }
+# $variable is the name of an environment variable.
+class-no-hub = With --hub only JupyterHub starts a class, as a service: { $variable } is missing in the environment.
+class-login-again = This login was not begun here. Open the address of the class again.
 # $file is the path of a file, $reason a technical text in English.
 class-damaged = { $file } is damaged: { $reason }. Restore it from a backup, or choose another --folder.
 class-newer = { $file } was made by a newer LearnBlock. Update this one.

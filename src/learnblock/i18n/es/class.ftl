@@ -32,6 +32,8 @@ class-delete = ¿Eliminar la clase { $title } con todo lo que ha hecho su alumna
 class-deleted = La clase { $title } se ha eliminado.
 class-not-on-windows = Para abrir una clase hace falta Linux o macOS en el ordenador del profesorado. En Windows usa WSL; el alumnado puede tener cualquier dispositivo.
 class-no-cryptography = HTTPS necesita un complemento que no está instalado. Quita --tls, o instálalo con: { $command }
+class-no-hub = Con --hub solo JupyterHub abre una clase, como servicio: falta { $variable } en el entorno.
+class-login-again = Este inicio de sesión no empezó aquí. Abre otra vez la dirección de la clase.
 class-damaged = { $file } está dañado: { $reason }. Recupéralo de una copia de seguridad o elige otra --folder.
 class-newer = { $file } lo creó un LearnBlock más nuevo. Actualiza este.
 

@@ -162,6 +162,9 @@ help-class-with-host = Escucha en esta dirección  [por defecto: 0.0.0.0]
 help-class-with-allow-host = Un nombre que la red usa para este ordenador.
 help-class-with-tls = Usa HTTPS, con un certificado hecho para la clase.
 help-class-with-no-browser = Solo muestra las direcciones.
+help-class-with-hub = Ser un servicio de JupyterHub, cuyo proxy tiene esta dirección; así solo la abre JupyterHub.
+help-class-with-pupils = Con --hub: el grupo del alumnado.
+help-class-with-teachers = Con --hub: el grupo de quienes enseñan.
 help-class-with-delete = Elimina la clase con todo lo que se ha hecho en ella.
 
 help-grade =

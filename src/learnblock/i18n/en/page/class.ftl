@@ -64,6 +64,9 @@ page-class-go-to = Open
 page-class-type-word = and type
 page-class-open-or-scan = Open in the browser, or scan
 page-class-name-and-pictures = Your first name and your four pictures
+page-class-join-address = Join address
+# At a hub.
+page-class-log-in = Log in as at school
 page-class-open-door = New pupils can join
 page-class-renew-word = New join word
 page-class-eyes-up-button = Eyes up
