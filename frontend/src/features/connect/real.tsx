@@ -278,13 +278,10 @@ function Address({ robot, back }: { robot: string; back: () => void }) {
           ))}
         </select>
       </label>
-      <SettingsForm key={chosen.value} robot={chosen.value} cancel={back}>
-        {(isSaved) => (
-          <button type="button" class="button filled" disabled={!isSaved} onClick={() => connect.connect(chosen.value)}>
-            {t("page-connect-connect")}
-          </button>
-        )}
-      </SettingsForm>
+      <button type="button" class="button filled" onClick={() => connect.connect(chosen.value)}>
+        {t("page-connect-connect")}
+      </button>
+      <SettingsForm key={chosen.value} robot={chosen.value} cancel={back} />
     </div>
   );
 }
