@@ -5,6 +5,7 @@ import re
 from playwright.sync_api import expect
 
 from browser.pupil import WORKSPACE
+from waiting import wait_for
 
 #: What a menu's command ends with if it opens something.
 OPENS = re.compile(r"…$")
@@ -46,14 +47,17 @@ def test_every_dialog_of_the_menus_has_the_focus_in_its_first_field(sit_down, se
     page = pupil.page
     expect(page.locator(".lbGroupIcon").first).to_be_visible()
     before = page.evaluate(PLACES)
-    lost, opened = [], 0
+    lost, opened, choosers = [], 0, []
+    dialog = page.locator("dialog[open]")
+    page.on("filechooser", lambda _: choosers.append("chooser"))
     for menu, commands in opening_commands(page):
         for command in commands:
             menu.click()
             page.get_by_role("menuitem", name=command, exact=True).click()
             # A command may open a window of the system instead, which a page cannot see.
-            dialog = page.locator("dialog[open]")
-            if not dialog.count():
+            wait_for(lambda: dialog.count() or choosers, command)
+            if choosers:
+                choosers.clear()
                 continue
             opened += 1
             if page.evaluate(TYPING)["fields"]:

@@ -43,6 +43,15 @@ def test_the_button_of_an_open_menu_hides_the_world_behind_it(sit_down, server):
     assert colour.startswith("rgb(")
 
 
+def test_on_a_tablet_the_menu_of_languages_shows_their_names(sit_down, own_server):
+    page = sit_down(own_server, start=True, viewport={"width": 820, "height": 1180}).page
+    page.get_by_role("button", name="Language").click()
+    items = page.get_by_role("menuitemradio").locator(".menu-text")
+    expect(items).to_have_text(["English", "Español"])
+    widths = [items.nth(place).bounding_box()["width"] for place in range(2)]
+    assert min(widths) > 40
+
+
 def test_a_menu_follows_its_button_when_the_window_changes_its_size(sit_down, server):
     pupil = sit_down(server)
     pupil.menu("View and robot").click()
@@ -69,3 +78,13 @@ def test_only_a_statement_offers_a_comment_which_the_texts_can_show(sit_down, se
     pupil.page.keyboard.press("Escape")
     pupil.blocks("text_print").click(button="right", position={"x": 5, "y": 15})
     expect(comment).to_have_count(1)
+
+
+def test_beside_two_texts_the_menu_of_a_block_is_whole(sit_down, server):
+    pupil = sit_down(server, empty=True, flat=True, viewport={"width": 1100, "height": 768})
+    pupil.page.get_by_role("button", name="Python", exact=True).click(modifiers=["Shift"])
+    hat = pupil.blocks("lb_main").first
+    hat.click(button="right", position={"x": 20, "y": 20})
+    menu = pupil.page.locator(".blocklyContextMenu")
+    expect(menu).to_be_visible()
+    assert menu.evaluate(COVERED) == []

@@ -49,6 +49,14 @@ function groups(page: Page, open: (files: readonly File[]) => void): readonly Me
       ],
     },
     {
+      title: t("page-project-share"),
+      items: [
+        { text: t("page-project-download-learnblock"), run: () => project.export("learnblock") },
+        { text: t("page-project-download-bt"), run: () => project.export("bt") },
+        { text: t("page-project-download-py"), run: () => project.export("py") },
+      ],
+    },
+    {
       items: [
         { text: t("page-sets-menu"), run: () => dialogs.show("blockSets") },
         { text: t("page-custom-menu"), run: () => dialogs.show("customBlocks") },
@@ -61,9 +69,6 @@ function groups(page: Page, open: (files: readonly File[]) => void): readonly Me
       items: [
         { text: t("page-project-upload"), run: () => chooseFiles(UPLOADS.join(","), open) },
         { text: t("page-project-upload-folder"), run: () => chooseFolder(open) },
-        { text: t("page-project-download-learnblock"), run: () => project.export("learnblock") },
-        { text: t("page-project-download-bt"), run: () => project.export("bt") },
-        { text: t("page-project-download-py"), run: () => project.export("py") },
       ],
     },
     { items: [{ text: t("page-project-delete"), run: () => dialogs.show({ delete: name }) }] },

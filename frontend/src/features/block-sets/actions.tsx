@@ -1,6 +1,7 @@
 /** The actions for the set in the dialog. */
 
 import { useSignal } from "@preact/signals";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import { language, t } from "../../i18n";
 import { usePage } from "../../model/page";
 import { type BlockSet, LIMITS } from "../../protocol/messages";
@@ -77,6 +78,8 @@ function SaveForm({ ticked, tabs, look, done }: Props & { done: () => void }) {
   const isOurs = blockSets.ours.value.some((one) => one.name === ticked.base.name);
   const name = useSignal(isOurs ? t("page-sets-my-blocks") : (ticked.base.name ?? ""));
   const taken = blockSets.own.value.some((one) => one.name === name.value.trim());
+  const form = useRef<HTMLFormElement>(null);
+  useLayoutEffect(() => form.current?.scrollIntoView({ block: "nearest" }), []);
   const save = (event: SubmitEvent) => {
     event.preventDefault();
     const set = named(setOf(ticked, tabs), name.value.trim());
@@ -85,7 +88,7 @@ function SaveForm({ ticked, tabs, look, done }: Props & { done: () => void }) {
     done();
   };
   return (
-    <form onSubmit={save}>
+    <form ref={form} onSubmit={save}>
       <label class="field">
         {t("page-sets-name")}
         <input

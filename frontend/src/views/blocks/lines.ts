@@ -19,7 +19,7 @@ class LineInflater extends Blockly.LabelFlyoutInflater {
 }
 
 /** The labels of a sentence, one for each line. */
-export function labelsOf(sentence: string): object[] {
+export function labelsOf(sentence: string): { kind: string; text: string }[] {
   const lines = linesOf(sentence);
   // The last one keeps its distance from the blocks below it.
   return lines.map((text, at) => ({ kind: at + 1 < lines.length ? LINE : "label", text }));

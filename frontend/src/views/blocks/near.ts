@@ -38,6 +38,7 @@ export const FOREIGN: Readonly<Record<string, readonly string[]>> = {
   leave: ["controls_flow_statements", ...skills("stop_bot")],
   animate: [...skills("cozmoDances", "cozmoCat"), ...FACES],
   dictionary: ["lb_dictionary", "lb_dictionary_get"],
+  smile: skills("expressJoy", "is_any_face_happy"),
   size: [...skills("RGBled"), ...FACES],
 };
 

@@ -2,6 +2,7 @@
 
 import { type Entry, nameOf } from "../../model/shown-blocks";
 import { STAGES, type Stage } from "../../model/stages";
+import { labelsOf } from "./lines";
 
 export type Item = Entry & { readonly needs?: readonly string[]; readonly lacking?: boolean } & {
   /** The name of a block that also does what this one does. */
@@ -143,7 +144,7 @@ function headed(sections: readonly Headed[], withHeadings: boolean): Item[] {
 function lackingItems(items: readonly Item[], lacks: ReadonlySet<string>, words: Words): Item[] {
   const needs = new Set(items.map((item) => missing(item, lacks)!));
   return [...needs].flatMap((need) => [
-    label(words.missing(need)),
+    ...labelsOf(words.missing(need)),
     ...items.filter((item) => missing(item, lacks) === need).map((item) => ({ ...item, lacking: true })),
   ]);
 }

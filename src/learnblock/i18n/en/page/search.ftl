@@ -16,6 +16,7 @@ page-search-clone-say = Here the actor is the robot, and the World menu has the 
 page-search-hide = hide, invisible, disappear
 page-search-hide-say = A robot can't hide, but it can show nothing:
 page-search-say = say, think, speech, bubble, tell, talk
+page-search-smile = smile, laugh, glad, cheerful, joy
 page-search-glide = glide, slide, move to, steps, move, walk, run to
 page-search-direction = point in direction, point towards, direction, heading, compass, face towards
 page-search-position = position, coordinates, coordinate, location

@@ -16,6 +16,7 @@ page-search-clone-say = Aquí el actor es el robot, y los escenarios están en e
 page-search-hide = esconder, ocultar, invisible, desaparecer
 page-search-hide-say = Un robot no puede esconderse, pero puede no mostrar nada:
 page-search-say = decir, pensar, bocadillo, contar, hablar, di
+page-search-smile = sonreír, sonrisa, reír, feliz, contento, contenta, alegría
 page-search-glide = deslizar, desliza, mover, pasos, andar, caminar, ir a
 page-search-direction = apuntar en dirección, apuntar hacia, dirección, rumbo, brújula
 page-search-position = posición, coordenadas, coordenada, lugar
