@@ -1,8 +1,11 @@
+// @vitest-environment happy-dom
+
 import { signal } from "@preact/signals";
 import { beforeEach, expect, test, vi } from "vitest";
 
-import { runHandIn } from "../../src/features/hand-ins/run";
+import { revealAround, runHandIn } from "../../src/features/hand-ins/run";
 import type { Page } from "../../src/model/page";
+import { Views } from "../../src/model/views";
 import { FakeConnection } from "../fake-connection";
 
 const PROGRAM = "main:\n    pass\nend\n";
@@ -59,4 +62,17 @@ test("later runs are to be watched, and the end of an earlier one changes nothin
     { kind: "SetSpeed", factor: null },
     { kind: "SetSpeed", factor: 1 },
   ]);
+});
+
+test("the page around it shows the block that an answer names, also of a panel on a narrow page", () => {
+  const told = vi.spyOn(parent, "postMessage").mockImplementation(() => {});
+  const views = new Views();
+  const program = { state: signal({ places: [["repeat", 2, 4, 5, 6]] }) };
+  revealAround({ views, context: { program } } as unknown as Page);
+  views.showPanel("why");
+  expect(views.area.value).toBe("blocks");
+  views.reveal("unknown");
+  expect(told).not.toHaveBeenCalled();
+  views.reveal("repeat");
+  expect(told).toHaveBeenCalledWith({ showLine: 2 }, location.origin);
 });
