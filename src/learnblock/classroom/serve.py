@@ -9,6 +9,8 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
+from starlette.applications import Starlette
+
 from learnblock.classroom.app import HubEntrance, create_app
 from learnblock.classroom.badges import Badges, Visitors
 from learnblock.classroom.certificate import CertificateFiles
@@ -75,20 +77,12 @@ def serve_class(service: ClassService, *, show: Callable[[str], object] | None =
     plain = tcp_socket(service.host, service.port)
     with Listening(plain, connections) as listening, faults_said_once():
         address = service.hub.address if service.hub else _address(service, listening)
-        servers = HubServers(service.hub, service.roster) if service.hub else None
-        room = Room(service.roster, address, service.offers, servers)
+        room = _room(service, address)
         # Browsers keep one badge for each port.
         cookie = f"learnblock_class_{listening.getsockname()[1]}"
         visitors = Visitors(Badges(service.roster), cookie)
-        app = create_app(
-            room,
-            visitors,
-            hosts=(socket.gethostname(), *service.allowed_hosts),
-            tls=service.certificate is not None,
-            hub=HubEntrance(service.hub, HubLogin(service.hub)) if service.hub else None,
-        )
         config = configured(
-            app,
+            _app(service, room, visitors),
             connections=connections,
             identify=visitors.person,
             **_tls(service.certificate),
@@ -111,6 +105,21 @@ def serve_class(service: ClassService, *, show: Callable[[str], object] | None =
             server.run([listening])
         code = "class-ended" if room.is_saved else "class-ended-by-force"
         service.announce(Phrase(code, title=title))
+
+
+def _room(service: ClassService, address: str) -> Room:
+    servers = HubServers(service.hub, service.roster) if service.hub else None
+    return Room(service.roster, address, service.offers, servers)
+
+
+def _app(service: ClassService, room: Room, visitors: Visitors) -> Starlette:
+    return create_app(
+        room,
+        visitors,
+        hosts=(socket.gethostname(), *service.allowed_hosts),
+        tls=service.certificate is not None,
+        hub=HubEntrance(service.hub, HubLogin(service.hub)) if service.hub else None,
+    )
 
 
 def _last_resort(room: Room, service: ClassService, close: Callable[[], None]) -> LastResort:
