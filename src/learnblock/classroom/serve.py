@@ -153,6 +153,10 @@ def _opened(
 
     def opened() -> None:
         service.writer.describe(address, roster.key)
+        if service.hub:
+            # Its output is the hub's log, where the teacher's key has no place.
+            service.announce(Phrase("class-opened-at-hub", title=roster.title, address=address))
+            return
         service.announce(
             Phrase(
                 "class-opened",

@@ -6,6 +6,7 @@
 # $projector are addresses for the teacher.
 class-opened =
     Class { $title } is open. Press Ctrl-C to save everything and close it.
+class-opened-at-hub = The class { $title } is open at { $address }. Ctrl-C saves everything and closes it.
 
       Pupils open  { $address }
       Join word    { $word }

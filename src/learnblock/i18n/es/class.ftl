@@ -4,6 +4,7 @@
 
 class-opened =
     La clase { $title } está abierta. Pulsa Ctrl-C para guardarlo todo y cerrarla.
+class-opened-at-hub = La clase { $title } está abierta en { $address }. Ctrl-C lo guarda todo y la cierra.
 
       El alumnado abre     { $address }
       Palabra para entrar  { $word }
