@@ -2,7 +2,7 @@
 
 import asyncio
 from collections.abc import AsyncIterator, Awaitable, Callable, Iterable, Iterator
-from contextlib import asynccontextmanager, nullcontext, suppress
+from contextlib import asynccontextmanager, nullcontext
 from dataclasses import dataclass
 from functools import partial
 from http import HTTPStatus
@@ -14,13 +14,21 @@ from starlette.applications import Starlette
 from starlette.middleware import Middleware
 from starlette.middleware.gzip import GZipMiddleware
 from starlette.requests import HTTPConnection, Request
-from starlette.responses import HTMLResponse, PlainTextResponse, RedirectResponse, Response
+from starlette.responses import HTMLResponse, RedirectResponse, Response
 from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
-from starlette.websockets import WebSocket, WebSocketDisconnect
+from starlette.websockets import WebSocket
 from websockets.exceptions import InvalidHandshake, InvalidMessage
 
 from learnblock.classroom import hand_in_runs
 from learnblock.classroom import messages as ours
+from learnblock.classroom.answers import (
+    address_of,
+    close_socket,
+    forbidden,
+    json_answer,
+    reached,
+    short_body,
+)
 from learnblock.classroom.archive import export
 from learnblock.classroom.badges import Visitors
 from learnblock.classroom.desk import Desk, TooManyPagesError
@@ -35,27 +43,18 @@ from learnblock.classroom.servers import ServerAddress
 from learnblock.classroom.tables import Tables
 from learnblock.classroom.wall import Board, MarkingView, ProjectorView, View, WallView
 from learnblock.errors import LearnBlockError, phrase_of
-from learnblock.i18n import Phrase
 from learnblock.server.http import static_files
-from learnblock.server.http.connections import network_of
 from learnblock.server.http.palette import palette
 from learnblock.server.http.pictures import lesson as lesson_picture
 from learnblock.server.http.protection import SUBPROTOCOL, Guard, Protection
-from learnblock.server.messages import Failed
 
 #: Close codes: this browser may not be here; it has too many pages; the pupil's server is not ready
 #: yet.
 _FORBIDDEN, _TOO_MANY, _TRY_LATER = 4403, 4429, 1013
-#: The limit of what a pupil types to join, in bytes.
-_LONGEST_JOIN = 2000
 #: Seconds for which a browser keeps a badge: a school year.
 _YEAR = 365 * 24 * 3600
-#: Goes to the wall without the key in its address.
-_TO_WALL = (
-    '<!doctype html><title>LearnBlock</title><meta http-equiv="refresh" content="0;url=teacher">'
-)
-#: The same, after the hub's login.
-_TO_CLASS = '<!doctype html><title>LearnBlock</title><meta http-equiv="refresh" content="0;url=./">'
+#: Goes on without what is in the address: the teacher's key, or the hub's code.
+_ONWARD = '<!doctype html><title>LearnBlock</title><meta http-equiv="refresh" content="0;url={}">'
 _GZIP = Middleware(GZipMiddleware, minimum_size=1000, compresslevel=5)
 _join = msgspec.json.Decoder(ours.Join)
 _word = msgspec.json.Decoder(ours.TryWord)
@@ -233,11 +232,13 @@ class _Door:
         async def answer(request: Request) -> Response:
             key = request.query_params.get("key")
             if key is None:
-                return await page(request) if self._visitors.is_teacher(request) else _forbidden()
+                return await page(request) if self._visitors.is_teacher(request) else forbidden()
             if not self._badges.is_key(key):
-                return _forbidden()
+                return forbidden()
             # Browsers keep a strict cookie back from where a link on another page redirects to.
-            response = HTMLResponse(_TO_WALL, headers={"cache-control": "no-store"})
+            response = HTMLResponse(
+                _ONWARD.format("teacher"), headers={"cache-control": "no-store"}
+            )
             self._give(response, self._visitors.teachers_cookie, self._badges.of_teacher())
             return response
 
@@ -246,7 +247,7 @@ class _Door:
     async def about(self, request: Request) -> Response:
         """What the class's page shows before anybody has joined."""
         roster, pupil = self._room.roster, self._visitors.pupil(request)
-        return _json(
+        return json_answer(
             ours.AboutClass(
                 roster.title,
                 roster.is_open,
@@ -259,25 +260,25 @@ class _Door:
     async def word(self, request: Request) -> Response:
         """Whether the join word is right, before the rest is typed."""
         try:
-            message = _word.decode(await _short_body(request))
-            self._entrance.require_word(message.word, _address_of(request))
+            message = _word.decode(await short_body(request))
+            self._entrance.require_word(message.word, address_of(request))
         except (LearnBlockError, ValueError) as error:
-            return _json(ours.NotJoined(phrase_of(error)), HTTPStatus.FORBIDDEN)
+            return json_answer(ours.NotJoined(phrase_of(error)), HTTPStatus.FORBIDDEN)
         return Response(status_code=HTTPStatus.NO_CONTENT)
 
     async def join(self, request: Request) -> Response:
         """Let a pupil in."""
         try:
-            message = _join.decode(await _short_body(request))
-            pupil, pictures = await self._entrance.join(message, _address_of(request))
+            message = _join.decode(await short_body(request))
+            pupil, pictures = await self._entrance.join(message, address_of(request))
         except AsksTeacherError as error:
             self._room.knock(checked_name(message.name))
-            return _json(ours.NotJoined(error.phrase), HTTPStatus.FORBIDDEN)
+            return json_answer(ours.NotJoined(error.phrase), HTTPStatus.FORBIDDEN)
         except (LearnBlockError, OSError, ValueError) as error:
-            return _json(ours.NotJoined(phrase_of(error)), HTTPStatus.FORBIDDEN)
+            return json_answer(ours.NotJoined(phrase_of(error)), HTTPStatus.FORBIDDEN)
         self._room.desk(pupil)
         self._room.changed()
-        response = _json(ours.Joined(f"p/{pupil.id}/", pictures))
+        response = json_answer(ours.Joined(f"p/{pupil.id}/", pictures))
         self._give(response, self._visitors.cookie, self._badges.of_pupil(pupil))
         return response
 
@@ -304,10 +305,10 @@ class _Door:
         try:
             user = await hub.login.user(request)
         except (LearnBlockError, httpx.HTTPError, KeyError):
-            return _forbidden()
+            return forbidden()
         if user is None:
-            return _forbidden()
-        response = HTMLResponse(_TO_CLASS, headers={"cache-control": "no-store"})
+            return forbidden()
+        response = HTMLResponse(_ONWARD.format("./"), headers={"cache-control": "no-store"})
         response.delete_cookie(hub.login.cookie, path=self._base)
         if user.is_teacher:
             self._give(response, self._visitors.teachers_cookie, self._badges.of_teacher())
@@ -330,11 +331,11 @@ class _Door:
         """Pass a request of a pupil's page on."""
         shown = self._shown(request)
         if shown is None:
-            return _forbidden() if request.path_params["path"] else RedirectResponse(self._base)
+            return forbidden() if request.path_params["path"] else RedirectResponse(self._base)
         pupil, is_teacher = shown
         if request.method == "POST" and is_teacher:
-            return _forbidden()
-        return await _reached(self._forwarded(request, pupil))
+            return forbidden()
+        return await reached(self._forwarded(request, pupil))
 
     async def _forwarded(self, request: Request, pupil: Pupil) -> Response:
         place = await self._room.place(pupil)
@@ -346,7 +347,7 @@ class _Door:
         """A page about a pupil, for the pupil and the teacher."""
 
         async def answer(request: Request) -> Response:
-            return _forbidden() if self._shown(request) is None else await page(request)
+            return forbidden() if self._shown(request) is None else await page(request)
 
         return answer
 
@@ -354,17 +355,17 @@ class _Door:
         """What a pupil has done in all sessions."""
         shown = self._shown(request)
         if shown is None:
-            return _forbidden()
+            return forbidden()
         pupil, is_teacher = shown
         record = partial(record_of, self._room.roster, self._room.hand_ins, pupil)
-        return _json(await asyncio.to_thread(record, teaches=is_teacher))
+        return json_answer(await asyncio.to_thread(record, teaches=is_teacher))
 
     async def _upload(self, request: Request, desk: Desk, place: ServerAddress) -> Response:
         try:
             with desk.uploading():
                 return await self._forwarder.upload(request, place)
         except LearnBlockError as error:
-            return _json(error.phrase, HTTPStatus.BAD_REQUEST)
+            return json_answer(error.phrase, HTTPStatus.BAD_REQUEST)
 
     async def websocket(self, socket: WebSocket) -> None:
         """Connect a page with a pupil's server."""
@@ -372,7 +373,7 @@ class _Door:
         # Always accept, because a browser doesn't tell its page why a handshake failed.
         await socket.accept(SUBPROTOCOL if socket.scope["subprotocols"] else None)
         if shown is None:
-            await _close(socket, _FORBIDDEN)
+            await close_socket(socket, _FORBIDDEN)
             return
         pupil, is_teacher = shown
         desk = self._room.desk(pupil)
@@ -383,10 +384,10 @@ class _Door:
                 relay = Relay(socket, desk, is_teacher=is_teacher)
                 await relay.serve(place, [first] if first else [])
         except TooManyPagesError as error:
-            await _close(socket, _TOO_MANY, error.phrase)
+            await close_socket(socket, _TOO_MANY, error.phrase)
         except (LearnBlockError, OSError, InvalidHandshake, InvalidMessage):
             # Its server has just ended, or is too busy to start: the page tries again by itself.
-            await _close(socket, _TRY_LATER)
+            await close_socket(socket, _TRY_LATER)
         except asyncio.CancelledError:
             # The class closes, and does not wait for a page's remaining messages.
             pass
@@ -397,13 +398,13 @@ class _Door:
         """Connect the teacher's page with the server that runs a hand-in."""
         await socket.accept(SUBPROTOCOL if socket.scope["subprotocols"] else None)
         if not self._visitors.is_teacher(socket):
-            await _close(socket, _FORBIDDEN)
+            await close_socket(socket, _FORBIDDEN)
             return
         room = self._room
         try:
             pupil, run = await asyncio.to_thread(room.wanted_run, **socket.query_params)
         except (LearnBlockError, TypeError, ValueError):
-            await _close(socket, _FORBIDDEN)
+            await close_socket(socket, _FORBIDDEN)
             return
         # A desk of the teacher's own, who may run the program.
         desk = Desk(pupil, lambda: None, room.hand_ins)
@@ -414,14 +415,14 @@ class _Door:
             async with room.hand_in_runs.page(relay, run.lesson) as place:
                 await relay.serve(place, hand_in_runs.beginning(run))
         except (LearnBlockError, OSError, InvalidHandshake, InvalidMessage):
-            await _close(socket, _TRY_LATER)
+            await close_socket(socket, _TRY_LATER)
         except asyncio.CancelledError:
             # As in `websocket`.
             pass
 
     async def file_of_run(self, request: Request) -> Response:
         """A picture of the world in which a hand-in runs."""
-        return await _reached(self._asked_of_run(request))
+        return await reached(self._asked_of_run(request))
 
     async def _asked_of_run(self, request: Request) -> Response:
         async with self._room.hand_in_runs.used() as place:
@@ -431,14 +432,14 @@ class _Door:
         """Show the class to the teacher."""
         await socket.accept()
         if not self._visitors.is_teacher(socket):
-            await _close(socket, _FORBIDDEN)
+            await close_socket(socket, _FORBIDDEN)
             return
         await Board(socket, self._room, view()).serve()
 
     async def export(self, request: Request) -> Response:
         """Everything that is kept about a pupil, or about all of them."""
         if not self._visitors.is_teacher(request):
-            return _forbidden()
+            return forbidden()
         roster = self._room.roster
         pupil_id = request.query_params.get("pupil")
         pupils = [pupil for pupil in roster.pupils if pupil_id in (None, pupil.id)]
@@ -447,43 +448,3 @@ class _Door:
         return Response(
             content, media_type="application/zip", headers={"content-disposition": disposition}
         )
-
-
-async def _reached(answer: Awaitable[Response]) -> Response:
-    """What another server answers, or why it does not."""
-    try:
-        return await answer
-    except httpx.InvalidURL:
-        return Response(status_code=HTTPStatus.NOT_FOUND)
-    except (LearnBlockError, httpx.HTTPError) as error:
-        return PlainTextResponse(f"{error}\n", HTTPStatus.SERVICE_UNAVAILABLE)
-
-
-async def _close(socket: WebSocket, code: int, reason: Phrase | None = None) -> None:
-    """Close a page's connection, and say why; the page may have gone already."""
-    with suppress(RuntimeError, WebSocketDisconnect):
-        if reason:
-            await socket.send_text(msgspec.json.encode(Failed(reason)).decode())
-        await socket.close(code)
-
-
-def _json(message: msgspec.Struct | Phrase, status: int = HTTPStatus.OK) -> Response:
-    headers = {"cache-control": "no-store"}
-    return Response(msgspec.json.encode(message), status, headers, "application/json")
-
-
-def _address_of(request: Request) -> str:
-    return network_of(request.client.host) if request.client else ""
-
-
-def _forbidden() -> Response:
-    return static_files.no_token()
-
-
-async def _short_body(request: Request) -> bytes:
-    body = b""
-    async for chunk in request.stream():
-        body += chunk
-        if len(body) > _LONGEST_JOIN:
-            raise LearnBlockError("server-message-too-long", count=len(body))
-    return body

@@ -1,11 +1,10 @@
-/** A sentence in the palette, in as many lines as it needs: Blockly's labels have one. */
+/** The lines of a sentence in the palette, close to each other. */
 
 import * as Blockly from "blockly/core";
 
-const LINE = "lb_line";
+import { LINE } from "./line-labels";
 
-/** Letters in a line of the narrowest palette, and the room between two lines in units of the workspace. */
-const LONGEST = 30;
+/** The room between two lines in units of the workspace. */
 const GAP = 2;
 
 class LineInflater extends Blockly.LabelFlyoutInflater {
@@ -16,23 +15,6 @@ class LineInflater extends Blockly.LabelFlyoutInflater {
   override getType(): string {
     return LINE;
   }
-}
-
-/** The labels of a sentence, one for each line. */
-export function labelsOf(sentence: string): { kind: string; text: string }[] {
-  const lines = linesOf(sentence);
-  // The last one keeps its distance from the blocks below it.
-  return lines.map((text, at) => ({ kind: at + 1 < lines.length ? LINE : "label", text }));
-}
-
-function linesOf(sentence: string): string[] {
-  const lines: string[] = [];
-  for (const word of sentence.split(" ")) {
-    const longer = `${lines.at(-1) ?? ""} ${word}`;
-    if (lines.length && longer.length <= LONGEST) lines[lines.length - 1] = longer;
-    else lines.push(word);
-  }
-  return lines;
 }
 
 /** Call it once, before the first workspace is created. */

@@ -2,7 +2,7 @@
 
 import { type Entry, nameOf } from "../../model/shown-blocks";
 import { STAGES, type Stage } from "../../model/stages";
-import { labelsOf } from "./lines";
+import { labelsOf } from "./line-labels";
 
 export type Item = Entry & { readonly needs?: readonly string[]; readonly lacking?: boolean } & {
   /** The name of a block that also does what this one does. */

@@ -9,7 +9,7 @@ import { preferences } from "../../model/preferences";
 import type { Block } from "../../protocol/messages";
 import { icon } from "../../ui/icons";
 import { actionsOf } from "./actions";
-import { labelsOf } from "./lines";
+import { labelsOf } from "./line-labels";
 import { found, type Item as Offered, type Section } from "./offers";
 import type { GroupInfo } from "./palette-group";
 import { paletteWords } from "./palette-words";

@@ -6,7 +6,6 @@
 # $projector are addresses for the teacher.
 class-opened =
     Class { $title } is open. Press Ctrl-C to save everything and close it.
-class-opened-at-hub = The class { $title } is open at { $address }. Ctrl-C saves everything and closes it.
 
       Pupils open  { $address }
       Join word    { $word }
@@ -15,6 +14,7 @@ class-opened-at-hub = The class { $title } is open at { $address }. Ctrl-C saves
       Projector    { $projector }
 
     The address of your wall holds your key: don't show it to pupils.
+class-opened-at-hub = The class { $title } is open at { $address }. Ctrl-C saves everything and closes it.
 class-closing = Class { $title } closes. Saving everything...
 class-ended = Everything is saved. Class { $title } is closed.
 class-ended-by-force = Class { $title } is closed. A pupil's LearnBlock did not answer and was ended; what it showed as saved is there.

@@ -4,7 +4,6 @@
 
 class-opened =
     La clase { $title } está abierta. Pulsa Ctrl-C para guardarlo todo y cerrarla.
-class-opened-at-hub = La clase { $title } está abierta en { $address }. Ctrl-C lo guarda todo y la cierra.
 
       El alumnado abre     { $address }
       Palabra para entrar  { $word }
@@ -13,6 +12,7 @@ class-opened-at-hub = La clase { $title } está abierta en { $address }. Ctrl-C 
       Proyector            { $projector }
 
     La dirección de tu panel contiene tu llave: no se la enseñes al alumnado.
+class-opened-at-hub = La clase { $title } está abierta en { $address }. Ctrl-C lo guarda todo y la cierra.
 class-closing = La clase { $title } se cierra. Guardando todo...
 class-ended = Todo está guardado. La clase { $title } está cerrada.
 class-ended-by-force = La clase { $title } está cerrada. El LearnBlock de algún alumno no respondía y se ha terminado a la fuerza; lo que mostraba como guardado está ahí.

@@ -1,0 +1,68 @@
+"""What a class answers to requests, whatever they ask for."""
+
+from collections.abc import Awaitable
+from contextlib import suppress
+from http import HTTPStatus
+
+import httpx
+import msgspec
+from starlette.requests import Request
+from starlette.responses import PlainTextResponse, Response
+from starlette.websockets import WebSocket, WebSocketDisconnect
+
+from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase
+from learnblock.server.http import static_files
+from learnblock.server.http.connections import network_of
+from learnblock.server.messages import Failed
+
+#: The limit of what is typed to join, in bytes.
+LONGEST_BODY = 2000
+
+
+async def reached(answer: Awaitable[Response]) -> Response:
+    """What another server answers, or why it does not."""
+    try:
+        return await answer
+    except httpx.InvalidURL:
+        return Response(status_code=HTTPStatus.NOT_FOUND)
+    except (LearnBlockError, httpx.HTTPError) as error:
+        return PlainTextResponse(f"{error}\n", HTTPStatus.SERVICE_UNAVAILABLE)
+
+
+async def close_socket(socket: WebSocket, code: int, reason: Phrase | None = None) -> None:
+    """Close a page's connection, and say why; the page may have gone already."""
+    with suppress(RuntimeError, WebSocketDisconnect):
+        if reason:
+            await socket.send_text(msgspec.json.encode(Failed(reason)).decode())
+        await socket.close(code)
+
+
+def json_answer(message: msgspec.Struct | Phrase, status: int = HTTPStatus.OK) -> Response:
+    """A message that no browser keeps."""
+    headers = {"cache-control": "no-store"}
+    return Response(msgspec.json.encode(message), status, headers, "application/json")
+
+
+def address_of(request: Request) -> str:
+    """The network from which a request comes, whose tries are counted together."""
+    return network_of(request.client.host) if request.client else ""
+
+
+def forbidden() -> Response:
+    """What this browser may not see."""
+    return static_files.no_token()
+
+
+async def short_body(request: Request) -> bytes:
+    """What somebody has typed at the door.
+
+    Raises:
+        LearnBlockError: it is too long.
+    """
+    body = b""
+    async for chunk in request.stream():
+        body += chunk
+        if len(body) > LONGEST_BODY:
+            raise LearnBlockError("server-message-too-long", count=len(body))
+    return body
