@@ -13,8 +13,10 @@ FIRST += ["flower.bt", "melody.bt", "remote-control.bt"]
 #: A lap of a line takes minutes.
 SHORT = [name for name in FIRST if TASKS[name][0] not in {"line", "red-line"}]
 VERDICTS = {name: running.runs_on(running.read(EXAMPLES / name)) for name in FIRST}
-#: A camera sees tags, faces and colours, an accelerometer feels hands: two of four twins have one.
+#: A camera sees tags, faces and colours, an accelerometer feels hands: two twins have one.
 ON_TWO_TWINS = {"first/caught.bt", "first/face.bt", "first/red-line.bt", "first/tag.bt"}
+#: It waits for an obstacle nearer than 40 mm, and no nearer one is measured by SPIKE's sensor.
+TOO_NEAR = ("first/bump.bt", "sim-spike")
 DRIVE_ON = """
 main:
     function.move_straight(60)
@@ -25,7 +27,7 @@ end
 
 def runs_wholly(name, robot):
     verdict = VERDICTS[name][robot]
-    return verdict.runs and not verdict.missed
+    return verdict.runs and not verdict.missed and (name, robot) != TOO_NEAR
 
 
 @pytest.mark.parametrize(
@@ -46,7 +48,7 @@ def test_a_control_loop_follows_a_line_by_sensors_under_the_robot(made, robot):
 
 
 @pytest.mark.parametrize("name", FIRST)
-def test_a_program_runs_on_three_of_four_twins_unless_it_needs_a_sense_that_only_two_have(name):
+def test_a_program_runs_on_three_twins_unless_it_needs_a_sense_that_only_two_have(name):
     count = sum(VERDICTS[name][robot].runs for robot in TWINS)
     assert count == 2 if name in ON_TWO_TWINS else count >= 3
 

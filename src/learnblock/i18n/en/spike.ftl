@@ -3,7 +3,7 @@
 spike-too-old = The Pybricks firmware of the hub at { $place } is too old (protocol { $version }). Update it at https://code.pybricks.com.
 spike-garbled = The device at { $place } does not behave like a hub with Pybricks. Check the address in the robot settings.
 spike-not-started = LearnBlock's program did not start on the hub at { $place }. Switch the hub off and on, and try again.
-spike-agent-ended = LearnBlock's program on the hub at { $place } has ended. Was the hub's button pressed? Run the program again.
+spike-agent-ended = LearnBlock's program on the hub at { $place } has ended: the hub's button was pressed, or it heard nothing for 1.5 seconds. Run the program again.
 # $motor is left or right, $port a letter.
 spike-no-motor = The hub has no { $motor ->
         [left] left

@@ -1,6 +1,5 @@
 """Looks for robots by Bluetooth Low Energy, and says what keeps it from finding them."""
 
-import asyncio
 from collections.abc import Iterator
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
@@ -16,8 +15,8 @@ if TYPE_CHECKING:
 
 #: Seconds for which to look for a robot that one connects to; most advertise once a second.
 LOOKING = 8.0
-#: Seconds that a look may take longer than it was told.
-_MARGIN = 2.0
+#: Seconds for Bluetooth to begin and to end a look, of those that it may take.
+_MARGIN = 1.0
 
 
 def scan(robot: str, address: str, service: str, seconds: float) -> Iterator[dict[str, str]]:
@@ -36,7 +35,7 @@ def scan(robot: str, address: str, service: str, seconds: float) -> Iterator[dic
             yield {"address": place}
     require("bleak", robot)
     with EventLoop("Bluetooth") as loop, suppress(RobotConnectionError):
-        devices = loop.run(_all(service, seconds), seconds + _MARGIN)
+        devices = loop.run(_all(service, seconds), seconds)
         yield from ({"address": device.address} for device in devices)
 
 
@@ -91,6 +90,8 @@ async def reachable(awaitable: Any) -> Any:
 async def _all(service: str, seconds: float) -> list["BLEDevice"]:
     from bleak import BleakScanner  # noqa: PLC0415 - an add-on
 
-    looking = BleakScanner.discover(timeout=seconds, service_uuids=[service])
-    devices: list[BLEDevice] = await asyncio.wait_for(reachable(looking), seconds + _MARGIN)
+    looking = BleakScanner.discover(
+        timeout=max(seconds - _MARGIN, seconds / 2), service_uuids=[service]
+    )
+    devices: list[BLEDevice] = await reachable(looking)
     return devices

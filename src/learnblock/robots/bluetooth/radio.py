@@ -59,10 +59,9 @@ class Radio(Closing):
 
     def write(self, characteristic: str, data: bytes, seconds: float) -> None:
         """Write a characteristic; the robot has confirmed it at the end."""
-        self.loop.run(self.written(characteristic, data), seconds)
+        self.loop.run(self._written(characteristic, data), seconds)
 
-    async def written(self, characteristic: str, data: bytes) -> None:
-        """Do the same in the loop's thread."""
+    async def _written(self, characteristic: str, data: bytes) -> None:
         async with self._writing:
             await self._client.write_gatt_char(characteristic, data, response=True)
 

@@ -63,11 +63,11 @@ class Hub(Closing):
         self._closed = threading.Event()
         self._thread = threading.Thread(target=self._keep_alive, name="spike", daemon=True)
         self._patience = settings.patience
-        #: When the agent must run.
-        self._beginning = Deadline.after(settings.patience, clock)
         self._radio = Radio(
             "spike", settings.address, profile.SERVICE, clock, seconds=settings.patience
         )
+        #: When the agent must run.
+        self._beginning = Deadline.after(settings.patience, clock)
         try:
             self._largest = self._prepare()
             self.ports = self._begin(settings)
