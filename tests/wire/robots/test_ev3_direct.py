@@ -14,6 +14,7 @@ from emulated import LONG
 from ev3_wires import Bytes
 from learnblock.devices import LONGEST_TEXT, Base, Gyroscope
 from learnblock.emulators.ev3.firmware import Firmware
+from learnblock.emulators.ev3.motors import LEFT, RIGHT
 from learnblock.emulators.twin import Twin
 from learnblock.emulators.vehicle import Vehicle
 from learnblock.errors import RobotConnectionError
@@ -165,7 +166,7 @@ def test_a_brick_that_sends_beacons_is_found():
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
     with Twin("sim-ev3", "empty") as twin:
-        firmware = Firmware(Vehicle(twin), beacon=("127.0.0.1", port))
+        firmware = Firmware(Vehicle(twin, LEFT, RIGHT), beacon=("127.0.0.1", port))
         try:
             found = next(scan.beacons(60.0, port))
         finally:
@@ -185,7 +186,7 @@ def cable(path, *, reports):
     tty.setraw(theirs)
     path.symlink_to(os.ttyname(theirs))
     with Twin("sim-ev3", "empty") as twin:
-        firmware = Firmware(Vehicle(twin))
+        firmware = Firmware(Vehicle(twin, LEFT, RIGHT))
         firmware.attach(ours, reports=reports)
         try:
             yield twin
