@@ -36,7 +36,7 @@ from learnblock.classroom.entrance import Entrance
 from learnblock.classroom.forward import Forwarder
 from learnblock.classroom.hub_class import HubLogin, HubService
 from learnblock.classroom.record import record_of
-from learnblock.classroom.relay import Relay
+from learnblock.classroom.relay import Relay, no_messages
 from learnblock.classroom.room import Room
 from learnblock.classroom.roster import AsksTeacherError, Pupil, checked_name
 from learnblock.classroom.servers import ServerAddress
@@ -380,9 +380,8 @@ class _Door:
         try:
             with nullcontext() if is_teacher else desk.opening():
                 place = await self._room.place(pupil)
-                first = None if is_teacher else await self._room.first_lesson(pupil)
-                relay = Relay(socket, desk, is_teacher=is_teacher)
-                await relay.serve(place, [first] if first else [])
+                first = no_messages if is_teacher else partial(self._room.first_lesson, pupil)
+                await Relay(socket, desk, is_teacher=is_teacher).serve(place, first)
         except TooManyPagesError as error:
             await close_socket(socket, _TOO_MANY, error.phrase)
         except (LearnBlockError, OSError, InvalidHandshake, InvalidMessage):
@@ -413,7 +412,7 @@ class _Door:
         relay.tell(run)
         try:
             async with room.hand_in_runs.page(relay, run.lesson) as place:
-                await relay.serve(place, hand_in_runs.beginning(run))
+                await relay.serve(place, partial(hand_in_runs.beginning, run))
         except (LearnBlockError, OSError, InvalidHandshake, InvalidMessage):
             await close_socket(socket, _TRY_LATER)
         except asyncio.CancelledError:

@@ -144,11 +144,9 @@ def wanted_run(file: HandInFile) -> HandInRun:
     return HandInRun(work.lesson, work.step, work.program, robot or usual, variant)
 
 
-def beginning(run: HandInRun) -> Iterable[messages.Message]:
+async def beginning(run: HandInRun) -> Iterable[messages.Message]:
     """What the server gets first, before the page sends it the program."""
-    yield messages.StartLesson(run.lesson, _PROJECT)
+    tags = [messages.SaveTags(dict(run.program.tags))] if run.program.tags else []
     # The program of another hand-in may still run.
-    yield messages.Stop()
-    yield messages.ShowStep(run.step)
-    if run.program.tags:
-        yield messages.SaveTags(dict(run.program.tags))
+    stop = messages.Stop()
+    return [messages.StartLesson(run.lesson, _PROJECT), stop, messages.ShowStep(run.step), *tags]

@@ -1,7 +1,7 @@
 """Passes the messages between a page and a pupil's server on, if the page may send them."""
 
 import asyncio
-from collections.abc import Iterable
+from collections.abc import Awaitable, Callable, Iterable
 from contextlib import suppress
 from typing import TYPE_CHECKING, get_args
 
@@ -41,6 +41,9 @@ _work_given = msgspec.json.Decoder(messages.WorkGiven)
 _AT_SEAT = f'{{"kind":"{messages.AtSeat.__name__}"'
 _WORK_GIVEN = f'{{"kind":"{messages.WorkGiven.__name__}"'
 _OURS = frozenset(kind.__name__ for kind in get_args(ours.FromPupil))
+
+
+First = Callable[[], Awaitable[Iterable[messages.Message]]]
 
 
 class Relay:
@@ -91,12 +94,13 @@ class Relay:
         with suppress(RuntimeError, WebSocketDisconnect):
             await self._page.close(code)
 
-    async def serve(self, place: "ServerAddress", first: Iterable[messages.Message] = ()) -> None:
+    async def serve(self, place: "ServerAddress", first: First) -> None:
         """Pass messages on until the page or the pupil's server is gone.
 
         Args:
             place: the pupil's server.
-            first: messages that the server gets first on behalf of the page.
+            first: returns what the server gets first on behalf of the page. It is asked once the
+                page is at the desk, so that nothing is lost that is handed out meanwhile.
         """
         async with connect(
             place.url("ws", f"ws?{SEAT}"),
@@ -111,7 +115,7 @@ class Relay:
             self._server = server
             self._desk.progress.answered()
             self._desk.joined(self)
-            for message in first:
+            for message in await first():
                 await self.order(message)
             listening = asyncio.create_task(self._listen(server))
             try:
@@ -196,3 +200,8 @@ class Relay:
         with suppress(WebSocketDisconnect, RuntimeError):
             while True:
                 await self._page.send_text(await self._outbox.get())
+
+
+async def no_messages() -> Iterable[messages.Message]:
+    """What a server gets first of which nothing is wanted."""
+    return ()

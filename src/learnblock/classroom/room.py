@@ -153,20 +153,20 @@ class Room:
             self.desk(pupil).hand_out(lesson.lesson)
         await self.order(lesson, receiving)
 
-    async def first_lesson(self, pupil: Pupil) -> messages.StartLesson | None:
-        """The lesson with which a pupil begins; None if there is none, or a project already.
+    async def first_lesson(self, pupil: Pupil) -> tuple[messages.StartLesson, ...]:
+        """The lesson with which a pupil begins; empty if there is none, or a project already.
 
         Raises:
             LearnBlockError: it is one of the teacher's own, and can't be read.
             OSError: it can't be given to the pupil.
         """
         if handed_out := self._late.pop(pupil.id, None):
-            return handed_out
+            return (handed_out,)
         lesson, project = self.roster.lesson, self.roster.project
         if lesson is None or await asyncio.to_thread(self._has_begun, pupil):
-            return None
+            return ()
         await self._give(lesson, [self.roster.folder_of(pupil)])
-        return messages.StartLesson(lesson, project or lesson)
+        return (messages.StartLesson(lesson, project or lesson),)
 
     async def _give(self, lesson: str, folders: Iterable[Path]) -> None:
         """Put a lesson into folders of servers if it is one of the teacher's own."""

@@ -132,9 +132,9 @@ def test_a_lesson_reaches_pupils_who_come_later_once(room, desk, page):
     asyncio.run(do(room, ours.HandOut(LESSON, "A square")))
     assert page.orders == [StartLesson(LESSON, "A square")]
     assert (room.lesson, room.began > 0) == (LESSON, True)
-    assert asyncio.run(room.first_lesson(late)) == StartLesson(LESSON, "A square")
-    assert asyncio.run(room.first_lesson(late)) is None
-    assert asyncio.run(room.first_lesson(desk.pupil)) is None
+    assert asyncio.run(room.first_lesson(late)) == (StartLesson(LESSON, "A square"),)
+    assert asyncio.run(room.first_lesson(late)) == ()
+    assert asyncio.run(room.first_lesson(desk.pupil)) == ()
 
 
 def test_a_lesson_for_one_of_many_pupils_is_not_the_lesson_of_the_class(room, desk, page):
@@ -184,7 +184,7 @@ def test_pupils_get_a_teachers_own_lesson_without_the_teachers_part(taught, own,
 
 def test_pupils_begin_with_a_teachers_own_lesson(taught, own, monkeypatch):
     taught.roster.prepare(own, "Mine", "basics")
-    first = asyncio.run(taught.first_lesson(taught.roster.pupils[0]))
+    (first,) = asyncio.run(taught.first_lesson(taught.roster.pupils[0]))
     assert first == StartLesson(own, "Mine")
     assert has_own(taught, own, monkeypatch)
 
