@@ -7,10 +7,7 @@ server, the pupils' servers and their programs. Memory that several of them shar
 """
 
 import asyncio
-import os
-import platform
 import sys
-import tempfile
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import AsyncExitStack, asynccontextmanager
 from pathlib import Path
@@ -18,10 +15,11 @@ from time import perf_counter
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "helpers"))
 
+from _class import in_a_class
 from _pages import Page, visit
 from sessions import PROGRAM, processor_time
 
-from classes import Class, Joined, opened
+from classes import Class, Joined
 from hubs import descendants
 
 #: Seconds between two edits of a pupil who writes quickly.
@@ -157,14 +155,5 @@ def report(name: str, pupils: int, cores: float, gigabytes: float) -> None:
     print(f"{name:18} {each} {pupils / cores:16.0f} {pupils / gigabytes:7.1f} {cores:11.2f}")
 
 
-def main() -> None:
-    count = int(sys.argv[1]) if len(sys.argv) > 1 else 6
-    seconds = float(sys.argv[2]) if len(sys.argv) > 2 else 20.0
-    print(f"Python {platform.python_version()}, {os.cpu_count()} processors, {count} pupils")
-    with tempfile.TemporaryDirectory() as home, opened(Path(home, "teacher")) as room:
-        pupils = [room.pupil(f"Pupil {number}") for number in range(1, count + 1)]
-        asyncio.run(measure(room, pupils, seconds))
-
-
 if __name__ == "__main__":
-    main()
+    in_a_class(measure, pupils=6)

@@ -10,11 +10,9 @@ The wall should be at most 1 s behind, and take less than half a core and 1 MB/s
 import asyncio
 import json
 import os
-import platform
 import shutil
 import statistics
 import sys
-import tempfile
 from contextlib import AsyncExitStack
 from pathlib import Path
 from time import perf_counter
@@ -23,12 +21,13 @@ sys.path.insert(0, str(Path(__file__).parent))
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "helpers"))
 
 from _browser import ARGUMENTS, BROWSERS, Processors
+from _class import in_a_class
 from _pages import Page, visit
 from playwright.async_api import async_playwright
 from sessions import PROGRAM, megabytes
 from websockets.asyncio.client import ClientConnection
 
-from classes import Class, Joined, opened
+from classes import Class, Joined
 
 DELAY, CORES, TRAFFIC = 1.0, 0.5, 1e6
 #: Waits until every tile has been painted.
@@ -131,14 +130,5 @@ def report(delays: Delays, processors: Processors, server: int, seconds: float) 
     print("as it should be" if good else "NOT as it should be")
 
 
-def main() -> None:
-    count = int(sys.argv[1]) if len(sys.argv) > 1 else 30
-    seconds = float(sys.argv[2]) if len(sys.argv) > 2 else 20.0
-    print(f"Python {platform.python_version()}, {os.cpu_count()} processors, {count} pupils")
-    with tempfile.TemporaryDirectory() as home, opened(Path(home, "teacher")) as room:
-        pupils = [room.pupil(f"Pupil {number}") for number in range(1, count + 1)]
-        asyncio.run(measure(room, pupils, seconds))
-
-
 if __name__ == "__main__":
-    main()
+    in_a_class(measure, pupils=30)

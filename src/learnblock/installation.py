@@ -76,7 +76,7 @@ class Installation:
         return self._sync("--extra", extra)
 
     def may_add(self, extra: str) -> bool:
-        """Whether the page may install an extra: it is ours, and nobody else uses the packages.
+        """Whether the page may install an extra: one of ours, into packages that only we use.
 
         A user's own robot names the modules that it needs, but not the packages with them.
         """

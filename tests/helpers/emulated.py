@@ -29,6 +29,22 @@ def quick(name, monkeypatch):
 
 
 @contextmanager
+def emulating(make, robot, world="empty", *, speed=1, start=None):
+    """Emulate a robot by `make(twin)`; yield the emulation, which also has the `emulator`."""
+    emulators = []
+
+    def begin():
+        emulators.append(make(twin))
+        return emulators[0]
+
+    twin = Twin(robot, world, speed=speed, start=start)
+    with Emulation(begin, twin) as emulation:
+        emulation.settings = {**emulation.settings, "patience": LONG}
+        emulation.emulator = emulators[0]
+        yield emulation
+
+
+@contextmanager
 def reachable(name, world="empty"):
     """Emulate a robot, and write the settings for reaching it; yield the twin."""
     with emulate(name, world) as emulation:

@@ -52,7 +52,7 @@ test("the teacher can download and delete the record", async () => {
   screen.getByText("Download the work");
 });
 
-test("others are told that only the pupil and the teacher see it", async () => {
+test("everybody else reads that only the pupil and the teacher can see it", async () => {
   answer("", 403);
   render(<RecordPage />);
   await screen.findByText(/Only the pupil and the teacher/);

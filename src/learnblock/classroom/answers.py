@@ -1,4 +1,4 @@
-"""What a class answers to requests, whatever they ask for."""
+"""Answers to requests that all pages of a class have in common."""
 
 from collections.abc import Awaitable
 from contextlib import suppress
@@ -16,12 +16,12 @@ from learnblock.server.http import static_files
 from learnblock.server.http.connections import network_of
 from learnblock.server.messages import Failed
 
-#: The limit of what is typed to join, in bytes.
+#: The maximum number of bytes of a request to join.
 LONGEST_BODY = 2000
 
 
 async def reached(answer: Awaitable[Response]) -> Response:
-    """What another server answers, or why it does not."""
+    """The answer of another server, or the reason why there is none."""
     try:
         return await answer
     except httpx.InvalidURL:
@@ -39,23 +39,23 @@ async def close_socket(socket: WebSocket, code: int, reason: Phrase | None = Non
 
 
 def json_answer(message: msgspec.Struct | Phrase, status: int = HTTPStatus.OK) -> Response:
-    """A message that no browser keeps."""
+    """A message that browsers do not cache."""
     headers = {"cache-control": "no-store"}
     return Response(msgspec.json.encode(message), status, headers, "application/json")
 
 
 def address_of(request: Request) -> str:
-    """The network from which a request comes, whose tries are counted together."""
+    """The network from which a request comes; its failed tries are counted together."""
     return network_of(request.client.host) if request.client else ""
 
 
 def forbidden() -> Response:
-    """What this browser may not see."""
+    """The answer to a browser that may not see this."""
     return static_files.no_token()
 
 
 async def short_body(request: Request) -> bytes:
-    """What somebody has typed at the door.
+    """The body of a request to join.
 
     Raises:
         LearnBlockError: it is too long.

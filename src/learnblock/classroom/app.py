@@ -3,7 +3,6 @@
 import asyncio
 from collections.abc import AsyncIterator, Awaitable, Callable, Iterable, Iterator
 from contextlib import asynccontextmanager, nullcontext
-from dataclasses import dataclass
 from functools import partial
 from http import HTTPStatus
 from pathlib import Path
@@ -34,7 +33,7 @@ from learnblock.classroom.badges import Visitors
 from learnblock.classroom.desk import Desk, TooManyPagesError
 from learnblock.classroom.entrance import Entrance
 from learnblock.classroom.forward import Forwarder
-from learnblock.classroom.hub_class import HubLogin, HubService
+from learnblock.classroom.hub_class import HubLogin
 from learnblock.classroom.record import record_of
 from learnblock.classroom.relay import Relay, no_messages
 from learnblock.classroom.room import Room
@@ -69,7 +68,7 @@ def create_app(
     hosts: Iterable[str] = (),
     tls: bool = False,
     static: Path = static_files.BUILT,
-    hub: "HubEntrance | None" = None,
+    hub: HubLogin | None = None,
 ) -> Starlette:
     """Create the application.
 
@@ -79,7 +78,7 @@ def create_app(
         hosts: allowed names of this computer, in addition to its own.
         tls: whether browsers come by HTTPS only.
         static: the folder of the built page.
-        hub: lets in whom the hub knows; None if pupils come by the word of the class.
+        hub: the login of the hub that lets pupils in; None if they join with the word of the class.
     """
     door = _Door(room, visitors, tls=tls, base=hub.service.prefix if hub else "/")
     # The page's own guard, against pages of other servers; badges take the token's place.
@@ -114,22 +113,9 @@ def _by_word(door: "_Door", page: Endpoint) -> Iterator[BaseRoute]:
     yield Route("/leave", door.leave, methods=["POST"])
 
 
-def _hub(door: "_Door", hub: "HubEntrance") -> Iterator[BaseRoute]:
+def _hub(door: "_Door", hub: HubLogin) -> Iterator[BaseRoute]:
     yield Route("/", partial(door.enter, hub))
     yield Route("/oauth_callback", partial(door.entered, hub))
-
-
-@dataclass(frozen=True)
-class HubEntrance:
-    """How those come in whom a hub knows.
-
-    Args:
-        service: what the hub has told.
-        login: the hub's login.
-    """
-
-    service: HubService
-    login: HubLogin
 
 
 def _teachers(door: "_Door", page: Endpoint) -> Iterator[BaseRoute]:
@@ -282,16 +268,16 @@ class _Door:
         self._give(response, self._visitors.cookie, self._badges.of_pupil(pupil))
         return response
 
-    async def enter(self, hub: HubEntrance, request: Request) -> Response:
+    async def enter(self, hub: HubLogin, request: Request) -> Response:
         """Lead to the wall, to the pupil's page, or to the hub's login."""
         if self._visitors.is_teacher(request):
             return RedirectResponse(f"{self._base}teacher")
         if pupil := self._visitors.pupil(request):
             return RedirectResponse(f"{self._base}p/{pupil.id}/")
-        address, state = hub.login.begin()
+        address, state = hub.begin()
         response = RedirectResponse(address)
         response.set_cookie(
-            hub.login.cookie,
+            hub.cookie,
             state,
             path=self._base,
             httponly=True,
@@ -300,16 +286,16 @@ class _Door:
         )
         return response
 
-    async def entered(self, hub: HubEntrance, request: Request) -> Response:
+    async def entered(self, hub: HubLogin, request: Request) -> Response:
         """Give a badge to who has logged in."""
         try:
-            user = await hub.login.user(request)
+            user = await hub.user(request)
         except (LearnBlockError, httpx.HTTPError, KeyError):
             return forbidden()
         if user is None:
             return forbidden()
         response = HTMLResponse(_ONWARD.format("./"), headers={"cache-control": "no-store"})
-        response.delete_cookie(hub.login.cookie, path=self._base)
+        response.delete_cookie(hub.cookie, path=self._base)
         if user.is_teacher:
             self._give(response, self._visitors.teachers_cookie, self._badges.of_teacher())
             return response

@@ -1,6 +1,6 @@
 """The runs that the teacher sees beside hand-ins, on a server of the teacher's own.
 
-It has the limits of a pupil's server, and a folder that is deleted when nobody looks any more.
+It has the limits of a pupil's server. Its folder is deleted some time after the last look.
 """
 
 import asyncio

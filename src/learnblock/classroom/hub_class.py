@@ -138,18 +138,18 @@ class HubLogin:
     cookie = "learnblock_class_login"
 
     def __init__(self, service: HubService) -> None:
-        self._service = service
+        self.service = service
 
     def begin(self) -> tuple[str, str]:
         """The address of the login, and what the browser remembers meanwhile."""
         state = secrets.token_urlsafe(24)
         query = {
-            "client_id": self._service.client,
-            "redirect_uri": self._service.callback,
+            "client_id": self.service.client,
+            "redirect_uri": self.service.callback,
             "response_type": "code",
             "state": state,
         }
-        return f"{self._service.login}?{urlencode(query)}", state
+        return f"{self.service.login}?{urlencode(query)}", state
 
     async def user(self, request: Request) -> HubUser | None:
         """Who has logged in; None for those who are not in the class.
@@ -164,12 +164,12 @@ class HubLogin:
             raise LearnBlockError("class-login-again")
         model = await self._model(request.query_params.get("code", ""))
         groups = set(model.get("groups", ()))
-        if not groups & {self._service.pupils, self._service.teachers}:
+        if not groups & {self.service.pupils, self.service.teachers}:
             return None
-        return HubUser(model["name"], self._service.teachers in groups)
+        return HubUser(model["name"], self.service.teachers in groups)
 
     async def _model(self, code: str) -> dict[str, Any]:
-        service = self._service
+        service = self.service
         form = {
             "client_id": service.client,
             "client_secret": service.token,

@@ -11,7 +11,7 @@ from typing import Any
 
 from starlette.applications import Starlette
 
-from learnblock.classroom.app import HubEntrance, create_app
+from learnblock.classroom.app import create_app
 from learnblock.classroom.badges import Badges, Visitors
 from learnblock.classroom.certificate import CertificateFiles
 from learnblock.classroom.hub_class import HubLogin, HubServers, HubService
@@ -118,7 +118,7 @@ def _app(service: ClassService, room: Room, visitors: Visitors) -> Starlette:
         visitors,
         hosts=(socket.gethostname(), *service.allowed_hosts),
         tls=service.certificate is not None,
-        hub=HubEntrance(service.hub, HubLogin(service.hub)) if service.hub else None,
+        hub=HubLogin(service.hub) if service.hub else None,
     )
 
 

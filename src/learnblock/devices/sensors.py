@@ -1,7 +1,7 @@
 """The devices that measure, in the order in which the page shows their readings."""
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 from learnblock.devices.device import Sensor
 from learnblock.devices.readings import (
@@ -110,6 +110,21 @@ class Gyroscope(Sensor[float]):
 
     def __init__(self, read: Callable[[], float], reset: Callable[[], None]) -> None:
         super().__init__(read, reset=reset)
+
+    @classmethod
+    def counting(cls, turned: Callable[[], float]) -> Self:
+        """A gyroscope whose own count goes on at a reset.
+
+        Args:
+            turned: returns the degrees turned since the robot was connected.
+        """
+        start = 0.0
+
+        def reset() -> None:
+            nonlocal start
+            start = turned()
+
+        return cls(lambda: turned() - start, reset)
 
     def reset(self) -> None:
         """Set the current heading to 0."""

@@ -15,9 +15,9 @@ from learnblock.closing import Closing
 from learnblock.robots.bluetooth import loopback
 
 #: Errors of the Attribute Protocol (Bluetooth Core Specification 5.4, vol. 3, part F, 3.4.1.1).
-NO_SUCH_HANDLE, NOT_SUPPORTED, BAD_LENGTH, NOT_ALLOWED = 0x01, 0x06, 0x0D, 0x13
+NOT_SUPPORTED, NOT_ALLOWED = 0x06, 0x13
 
-#: Seconds for which a client waits for the one before to be gone.
+#: Seconds for which a client waits until the previous one has left.
 _LEAVING = 0.5
 
 Notify = Callable[[str, bytes], None]

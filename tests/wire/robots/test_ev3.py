@@ -10,7 +10,7 @@ import threading
 
 import pytest
 
-from bricks import SPEED, WAYS, brick, port_of, relayed
+from bricks import SPEED, WAYS, assert_reads_what_the_twin_does, brick, port_of, relayed
 from emulated import LONG
 from learnblock.devices import Base, Bumper, DistanceSensors, GroundSensors, Gyroscope, Speaker
 from learnblock.errors import RobotConnectionError, RobotNotFoundError
@@ -93,18 +93,7 @@ def test_every_way_to_an_ev3_conforms(way, monkeypatch):
 @pytest.mark.parametrize("way", WAYS)
 def test_its_sensors_read_what_the_twins_do(way):
     with brick(way, "obstacles") as emulation, ev3(emulation.settings) as robot:
-        base = robot.device(Base)
-        base.move(0, 30)
-        wait_for(lambda: robot.read(Gyroscope, "Z_AXIS") > 20, "a turn")
-        base.stop()
-        stands_after(emulation.twin)
-        with emulation.twin.body() as body:
-            front, ground, angle = body.distances()["front"], body.ground(), body.gyroscope()
-        assert robot.device(DistanceSensors).read()["front"][0] == pytest.approx(front[0], rel=0.05)
-        assert robot.device(GroundSensors).read()["central"] == pytest.approx(
-            ground["central"], abs=6
-        )
-        assert robot.device(Gyroscope, "Z_AXIS").read() == pytest.approx(angle, abs=1.5)
+        assert_reads_what_the_twin_does(robot, emulation.twin)
 
 
 @pytest.mark.parametrize("way", ["agent", "rpyc"])

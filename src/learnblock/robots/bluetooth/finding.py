@@ -1,4 +1,4 @@
-"""Looks for robots by Bluetooth Low Energy, and says what keeps it from finding them."""
+"""Looks for robots over Bluetooth Low Energy, and says why it can't."""
 
 from collections.abc import Iterator
 from contextlib import suppress
@@ -22,7 +22,7 @@ _MARGIN = 1.0
 def scan(robot: str, address: str, service: str, seconds: float) -> Iterator[dict[str, str]]:
     """Yield the settings that reach each robot with a service, emulated ones first.
 
-    Nothing is found where this computer has no Bluetooth; who connects is told why.
+    Without Bluetooth, nothing is found; the error of connecting says why.
 
     Args:
         robot: the robot's id, such as ``spike``.

@@ -14,7 +14,7 @@ import json
 import socket
 from contextlib import suppress
 
-#: Where an emulator listens, unless it is told another place or another one is there already.
+#: Where `learnblock emulate` listens, unless another emulator already does.
 HOME = "127.0.0.1:18816"
 #: The maximum number of bytes of a line.
 LONGEST_LINE = 65536

@@ -74,7 +74,7 @@ class LoopbackClient(BaseBleakClient):
         return greeting
 
     async def disconnect(self) -> None:
-        # Asked for, so nobody is told of it.
+        # The driver asked for this, so the callback for a lost robot must not run.
         self._disconnected_callback = None
         if self._writer:
             await _hang_up(self._writer)

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from typing import Any
 
 from learnblock.client import Rights, RobotStatus
@@ -63,7 +64,6 @@ class Robot(RealRobot[Settings]):
     def connect(self) -> None:
         self._link: BrickLink | None = None
         self._counts = WheelCounts(self.settings.wheel_radius, self.settings.track)
-        self._zero = 0.0
         link = self._link = open_link(self.settings, self._follow, self.steady_clock)
         state = link.begin()
         self.add(Base(self._drive, self._pose, self.drivetrain_for(self.settings)))
@@ -109,7 +109,8 @@ class Robot(RealRobot[Settings]):
         if state.colour is not None:
             self.add(GroundSensors(self._ground))
         if state.gyroscope is not None:
-            self.add(Gyroscope(read=self._angle, reset=self._reset_angle), "Z_AXIS")
+            # The sensor's own reset takes a second and makes it drift.
+            self.add(Gyroscope.counting(partial(self._reading, "gyroscope")), "Z_AXIS")
         if state.touch is not None:
             self.add(Bumper(self._touched))
 
@@ -143,13 +144,6 @@ class Robot(RealRobot[Settings]):
 
     def _ground(self) -> dict[str, float | None]:
         return {"left": None, "central": self._reading("colour"), "right": None}
-
-    def _angle(self) -> float:
-        return self._reading("gyroscope") - self._zero
-
-    def _reset_angle(self) -> None:
-        # The sensor's own reset takes a second and makes it drift.
-        self._zero = self._reading("gyroscope")
 
     def _reading(self, sensor: str) -> float:
         reading: float | None = getattr(self._now(), sensor)

@@ -68,7 +68,6 @@ class Robot(RealRobot[Settings]):
 
     def connect(self) -> None:
         self._counts = WheelCounts(self.settings.wheel_radius, self.settings.track)
-        self._zero = 0.0
         hub = self._hub = Hub(self.settings, self._follow, self.steady_clock)
         self.add(Base(self._drive, self._pose, self.drivetrain_for(self.settings)))
         if hub.ports["distance"]:
@@ -77,7 +76,7 @@ class Robot(RealRobot[Settings]):
             self.add(GroundSensors(self._ground))
         if hub.ports["force"]:
             self.add(Bumper(self._pressed))
-        self.add(Gyroscope(read=self._angle, reset=self._reset_angle), "Z_AXIS")
+        self.add(Gyroscope.counting(lambda: self._there.latest().heading), "Z_AXIS")
         self.add(Speaker(tone=self._tone))
         self.add(Screen(self._show))
         self.add(RGBLed(self._light), "Status")
@@ -114,13 +113,6 @@ class Robot(RealRobot[Settings]):
 
     def _pressed(self) -> bool:
         return self._reading("force") > 0
-
-    def _angle(self) -> float:
-        return self._there.latest().heading - self._zero
-
-    def _reset_angle(self) -> None:
-        # As for an EV3: what is turned meanwhile must not be lost.
-        self._zero = self._there.latest().heading
 
     def _tone(self, hertz: float, milliseconds: float) -> None:
         self._there.say(lines.beep(hertz, milliseconds))

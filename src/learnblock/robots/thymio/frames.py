@@ -7,7 +7,7 @@ node, the kind), followed by the rest.
 import struct
 from collections.abc import Iterator
 
-# Why: docs/decisions.md, "Libraries of robots that sleep"
+# Why: docs/decisions.md, "Robot libraries without new releases"
 from thymiodirect.message import Message
 
 from learnblock.robots.thymio.link import GarbledError
