@@ -1,18 +1,17 @@
 """The memory that a run leaves behind."""
 
-import os
 import subprocess
 import sys
 import weakref
 from itertools import count
-from pathlib import Path
 
 import pytest
 
 from learnblock.server.runs.memory import give_back_memory
 
-#: A process of its own, because a heap of the tests' threads would do for its thread.
-SERVER = """
+#: The programs have processes of their own: otherwise the heaps of earlier tests and their threads
+#: decide where memory comes from.
+BEGINNING = """
 import os
 import threading
 from pathlib import Path
@@ -25,6 +24,17 @@ def resident():
     return pages * os.sysconf("SC_PAGE_SIZE")
 
 
+"""
+HOLES = f"""{BEGINNING}
+# Smaller ones than glibc would map on their own, with a last one that keeps the heap long.
+blocks = [bytearray(100_000) for _ in range(500)]
+last = blocks.pop()
+blocks.clear()
+before = resident()
+give_back_memory(lambda: True)
+print(before, resident(), len(last))
+"""
+SERVER = f"""{BEGINNING}
 def look():
     # Pictures, of which glibc learns that such blocks come and go.
     large = bytearray(25_000_000)
@@ -43,10 +53,12 @@ print(before, resident())
 """
 
 
-def resident():
-    """Bytes of this process that are in memory."""
-    pages = int(Path("/proc/self/statm").read_text().split()[1])
-    return pages * os.sysconf("SC_PAGE_SIZE")
+def printed_by(program):
+    """Return the numbers that a program prints in a process of its own."""
+    child = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True
+    )
+    return tuple(map(int, child.stdout.split()))
 
 
 on_glibc = pytest.mark.skipif(sys.platform != "linux", reason="only glibc keeps it")
@@ -54,22 +66,14 @@ on_glibc = pytest.mark.skipif(sys.platform != "linux", reason="only glibc keeps 
 
 @on_glibc
 def test_holes_in_the_heap_are_given_back():
-    # Smaller ones than glibc would map on their own, with a last one that keeps the heap long.
-    blocks = [bytearray(100_000) for _ in range(500)]
-    last = blocks.pop()
-    blocks.clear()
-    before = resident()
-    give_back_memory(lambda: True)
-    assert resident() < before - 20_000_000
-    assert len(last) == 100_000
+    before, after, length = printed_by(HOLES)
+    assert after < before - 20_000_000
+    assert length == 100_000
 
 
 @on_glibc
 def test_what_threads_have_used_is_given_back():
-    child = subprocess.run(
-        [sys.executable, "-c", SERVER], capture_output=True, text=True, check=True
-    )
-    before, after = map(int, child.stdout.split())
+    before, after = printed_by(SERVER)
     assert after < before + 10_000_000
 
 
