@@ -215,11 +215,11 @@ def summary(plan: Plan, rows: Sequence[Row]) -> CheckedWork | None:
 
 
 def _check(check: Check, place: int, results: Sequence[Result]) -> CheckSummary:
-    said = [result.checks[place] for result in results if place < len(result.checks)]
-    reason = next((result.reason for result in said if result.state != "met"), {})
+    outcomes = [result.checks[place] for result in results if place < len(result.checks)]
+    reason = next((result.reason for result in outcomes if result.state != "met"), {})
     return CheckSummary(
         say={language: title_of(check, language) for language in languages()},
-        met=sum(result.state == "met" for result in said),
+        met=sum(result.state == "met" for result in outcomes),
         optional=check.optional,
         reason=dict(reason) or "",
     )

@@ -44,8 +44,8 @@ def _rows(marking: Marking, lesson: str, step: int) -> Iterator[tuple[object, ..
         file = marking.file(line.pupil, lesson, step)
         stars = line.stars if line.checked else ""
         times = (_time(file.at), _time(file.back[-1].at) if file.back else "")
-        said = (line.mark, line.note)
-        yield (line.name, lesson, step, stars, line.tries, *said, *times, line.state)
+        remarks = (line.mark, line.note)
+        yield (line.name, lesson, step, stars, line.tries, *remarks, *times, line.state)
     for pupil in listed.without:
         yield (pupil.name, lesson, step, "", "", "", "", "", "", pupil.state)
 

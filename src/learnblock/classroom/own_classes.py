@@ -123,9 +123,9 @@ class OwnClasses:
         """Open a class in a process of its own; return the wall's address once it answers."""
         # -P: a file named learnblock.py in the folder that one works in is not ours.
         command = [sys.executable, "-P", "-m", "learnblock", "class", title, "--no-browser"]
-        with tempfile.TemporaryFile() as said:
+        with tempfile.TemporaryFile() as errors:
             process = subprocess.Popen(  # noqa: S603 - our own command
-                command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=said
+                command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=errors
             )
             self._started[title] = process
             deadline = time.monotonic() + _STARTING
@@ -136,7 +136,7 @@ class OwnClasses:
             process.terminate()
             process.wait(_ENDING)
             del self._started[title]
-            raise LearnBlockError("class-not-started", title=title, reason=_last_words(said))
+            raise LearnBlockError("class-not-started", title=title, reason=_last_words(errors))
 
 
 def _entry(folder: Path) -> ClassEntry:
@@ -198,7 +198,7 @@ def remove(folder: Path, title: str) -> None:
         shutil.rmtree(folder)
 
 
-def _last_words(said: IO[bytes]) -> str:
-    said.seek(0)
-    lines = said.read().decode(errors="replace").strip().splitlines() or [""]
+def _last_words(errors: IO[bytes]) -> str:
+    errors.seek(0)
+    lines = errors.read().decode(errors="replace").strip().splitlines() or [""]
     return lines[-1][-_LONGEST_REASON:]

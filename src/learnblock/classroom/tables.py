@@ -82,8 +82,8 @@ class Tables:
             wanted = msgspec.convert(dict(request.query_params), WantedStep, strict=False)
             content = await asyncio.to_thread(write, wanted)
         except (LearnBlockError, OSError, ValueError) as error:
-            said = translate(phrase_of(error), _known(language))
-            return PlainTextResponse(f"{said}\n", HTTPStatus.BAD_REQUEST)
+            sentence = translate(phrase_of(error), _known(language))
+            return PlainTextResponse(f"{sentence}\n", HTTPStatus.BAD_REQUEST)
         return Response(content, media_type=media_type, headers=headers)
 
     def _graded(self, name: str, wanted: WantedStep) -> bytes:

@@ -100,8 +100,8 @@ async def _end_checking(room: Room, _: hand_ins.EndChecking) -> None:
 
 async def _mark(room: Room, message: hand_ins.MarkHandIn) -> hand_ins.HandInList:
     pupil, (lesson, step) = room.known(message.pupil), (message.lesson, message.step)
-    said = partial(room.hand_ins.say, note=message.note, mark=message.mark, line=message.line)
-    await asyncio.to_thread(said, pupil.id, lesson, step)
+    save = partial(room.hand_ins.say, note=message.note, mark=message.mark, line=message.line)
+    await asyncio.to_thread(save, pupil.id, lesson, step)
     return await asyncio.to_thread(room.marking.listed, lesson, step)
 
 

@@ -174,18 +174,18 @@ def _reply(process: Standby, task: bytes, look: Callable[[], object]) -> bytes:
     Raises:
         OSError: the connection is gone.
     """
-    said, connection = bytearray(), process.connection
+    answer, connection = bytearray(), process.connection
     connection.settimeout(_LOOK)
     unsent = memoryview(task)
     while unsent:
         unsent = unsent[_patiently(partial(connection.send, unsent), look) :]
     connection.shutdown(socket.SHUT_WR)
     while received := _patiently(partial(connection.recv, _LARGEST_ANSWER), look):
-        said += received
-        if len(said) > _LARGEST_ANSWER:
+        answer += received
+        if len(answer) > _LARGEST_ANSWER:
             return b""
     status = _patiently(partial(process.process.wait, _LOOK), look)
-    return bytes(said) if status == 0 else b""
+    return bytes(answer) if status == 0 else b""
 
 
 def _patiently(attempt: Callable[[], T], look: Callable[[], object]) -> T:

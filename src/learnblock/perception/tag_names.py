@@ -175,8 +175,8 @@ def _from_csv(source: str) -> Mapping[str, object]:
     rows = [row for row in csv.reader(source.splitlines()) if any(row)]
     if rows and len(rows[0]) == 2 and _whole(rows[0][1]) is None:
         rows = rows[1:]
-    found = ((row[0].strip(), row[1] if len(row) == 2 else ",".join(row)) for row in rows)
-    return {name: number if (whole := _whole(number)) is None else whole for name, number in found}
+    pairs = ((row[0].strip(), row[1] if len(row) == 2 else ",".join(row)) for row in rows)
+    return {name: number if (whole := _whole(number)) is None else whole for name, number in pairs}
 
 
 def _to_csv(names: Mapping[str, int]) -> str:
@@ -222,8 +222,8 @@ def _problems(table: Mapping[str, object], source: str) -> Iterator[Diagnostic]:
 
 def _lines(source: str) -> Mapping[str, int]:
     """The line of each name."""
-    found: dict[str, int] = {}
+    numbers: dict[str, int] = {}
     for number, line in enumerate(source.splitlines(), 1):
         if name := _NAME.match(line.strip()):
-            found.setdefault(name[name.lastindex or 0].strip(), number)
-    return found
+            numbers.setdefault(name[name.lastindex or 0].strip(), number)
+    return numbers

@@ -118,10 +118,10 @@ class _Forks:
 
     def _report(self, fork: _Fork) -> None:
         """Say how a process has ended, without freeing its number."""
-        found = os.waitid(os.P_PID, fork.process, os.WEXITED | os.WNOWAIT)
-        assert found is not None  # noqa: S101 - it has ended
-        exited = found.si_code == os.CLD_EXITED
-        _say(fork.control, found.si_status if exited else -found.si_status)
+        status = os.waitid(os.P_PID, fork.process, os.WEXITED | os.WNOWAIT)
+        assert status is not None  # noqa: S101 - it has ended
+        exited = status.si_code == os.CLD_EXITED
+        _say(fork.control, status.si_status if exited else -status.si_status)
 
     def _let_go(self, fork: _Fork) -> None:
         """Kill a process and what it has started, for which nobody waits any more."""

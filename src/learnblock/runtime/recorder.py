@@ -47,7 +47,7 @@ class Collision:
 
 
 @dataclass(slots=True)
-class _Told:
+class _LastCommand:
     """The last command to a function of a device.
 
     Args:
@@ -101,7 +101,7 @@ class Recorder(Witness):
     _framing: tuple[str, str, str] = ("", "", "")
     _keys: tuple[str, ...] = ()
     #: The function that last changed what the robot shows.
-    _shown_by: "_Told | None" = None
+    _shown_by: "_LastCommand | None" = None
     _turns: CountedSteps | None = None
     #: Steps that have been noted and not yet written.
     _noted: list[str] = field(default_factory=list)
@@ -120,8 +120,8 @@ class Recorder(Witness):
             kind = type(device).__name__
             for name, function in device.functions.items():
                 if name not in QUESTIONS:
-                    told = _Told(kind, key, name, name in _LASTING, kind in _SHOWING)
-                    device.functions[name] = partial(self._command, told, function)
+                    last = _LastCommand(kind, key, name, name in _LASTING, kind in _SHOWING)
+                    device.functions[name] = partial(self._command, last, function)
 
     def called(self, skill: str, args: Sequence[object], kwargs: Mapping[str, object]) -> None:
         self.write_noted()
@@ -248,29 +248,29 @@ class Recorder(Witness):
         """What the lines of steps are about, if the trace has anything that looks at them."""
         return [about(step, after) for step in steps] if self.trace.lines is not None else ()
 
-    def _command(self, told: "_Told", function: Function, *args: object) -> Any:
+    def _command(self, last: "_LastCommand", function: Function, *args: object) -> Any:
         # A loop may command the same speed a hundred times per second: only changes are recorded.
-        if args != told.args or (told.shows and self._shown_by is not told):
-            self._tell(told, args)
+        if args != last.args or (last.shows and self._shown_by is not last):
+            self._tell(last, args)
         return function(*args)
 
-    def _tell(self, told: "_Told", args: tuple[object, ...]) -> None:
+    def _tell(self, last: "_LastCommand", args: tuple[object, ...]) -> None:
         if self.trace.log:
             self.write_noted()
-        kind, key, name, command = told.kind, told.key, told.name, [*map(plain, args)]
-        if not told.lasts or told.command != command:
-            told.command = command
+        kind, key, name, command = last.kind, last.key, last.name, [*map(plain, args)]
+        if not last.lasts or last.command != command:
+            last.command = command
             self._write("device", kind, key=key, do=name, args=command)
             if name == "show_emotion":
                 self._mark(self.time(), "emotion", str(args[0]))
             elif name == "show_text" and args[0]:
                 self._mark(self.time(), "text", str(args[0]))
-        elif told.shows and self._shown_by is not told and self.trace.log:
+        elif last.shows and self._shown_by is not last and self.trace.log:
             again = {"device": kind, "key": key, "do": name, "args": command}
             self.trace.write_again({"t": round(self.time(), 6), "again": again, **self.label})
-        if told.shows:
-            self._shown_by = told
-        told.args = args if told.lasts and all(map(is_small, args)) else None
+        if last.shows:
+            self._shown_by = last
+        last.args = args if last.lasts and all(map(is_small, args)) else None
 
     def _mark(self, time: float, kind: str, text: str) -> None:
         self.marks.append(PlacedEvent(time, kind, text, self.where()))

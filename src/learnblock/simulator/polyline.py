@@ -110,7 +110,7 @@ def _least_distances(x: float, y: float, pieces: Iterable[Piece]) -> list[tuple[
 
     Squares of distances decide first, because roots take longer.
     """
-    limit, found = math.inf, []
+    limit, distances = math.inf, []
     for start_x, start_y, side_x, side_y, square_length, begin, length in pieces:
         east, north = x - start_x, y - start_y
         part = (east * side_x + north * side_y) / square_length
@@ -122,8 +122,8 @@ def _least_distances(x: float, y: float, pieces: Iterable[Piece]) -> list[tuple[
         north -= part * side_y
         square = east * east + north * north
         if square <= limit:
-            found.append((square, east, north, begin + part * length))
+            distances.append((square, east, north, begin + part * length))
             limit = min(limit, square * TIES)
     # The absolute value of a complex number is the C library's hypotenuse, as in numpy;
     # `math.hypot` may differ in the last bit, which a sensor at the edge of a line would notice.
-    return [(abs(complex(e, n)), along) for square, e, n, along in found if square <= limit]
+    return [(abs(complex(e, n)), along) for square, e, n, along in distances if square <= limit]

@@ -63,15 +63,15 @@ class RangeSensors:
 
     def looked_at(self, side: str) -> str | None:
         """The name of what is nearest to the sensors of a side; None if they see nothing."""
-        found: list[tuple[float, str]] = []
+        readings: list[tuple[float, str]] = []
         for sensor in self._description.distance:
             start = self._chassis.to_world(sensor.x, sensor.y)
             heading = self._chassis.pose.heading + sensor.direction
             for offset in _beam_offsets(sensor.beam) if side in sensor.sides else ():
                 end = _ahead(start, heading + offset, sensor.maximum)
                 if seen := self._world.physics.seen(start, end, self._chassis.filter):
-                    found.append((seen[0] * sensor.maximum, seen[1]))
-        return min(found)[1] or None if found else None
+                    readings.append((seen[0] * sensor.maximum, seen[1]))
+        return min(readings)[1] or None if readings else None
 
     def ground(self) -> dict[str, float | None]:
         """The reflectances of the floor, from 0 to 100."""

@@ -301,7 +301,7 @@ class _Shape:
 def _obstacles(world: WorldFile) -> dict[What, list[_Shape]]:
     """The fixed obstacles of each sort that the world has."""
     boards: list[Tag | Face] = [*world.tag, *world.face]
-    found: dict[What, list[_Shape]] = {
+    obstacles: dict[What, list[_Shape]] = {
         "wall": [
             _Shape(ends, wall.thickness) for wall in world.wall for ends in pairwise(wall.points)
         ],
@@ -310,7 +310,7 @@ def _obstacles(world: WorldFile) -> dict[What, list[_Shape]]:
         "board": [_board(board) for board in boards],
         "prop": [_thing(body) for body in solid_props(world.prop)],
     }
-    return {what: shapes for what, shapes in found.items() if shapes}
+    return {what: shapes for what, shapes in obstacles.items() if shapes}
 
 
 def _thing(thing: Box | Cylinder) -> _Shape:

@@ -250,12 +250,12 @@ class RobotFile(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
         Devices of one type are in the order of the file.
         """
         outputs = dict.fromkeys(output.partition(":")[0] for output in self.outputs)
-        found = ["Base:ROBOT", *(f"{output}:ROBOT" for output in outputs)]
-        found += [f"Camera:{camera.key}" for camera in self.camera]
-        found += [f"JointMotor:{joint.key}" for joint in self.joint]
-        found += [f"{'RGBLed' if led.kind == 'rgb' else 'Led'}:{led.slot}" for led in self.led]
+        devices = ["Base:ROBOT", *(f"{output}:ROBOT" for output in outputs)]
+        devices += [f"Camera:{camera.key}" for camera in self.camera]
+        devices += [f"JointMotor:{joint.key}" for joint in self.joint]
+        devices += [f"{'RGBLed' if led.kind == 'rgb' else 'Led'}:{led.slot}" for led in self.led]
         if self.gyroscope:
-            found.append(f"Gyroscope:{self.gyroscope.key}")
+            devices.append(f"Gyroscope:{self.gyroscope.key}")
         single = {
             "DistanceSensors": self.distance,
             "GroundSensors": self.ground,
@@ -264,7 +264,7 @@ class RobotFile(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
             "LightSensor": self.light,
             "Display": self.display,
         }
-        return (*found, *(f"{device}:ROBOT" for device, part in single.items() if part))
+        return (*devices, *(f"{device}:ROBOT" for device, part in single.items() if part))
 
     def abilities(self) -> frozenset[str]:
         """What its devices can do, such as ``DistanceSensors:front``; see `learnblock.senses`."""

@@ -146,11 +146,11 @@ def _arranged(
     # What does not move is put in place first.
     for key in sorted(objects, key=lambda key: any(bounds[key])):
         fits = _fits(world, floor, allowed[key])
-        found = next(filter(fits, _places(objects[key], bounds[key], draw, key)), None)
-        if found is None:
+        place = next(filter(fits, _places(objects[key], bounds[key], draw, key)), None)
+        if place is None:
             return placed, key
-        placed[key] = found
-        floor.add(key, found)
+        placed[key] = place
+        floor.add(key, place)
     return placed, None
 
 

@@ -145,11 +145,11 @@ def _check_order(world: WorldFile) -> Iterator[FileMistake]:
 
 def _before(name: str | None, after: Mapping[str, str | None]) -> set[str]:
     """A goal and all goals that have to be reached before it."""
-    found: set[str] = set()
-    while name is not None and name not in found:
-        found.add(name)
+    names: set[str] = set()
+    while name is not None and name not in names:
+        names.add(name)
         name = after.get(name)
-    return found
+    return names
 
 
 def _check_picture(folder: Path, picture: str) -> Iterator[FileMistake]:

@@ -99,13 +99,13 @@ def _subscribed(name: str, inside: ast.expr, hint: ast.expr) -> FieldType:
 
 def _annotated(inside: ast.expr, hint: ast.expr) -> FieldType:
     parts = inside.elts if isinstance(inside, ast.Tuple) else [inside]
-    found = field_type(parts[0])
+    declared = field_type(parts[0])
     for note in parts[1:]:
         if isinstance(note, ast.Call) and _name(note.func) == "Range":
-            if found.type not in NUMBERS:
+            if declared.type not in NUMBERS:
                 raise HintError("block-hint-range-not-number", hint=_written(hint))
-            return FieldType(found.type, range=_range(note))
-    return found
+            return FieldType(declared.type, range=_range(note))
+    return declared
 
 
 def _range(call: ast.Call) -> Range:
@@ -115,10 +115,10 @@ def _range(call: ast.Call) -> Range:
     numbers = {name: _number(value) for name, value in given.items()}
     if len(call.args) > len(names) or not {"least", "most"} <= numbers.keys() <= {*names}:
         raise HintError("block-hint-range-form", hint=_written(call))
-    found = Range(numbers["least"] or 0, numbers["most"] or 0, numbers.get("step"))
-    if wrong := range_problem(found):
+    limits = Range(numbers["least"] or 0, numbers["most"] or 0, numbers.get("step"))
+    if wrong := range_problem(limits):
         raise HintError("block-hint-range", hint=_written(call), problem=wrong)
-    return found
+    return limits
 
 
 def _number(expression: ast.expr) -> float | None:
@@ -136,10 +136,10 @@ def _number(expression: ast.expr) -> float | None:
 def _choices(inside: ast.expr) -> tuple[str, ...]:
     items = inside.elts if isinstance(inside, ast.Tuple) else [inside]
     texts = [item.value for item in items if isinstance(item, ast.Constant)]
-    found = tuple(dict.fromkeys(text for text in texts if is_choice(text)))
-    if len(found) != len(items) or not 0 < len(found) <= MOST_CHOICES:
+    choices = tuple(dict.fromkeys(text for text in texts if is_choice(text)))
+    if len(choices) != len(items) or not 0 < len(choices) <= MOST_CHOICES:
         raise HintError("block-hint-choices", hint=_written(inside), most=MOST_CHOICES)
-    return found
+    return choices
 
 
 def _name(hint: ast.expr) -> str:

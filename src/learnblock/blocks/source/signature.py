@@ -92,8 +92,8 @@ def signatures(source: str, filename: str) -> tuple[Signature, ...]:
     """
     tree = skill_files.parse(source, filename)
     uses = uses_of(tree)
-    found = {function.name: signature(function) for function in skill_files.functions(tree)}
-    return tuple(replace(signature, uses=uses[name]) for name, signature in found.items())
+    signatures = {function.name: signature(function) for function in skill_files.functions(tree)}
+    return tuple(replace(signature, uses=uses[name]) for name, signature in signatures.items())
 
 
 def signature(function: ast.FunctionDef) -> Signature:

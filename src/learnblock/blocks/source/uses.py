@@ -97,21 +97,21 @@ def imported_names(
         tree: the file.
         defined: returns what is defined in a module; nothing if it is not beside the program.
     """
-    found: dict[str, UsedNames] = {}
+    names: dict[str, UsedNames] = {}
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
             for alias in node.names:
                 module = alias.asname or alias.name
                 uses = defined(alias.name)
-                found |= {f"{module}.{name}": value for name, value in uses.items()}
+                names |= {f"{module}.{name}": value for name, value in uses.items()}
         elif isinstance(node, ast.ImportFrom) and node.module:
             uses = defined(node.module)
             for alias in node.names:
                 if alias.name == "*":
-                    found |= uses
+                    names |= uses
                 elif alias.name in uses:
-                    found[alias.asname or alias.name] = uses[alias.name]
-    return found
+                    names[alias.asname or alias.name] = uses[alias.name]
+    return names
 
 
 def with_needs(
@@ -127,9 +127,9 @@ def with_needs(
         skills: all other skills, which they may call.
     """
     for block in blocks:
-        found = () if block.needs else _all(block.name, uses).needed(skills)
+        names = () if block.needs else _all(block.name, uses).needed(skills)
         # A question is answered without its decoration, too.
-        needs = [need for need in found if not (block.returns_value and is_decoration(need))]
+        needs = [need for need in names if not (block.returns_value and is_decoration(need))]
         yield replace(block, needs=tuple(needs)) if needs else block
 
 
@@ -138,10 +138,10 @@ def _all(name: str, uses: Mapping[str, UsedNames]) -> UsedNames:
     seen: dict[str, UsedNames] = {}
     ahead = [name]
     while ahead:
-        found = ahead.pop()
-        if found in uses and found not in seen:
-            seen[found] = uses[found]
-            ahead += uses[found].mentions
+        names = ahead.pop()
+        if names in uses and names not in seen:
+            seen[names] = uses[names]
+            ahead += uses[names].mentions
     return reduce(UsedNames.joined, seen.values(), UsedNames())
 
 

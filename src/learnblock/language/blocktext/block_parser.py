@@ -174,9 +174,9 @@ class BlockParser(LineRewriter):
 
     def else_with_condition(self, opener: Token) -> Slip:
         line = self.code_of(opener.line, self.line_end_index())
-        found = line[opener.column - 1 :].strip()
-        instead = "elif" + found.removeprefix("else")
-        message = Phrase("blocktext-else-with-condition", found=found, instead=instead)
+        written = line[opener.column - 1 :].strip()
+        instead = "elif" + written.removeprefix("else")
+        message = Phrase("blocktext-else-with-condition", found=written, instead=instead)
         return self.slip("else-with-condition", message, opener)
 
     def block(self, opener: Token) -> Body:

@@ -39,8 +39,8 @@ def _empty(prefix: str) -> Callable[[Sequence[str]], str]:
     """A line that gives a variable its first value."""
 
     def line(groups: Sequence[str]) -> str:
-        found = groups[0].lower()
-        value = next(value for part, value in _EMPTY if part in found)
+        keyword = groups[0].lower()
+        value = next(value for part, value in _EMPTY if part in keyword)
         return f"{prefix}{groups[1]} = {value}"
 
     return line

@@ -24,10 +24,10 @@ def f_string(parser: NestedReader, token: Token) -> FString:
         text = piece.text[1:]
     parser.height = height
     parser.grow(0)
-    found = texts.f_string(parts, _span(token, piece))
-    if found is None:
+    joined = texts.f_string(parts, _span(token, piece))
+    if joined is None:
         raise parser.slip("text-value", Phrase("blocktext-f-string-value"), token)
-    return found
+    return joined
 
 
 def bad_f_string(parser: NestedReader, token: Token) -> FString:

@@ -158,12 +158,12 @@ def _unreadable(text: str) -> Diagnostic | None:
         return Diagnostic("too-long", too_long(text))
     if text.isascii() and "\0" not in text:
         return None
-    found = _FORBIDDEN.search(text)
-    if found is None:
+    forbidden = _FORBIDDEN.search(text)
+    if forbidden is None:
         return None
-    line = text.count("\n", 0, found.start()) + 1
-    column = found.start() - text.rfind("\n", 0, found.start())
-    message = Phrase("blocktext-forbidden-character", number=f"U+{ord(found[0]):04X}")
+    line = text.count("\n", 0, forbidden.start()) + 1
+    column = forbidden.start() - text.rfind("\n", 0, forbidden.start())
+    message = Phrase("blocktext-forbidden-character", number=f"U+{ord(forbidden[0]):04X}")
     return Diagnostic("bad-character", message, line, column, column + 1)
 
 
@@ -196,8 +196,8 @@ def _f_string(text: str, line: int, column: int) -> Iterator[Token]:
     """The tokens of an f-string, whose values are read like any other."""
     kind, start, end = "f-string", 0, len(text) - 1
     while True:
-        found = _F_TEXT.match(text, max(start, 2) if start < 2 else start + 1, end)
-        after = len(text) if found is None or found.end() >= end else found.end() + 1
+        plain = _F_TEXT.match(text, max(start, 2) if start < 2 else start + 1, end)
+        after = len(text) if plain is None or plain.end() >= end else plain.end() + 1
         closes = None if after > end else _F_VALUE.match(text, after, end)
         if after <= end and (text[after - 1] == "}" or closes is None):
             yield Token("f-bad", text[start:], line, column + start)
@@ -211,11 +211,11 @@ def _f_string(text: str, line: int, column: int) -> Iterator[Token]:
 
 
 def _f_value(text: str, start: int, end: int, line: int, column: int) -> Iterator[Token]:
-    for found in _TOKEN.finditer(text, start, end):
-        known, bad = found[2], found[3]
+    for match in _TOKEN.finditer(text, start, end):
+        known, bad = match[2], match[3]
         if known is None and bad is None:
             return
-        written, at = known or bad, column + found.start(2 if known else 3)
+        written, at = known or bad, column + match.start(2 if known else 3)
         kind = written if written in _FIXED else _KINDS.get(written[0], "name")
         if bad or kind in LINE_ENDS:
             yield Token("bad", written, line, at)

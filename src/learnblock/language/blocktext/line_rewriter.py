@@ -83,10 +83,10 @@ class LineRewriter(ExpressionParser):
         """Rules for the names of two words that lines of the program set."""
         names: dict[tuple[str, str], None] = {}
         for line in self.lines:
-            found = NAME_WITH_SPACE.match(line)
-            rewording = reworded(line, (*declarations.OUTSIDE, *RULES)) if found else None
-            if found and rewording and rewording.message.code == NAME_WITH_SPACE.code:
-                names[found[2], found[3]] = None
+            match = NAME_WITH_SPACE.match(line)
+            rewording = reworded(line, (*declarations.OUTSIDE, *RULES)) if match else None
+            if match and rewording and rewording.message.code == NAME_WITH_SPACE.code:
+                names[match[2], match[3]] = None
         return tuple(
             NAME_WITH_SPACE._replace(
                 pattern=rf".*?\b(?P<wrong>({first})\s+({second}))\b", instead=r"\2_\3"

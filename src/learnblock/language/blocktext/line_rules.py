@@ -75,22 +75,22 @@ def reworded(line: str, rules: tuple[Rule, ...]) -> Rewording | None:
         return None
     masked = _TEXTS.sub(_blank, line)
     for rule in rules:
-        found = rule.match(masked)
-        if found is None:
+        match = rule.match(masked)
+        if match is None:
             continue
-        rewording = _applied(rule, found, line)
+        rewording = _applied(rule, match, line)
         if rewording.line != line:
             return rewording
     return None
 
 
-def _applied(rule: Rule, found: re.Match[str], line: str) -> Rewording:
+def _applied(rule: Rule, match: re.Match[str], line: str) -> Rewording:
     indent = len(line) - len(line.lstrip())
     start, end = (indent, len(line.rstrip()))
-    if "wrong" in found.re.groupindex:
-        start, end = found.span("wrong")
+    if "wrong" in match.re.groupindex:
+        start, end = match.span("wrong")
     wrong = line[start:end]
-    groups = [wrong, *(line[slice(*span)] for span in found.regs[1:])]
+    groups = [wrong, *(line[slice(*span)] for span in match.regs[1:])]
     instead = _filled(rule.instead, groups)
     values = {name: _filled(value, groups) for name, value in rule.values}
     message = Phrase(rule.code, found=wrong.strip(), instead=instead.strip(), **values)

@@ -139,12 +139,12 @@ def stem(name: str) -> str:
 
 def clashes(variables: Iterable[str]) -> dict[str, int]:
     """The number of ``_when`` in the longest variable of each stem."""
-    found: dict[str, int] = {}
+    counts: dict[str, int] = {}
     for variable in variables:
         key = stem(variable)
         count = (len(variable) - len(key)) // len(_WHEN)
-        found[key] = max(count, found.get(key, 0))
-    return found
+        counts[key] = max(count, counts.get(key, 0))
+    return counts
 
 
 def when_to_python(name: str, clashing: Mapping[str, int]) -> str:

@@ -13,13 +13,13 @@ _AFTER_NAME = frozenset((",", "]", "}", ")", *LINE_ENDS))
 
 def opened(tokens: Sequence[Token]) -> list[Token]:
     """The brackets among some tokens that these do not close."""
-    found: list[Token] = []
+    brackets: list[Token] = []
     for token in tokens:
         if token.kind in CLOSING:
-            found.append(token)
-        elif found and token.kind == CLOSING[found[-1].kind]:
-            found.pop()
-    return found
+            brackets.append(token)
+        elif brackets and token.kind == CLOSING[brackets[-1].kind]:
+            brackets.pop()
+    return brackets
 
 
 def closing(brackets: Sequence[Token]) -> str:

@@ -104,9 +104,9 @@ class _Uses:
     """Finds the definitions that statements use, also through the functions that they call."""
 
     def __init__(self, items: Sequence[Item | Main]) -> None:
-        found = [item for item in items if isinstance(item, Def | When)]
-        self.definitions = {_key(item): item for item in found}
-        self.whens = {item.name for item in found if isinstance(item, When)}
+        named = [item for item in items if isinstance(item, Def | When)]
+        self.definitions = {_key(item): item for item in named}
+        self.whens = {item.name for item in named if isinstance(item, When)}
         self.in_raw = _raw_functions(item for item in items if isinstance(item, Raw))
         self.in_blocks = dict(_functions_in_blocks(items))
 
@@ -114,14 +114,14 @@ class _Uses:
         """The definitions that must exist when a statement runs."""
         if isinstance(item, Raw) and "robot.run(" in item.text:
             return set(self.definitions)
-        found: set[Key] = set()
+        keys: set[Key] = set()
         ahead = set(self.named((item,)))
         while ahead:
             key = ahead.pop()
-            if key not in found:
-                found.add(key)
+            if key not in keys:
+                keys.add(key)
                 ahead.update(self.within(key))
-        return found & self.definitions.keys()
+        return keys & self.definitions.keys()
 
     def within(self, key: Key) -> Iterator[Key]:
         """What a call of a function uses; an event only runs at the end of the program."""

@@ -59,8 +59,8 @@ def recover(text: str) -> tuple[Program, tuple[Diagnostic, ...]]:
     except RecursionError:
         # Our limits are far below Python's: this happens only if the caller has used up the stack.
         return Program(), (slips.too_deep(parser.token).diagnostic,)
-    found = sorted(parser.diagnostics, key=attrgetter("line", "column"))
-    return program, tuple(dict.fromkeys(found))[:MAX_DIAGNOSTICS]
+    diagnostics = sorted(parser.diagnostics, key=attrgetter("line", "column"))
+    return program, tuple(dict.fromkeys(diagnostics))[:MAX_DIAGNOSTICS]
 
 
 # Why: docs/decisions.md, "The parser is written by hand"
@@ -216,8 +216,8 @@ def _arranged(items: list[Item | Main], span: Span) -> Program:
 
 def without_robot_first(items: Sequence[Item | Main]) -> list[Item | Main]:
     """The items with the first of the lines that say that there is no robot at their head."""
-    said = [item for item in items if isinstance(item, WithoutRobot)]
-    return [*said[:1], *(item for item in items if not isinstance(item, WithoutRobot))]
+    lines = [item for item in items if isinstance(item, WithoutRobot)]
+    return [*lines[:1], *(item for item in items if not isinstance(item, WithoutRobot))]
 
 
 def _without_main(items: list[Item | Main]) -> tuple[Item, ...]:

@@ -16,7 +16,7 @@ _BRACES = Phrase("blocktext-braces")
 
 
 def _replaced(pairs: Mapping[str, str]) -> dict[str, Phrase]:
-    return {found: write_instead(found, instead) for found, instead in pairs.items()}
+    return {written: write_instead(written, instead) for written, instead in pairs.items()}
 
 
 def _straight(marks: str, quote: str) -> dict[str, Phrase]:

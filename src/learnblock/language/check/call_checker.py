@@ -340,8 +340,8 @@ def _decimal_comma(arguments: tuple[Expression, ...]) -> tuple[Phrase, Span] | N
             continue
         first, last = left.span, other.span
         if last.column == first.end_column + 1 and (left.text + other.text).isdecimal():
-            found, instead = f"{left.text},{other.text}", f"{left.text}.{other.text}"
-            message = Phrase("blocktext-decimal-comma", found=found, instead=instead)
+            written, instead = f"{left.text},{other.text}", f"{left.text}.{other.text}"
+            message = Phrase("blocktext-decimal-comma", found=written, instead=instead)
             return message, first._replace(end_column=last.end_column)
     return None
 

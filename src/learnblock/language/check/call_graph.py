@@ -14,18 +14,18 @@ def cycles(calls: Calls) -> dict[str, int]:
     seen: set[str] = set()
     for name in calls:
         order += _in_order_of_return(name, calls, seen)
-    found: dict[str, int] = {}
+    numbers: dict[str, int] = {}
     seen = set()
     for number, name in enumerate(reversed(order)):
-        found |= dict.fromkeys(_in_order_of_return(name, callers, seen), number)
-    return found
+        numbers |= dict.fromkeys(_in_order_of_return(name, callers, seen), number)
+    return numbers
 
 
 def recursive(calls: Calls) -> set[str]:
     """The functions that call themselves, also through others."""
-    found = cycles(calls)
-    sizes = Counter(found.values())
-    return {name for name, called in calls.items() if name in called or sizes[found[name]] > 1}
+    numbers = cycles(calls)
+    sizes = Counter(numbers.values())
+    return {name for name, called in calls.items() if name in called or sizes[numbers[name]] > 1}
 
 
 def callers_of(names: Iterable[str], calls: Calls) -> set[str]:
@@ -35,21 +35,21 @@ def callers_of(names: Iterable[str], calls: Calls) -> set[str]:
 
 def reachable(names: Iterable[str], calls: Calls) -> set[str]:
     """Some functions, and all that they call, also through others."""
-    found = set(names)
-    ahead = list(found)
+    reached = set(names)
+    ahead = list(reached)
     while ahead:
-        more = set(calls.get(ahead.pop(), ())) - found
-        found |= more
+        more = set(calls.get(ahead.pop(), ())) - reached
+        reached |= more
         ahead += more
-    return found
+    return reached
 
 
 def _callers(calls: Calls) -> Calls:
-    found = defaultdict(list)
+    callers = defaultdict(list)
     for caller, called in calls.items():
         for name in called:
-            found[name].append(caller)
-    return found
+            callers[name].append(caller)
+    return callers
 
 
 def _in_order_of_return(name: str, calls: Calls, seen: set[str]) -> list[str]:
@@ -57,15 +57,15 @@ def _in_order_of_return(name: str, calls: Calls, seen: set[str]) -> list[str]:
     if name in seen:
         return []
     seen.add(name)
-    found: list[str] = []
+    order: list[str] = []
     ahead = [(name, iter(calls.get(name, ())))]
     while ahead:
         caller, rest = ahead[-1]
         inner = next((other for other in rest if other not in seen), None)
         if inner is None:
-            found.append(caller)
+            order.append(caller)
             ahead.pop()
         else:
             seen.add(inner)
             ahead.append((inner, iter(calls.get(inner, ()))))
-    return found
+    return order

@@ -101,8 +101,8 @@ def check(
     if python is not None:
         check_python(python, findings)
     mistakes = without_handled(findings.diagnostics, findings.everything)
-    found = sorted(mistakes, key=attrgetter("line", "column"))
-    return list(dict.fromkeys(found))
+    diagnostics = sorted(mistakes, key=attrgetter("line", "column"))
+    return list(dict.fromkeys(diagnostics))
 
 
 def _is_only_raw(program: Program) -> bool:
@@ -165,9 +165,9 @@ class _Checker:
             # The check of Python's names says where the robot's two lines belong, too.
             return
         check_plain_names(self.findings)
-        found = next(filter(_uses_robot, self.findings.everything), None)
-        if found is not None:
-            self.report("without-robot", Phrase("check-without-robot"), found.span)
+        use = next(filter(_uses_robot, self.findings.everything), None)
+        if use is not None:
+            self.report("without-robot", Phrase("check-without-robot"), use.span)
 
     def duplicates(self) -> None:
         variables = self.findings.assigned - self.findings.raw_names
@@ -192,9 +192,9 @@ class _Checker:
         for item in self.findings.everything:
             place = {target.name: target.span for target in targets(item)}
             for name in _used_parameters(item) if isinstance(item, Def) else place:
-                found = state_of(name, self.findings.whens.keys())
-                if found is not None:
-                    self.value_of_event(name, *found, place.get(name, item.span))
+                state = state_of(name, self.findings.whens.keys())
+                if state is not None:
+                    self.value_of_event(name, *state, place.get(name, item.span))
 
     def value_of_event(self, name: str, event: str, value: str, span: Span) -> None:
         code = self.findings.worded("check-value-of-event", "check-value-of-event-python")
@@ -263,8 +263,10 @@ class _Checker:
 
         Both together start its time again.
         """
-        found = self.findings.everything
-        changes = [statement for statement in found if isinstance(statement, Activate | Deactivate)]
+        statements = self.findings.everything
+        changes = [
+            statement for statement in statements if isinstance(statement, Activate | Deactivate)
+        ]
         alone = {type(change) for change in changes if change.name == item.name} == {type(item)}
         if alone and self.findings.whens[item.name].condition is not None:
             code = self.findings.worded("check-follows-condition", "check-follows-condition-python")

@@ -125,15 +125,15 @@ class Endings:
         None if there is no way out, or one that may be taken in a later round.
         """
         effects = self.effects(loop.body)
-        found = None
+        exit_ = None
         for guards in _exits(loop.body, ()):
             fixed = next(
                 filter(None, (self._fixed_guard(guard, loop, effects) for guard in guards)), None
             )
             if fixed is None or effects.anything:
                 return None
-            found = found or fixed
-        return found
+            exit_ = exit_ or fixed
+        return exit_
 
     def _fixed_guard(
         self, condition: Expression, loop: While, effects: Effects
@@ -146,10 +146,12 @@ class Endings:
 
     def parts(self, condition: Expression) -> list[Expression]:
         """The parts of a condition and of the functions that it calls."""
-        found = within(condition)
-        for function in self.called(found):
-            found += [node for item in statements(function.body) for node in all_expressions(item)]
-        return found
+        expressions = within(condition)
+        for function in self.called(expressions):
+            expressions += [
+                node for item in statements(function.body) for node in all_expressions(item)
+            ]
+        return expressions
 
     def varies(self, part: Expression, item: Item, effects: Effects) -> bool:
         """Whether a part of a condition may have another value the next time."""
@@ -177,11 +179,11 @@ class Endings:
     def name_varies(self, name: str, item: Item, effects: Effects) -> bool:
         if name in self.findings.raw_names or name in effects.names:
             return True
-        found = state_of(name, self.whens.keys())
-        if found is None:
+        state = state_of(name, self.whens.keys())
+        if state is None:
             is_unknown = name not in self.findings.assigned | self.parameters
             return is_unknown or (bool(effects.items) and not self.is_plain(name))
-        event, value = found
+        event, value = state
         if event in effects.started | effects.stopped:
             return True
         return value == "time" and self.may_be_active(event, item)
@@ -223,7 +225,7 @@ class Endings:
 
     def places(self, item: Item) -> set[str]:
         """The events in which a statement runs, "" for outside of them."""
-        return {name for name, found in self._places.items() if id(item) in found}
+        return {name for name, items in self._places.items() if id(item) in items}
 
     @cached_property
     def _places(self) -> dict[str, set[int]]:
@@ -243,36 +245,36 @@ class Endings:
 
     def called(self, nodes: Iterable[Expression]) -> list[Def]:
         """The functions that are called, also by each other."""
-        found: dict[str, Def] = {}
+        functions: dict[str, Def] = {}
         ahead = [node.name for node in nodes if isinstance(node, Call)]
         while ahead:
             name = ahead.pop()
             function = self.functions.get(name)
-            if function is None or name in found:
+            if function is None or name in functions:
                 continue
-            found[name] = function
+            functions[name] = function
             inner = (node for item in statements(function.body) for node in all_expressions(item))
             ahead += [node.name for node in inner if isinstance(node, Call)]
-        return list(found.values())
+        return list(functions.values())
 
     # What statements change.
 
     def effects(self, body: tuple[Item, ...]) -> Effects:
-        found = Effects()
+        effects = Effects()
         for item in statements(body):
-            self._add(item, found)
+            self._add(item, effects)
         for function in self.called_in(body):
             inner = Effects()
             for item in statements(function.body):
                 self._add(item, inner)
             local = {*function.parameters, *locals_in(function.body)}
-            found.names |= inner.names - local
-            found.items |= inner.items
-            found.started |= inner.started
-            found.stopped |= inner.stopped
-            found.commands |= inner.commands
-            found.anything |= inner.anything
-        return found
+            effects.names |= inner.names - local
+            effects.items |= inner.items
+            effects.started |= inner.started
+            effects.stopped |= inner.stopped
+            effects.commands |= inner.commands
+            effects.anything |= inner.anything
+        return effects
 
     def _add(self, item: Item, effects: Effects) -> None:
         effects.names.update(set_by(item))

@@ -123,14 +123,14 @@ class Findings:
         return name not in self.functions and name not in self.raw_names and not self.imports
 
     def names_in_raw(self) -> set[str]:
-        found: set[str] = set()
+        names: set[str] = set()
         for item in self.everything:
             if isinstance(item, AnyPython):
-                found |= markers.raw_names(item.text) | markers.defined_names(item.text)
+                names |= markers.raw_names(item.text) | markers.defined_names(item.text)
             for node in all_expressions(item):
                 if isinstance(node, RawExpression) and ":=" in node.text:
-                    found |= markers.raw_names(node.text.strip())
-        return found
+                    names |= markers.raw_names(node.text.strip())
+        return names
 
     def unknown_when(self, name: str) -> Phrase:
         """The message about a ``when`` that does not exist."""

@@ -171,10 +171,10 @@ class FlowChecker:
         skill = self.findings.called(_QUESTION)
         if isinstance(part, SkillCall):
             return Phrase("check-told-stays", name=self.findings.called(part.name), skill=skill)
-        found = state_of(part.name, self.findings.whens.keys())
-        if found is None:
+        state = state_of(part.name, self.findings.whens.keys())
+        if state is None:
             return Phrase(_UNCHANGED[place], name=part.name, skill=skill)
-        event, value = found
+        event, value = state
         name = f"{event}.{value}" if self.findings.in_python else part.name
         if value == "time":
             code = self.findings.worded("check-time-stays", "check-time-stays-python")

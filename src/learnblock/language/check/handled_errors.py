@@ -48,15 +48,15 @@ class _Handled(NamedTuple):
         return raised in self.errors if raised in _SLIPS else issubclass(raised, self.errors)
 
 
-def without_handled(found: Iterable[Diagnostic], items: Iterable[Item]) -> list[Diagnostic]:
+def without_handled(diagnostics: Iterable[Diagnostic], items: Iterable[Item]) -> list[Diagnostic]:
     """The diagnostics that no ``try`` of a program handles.
 
     Args:
-        found: all diagnostics.
+        diagnostics: all diagnostics.
         items: every statement of the program.
     """
     handled = list(_tries(items))
-    return [each for each in found if not any(block.handles(each) for block in handled)]
+    return [each for each in diagnostics if not any(block.handles(each) for block in handled)]
 
 
 def _tries(items: Iterable[Item]) -> Iterator[_Handled]:

@@ -42,19 +42,19 @@ def check_lists(findings: Findings) -> None:
 
 def _written(findings: Findings) -> dict[str, int]:
     """The lists that are written in full, once, with their lengths."""
-    found: dict[str, int] = {}
+    lengths: dict[str, int] = {}
     again = set(findings.raw_names)
     for item in findings.everything:
         match item:
             case Perform(call=Call(name=name, arguments=arguments)) if name not in _READING:
                 again.update(_names(arguments))
-            case Assign(target=Name(name=name), value=List(items=items)) if name not in found:
-                found[name] = len(items)
+            case Assign(target=Name(name=name), value=List(items=items)) if name not in lengths:
+                lengths[name] = len(items)
             case Assign() | ForEach():
                 again.update(set_by(item))
             case Def(parameters=parameters):
                 again.update(parameters)
-    return {name: length for name, length in found.items() if name not in again}
+    return {name: length for name, length in lengths.items() if name not in again}
 
 
 def _items(findings: Findings, lengths: Mapping[str, int]) -> None:

@@ -99,10 +99,10 @@ class _PythonChecker:
                 self.report(Phrase("python-robot-lower-case"), node.value)
 
     def decimal_comma(self, node: ast.expr) -> None:
-        found = _DECIMAL.fullmatch(ast.get_source_segment(self.text, node) or "")
-        if found is not None:
-            instead = f"{found[1]}.{found[2]}"
-            message = Phrase("blocktext-decimal-comma", found=found[0], instead=instead)
+        match = _DECIMAL.fullmatch(ast.get_source_segment(self.text, node) or "")
+        if match is not None:
+            instead = f"{match[1]}.{match[2]}"
+            message = Phrase("blocktext-decimal-comma", found=match[0], instead=instead)
             self.report(message, node, "warning")
 
     def skill_without_brackets(self, node: ast.expr) -> None:

@@ -75,8 +75,8 @@ def _is_event(node: ast.expr) -> bool:
 
 
 def _name(node: ast.expr) -> str:
-    found = _called(node)
-    return found.attr if isinstance(found, ast.Attribute) else ""
+    called = _called(node)
+    return called.attr if isinstance(called, ast.Attribute) else ""
 
 
 def _called(node: ast.expr) -> ast.expr:

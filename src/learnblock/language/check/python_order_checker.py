@@ -173,16 +173,16 @@ class _Order:
 
     def shared_by(self, function: ast.FunctionDef) -> set[str]:
         """The shared names that a function sets, also through those that it calls."""
-        found: set[str] = set()
+        names: set[str] = set()
         seen: set[str] = set()
         ahead = [function]
         while ahead:
             inner = ahead.pop()
-            found.update(_shared(inner))
+            names.update(_shared(inner))
             loaded = {node.id for node in ast.walk(inner) if isinstance(node, ast.Name)} - seen
             seen |= loaded
             ahead += (self.functions[name] for name in loaded & self.functions.keys())
-        return found
+        return names
 
     @contextmanager
     def within(self, function: ast.FunctionDef, again: Counter[str]) -> Iterator[None]:

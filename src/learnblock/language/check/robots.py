@@ -203,8 +203,8 @@ def demands(
     functions: Mapping[str, BlockConfiguration] = MappingProxyType({}),
 ) -> tuple[Demand, ...]:
     """What a program demands of a robot; calls that demand the same are listed once."""
-    found = (demand for _, demand in calls_that_demand(program, skills, functions))
-    return tuple({demand.key: demand for demand in found}.values())
+    called = (demand for _, demand in calls_that_demand(program, skills, functions))
+    return tuple({demand.key: demand for demand in called}.values())
 
 
 def verdict(demanded: tuple[Demand, ...], equipment: frozenset[str]) -> Verdict:

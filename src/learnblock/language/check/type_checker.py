@@ -269,8 +269,8 @@ class _TypeChecker:
             elif mixed and operator in _EQUALITIES and Type.BOOLEAN not in kinds:
                 message = Phrase("check-never-equal", advice=self.advice(text))
                 self.report(message, text, "warning")
-            elif operator in _EQUALITIES and (found := rounded_side(self.types, left, right)):
-                message, rounded = found
+            elif operator in _EQUALITIES and (rounding := rounded_side(self.types, left, right)):
+                message, rounded = rounding
                 self.report(message, rounded, "warning")
 
     def index(self, node: Index) -> None:
@@ -370,16 +370,16 @@ class _TypeChecker:
 
     def words(self, node: Name) -> str | None:
         """A text that a variable holds, if it only ever holds texts that are not numbers."""
-        found: str | None = None
+        words: str | None = None
         for item in self.findings.everything:
             if node.name not in set_by(item):
                 continue
             match item:
                 case Assign(operator="=", value=String(value=text)) if not _is_number(item.value):
-                    found = found or text
+                    words = words or text
                 case _:
                     return None
-        return found
+        return words
 
 
 _EXPRESSIONS: dict[type, Callable[[_TypeChecker, Any], None]] = {

@@ -175,14 +175,14 @@ class Types:
             for name in set_by(item):
                 setting.setdefault(name, []).append(item)
         for _ in range(_PASSES):
-            found = {
+            fractions = {
                 name
                 for name, items in setting.items()
                 if name not in self.hidden and all(map(self._sets_decimals, items))
             }
-            if found == self.fractions:
+            if fractions == self.fractions:
                 return
-            self.fractions = found
+            self.fractions = fractions
 
     def _sets_decimals(self, item: Item) -> bool:
         if not isinstance(item, Assign):

@@ -82,14 +82,14 @@ def skill_calls(
 
 def imports_of(program: Program) -> ast.Module:
     """What the parts of a program that stay Python import, and its own imports."""
-    found: list[ast.stmt] = []
+    imports: list[ast.stmt] = []
     for item in statements(_running(program)):
         if isinstance(item, AnyPython):
             nodes = ast.walk(parsed(item.text))
-            found += [node for node in nodes if isinstance(node, ast.Import | ast.ImportFrom)]
+            imports += [node for node in nodes if isinstance(node, ast.Import | ast.ImportFrom)]
         elif isinstance(item, Import):
-            found.append(ast.ImportFrom(item.module, [ast.alias("*")], 0))
-    return ast.Module(found, [])
+            imports.append(ast.ImportFrom(item.module, [ast.alias("*")], 0))
+    return ast.Module(imports, [])
 
 
 def _running(program: Program) -> tuple[Item, ...]:
@@ -97,15 +97,15 @@ def _running(program: Program) -> tuple[Item, ...]:
     main = () if program.main is None else program.main.body
     waiting = program.functions
     everything: tuple[Item, ...] = (*program.items, *main)
-    found: list[Item] = [item for item in everything if not isinstance(item, Def)]
-    if all(isinstance(item, _BESIDE_FUNCTIONS) for item in found):
+    running: list[Item] = [item for item in everything if not isinstance(item, Def)]
+    if all(isinstance(item, _BESIDE_FUNCTIONS) for item in running):
         return everything
-    ahead = found.copy()
+    ahead = running.copy()
     while ahead:
         mentioned = [waiting.pop(name) for name in _names(ahead.pop()) if name in waiting]
         ahead.extend(mentioned)
-        found.extend(mentioned)
-    return tuple(sorted(found, key=lambda item: item.span.line))
+        running.extend(mentioned)
+    return tuple(sorted(running, key=lambda item: item.span.line))
 
 
 def _names(item: Item) -> Iterator[str]:
@@ -153,8 +153,8 @@ class _Raw:
         methods: set[str] = set()
         for item in parts:
             if isinstance(item, PythonBlock) and item.parts[0].word == "class":
-                inner = (found for found in item.parts[0].body if isinstance(found, PythonBlock))
-                methods |= {name for found in inner for name in defined_names(found.text)}
+                inner = (method for method in item.parts[0].body if isinstance(method, PythonBlock))
+                methods |= {name for method in inner for name in defined_names(method.text)}
             for node in ast.walk(parsed(item.text if isinstance(item, AnyPython) else "")):
                 if isinstance(node, ast.Import):
                     modules |= {
@@ -171,8 +171,8 @@ class _Raw:
         tree = parsed(text)
         called = {id(node.func): node for node in ast.walk(tree) if isinstance(node, ast.Call)}
         nodes = (node for node in ast.walk(tree) if isinstance(node, ast.expr))
-        found = [(node, name) for node in nodes if (name := self.skill(node))]
-        for node, name in sorted(found, key=lambda place: (place[0].lineno, place[0].col_offset)):
+        places = [(node, name) for node in nodes if (name := self.skill(node))]
+        for node, name in sorted(places, key=lambda place: (place[0].lineno, place[0].col_offset)):
             call = called.get(id(node))
             given = () if call is None else tuple(map(_argument, call.args))
             keywords = () if call is None else call.keywords

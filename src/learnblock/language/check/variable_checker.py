@@ -157,7 +157,7 @@ class _Order:
         sets = {when.name: set(self.sets(when.body)) for when in whens}
         for when in whens:
             # Each runs again and again, after any other.
-            others = (found for name, found in sets.items() if name != when.name)
+            others = (names for name, names in sets.items() if name != when.name)
             self.event(when, known.union(*others), self.sets(when.body))
 
     def event(self, when: When, known: set[str], again: Counter[str]) -> None:
@@ -221,8 +221,8 @@ class _Order:
             return replace(scope, maybe=scope.maybe | (scope.in_loop - self.sets(body)).keys())
         return scope
 
-    def expressions(self, found: Iterable[Expression], scope: _Scope) -> _Steps:
-        nodes = list(found)
+    def expressions(self, expressions: Iterable[Expression], scope: _Scope) -> _Steps:
+        nodes = list(expressions)
         for node in nodes:
             if isinstance(node, Call) and node.name in self.functions:
                 yield from self.call(self.functions[node.name], scope)

@@ -41,15 +41,15 @@ def with_needed(program: Program, names: Iterable[str]) -> tuple[str, ...]:
         UnknownNameError: the program has no such function.
     """
     functions = program.functions
-    ahead, found = list(names), set[str]()
+    ahead, needed = list(names), set[str]()
     while ahead:
         name = ahead.pop()
         if name not in functions:
             raise UnknownNameError("function", name, functions)
-        if name not in found:
-            found.add(name)
+        if name not in needed:
+            needed.add(name)
             ahead += [call for call in _called_by(functions[name]) if call in functions]
-    return tuple(name for name in functions if name in found)
+    return tuple(name for name in functions if name in needed)
 
 
 def extracted(program: Program, names: Iterable[str], filename: str) -> str:
@@ -98,23 +98,23 @@ class _Extraction:
     @cached_property
     def beginnings(self) -> dict[str, Assign]:
         """The first assignment of each variable at the top level."""
-        found: dict[str, Assign] = {}
+        beginnings: dict[str, Assign] = {}
         for item in self.program.items:
             if isinstance(item, Assign) and isinstance(item.target, Name) and item.operator == "=":
-                found.setdefault(item.target.name, item)
-        return found
+                beginnings.setdefault(item.target.name, item)
+        return beginnings
 
     @cached_property
     def shared(self) -> dict[str, Span]:
         """The variables that the functions share with the program, and each one's first use."""
-        found: dict[str, Span] = {}
+        spans: dict[str, Span] = {}
         ahead = [(name, span) for function in self.functions for name, span in self.used(function)]
         for name, span in ahead:
-            if name not in found:
-                found[name] = span
+            if name not in spans:
+                spans[name] = span
                 if name in self.beginnings:
                     ahead += self.used(self.beginnings[name])
-        return found
+        return spans
 
     def used(self, item: Item) -> Iterator[tuple[str, Span]]:
         """The variables of the whole program that an item uses."""
@@ -190,12 +190,12 @@ class _Extraction:
     def set_in_python(self) -> set[str]:
         """The names that raw Python outside of functions sets, defines and imports."""
         outside = (item for item in self.symbols.items if not isinstance(item, Def))
-        found = (
+        texts = (
             statement.text
             for statement in statements(tuple(outside))
             if isinstance(statement, AnyPython)
         )
-        return {name for text in found for name in _set_by_python(text)}
+        return {name for text in texts for name in _set_by_python(text)}
 
     def variable(self, name: str, span: Span) -> Iterator[Diagnostic]:
         elsewhere = self.set_elsewhere.get(name)
@@ -218,7 +218,7 @@ class _Extraction:
     def set_elsewhere(self) -> dict[str, Span]:
         """Where the rest of the program first sets each variable, which a library would not do."""
         taken = {id(body) for body in (*self.functions, *self.beginnings.values())}
-        found: dict[str, Span] = {}
+        spans: dict[str, Span] = {}
         for item in self.symbols.items:
             if id(item) in taken:
                 continue
@@ -226,8 +226,8 @@ class _Extraction:
             for statement in statements((item,)):
                 for name in _set_in(statement):
                     if name not in own:
-                        found.setdefault(name, statement.span)
-        return found
+                        spans.setdefault(name, statement.span)
+        return spans
 
 
 def _set_in(statement: Item) -> Iterator[str]:

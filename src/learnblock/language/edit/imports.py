@@ -16,11 +16,11 @@ def with_import(program: Program, module: str) -> Program:
     items = program.items
     place = prologue_length(items)
     if place and isinstance(items[place - 1], Import):
-        found = (*items[:place], Import(module), *items[place:])
+        items = (*items[:place], Import(module), *items[place:])
     else:
         heading = items[: place + 1] if items[place : place + 1] == (Blank(),) else items[:place]
-        found = (*heading, Import(module), *items[len(heading) :])
-    return replace(program, items=found, python=None)
+        items = (*heading, Import(module), *items[len(heading) :])
+    return replace(program, items=items, python=None)
 
 
 def imported(program: Program) -> frozenset[str]:
@@ -32,8 +32,8 @@ def libraries_used(
     program: Program, configurations: Mapping[str, BlockConfiguration]
 ) -> frozenset[str]:
     """The libraries whose skills a program calls, whether it imports them or not."""
-    found = (configurations.get(name) for name in _skills(program))
-    return frozenset(module.library for module in found if module is not None and module.library)
+    modules = (configurations.get(name) for name in _skills(program))
+    return frozenset(module.library for module in modules if module is not None and module.library)
 
 
 def _skills(program: Program) -> Iterator[str]:

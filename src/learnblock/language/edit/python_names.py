@@ -40,8 +40,8 @@ def renamed_in(text: str, old: str, new: str) -> str:
     source = text[indent:]
     lines = [line.encode(*_ENCODING) for line in source.split("\n")]
     spelled = old.encode(*_ENCODING)
-    found = {place for node in ast.walk(parsed(source)) for place in _places(node, old, lines)}
-    for line, start, before in sorted(found, reverse=True):
+    places = {place for node in ast.walk(parsed(source)) for place in _places(node, old, lines)}
+    for line, start, before in sorted(places, reverse=True):
         written, end = lines[line - 1], start + len(spelled)
         if written[start:end] != spelled:
             raise UnsupportedNameError
@@ -100,7 +100,7 @@ def _behind(
     """The place of a name that the tree does not give: behind some words of its node's line."""
     line = lines[node.lineno - 1].decode(*_ENCODING)
     start = len(lines[node.lineno - 1][: node.col_offset].decode(*_ENCODING))
-    found = re.compile(rf"{words}\b({re.escape(name)})\b").search(line, start)
-    if found is None:
+    match = re.compile(rf"{words}\b({re.escape(name)})\b").search(line, start)
+    if match is None:
         raise UnsupportedNameError
-    return _Place(node.lineno, len(line[: found.start(1)].encode(*_ENCODING)))
+    return _Place(node.lineno, len(line[: match.start(1)].encode(*_ENCODING)))

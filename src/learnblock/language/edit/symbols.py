@@ -78,9 +78,9 @@ class Symbols:
         """The local variables of a function or a ``when``, and where each is defined."""
         if not isinstance(item, Def | When):
             return {}
-        found = dict.fromkeys(item.parameters, item.span) if isinstance(item, Def) else {}
+        parameters = dict.fromkeys(item.parameters, item.span) if isinstance(item, Def) else {}
         own = {name: target.span for name, target in locals_in(item.body).items()}
-        return own | found
+        return own | parameters
 
     def owner(self, line: int) -> Def | When | None:
         """The function or ``when`` at a line of the source."""

@@ -70,7 +70,7 @@ class CommentReader(ExpressionReader):
 
     def found_raw_ends(self) -> dict[int, int]:
         """The line of the ``# end`` for the line of each ``# python`` of the same indentation."""
-        found: dict[int, int] = {}
+        raw_ends: dict[int, int] = {}
         ends: dict[int, int] = {}  # the next ``# end`` below, by column
         for number in range(len(self.lines), 0, -1):
             text = self.lines[number - 1]
@@ -85,8 +85,8 @@ class CommentReader(ExpressionReader):
             if comment.text == markers.END:
                 ends[comment.column] = number
             elif comment.text == markers.PYTHON and comment.column in ends:
-                found[number] = ends[comment.column]
-        return found
+                raw_ends[number] = ends[comment.column]
+        return raw_ends
 
     def inner_comments(self, node: ast.stmt) -> list[Item]:
         """The comments in a statement that has no place for them, which move above it.

@@ -172,10 +172,10 @@ class ExpressionReader:
     def f_string(self, values: list[ast.expr], span: Span) -> FString:
         if span.line != span.end_line:
             return self.long_f_string(values, span)
-        found = texts.f_string(map(self.part, values), span)
-        if found is None:
+        joined = texts.f_string(map(self.part, values), span)
+        if joined is None:
             raise Unlike
-        return found
+        return joined
 
     def long_f_string(self, values: list[ast.expr], span: Span) -> FString:
         """An f-string on several lines, of which Python 3.11 doesn't know where its values are."""
@@ -225,10 +225,10 @@ class ExpressionReader:
         return SkillCall(names.attribute_from_python(name), arguments, keywords, span)
 
     def library_call(self, node: ast.expr, span: Span) -> Expression | None:
-        found = recognized(node)
-        if found is None:
+        match = recognized(node)
+        if match is None:
             return None
-        template, parts = found
+        template, parts = match
         if template.name in self.functions:
             raise Unlike
         return Call(template.name, tuple(self.expression(part) for part in parts), (), span)

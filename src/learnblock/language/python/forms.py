@@ -114,8 +114,8 @@ def filled(words: Sequence[str], texts: Sequence[str], split: Split) -> str:
     In an f-string, texts get the other quotes where Python needs that.
     """
     values = [_value(text) for text in texts]
-    for found in _spellings(texts, values):
-        plain = _joined(words, found)
+    for spellings in _spellings(texts, values):
+        plain = _joined(words, spellings)
         form = split(plain)
         if form is not None and form.words == tuple(words) and _same(form.values, values):
             return plain

@@ -55,18 +55,18 @@ class PythonReader(StatementReader):
 
     def decorated(self, node: ast.stmt) -> list[Item]:
         """The decorators of a function or a class, a line for each, with the comments there."""
-        found: list[Item] = []
+        items: list[Item] = []
         line = start_of(node)
         for decorator in getattr(node, "decorator_list", []):
             last = decorator.end_lineno or decorator.lineno
-            found += self.comments_in(line, last)
+            items += self.comments_in(line, last)
             comment = self.comments.get(last)
             text = self.one_line(decorator)
             if isinstance(decorator, ast.Yield | ast.YieldFrom):
                 text = f"({text})"  # its brackets are no part of it
-            found.append(PythonLine("@" + text, comment and comment.text, span_of(decorator)))
+            items.append(PythonLine("@" + text, comment and comment.text, span_of(decorator)))
             line = last + 1
-        return [*found, *self.comments_in(line, self.header_end(node.lineno, _body(node)))]
+        return [*items, *self.comments_in(line, self.header_end(node.lineno, _body(node)))]
 
     def python_block(self, node: ast.stmt) -> PythonBlock:
         outer = self.keeps_globals
@@ -90,8 +90,10 @@ class PythonReader(StatementReader):
             read.append(PythonPart(header, (), comment, self.place(line)))
             above = self.above_first_case(line, parts[0])
         for part, following in zip(parts, [*parts[1:], None], strict=True):
-            found = self.python_part(part, following)
-            read.append(replace(found, body=stripped((*above, *found.body))) if above else found)
+            reading = self.python_part(part, following)
+            read.append(
+                replace(reading, body=stripped((*above, *reading.body))) if above else reading
+            )
             above = ()
         return read
 
@@ -106,20 +108,20 @@ class PythonReader(StatementReader):
 
     def parts(self, node: ast.stmt) -> list[_Part]:
         """The parts of a block, each from its header on."""
-        found: list[_Part] = [(node.lineno, self.header(node, node.lineno), _body(node))]
+        parts: list[_Part] = [(node.lineno, self.header(node, node.lineno), _body(node))]
         handlers: list[ast.ExceptHandler] = getattr(node, "handlers", [])
-        found += [
+        parts += [
             (handler.lineno, self.header(handler, handler.lineno), handler.body)
             for handler in handlers
         ]
         for case in node.cases if isinstance(node, ast.Match) else ():
             line = self.first_line(case.pattern.lineno)
-            found.append((line, self.header(case, line), case.body))
+            parts.append((line, self.header(case, line), case.body))
         for field, word in (("orelse", "else"), ("finalbody", "finally")):
             body = getattr(node, field, [])
             if body:
-                found.append((self.word_line(word, start_of(body[0])), word, body))
-        return found
+                parts.append((self.word_line(word, start_of(body[0])), word, body))
+        return parts
 
     def header(self, node: _Owner, first: int) -> str:
         """The first line of a part, without its colon."""

@@ -116,20 +116,20 @@ def _parsed(text: str, filename: str) -> ast.Module:
 def _syntax_errors(error: SyntaxError, text: str) -> list[Diagnostic]:
     """The first error, and those in other lines once the known slips are mended."""
     lines = text.split("\n")
-    found: list[Diagnostic] = []
+    errors: list[Diagnostic] = []
     rest: SyntaxError | None = error
-    while rest is not None and len(found) < MAX_SLIPS:
+    while rest is not None and len(errors) < MAX_SLIPS:
         line = rest.lineno or 0
         code = lines[line - 1].partition("#")[0] if 0 < line <= len(lines) else ""
         rewording = reworded(code, RULES)
-        if rewording is None or any(diagnostic.line == line for diagnostic in found):
+        if rewording is None or any(diagnostic.line == line for diagnostic in errors):
             break
         start, end = rewording.start + 1, rewording.end + 1
         message = _without_main(rewording.message, text)
-        found.append(Diagnostic("not-python", message, line, start, end))
+        errors.append(Diagnostic("not-python", message, line, start, end))
         lines[line - 1] = rewording.line
         rest = error_in("\n".join(lines))
-    return found or [_syntax_error(error, text)]
+    return errors or [_syntax_error(error, text)]
 
 
 def _without_main(message: Phrase, text: str) -> Phrase:
@@ -317,13 +317,13 @@ class _Reader(PythonReader):
 
     def found_raw_lines(self) -> set[int]:
         """The lines of the unindented blocks of raw Python, without the first of each."""
-        found: set[int] = set()
+        lines: set[int] = set()
         last = 0
         for line, end in sorted(self.raw_ends.items()):
             if line > last and self.comments[line].column == 0:
-                found.update(range(line + 1, end + 1))
+                lines.update(range(line + 1, end + 1))
                 last = end
-        return found
+        return lines
 
     def head(self) -> list[Item]:
         """The items above the line that creates the robot, and a `Setup` if that needs one."""
@@ -471,7 +471,7 @@ class _Reader(PythonReader):
     def shares_enough(self, node: ast.FunctionDef, body: Body, parameters: tuple[str, ...]) -> bool:
         """Whether a function has for itself what it had, and shares the rest."""
         statements_of_globals = leading_globals(node.body)
-        written = [name for found in statements_of_globals for name in found.names]
+        written = [name for statement in statements_of_globals for name in statement.names]
         declared = set(written)
         names_of_globals = global_names(body, parameters, self.when_names)
         if self.is_own_style:
@@ -481,15 +481,15 @@ class _Reader(PythonReader):
             return in_place and written == names_of_globals
         shared = set(names_of_globals)
         needless = declared - shared
-        if needless and any(isinstance(found, AnyPython) for found in statements(body)):
+        if needless and any(isinstance(statement, AnyPython) for statement in statements(body)):
             return False
         return shared <= declared and not needless & stored_names(node)
 
 
 def _declared_whens(whens: frozenset[str], clashes: dict[str, int]) -> dict[str, str]:
     """The names in Block-Text of the ``when``s, by their names in Python."""
-    found = {name: names.when_from_python(name, clashes) for name in sorted(whens)}
-    return {name: plain for name, plain in found.items() if plain is not None}
+    plain_names = {name: names.when_from_python(name, clashes) for name in sorted(whens)}
+    return {name: plain for name, plain in plain_names.items() if plain is not None}
 
 
 def _with_main(items: list[Item]) -> tuple[list[Item], Main | None]:
@@ -522,6 +522,6 @@ def _begins(tree: ast.Module, lines: list[int]) -> dict[int, int]:
 def _variables(tree: ast.Module, whens: frozenset[str]) -> set[str]:
     """The names in Block-Text of everything except ``when``s."""
     functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
-    found = markers.variable_names(tree, whens)
-    found |= {node.name for node in functions if not node.decorator_list}
-    return {plain for name in found if (plain := names.from_python(name)) is not None}
+    variables = markers.variable_names(tree, whens)
+    variables |= {node.name for node in functions if not node.decorator_list}
+    return {plain for name in variables if (plain := names.from_python(name)) is not None}

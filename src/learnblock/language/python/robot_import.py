@@ -32,17 +32,17 @@ def imports_robot(node: ast.AST) -> bool:
 
 def robot_import(text: str) -> re.Match[str] | None:
     """The place where a program imports its robot; group 1 is the module."""
-    return next((found for found in _IMPORT.finditer(text) if is_robot_module(found[1])), None)
+    return next((match for match in _IMPORT.finditer(text) if is_robot_module(match[1])), None)
 
 
 def with_robot(text: str, module: str) -> str:
     """A program that imports its robot from `module`."""
-    found = robot_import(text)
-    return text if found is None else text[: found.start(1)] + module + text[found.end(1) :]
+    match = robot_import(text)
+    return text if match is None else text[: match.start(1)] + module + text[match.end(1) :]
 
 
 def for_any_robot(text: str) -> str:
     """A program with the same import of a robot whatever its robot is."""
     return _IMPORT.sub(
-        lambda found: "from robot import Robot" if is_robot_module(found[1]) else found[0], text
+        lambda match: "from robot import Robot" if is_robot_module(match[1]) else match[0], text
     )

@@ -22,13 +22,13 @@ def first_of_locals(function: ast.FunctionDef) -> frozenset[ast.stmt]:
             known.update(node.names)
         elif isinstance(node, ast.For) and not node.orelse:
             known |= stored_names(node.target)
-    found: list[ast.stmt] = []
+    firsts: list[ast.stmt] = []
     for node in nodes:
         match node:
             case ast.Assign(targets=[ast.Name(id=name)]) if name not in known:
                 known.add(name)
-                found.append(node)
-    return frozenset(found)
+                firsts.append(node)
+    return frozenset(firsts)
 
 
 def _own_nodes(node: ast.AST) -> Iterator[ast.AST]:
@@ -41,10 +41,10 @@ def _own_nodes(node: ast.AST) -> Iterator[ast.AST]:
 
 def stored_names(node: ast.AST) -> set[str]:
     """The variables that a syntax tree sets or deletes."""
-    found: set[str] = set()
+    names: set[str] = set()
     for inner in ast.walk(node):
         if isinstance(inner, ast.Name) and not isinstance(inner.ctx, ast.Load):
-            found.add(inner.id)
+            names.add(inner.id)
         else:
-            found.update(matched_names(inner))
-    return found
+            names.update(matched_names(inner))
+    return names

@@ -40,9 +40,9 @@ class Skeleton:
 
 def skeleton_of(tree: ast.Module) -> Skeleton | None:
     """The parts of a file, or None if it creates a robot of LearnBlock's in another way."""
-    found = _with_robot(tree)
-    if found is not None:
-        return found
+    skeleton = _with_robot(tree)
+    if skeleton is not None:
+        return skeleton
     nodes = list(ast.walk(tree))
     if any(map(_imports_learnblock, nodes)):
         return None

@@ -138,11 +138,11 @@ class StatementReader(CommentReader):
         node = nodes[index]
         saved = self.line
         try:
-            found = self.python_items(node)
+            statements = self.python_items(node)
         except Unlike:
             self.line = saved
             return self.add_raw(items, nodes, index)
-        items.extend(found)
+        items.extend(statements)
         self.line = max(self.line, end_of(node) + 1)
         return index + 1
 
@@ -254,9 +254,9 @@ class StatementReader(CommentReader):
 
     def loop_variables(self, target: ast.expr) -> tuple[Name, ...]:
         parts = target.elts if isinstance(target, ast.Tuple) and target.elts[1:] else [target]
-        found = [self.target(part) for part in parts]
-        names = tuple(target for target in found if isinstance(target, Name))
-        if len(names) != len(found):
+        targets = [self.target(part) for part in parts]
+        names = tuple(target for target in targets if isinstance(target, Name))
+        if len(names) != len(targets):
             raise Unlike
         return names
 
@@ -264,14 +264,14 @@ class StatementReader(CommentReader):
         """What a loop goes through; a list of it is made first only if the author makes one."""
         match values:
             case ast.Call(func=ast.Name(id="list")):
-                found = self.expression(values)
-                if isinstance(found, Call) and found.name in LOOPED:
-                    return Call("list", (found,), (), found.span)
-                return found
+                looped = self.expression(values)
+                if isinstance(looped, Call) and looped.name in LOOPED:
+                    return Call("list", (looped,), (), looped.span)
+                return looped
             case ast.Call():
-                found = self.expression(_listed(values))
-                if isinstance(found, Call) and found.name in LOOPED:
-                    return found
+                looped = self.expression(_listed(values))
+                if isinstance(looped, Call) and looped.name in LOOPED:
+                    return looped
         return self.expression(values)
 
     def bounds(self, bounds: list[ast.expr]) -> tuple[Expression, Expression, Expression | None]:
@@ -403,10 +403,10 @@ def _listed(node: ast.expr) -> ast.Call:
 
 
 def _last(end: Expression, direction: int) -> Expression:
-    found = ranges.last(end, direction)
-    if found is None:
+    last = ranges.last(end, direction)
+    if last is None:
         raise Unlike
-    return found
+    return last
 
 
 def as_statement(item: Item) -> Statement:

@@ -66,18 +66,18 @@ _OPENING = {closing: symbol for symbol, closing in _CLOSING.items()}
 def syntax_message(error: SyntaxError, text: str) -> Phrase:
     """The message about a syntax error in a text; Python's if we have none."""
     for pattern, code in _MESSAGES:
-        found = pattern.fullmatch(error.msg)
-        if found:
-            message = Phrase(code, **found.groupdict())
+        match = pattern.fullmatch(error.msg)
+        if match:
+            message = Phrase(code, **match.groupdict())
             if code == "python-bad-character":
-                return foreign(_character(found)) or message
+                return foreign(_character(match)) or message
             return _with_advice(message, error, _Lines(text))
     return Phrase("python-syntax", reason=error.msg)
 
 
-def _character(found: re.Match[str]) -> str:
+def _character(match: re.Match[str]) -> str:
     """The character of a message, which may have its number in place of it."""
-    text = found["character"]
+    text = match["character"]
     return chr(int(text[2:], 16)) if len(text) > 1 else text
 
 

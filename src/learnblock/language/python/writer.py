@@ -366,8 +366,10 @@ class PythonWriter(ProgramWriter):
 
     def watch_raw(self, text: str) -> None:
         if self.watched:
-            found = {names.from_python(name) for name in markers.raw_names(text)}
-            self.clashes.update(name for name in found if name and names.stem(name) in self.watched)
+            raw_names = {names.from_python(name) for name in markers.raw_names(text)}
+            self.clashes.update(
+                name for name in raw_names if name and names.stem(name) in self.watched
+            )
 
 
 def _docstring_length(body: Body) -> int:

@@ -134,9 +134,9 @@ def is_builtin(name: str, arguments: int) -> bool:
 def recognized(node: ast.expr) -> tuple[Template, list[ast.expr]] | None:
     """The library function of a Python expression, with its arguments, or None."""
     for template in _BY_SHAPE.get(_shape(node), ()):
-        found: dict[str, ast.expr] = {}
-        if _matches(template.pattern, node, found):
-            return template, [found[f"_{index}"] for index in range(len(template.parameters))]
+        parts: dict[str, ast.expr] = {}
+        if _matches(template.pattern, node, parts):
+            return template, [parts[f"_{index}"] for index in range(len(template.parameters))]
     return None
 
 
@@ -153,21 +153,21 @@ def _shape(node: ast.AST) -> str:
             return ""
 
 
-def _matches(pattern: object, node: object, found: dict[str, ast.expr]) -> bool:
+def _matches(pattern: object, node: object, parts: dict[str, ast.expr]) -> bool:
     if isinstance(pattern, ast.Name) and pattern.id.startswith("_"):
         if isinstance(node, ast.expr) and not isinstance(node, ast.Starred):
-            found[pattern.id] = node
+            parts[pattern.id] = node
             return True
         return False
     if type(pattern) is not type(node):
         return False
     if isinstance(pattern, ast.AST):
         return all(
-            _matches(getattr(pattern, name), getattr(node, name), found) for name in pattern._fields
+            _matches(getattr(pattern, name), getattr(node, name), parts) for name in pattern._fields
         )
     if isinstance(pattern, list) and isinstance(node, list):
         return len(pattern) == len(node) and all(
-            _matches(part, other, found) for part, other in zip(pattern, node, strict=True)
+            _matches(part, other, parts) for part, other in zip(pattern, node, strict=True)
         )
     return pattern == node
 

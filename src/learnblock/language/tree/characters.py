@@ -23,9 +23,9 @@ _PLAIN: Mapping[str, str] = MappingProxyType(
 )
 
 
-def write_instead(found: str, instead: str) -> Phrase:
+def write_instead(written: str, instead: str) -> Phrase:
     """Advice to write one thing instead of another."""
-    return Phrase("blocktext-write-instead", found=found, instead=instead)
+    return Phrase("blocktext-write-instead", found=written, instead=instead)
 
 
 def foreign(text: str) -> Phrase | None:

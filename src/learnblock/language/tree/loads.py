@@ -18,16 +18,16 @@ def at_once(node: ast.AST) -> Iterator[ast.AST]:
     """The nodes that run when a statement or an expression runs, in source order."""
     ahead = [node]
     while ahead:
-        found = ahead.pop()
-        yield found
-        ahead += reversed(list(_inner(found)))
+        inner = ahead.pop()
+        yield inner
+        ahead += reversed(list(_inner(inner)))
 
 
 def loaded_names(node: ast.AST) -> Iterator[str]:
     """The names whose values are needed when a statement or an expression runs."""
-    for found in at_once(node):
-        if isinstance(found, ast.Name) and isinstance(found.ctx, ast.Load):
-            yield found.id
+    for inner in at_once(node):
+        if isinstance(inner, ast.Name) and isinstance(inner.ctx, ast.Load):
+            yield inner.id
 
 
 def bound_names(nodes: Iterable[ast.AST]) -> Iterator[str]:

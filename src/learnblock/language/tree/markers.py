@@ -55,7 +55,7 @@ class Notes(NamedTuple):
 
 def notes(text: str) -> Notes | None:
     """The comments of Python source and its lines inside strings; None if it cannot be parsed."""
-    found = Notes({}, set(), [])
+    notes = Notes({}, set(), [])
     depth = 0
     opened: list[int] = []
     try:
@@ -64,22 +64,22 @@ def notes(text: str) -> Notes | None:
                 own_line = not token.line[: token.start[1]].strip()
                 comment = token.string[1:].strip()
                 noted = NotedComment(token.start[1], comment, own_line, depth > 0)
-                found.comments[token.start[0]] = noted
+                notes.comments[token.start[0]] = noted
             elif token.type == tokenize.NEWLINE:
-                found.ends.append(token.start[0])
+                notes.ends.append(token.start[0])
             elif token.type == tokenize.STRING:
-                found.in_string.update(range(token.start[0] + 1, token.end[0] + 1))
+                notes.in_string.update(range(token.start[0] + 1, token.end[0] + 1))
             elif token.type in _STRING_STARTS:
                 opened.append(token.start[0])
             elif token.type in _STRING_ENDS:
-                found.in_string.update(range(opened.pop() + 1, token.end[0] + 1))
+                notes.in_string.update(range(opened.pop() + 1, token.end[0] + 1))
             elif token.type == tokenize.OP and token.string in {"(", "[", "{"}:
                 depth += 1
             elif token.type == tokenize.OP and token.string in {")", "]", "}"}:
                 depth -= 1
     except (tokenize.TokenError, SyntaxError, IndexError, ValueError):
         return None
-    return found
+    return notes
 
 
 # Since 3.12 an f-string is several tokens, since 3.14 a template string too.
@@ -111,8 +111,8 @@ def is_long_text(text: str) -> bool:
 
 def raw_lines(text: str, indent: str) -> list[str]:
     """The lines of a block of raw Python between its markers, indented by `indent`."""
-    found = notes(text)
-    in_string = found.in_string if found else set()
+    noted = notes(text)
+    in_string = noted.in_string if noted else set()
     result = []
     for number, line in enumerate(text.removesuffix("\n").split("\n") if text else [], 1):
         kept = line
@@ -166,19 +166,19 @@ def variable_names(tree: ast.AST, whens: Container[str] | None = None) -> set[st
 
 def set_names(text: str) -> set[str]:
     """The variables that Python source sets, and the parameters of its functions."""
-    found: set[str] = set()
+    names: set[str] = set()
     for node in ast.walk(parsed(text.removeprefix("@"))):
         match node:
             case ast.arg(arg=name) | ast.Name(id=name, ctx=ast.Store()):
-                found.add(name)
+                names.add(name)
             case _:
-                found.update(matched_names(node))
-    return found
+                names.update(matched_names(node))
+    return names
 
 
 def defined_names(text: str) -> set[str]:
     """The names that Python source imports and defines, and those of the errors that it catches."""
-    found: set[str] = set()
+    names: set[str] = set()
     for node in ast.walk(parsed(text)):
         match node:
             case (
@@ -187,10 +187,10 @@ def defined_names(text: str) -> set[str]:
                 | ast.ClassDef(name=name)
                 | ast.ExceptHandler(name=str(name))
             ):
-                found.add(name)
+                names.add(name)
             case ast.alias(name=name, asname=other):
-                found.add((other or name).partition(".")[0])
-    return found
+                names.add((other or name).partition(".")[0])
+    return names
 
 
 STATE_ATTRIBUTES = frozenset(("active", "time", "activate", "deactivate"))

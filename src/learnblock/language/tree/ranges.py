@@ -27,12 +27,12 @@ def last(end: Expression, direction: int) -> Expression | None:
     forth, back = ("+", "-") if direction > 0 else ("-", "+")
     value = _whole(end)
     if value is not None:
-        found = _number(value - direction)
+        before = _number(value - direction)
     elif isinstance(end, Binary) and end.operator == forth and end.right == _ONE:
-        found = end.left
+        before = end.left
     else:
-        found = Binary(back, end, _ONE)
-    return found if beyond(found, direction) == end else None
+        before = Binary(back, end, _ONE)
+    return before if beyond(before, direction) == end else None
 
 
 def direction(step: Expression | None) -> int:

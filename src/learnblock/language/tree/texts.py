@@ -66,7 +66,7 @@ def read(written: str) -> str:
     Raises:
         EscapeError: an escape does not name a character.
     """
-    single = _BRACES.sub(lambda found: found[1] or found[2] or found[0], written)
+    single = _BRACES.sub(lambda match: match[1] or match[2] or match[0], written)
     return unquote(f'"{single}"')
 
 

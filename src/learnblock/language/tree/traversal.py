@@ -61,16 +61,16 @@ def locals_in(body: Body) -> dict[str, Name]:
         for item in own_statements(body)
         if isinstance(item, ForEach | ForRange) or (isinstance(item, Assign) and item.is_local)
     )
-    found: dict[str, Name] = {}
+    names: dict[str, Name] = {}
     for item in own:
         for target in targets(item):
-            found.setdefault(target.name, target)
-    return found
+            names.setdefault(target.name, target)
+    return names
 
 
 def _if_bodies(node: If) -> tuple[Body, ...]:
-    found = tuple(branch.body for branch in node.branches)
-    return found if node.otherwise is None else (*found, node.otherwise.body)
+    bodies = tuple(branch.body for branch in node.branches)
+    return bodies if node.otherwise is None else (*bodies, node.otherwise.body)
 
 
 def _own_body(node: Any) -> tuple[Body, ...]:
@@ -128,8 +128,8 @@ def _statements_outside(
 
 
 def _range_parts(node: ForRange) -> tuple[Expression, ...]:
-    found = (node.target, node.start, node.stop)
-    return found if node.step is None else (*found, node.step)
+    parts = (node.target, node.start, node.stop)
+    return parts if node.step is None else (*parts, node.step)
 
 
 def _optional(value: Expression | None) -> tuple[Expression, ...]:
@@ -185,10 +185,10 @@ def read_expressions(node: Item | Main) -> tuple[Expression, ...]:
 
     ``x += 1`` needs its target's, and ``x = 1`` does not.
     """
-    found = expressions(node)
+    parts = expressions(node)
     is_changed = isinstance(node, Assign) and node.operator != "="
     # A statement's targets are its first expressions.
-    return found if is_changed else found[len(targets(node)) :]
+    return parts if is_changed else parts[len(targets(node)) :]
 
 
 def all_expressions(node: Item | Main) -> Iterator[Expression]:
@@ -213,22 +213,22 @@ def moved(expression: Moved, span: Span) -> Moved:
 
 def within(expression: Expression) -> list[Expression]:
     """An expression and all expressions inside it."""
-    found = [expression]
-    for node in found:
+    nodes = [expression]
+    for node in nodes:
         get = _OPERANDS.get(type(node))
         if get is not None:
-            found.extend(get(node))
-    return found
+            nodes.extend(get(node))
+    return nodes
 
 
 def evaluated(expression: Expression) -> Iterator[Expression]:
     """An expression and all expressions inside it, in the order in which their values are found."""
-    found: list[Expression] = []
+    nodes: list[Expression] = []
     ahead = [expression]
     while ahead:
         node = ahead.pop()
-        found.append(node)
+        nodes.append(node)
         get = _OPERANDS.get(type(node))
         if get is not None:
             ahead.extend(get(node))
-    return reversed(found)
+    return reversed(nodes)

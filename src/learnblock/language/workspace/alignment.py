@@ -35,38 +35,38 @@ class _Gap(NamedTuple):
 
 def aligned(new: Sequence[Group], old: Sequence[Group]) -> list[Match | None]:
     """For each new statement, the matching old one, if any."""
-    found: list[Match | None] = [None] * len(new)
-    gap = _grown(new, old, _Gap(0, len(new), 0, len(old)), found)
-    for inner in _between(gap, _unique(new, old, gap), found, equal=True):
-        rest = _grown(new, old, inner, found)
+    matches: list[Match | None] = [None] * len(new)
+    gap = _grown(new, old, _Gap(0, len(new), 0, len(old)), matches)
+    for inner in _between(gap, _unique(new, old, gap), matches, equal=True):
+        rest = _grown(new, old, inner, matches)
         headers = _alike(new, old, rest, _header)
-        for headed in _between(rest, headers, found, equal=False):
-            _between(headed, _alike(new, old, headed, _kind), found, equal=False)
-    return found
+        for headed in _between(rest, headers, matches, equal=False):
+            _between(headed, _alike(new, old, headed, _kind), matches, equal=False)
+    return matches
 
 
 def _grown(
-    new: Sequence[Group], old: Sequence[Group], gap: _Gap, found: list[Match | None]
+    new: Sequence[Group], old: Sequence[Group], gap: _Gap, matches: list[Match | None]
 ) -> _Gap:
     """Match equal statements at the beginning and the end of a gap; return the rest."""
     start, end, old_start, old_end = gap
     while start < end and old_start < old_end and new[start] == old[old_start]:
-        found[start] = Match(old_start, equal=True)
+        matches[start] = Match(old_start, equal=True)
         start, old_start = start + 1, old_start + 1
     while start < end and old_start < old_end and new[end - 1] == old[old_end - 1]:
         end, old_end = end - 1, old_end - 1
-        found[end] = Match(old_end, equal=True)
+        matches[end] = Match(old_end, equal=True)
     return _Gap(start, end, old_start, old_end)
 
 
 def _between(
-    gap: _Gap, pairs: Sequence[tuple[int, int]], found: list[Match | None], *, equal: bool
+    gap: _Gap, pairs: Sequence[tuple[int, int]], matches: list[Match | None], *, equal: bool
 ) -> list[_Gap]:
     """Match the pairs in a gap; return the gaps between them."""
     gaps: list[_Gap] = []
     start, old_start = gap.start, gap.old_start
     for place, old_place in pairs:
-        found[place] = Match(old_place, equal)
+        matches[place] = Match(old_place, equal)
         gaps.append(_Gap(start, place, old_start, old_place))
         start, old_start = place + 1, old_place + 1
     gaps.append(_Gap(start, gap.end, old_start, gap.old_end))

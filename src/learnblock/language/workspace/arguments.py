@@ -44,12 +44,12 @@ def given(names: Sequence[str], present: Mapping[str, bool], notes: Notes) -> Gi
     """
     by_name = [name for name in notes.keywords if name in present]
     stated = {*names[: max(notes.given, 0)], *by_name}
-    found = [name for name in names if present[name] or name in stated]
+    filled = [name for name in names if present[name] or name in stated]
     places = 0
-    while places < len(found) and found[places] == names[places] and names[places] not in by_name:
+    while places < len(filled) and filled[places] == names[places] and names[places] not in by_name:
         places += 1
-    rest = [name for name in found[places:] if name not in by_name]
-    return Given(tuple(found[:places]), tuple(dict.fromkeys([*by_name, *rest])))
+    rest = [name for name in filled[places:] if name not in by_name]
+    return Given(tuple(filled[:places]), tuple(dict.fromkeys([*by_name, *rest])))
 
 
 def given_by(call: Call | SkillCall, configuration: BlockConfiguration) -> Given | None:
@@ -98,10 +98,10 @@ def differs(shadow: Block, parameter: Parameter) -> bool:
 
 def shadow_literal(node: Expression, shadow: Shadow, parameter: Parameter | None) -> Literal | None:
     """The literal that shows an argument in a shadow; None if the argument needs a block."""
-    found = _tag(node) if parameter is not None and parameter.type == "apriltext" else literal(node)
-    if found is None or _PLAIN.get(shadow.type, shadow.type) != found.type:
+    value = _tag(node) if parameter is not None and parameter.type == "apriltext" else literal(node)
+    if value is None or _PLAIN.get(shadow.type, shadow.type) != value.type:
         return None
-    return found._replace(type=shadow.type)
+    return value._replace(type=shadow.type)
 
 
 def tag(node: Expression, shadow: Block) -> Expression:
@@ -114,10 +114,10 @@ def tag(node: Expression, shadow: Block) -> Expression:
 def _tag(node: Expression) -> Literal | None:
     if isinstance(node, Number):
         return Literal("text", "TEXT", node.text) if _is_number(node.text) else None
-    found = literal(node)
+    value = literal(node)
     if isinstance(node, String) and _is_number(node.value):
         return Literal("text", "TEXT", node.value, Notes(quoted=(node.value, quote(node.value))))
-    return found
+    return value
 
 
 def _is_number(text: str) -> bool:
@@ -128,5 +128,5 @@ def _is_default(node: Expression, parameter: Parameter) -> bool:
     shadow = parameter_shadow(parameter)
     if shadow is None:
         return False
-    found = shadow_literal(node, shadow, parameter)
-    return found is not None and found.value == shadow.value
+    value = shadow_literal(node, shadow, parameter)
+    return value is not None and value.value == shadow.value

@@ -24,8 +24,8 @@ def arranged(groups: Sequence[Group]) -> Program:
         groups = [*groups[:place], *behind, *main]
     items = normalized(definitions_first(without_robot_first(spaced(groups))))
     at = next((i for i, item in enumerate(items) if isinstance(item, Main)), len(items))
-    above, found, below = items[:at], items[at : at + 1], items[at + 1 :]
-    return Program(tuple(above), found[0] if found else None, tuple(below))  # type: ignore[arg-type]
+    above, mains, below = items[:at], items[at : at + 1], items[at + 1 :]
+    return Program(tuple(above), mains[0] if mains else None, tuple(below))  # type: ignore[arg-type]
 
 
 def drawn(program: Program) -> list[Group]:

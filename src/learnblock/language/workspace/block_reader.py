@@ -106,10 +106,10 @@ def is_disabled(block: Block) -> bool:
 
 def plugged(block: Block, name: str) -> Block | None:
     """The block in an input, else its shadow; None if it is empty or its block is disabled."""
-    found = block.inputs.get(name)
-    if found is None:
+    socket = block.inputs.get(name)
+    if socket is None:
         return None
-    inner = found.block or found.shadow
+    inner = socket.block or socket.shadow
     return None if inner is None or is_disabled(inner) else inner
 
 
@@ -119,12 +119,12 @@ def extra(block: Block, name: str) -> object:
 
 
 def extra_list(block: Block, name: str) -> list[object]:
-    found = extra(block, name)
-    return found[:MAX_INPUTS] if isinstance(found, list) else []
+    state = extra(block, name)
+    return state[:MAX_INPUTS] if isinstance(state, list) else []
 
 
 def extra_count(block: Block, name: str) -> int:
-    found = extra(block, name)
-    if isinstance(found, bool) or not isinstance(found, int):
+    count = extra(block, name)
+    if isinstance(count, bool) or not isinstance(count, int):
         return 0
-    return min(max(found, 0), MAX_INPUTS)
+    return min(max(count, 0), MAX_INPUTS)

@@ -91,14 +91,14 @@ class _Users:
 
     def note(self, blocks: Iterable[Block]) -> set[str]:
         """The variables that blocks use, everything inside them included."""
-        found: set[str] = set()
+        names: set[str] = set()
         for block in blocks:
             inner = variables_of(block)
             for plugged in block.inputs.values():
                 inner |= self.note(_blocks(plugged))
             self.within[block.id] = inner
-            found |= inner
-        return found
+            names |= inner
+        return names
 
     def first_sets(self, definition: Block) -> set[str]:
         """The blocks of a function that are the first to set a variable of its own."""

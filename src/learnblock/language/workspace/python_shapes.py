@@ -48,9 +48,9 @@ class Sockets:
         """The values of a form of `text`."""
         reader = ExpressionReader([text.strip()], self.whens, self.functions)
         reader.robot = self.robot
-        found = [reader.expression(value) for value in form.values]
-        self.kept += found
-        return found
+        expressions = [reader.expression(value) for value in form.values]
+        self.kept += expressions
+        return expressions
 
 
 def python_parts(
@@ -83,8 +83,8 @@ def raw_type(node: Raw) -> tuple[str, Notes]:
 
 def words_in(state: object) -> list[str]:
     """The words in the extra state of a block, of which anything may be wrong."""
-    found = state if isinstance(state, list) else []
-    return [" ".join(word.split("\n")) for word in found[:MAX_INPUTS] if isinstance(word, str)]
+    words = state if isinstance(state, list) else []
+    return [" ".join(word.split("\n")) for word in words[:MAX_INPUTS] if isinstance(word, str)]
 
 
 class Joiner:

@@ -73,16 +73,16 @@ class WorkspaceReader(StatementReader):
 
     def definitions(self, workspace: Workspace) -> Program:
         """The functions and events of a workspace, without what is in them."""
-        found: list[Item] = []
+        items: list[Item] = []
         for hat, *_ in workspace.stacks:
             name = hat.fields.get("NAME")
             if not isinstance(name, str) or not is_name(name) or is_disabled(hat):
                 continue
             if hat.type in WHENS:
-                found.append(When(name, None, ()))
+                items.append(When(name, None, ()))
             elif hat.type in {FUNCTION, ANSWERING_FUNCTION}:
-                found.append(Def(name, (), ()))
-        return Program(tuple(found))
+                items.append(Def(name, (), ()))
+        return Program(tuple(items))
 
     def stack(self, hat: Block) -> None:
         """Read a stack that is part of the program."""
@@ -177,15 +177,15 @@ class WorkspaceReader(StatementReader):
 
     def parameter_names(self, block: Block) -> list[object]:
         """The current names of the variables, which may have changed since the block was saved."""
-        found: list[object] = []
+        parameters: list[object] = []
         for parameter in extra_list(block, "params"):
             name, key = (
                 (parameter.get("name"), parameter.get("id"))
                 if isinstance(parameter, dict)
                 else (parameter, None)
             )
-            found.append(self.variables.get(key, name) if isinstance(key, str) else name)
-        return found
+            parameters.append(self.variables.get(key, name) if isinstance(key, str) else name)
+        return parameters
 
     def separated(self) -> list[Group]:
         """The entries, with a blank line below comments outside of any hat."""
@@ -201,8 +201,8 @@ class WorkspaceReader(StatementReader):
 
 def statements_of(hat: Block) -> list[Block]:
     """The blocks under a start block."""
-    found = hat.inputs.get("DO")
-    return [] if hat.type != START or found is None else found.stack
+    body = hat.inputs.get("DO")
+    return [] if hat.type != START or body is None else body.stack
 
 
 def _is_robot_and_raw(blocks: list[Block]) -> bool:

@@ -99,10 +99,10 @@ class Shaper:
         return _SHAPES[type(node)](self, node)
 
     def name(self, node: Name) -> Shape:
-        found = names.state_of(node.name, self.whens)
-        if found is None:
+        state = names.state_of(node.name, self.whens)
+        if state is None:
             return Shape("variables_get", {"VAR": node})
-        when, asked = found
+        when, asked = state
         return Shape("lb_state" if asked == "active" else "lb_time", {"WHEN": when})
 
     def call(self, node: Call) -> Shape:
@@ -118,12 +118,12 @@ class Shaper:
             return None
         if node.name == "pop" and 1 <= len(node.arguments) <= 2:
             return _pop(node.arguments)
-        found = LIBRARY.get((node.name, len(node.arguments)))
-        if found is None:
+        library = LIBRARY.get((node.name, len(node.arguments)))
+        if library is None:
             return None
-        fields = {found.field: found.value} if found.field else _NOTHING
-        values = dict(zip(found.inputs, node.arguments, strict=True))
-        return Shape(found.type, fields, values, extra=found.extra)
+        fields = {library.field: library.value} if library.field else _NOTHING
+        values = dict(zip(library.inputs, node.arguments, strict=True))
+        return Shape(library.type, fields, values, extra=library.extra)
 
     def is_entry(self, values: Expression, index: Expression) -> bool:
         """Whether an index is a key of a dictionary, and not a position in a list."""
@@ -133,14 +133,14 @@ class Shaper:
 
     def own_call(self, node: Call, definition: str, kind: str) -> Shape | None:
         """The shape of a call of a user's function, or None if the call does not fit it."""
-        found = self.functions.get(node.name)
-        if found is None or found.type != definition or node.keywords:
+        function = self.functions.get(node.name)
+        if function is None or function.type != definition or node.keywords:
             return None
-        if len(found.parameters) != len(node.arguments):
+        if len(function.parameters) != len(node.arguments):
             return None
         extra: dict[str, object] = {"name": node.name}
-        if found.parameters:
-            extra["params"] = list(found.parameters)
+        if function.parameters:
+            extra["params"] = list(function.parameters)
         return Shape(kind, values=numbered("ARG", node.arguments), extra=extra)
 
     def skill_call(self, node: SkillCall) -> Shape:
@@ -161,10 +161,10 @@ class Shaper:
 
     def raw(self, node: RawExpression) -> Shape:
         """The shape of an expression of Python."""
-        found = python_parts(self.sockets, node)
-        if found is None:
+        parts = python_parts(self.sockets, node)
+        if parts is None:
             return Shape("lb_python_value", {"CODE": node.text})
-        form, values = found
+        form, values = parts
         return python_shape(VALUE, {"words": list(form.words)}, values, (node.text,))
 
 
@@ -215,14 +215,14 @@ def function_type(node: Def) -> str:
 
 def _functions(program: Program) -> dict[str, Signature]:
     """The functions that Blockly's own blocks can call: to it, `A` and `a` are the same name."""
-    found: dict[str, Def | None] = {}
+    functions: dict[str, Def | None] = {}
     for item in program.items:
         if isinstance(item, Def):
             key = item.name.lower()
-            found[key] = None if key in found else item
+            functions[key] = None if key in functions else item
     return {
         item.name: Signature(function_type(item), item.parameters)
-        for item in found.values()
+        for item in functions.values()
         if item is not None
     }
 
@@ -248,10 +248,10 @@ def _pop(arguments: tuple[Expression, ...]) -> Shape:
 
 
 def _literal(_: Shaper, node: Expression) -> Shape:
-    found = literal(node)
-    if found is None:
+    value = literal(node)
+    if value is None:
         return Shape("logic_null")
-    return Shape(found.type, {found.field: found.value}, notes=found.notes)
+    return Shape(value.type, {value.field: value.value}, notes=value.notes)
 
 
 def _unary(shaper: Shaper, node: Unary) -> Shape:

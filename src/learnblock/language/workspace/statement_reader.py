@@ -164,11 +164,11 @@ class StatementReader(ValueReader):
 
     def statements(self, block: Block, name: str) -> Body:
         """The statements in an input, if there are any."""
-        found = block.inputs.get(name)
-        if found is None or not found.stack:
+        socket = block.inputs.get(name)
+        if socket is None or not socket.stack:
             return ()
         self.depth += 1
-        groups = self.chain(found.stack)
+        groups = self.chain(socket.stack)
         self.depth -= 1
         return spaced(groups)  # type: ignore[return-value]
 

@@ -99,10 +99,10 @@ class StatementShaper(Shaper):
         return _library_statement(call)
 
     def skill_alone(self, call: SkillCall) -> Shape | None:
-        found = self.skill(call, answers=False)
-        if found is None and self.skill(call, answers=True) is not None:
+        shape = self.skill(call, answers=False)
+        if shape is None and self.skill(call, answers=True) is not None:
             return Shape("lb_do", values={"VALUE": call})
-        return found
+        return shape
 
     def ready_hat(self, node: When) -> Shape | None:
         """The shape of a ``when`` as a ready hat, if its condition is the call of its skill."""
@@ -226,16 +226,16 @@ def _raw(_: StatementShaper, node: Raw) -> Shape:
 
 
 def _python_line(shaper: StatementShaper, node: PythonLine) -> Shape:
-    found = python_parts(shaper.sockets, node)
-    words = [node.text] if found is None else list(found[0].words)
-    shape = python_shape(LINE, {"words": words}, found[1] if found else (), (node.text,))
+    parts = python_parts(shaper.sockets, node)
+    words = [node.text] if parts is None else list(parts[0].words)
+    shape = python_shape(LINE, {"words": words}, parts[1] if parts else (), (node.text,))
     return shape._replace(ends=(node.comment,))
 
 
 def _python_block(shaper: StatementShaper, node: PythonBlock) -> Shape:
-    words, values, found = block_parts(shaper.sockets, node)
+    words, values, bodies = block_parts(shaper.sockets, node)
     shape = python_shape(BLOCK, {"parts": words}, values, tuple(part.header for part in node.parts))
-    inside = _busy({f"DO{place}": body for place, body in enumerate(found)})
+    inside = _busy({f"DO{place}": body for place, body in enumerate(bodies)})
     return shape._replace(bodies=inside, ends=tuple(part.comment for part in node.parts))
 
 

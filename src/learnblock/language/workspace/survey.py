@@ -70,9 +70,9 @@ def distinct(workspace: Workspace) -> Workspace:
 def variables_of(block: Block) -> set[str]:
     """The ids of the variables that a block itself names."""
     fields = block.fields.values()
-    found = {chosen.get("id", "") for chosen in fields if isinstance(chosen, dict)}
+    keys = {chosen.get("id", "") for chosen in fields if isinstance(chosen, dict)}
     parameters = block.extraState.get("params") if isinstance(block.extraState, dict) else None
     if isinstance(parameters, list):
         ids = (parameter.get("id") for parameter in parameters if isinstance(parameter, dict))
-        found.update(key for key in ids if isinstance(key, str))
-    return found
+        keys.update(key for key in ids if isinstance(key, str))
+    return keys

@@ -61,8 +61,8 @@ def _family(kind: str, name: str, field: str, functions: str) -> dict[tuple[str,
 
 def _of_lists(functions: str) -> dict[tuple[str, int], Library]:
     return {
-        key: found._replace(extra=f'<mutation op="{found.value}"></mutation>')
-        for key, found in _family("math_on_list", "LIST", "OP", functions).items()
+        key: library._replace(extra=f'<mutation op="{library.value}"></mutation>')
+        for key, library in _family("math_on_list", "LIST", "OP", functions).items()
     }
 
 
@@ -108,9 +108,9 @@ LIBRARY: Mapping[tuple[str, int], Library] = MappingProxyType(
 FUNCTIONS_OF: Mapping[str, Mapping[str, tuple[str, Library]]] = MappingProxyType(
     {
         kind: {
-            found.value: (name, found) for (name, _), found in LIBRARY.items() if found.type == kind
+            entry.value: (name, entry) for (name, _), entry in LIBRARY.items() if entry.type == kind
         }
-        for kind in {found.type for found in LIBRARY.values()}
+        for kind in {entry.type for entry in LIBRARY.values()}
     }
 )
 

@@ -73,9 +73,9 @@ class ValueReader(BlockReader):
         message: str = "workspace-missing-value",
     ) -> Expression:
         """The value in an input; if there is none, report it and return `instead`."""
-        found = plugged(block, name)
-        if found is not None:
-            return self.expression(found, block)
+        inner = plugged(block, name)
+        if inner is not None:
+            return self.expression(inner, block)
         self.report(block, "missing-value", Phrase(message))
         return self.without(block, name, instead)
 
@@ -91,15 +91,15 @@ class ValueReader(BlockReader):
 
     def optional(self, block: Block, name: str) -> Expression | None:
         """The value in an input, if there is one."""
-        found = plugged(block, name)
-        return None if found is None else self.expression(found, block)
+        inner = plugged(block, name)
+        return None if inner is None else self.expression(inner, block)
 
     def truth(
         self, block: Block, name: str, message: str = "workspace-missing-condition"
     ) -> Expression:
         """The condition in an input; without one it is false, as in Scratch."""
-        if (found := self.optional(block, name)) is not None:
-            return found
+        if (condition := self.optional(block, name)) is not None:
+            return condition
         self.report(block, "missing-condition", Phrase(message), "warning")
         return self.without(block, name, Constant(value=False))
 
@@ -192,12 +192,15 @@ class ValueReader(BlockReader):
         present = {
             parameter.name: _is_given(block, parameter) for parameter in configuration.parameters
         }
-        found = given([*present], present, notes_of(block))
+        arguments = given([*present], present, notes_of(block))
         parameters = {parameter.name: parameter for parameter in configuration.parameters}
         return (
-            tuple([self.argument(block, parameters[name]) for name in found.arguments]),
+            tuple([self.argument(block, parameters[name]) for name in arguments.arguments]),
             tuple(
-                [Keyword(name, self.argument(block, parameters[name])) for name in found.keywords]
+                [
+                    Keyword(name, self.argument(block, parameters[name]))
+                    for name in arguments.keywords
+                ]
             ),
         )
 
@@ -239,10 +242,10 @@ def skill_call(
 
 def _is_given(block: Block, parameter: Parameter) -> bool:
     """Whether a parameter is required or its input differs from the default."""
-    found = plugged(block, parameter.name)
-    if found is None or parameter.required:
+    inner = plugged(block, parameter.name)
+    if inner is None or parameter.required:
         return parameter.required
-    return found is block.inputs[parameter.name].block or differs(found, parameter)
+    return inner is block.inputs[parameter.name].block or differs(inner, parameter)
 
 
 def _from_end(place: Expression) -> Expression:
@@ -266,13 +269,13 @@ def _truth(reader: ValueReader, block: Block) -> Expression:
 
 
 def _number(reader: ValueReader, block: Block) -> Expression:
-    found = literals.number(block.fields.get("NUM"), notes_of(block))
-    if found is None:
+    number = literals.number(block.fields.get("NUM"), notes_of(block))
+    if number is None:
         reader.report(block, "bad-number", Phrase("workspace-bad-number"))
         return Number("0")
-    if isinstance(found, Unary):
-        reader.note(found.operand, block)
-    return found
+    if isinstance(number, Unary):
+        reader.note(number.operand, block)
+    return number
 
 
 def _text(_: ValueReader, block: Block) -> Expression:
@@ -338,9 +341,9 @@ _MISSING = {
 
 def _library(reader: ValueReader, block: Block) -> Expression:
     known = FUNCTIONS_OF[block.type]
-    name, found = known[""] if "" in known else reader.choice(block, _field(known), known)
+    name, library = known[""] if "" in known else reader.choice(block, _field(known), known)
     missing = _MISSING.get(block.type, "workspace-missing-value")
-    return Call(name, tuple([reader.value(block, name, None, missing) for name in found.inputs]))
+    return Call(name, tuple([reader.value(block, name, None, missing) for name in library.inputs]))
 
 
 def _field(known: Mapping[str, tuple[str, Library]]) -> str:

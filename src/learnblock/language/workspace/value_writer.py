@@ -148,10 +148,10 @@ class ValueWriter:
 
     def variable(self, name: str) -> str:
         """The id of a variable."""
-        found = self.variables.get(name)
-        if found is None:
-            found = self.variables[name] = Variable(name, next(self.new_variables))
-        return found.id
+        variable = self.variables.get(name)
+        if variable is None:
+            variable = self.variables[name] = Variable(name, next(self.new_variables))
+        return variable.id
 
     # Inputs.
 
@@ -208,9 +208,9 @@ class ValueWriter:
             shadow = Shadow(under.type, "", ""), None
         if shadow is None:
             return Input(self.value(node, inner or wrapped))
-        found = shadow_literal(node, *shadow)
-        if found is not None and inner is None:
-            block = self.shadow(found.type, {found.field: found.value}, found.notes, under)
+        value = shadow_literal(node, *shadow)
+        if value is not None and inner is None:
+            block = self.shadow(value.type, {value.field: value.value}, value.notes, under)
             for part in within(node):
                 self.ids[id(part)] = block.id
             return Input(shadow=block)

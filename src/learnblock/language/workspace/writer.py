@@ -343,8 +343,8 @@ def _matches(groups: Sequence[Group], old: Sequence[Group]) -> list[Match | None
             [i for i, group in enumerate(some) if isinstance(group.statement, _HATTED) is hatted]
             for some in (groups, old)
         )
-        found = aligned([groups[i] for i in new_places], [old[i] for i in old_places])
-        for place, match in zip(new_places, found, strict=True):
+        among = aligned([groups[i] for i in new_places], [old[i] for i in old_places])
+        for place, match in zip(new_places, among, strict=True):
             if match is not None:
                 matches[place] = match._replace(place=old_places[match.place])
     return matches

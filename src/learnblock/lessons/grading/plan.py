@@ -30,10 +30,10 @@ def last_with_checks(opened: OpenLesson) -> int:
         LearnBlockError: none has.
     """
     steps = enumerate(opened.lesson.step, start=1)
-    found = [number for number, step in steps if step.check]
-    if not found:
+    numbers = [number for number, step in steps if step.check]
+    if not numbers:
         raise LearnBlockError("grade-no-checks", lesson=opened.name)
-    return found[-1]
+    return numbers[-1]
 
 
 def planned(

@@ -41,10 +41,10 @@ def detect_faces(frame: Frame) -> tuple[Face, ...]:
     grey = cv2.cvtColor(frame, cv2.COLOR_RGB2GRAY)
     smallest = max(20, round(SMALLEST * height / 240))
     with _TURN:
-        found = _cascade().detectMultiScale(
+        boxes = _cascade().detectMultiScale(
             grey, SCALE_STEP, NEIGHBOURS, minSize=(smallest, smallest)
         )
-    faces = [Face(int(x), int(y), int(w), int(h), width, height) for x, y, w, h in found]
+    faces = [Face(int(x), int(y), int(w), int(h), width, height) for x, y, w, h in boxes]
     return tuple(sorted(faces, key=lambda face: (face.x, face.y)))
 
 

@@ -41,14 +41,14 @@ def detect_objects(frame: Frame) -> tuple[ColouredObject, ...]:
     smallest = max(1, round(SMALLEST * width * height / (320 * 240)))
     classes = _classes(frame)
     counts = np.bincount(classes.ravel(), minlength=len(COLOURS) + 1)
-    found = [
+    blobs = [
         blob
         for number, colour in enumerate(COLOURS, 1)
         if counts[number] >= smallest
         for blob in _blobs(classes == number, colour)
         if blob.area >= smallest
     ]
-    return tuple(sorted(found, key=lambda blob: (-blob.area, blob.x, blob.y)))
+    return tuple(sorted(blobs, key=lambda blob: (-blob.area, blob.x, blob.y)))
 
 
 def _classes(frame: Frame) -> NDArray[np.uint8]:

@@ -41,10 +41,10 @@ def detect_tags(
         if value is not None and not value > 0:
             raise TagSizeError("perception-tag-size", name=name, value=value)
     grey = cv2.cvtColor(checked(frame), cv2.COLOR_RGB2GRAY)
-    found, numbers, _ = _detector().detectMarkers(grey)
+    squares, numbers, _ = _detector().detectMarkers(grey)
     tags = [
         _tag(int(number), corners.reshape(4, 2).astype(np.float64), frame, focal, size)
-        for number, corners in zip(() if numbers is None else numbers.ravel(), found, strict=True)
+        for number, corners in zip(() if numbers is None else numbers.ravel(), squares, strict=True)
     ]
     return tuple(sorted(tags, key=lambda tag: (tag.id, tag.center)))
 

@@ -58,10 +58,10 @@ class Asked(Closing):
         try:
             if not self._is_known:
                 self._get_to_know()
-            found = self._ask(sight.frame)
+            answer = self._ask(sight.frame)
         except IceError as error:
             raise self._error(error) from error
-        return self._understood(list(islice(found, MOST_FOUND)), sight.frame)
+        return self._understood(list(islice(answer, MOST_FOUND)), sight.frame)
 
     def close(self) -> None:
         """Close the connection; calling it twice is harmless."""
@@ -76,7 +76,7 @@ class Asked(Closing):
         return PixelOrder.ROWS
 
     @abstractmethod
-    def _understood(self, found: list[Any], frame: Frame) -> Detections:
+    def _understood(self, answer: list[Any], frame: Frame) -> Detections:
         """Convert the findings to our detections."""
 
     def _get_to_know(self) -> None:
@@ -112,18 +112,18 @@ class AskedTags(Asked):
 
     def _finds_the_tag(self, picture: Frame, order: PixelOrder) -> bool:
         try:
-            found = islice(self._ask(picture, order), MOST_FOUND)
+            tags = islice(self._ask(picture, order), MOST_FOUND)
         except IceRefusedError:
             # It may refuse a picture whose size it misreads.
             return False
-        return any(_is_shown(face) for face in found)
+        return any(_is_shown(face) for face in tags)
 
-    def _understood(self, found: list[FoundTag], frame: Frame) -> tuple[Tag, ...]:
+    def _understood(self, answer: list[FoundTag], frame: Frame) -> tuple[Tag, ...]:
         height, width = frame.shape[:2]
         seen = [
             # The interface does not give the corners.
             Tag(tag.id, center, (center,) * 4, frame_width=width, frame_height=height)
-            for tag in found
+            for tag in answer
             if 0 <= tag.id < TAGS and 0 <= tag.cx < width and 0 <= tag.cy < height
             for center in [(float(tag.cx), float(tag.cy))]
         ]
@@ -136,11 +136,11 @@ class AskedEmotions(Asked):
     name = "emotions"
     identity = "emotionrecognition"
 
-    def _understood(self, found: list[FoundEmotion], frame: Frame) -> tuple[FaceEmotion, ...]:
+    def _understood(self, answer: list[FoundEmotion], frame: Frame) -> tuple[FaceEmotion, ...]:
         faces = [
             # The interface does not give a confidence.
             FaceEmotion(face, emotion, confidence=1.0)
-            for face_seen in found
+            for face_seen in answer
             if (emotion := emotion_of(face_seen.emotion)) and (face := _face(face_seen, frame))
         ]
         return tuple(sorted(faces, key=lambda emotion: (emotion.face.x, emotion.face.y)))
@@ -162,16 +162,16 @@ def _picture_of_a_tag() -> Frame:
     return frame
 
 
-def _is_shown(found: FoundTag) -> bool:
-    near = max(abs(found.cx - _SHOWN.cx), abs(found.cy - _SHOWN.cy)) <= _NEAR
-    return found.id == _SHOWN.id and near
+def _is_shown(tag: FoundTag) -> bool:
+    near = max(abs(tag.cx - _SHOWN.cx), abs(tag.cy - _SHOWN.cy)) <= _NEAR
+    return tag.id == _SHOWN.id and near
 
 
-def _face(found: FoundEmotion, frame: Frame) -> Face | None:
+def _face(emotion: FoundEmotion, frame: Frame) -> Face | None:
     """The part of a face's rectangle that is in the frame; None if none of it is."""
     height, width = frame.shape[:2]
-    left, top = max(found.x, 0), max(found.y, 0)
-    right, bottom = min(found.x + found.w, width), min(found.y + found.h, height)
+    left, top = max(emotion.x, 0), max(emotion.y, 0)
+    right, bottom = min(emotion.x + emotion.w, width), min(emotion.y + emotion.h, height)
     if right <= left or bottom <= top:
         return None
     return Face(left, top, right - left, bottom - top, width, height)

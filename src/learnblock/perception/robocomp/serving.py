@@ -53,8 +53,8 @@ class Emotions(Component):
     port = 10006
 
     def processimage(self, picture: Picture) -> tuple[FoundEmotion, ...]:
-        found = map(_as_found, self._found(picture))
-        return tuple(answer for answer in found if answer is not None)
+        emotions = map(_as_found, self._found(picture))
+        return tuple(answer for answer in emotions if answer is not None)
 
 
 #: By the identities of their objects.
@@ -110,7 +110,7 @@ def serve(
         ) from error
 
 
-def _as_found(found: FaceEmotion) -> FoundEmotion | None:
+def _as_found(emotion: FaceEmotion) -> FoundEmotion | None:
     """A face in the interface's format; None if the interface has no word for its emotion."""
-    label, face = label_of(found.emotion), found.face
+    label, face = label_of(emotion.emotion), emotion.face
     return FoundEmotion(face.x, face.y, face.width, face.height, label) if label else None

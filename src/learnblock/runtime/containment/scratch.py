@@ -104,13 +104,13 @@ def _held(process: int, folder: str, most: int) -> int:
     return held
 
 
-def _deleted(found: os.stat_result) -> int:
-    return _bytes(found) if stat.S_ISREG(found.st_mode) and found.st_nlink == 0 else 0
+def _deleted(status: os.stat_result) -> int:
+    return _bytes(status) if stat.S_ISREG(status.st_mode) and status.st_nlink == 0 else 0
 
 
-def _bytes(found: os.stat_result) -> int:
+def _bytes(status: os.stat_result) -> int:
     # A sparse file occupies less than its size; Windows does not report how much.
-    return getattr(found, "st_blocks", -(-found.st_size // 512)) * 512
+    return getattr(status, "st_blocks", -(-status.st_size // 512)) * 512
 
 
 def _threads(process: int) -> int:

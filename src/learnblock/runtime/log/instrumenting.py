@@ -299,7 +299,7 @@ class _Instrumenting(ast.NodeTransformer):
                 name=node.name,
                 parameters=parameters,
                 is_when=is_when,
-                first=min([node.lineno, *(found.lineno for found in node.decorator_list)]),
+                first=min([node.lineno, *(each.lineno for each in node.decorator_list)]),
             )
             self.nodes.enter_function(number)
             if not has_yield(node):

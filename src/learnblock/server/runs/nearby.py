@@ -164,11 +164,11 @@ class Nearby:
             self._found[entry.name] = same[:_MOST_OF_A_KIND]
             self.show()
 
-    def _note(self, entry: RobotEntry, found: Settings) -> None:
-        self._missed[entry.name] = 0 if found else self._missed.get(entry.name, 0) + 1
-        if found or self._missed[entry.name] >= _PATIENCE:
+    def _note(self, entry: RobotEntry, settings: Settings) -> None:
+        self._missed[entry.name] = 0 if settings else self._missed.get(entry.name, 0) + 1
+        if settings or self._missed[entry.name] >= _PATIENCE:
             self._found[entry.name] = tuple(
-                _found(entry, chosen) for chosen in found[:_MOST_OF_A_KIND]
+                _found(entry, chosen) for chosen in settings[:_MOST_OF_A_KIND]
             )
 
     def show(self) -> None:

@@ -119,8 +119,8 @@ class Coach:
     def join(self, page: Viewer) -> None:
         """Send a page the current step."""
         page.send(self._shown())
-        if self._check.told.attempts:
-            page.send(self._check.told)
+        if self._check.progress.attempts:
+            page.send(self._check.progress)
         if self._hints.given:
             page.send(self._hints_now())
 
@@ -276,7 +276,7 @@ class Coach:
     @property
     def checking(self) -> bool:
         """Whether the program is being checked on all variants and robots."""
-        return self._check.told.running
+        return self._check.progress.running
 
     def stop_checking(self) -> None:
         """Stop checking."""

@@ -16,37 +16,37 @@ from learnblock.lessons.trying import Attempt, JudgedRun, StopSwitch, try_step
 from learnblock.server import messages
 
 Send = Callable[[messages.ToPage], object]
-Told = TypeVar("Told", messages.LessonChecked, messages.LessonTried)
+Progress = TypeVar("Progress", messages.LessonChecked, messages.LessonTried)
 
 
-class _Trial(Generic[Told]):
+class _Trial(Generic[Progress]):
     """Programs that are tried in the background.
 
     Args:
         send: sends a message to the pages.
-        told: what was sent to them before the first trial.
+        progress: what was sent to them before the first trial.
     """
 
-    def __init__(self, send: Send, told: Told) -> None:
+    def __init__(self, send: Send, progress: Progress) -> None:
         self._send = send
         self._task: asyncio.Task[None] | None = None
         self._switch = StopSwitch()
         #: The last message to the pages.
-        self.told: Told = told
+        self.progress: Progress = progress
 
     def stop(self) -> None:
         """Stop; runs that have not ended are ended at once."""
         self._switch.stop()
 
-    def _begin(self, told: Told) -> None:
-        if self.told.running:
+    def _begin(self, progress: Progress) -> None:
+        if self.progress.running:
             raise LearnBlockError("server-lesson-checking")
         self._switch = StopSwitch()
-        self._tell(told)
+        self._tell(progress)
 
-    def _tell(self, told: Told) -> None:
-        self.told = told
-        self._send(told)
+    def _tell(self, progress: Progress) -> None:
+        self.progress = progress
+        self._send(progress)
 
 
 class LessonCheck(_Trial[messages.LessonChecked]):
@@ -87,7 +87,7 @@ class LessonCheck(_Trial[messages.LessonChecked]):
 
     def forget(self) -> None:
         """Forget what was checked."""
-        self.told = messages.LessonChecked()
+        self.progress = messages.LessonChecked()
 
     async def wait(self) -> None:
         """Wait until a check that was stopped has ended."""
@@ -127,14 +127,16 @@ class LessonCheck(_Trial[messages.LessonChecked]):
             await to_thread.run_sync(run)
         except (LearnBlockError, OSError) as error:
             problem = phrase_of(error)
-        if switch.is_stopped and self.told.attempts == ():
+        if switch.is_stopped and self.progress.attempts == ():
             return
         # The results that the thread has handed over come first.
         await asyncio.sleep(0)
-        everywhere = all(attempt.passed for attempt in self.told.attempts) and not switch.is_stopped
+        everywhere = (
+            all(attempt.passed for attempt in self.progress.attempts) and not switch.is_stopped
+        )
         if everywhere:
             await on_passed()
-        self._tell(replace(self.told, running=False, everywhere=everywhere, problem=problem))
+        self._tell(replace(self.progress, running=False, everywhere=everywhere, problem=problem))
 
     def _judged(self, switch: StopSwitch, judged: JudgedRun) -> None:
         if switch.is_stopped:
@@ -151,9 +153,9 @@ class LessonCheck(_Trial[messages.LessonChecked]):
         result = messages.LessonAttempt(*wanted, passed=not missed, reasons=reasons[:3])
         attempts = tuple(
             result if (attempt.robot, attempt.variant) == wanted else attempt
-            for attempt in self.told.attempts
+            for attempt in self.progress.attempts
         )
-        self._tell(replace(self.told, attempts=attempts))
+        self._tell(replace(self.progress, attempts=attempts))
 
 
 class LessonTrial(_Trial[messages.LessonTried]):
@@ -193,13 +195,13 @@ class LessonTrial(_Trial[messages.LessonTried]):
             problem = None if switch.is_stopped else phrase_of(error)
         # What the thread has handed over comes first.
         await asyncio.sleep(0)
-        self._tell(replace(self.told, running=False, problem=problem))
+        self._tell(replace(self.progress, running=False, problem=problem))
 
     def _attempted(self) -> None:
-        self._tell(replace(self.told, done=self.told.done + 1))
+        self._tell(replace(self.progress, done=self.progress.done + 1))
 
     def _finished(self, result: ProgramCheck) -> None:
         program = messages.TriedProgram(
             result.kind, result.step, result.right, result.attempts, result.problems
         )
-        self._tell(replace(self.told, programs=(*self.told.programs, program)))
+        self._tell(replace(self.progress, programs=(*self.progress.programs, program)))

@@ -254,14 +254,14 @@ class Session:
         """Tell every page which version has another program's change that could not be merged."""
         self.viewers.send(messages.Conflict(version, "file"))
 
-    async def _take_in_robots(self, outside: Project, found: Prepared) -> bool:
+    async def _take_in_robots(self, outside: Project, opened: Prepared) -> bool:
         """Add and close robots as another program has done; return whether that is impossible."""
         before = {part.name for part in self._saved.parts}
         after = {part.name for part in outside.parts}
         if before == after or len(before) == len(after) == 1:
             return False
         try:
-            for prepared in found.parts:
+            for prepared in opened.parts:
                 if self.parts.named(prepared.name) is None and prepared.name not in before:
                     await self.robots.append(prepared)
             for name in before - after:
@@ -272,11 +272,11 @@ class Session:
             return True
         return False
 
-    async def _take_in_settings(self, saved: Project, outside: Project, found: Prepared) -> None:
+    async def _take_in_settings(self, saved: Project, outside: Project, opened: Prepared) -> None:
         """Choose what another program has chosen, unless a running program forbids it."""
         before = {part.name: part for part in saved.parts}
         try:
-            for there, prepared in zip(outside.parts, found.parts, strict=True):
+            for there, prepared in zip(outside.parts, opened.parts, strict=True):
                 part, last = self.parts.like(prepared, len(outside.parts)), before.get(there.name)
                 if part and last and there.robot != last.robot:
                     await self.robots.choose(part, prepared.robot.name)
@@ -285,11 +285,11 @@ class Session:
                 if part and last and there.breakpoints != last.breakpoints:
                     self.robots.set_breakpoints(part, prepared.breakpoints)
             if outside.world != saved.world:
-                await self.robots.choose_world(found.world)
+                await self.robots.choose_world(opened.world)
         except LearnBlockError as error:
             self.failed(error.phrase)
         if (outside.shown, outside.block_sets) != (saved.shown, saved.block_sets):
-            self.shown_blocks = found.shown_blocks
+            self.shown_blocks = opened.shown_blocks
             self.viewers.send(self.shown_blocks.message())
 
     def runs_kept(self, runs: tuple[KeptRun, ...]) -> None:

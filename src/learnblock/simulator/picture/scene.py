@@ -223,9 +223,9 @@ def _widest(scene: PictureScene, view: PictureView) -> float:
 def _names(scene: PictureScene, view: PictureView) -> Iterator[marks.ObjectName]:
     """The names of the world's goals, named objects and starts."""
     marked = [mark for drive in scene.drives for mark in drive.marks]
-    told = [text for _, kind, text, _, _ in marked if kind == "goal"]
+    goals_shown = [text for _, kind, text, _, _ in marked if kind == "goal"]
     for name in goals.names(scene.world, view):
-        if not any(text.startswith(f"{name.text}:") for text in told):
+        if not any(text.startswith(f"{name.text}:") for text in goals_shown):
             yield name
     for thing in plan.things(scene.world):
         if thing.name not in ("box", "cylinder"):
