@@ -15,9 +15,7 @@ DOUBLETS = TESTS / "cases" / "doublets.toml"
 LONGEST_MODULE, LONGEST_FUNCTION = 450, 50
 #: Longer modules, with the reason.
 LONG_MODULES = {
-    "learnblock.language.python.reader": "to be cut",
     "learnblock.language.tree.nodes": "one list: the nodes of the tree",
-    "learnblock.language.workspace.statement_reader": "to be cut",
     "learnblock.robots.ev3.agent": "one file, since it is copied to the brick",
 }
 #: The same for functions.
@@ -46,6 +44,7 @@ def names_value(name, source):
     return bool(re.search(rf"\b{name}\b", source)) and any(
         (isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store) and node.id == name)
         or (isinstance(node, ast.arg) and node.arg == name)
+        or (isinstance(node, ast.MatchAs) and node.name == name)
         for node in ast.walk(tree_of(source))
     )
 

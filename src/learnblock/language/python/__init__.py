@@ -7,8 +7,9 @@ Python                                      node                            read
 ==========================================  ==============================  ======================
 the parts that create and run the robot     Setup                           skeleton.py
 the import of the robot                     Setup                           robot_import.py
-``from learnblock.libraries... import *``   Import                          reader.py, imports.py
-``def``, ``@robot.when``, the rest          Def, When, Main                 reader.py
+``from learnblock.libraries... import *``   Import                          definition_reader.py
+``def``, ``@robot.when``                    Def, When                       definition_reader.py
+the rest of the file                        Main                            reader.py
 comments, blank lines, marked raw Python    Comment, Blank, Raw             comment_reader.py
 ``if``, ``while``, ``for``                  If, While, Repeat, ForEach      statement_reader.py
 ``for i in range(...)``                     ForRange                        statement_reader.py
@@ -23,8 +24,9 @@ any other statement                         PythonLine, PythonBlock         pyth
 any other expression, several in a line     RawExpression, Raw              the reader of its kind
 ==========================================  ==============================  ======================
 
-`forms.py` splits a line that stays Python into words and values, for blocks. `scopes.py` decides
-whether the local variables of functions could be shared. `generation.py` puts a whole program
-together, with a map of its lines (`source_map.py`), or the functions of a library.
-`syntax_errors.py` and `foreign_lines.py` explain what is no Python.
+`imports.py` names a library's module. `forms.py` splits a line that stays Python into words and
+values, for blocks. `scopes.py` decides whether the local variables of functions could be shared.
+`generation.py` puts a whole program together, with a map of its lines (`source_map.py`), or the
+functions of a library. `parsing.py` parses a file; `syntax_errors.py` and `foreign_lines.py`
+explain what is no Python.
 """

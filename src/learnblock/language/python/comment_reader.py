@@ -27,7 +27,7 @@ class CommentReader(ExpressionReader):
         super().__init__(lines, whens, functions)
         self.comments = dict(notes.comments)
         self.in_string, self.line_ends = notes.in_string, notes.ends
-        self.raw_ends = self.found_raw_ends()
+        self.raw_ends = self.ends_of_raw()
         self.line = 1
 
     def notes(self, items: list[Item], limit: int, column: int, *, leave: bool = False) -> int:
@@ -68,7 +68,7 @@ class CommentReader(ExpressionReader):
         text = markers.raw_text(self.lines[start : end - 1], start + 1, indent, self.in_string)
         return Raw(text, Span(start, len(indent) + 1, end, 1))
 
-    def found_raw_ends(self) -> dict[int, int]:
+    def ends_of_raw(self) -> dict[int, int]:
         """The line of the ``# end`` for the line of each ``# python`` of the same indentation."""
         raw_ends: dict[int, int] = {}
         ends: dict[int, int] = {}  # the next ``# end`` below, by column

@@ -1,57 +1,43 @@
 """Read Python as a tree: generated Python and ordinary variants of it; the rest becomes raw Python.
 
-This module reads the file as a whole; statements and expressions have their own modules.
+This module reads the file as a whole; definitions, statements and expressions have their own
+modules.
 """
 
 import ast
 import bisect
 import re
-import warnings
 from collections import Counter
 from dataclasses import replace
 from typing import NamedTuple
 
-from learnblock.errors import Diagnostic, ProgramError
-from learnblock.i18n import Phrase
 from learnblock.language.blocktext import names
-from learnblock.language.blocktext.lexer import MAX_CHARACTERS, too_long
-from learnblock.language.blocktext.line_rules import reworded
-from learnblock.language.blocktext.names import state_of
 from learnblock.language.blocktext.order import definitions_first
-from learnblock.language.python import imports
+from learnblock.language.python.definition_reader import DefinitionReader
 from learnblock.language.python.expression_reader import (
     Unlike,
     end_of,
     span_of,
     start_of,
 )
-from learnblock.language.python.foreign_lines import RULES
 from learnblock.language.python.generation import DEFAULT_ROBOT, canonical
-from learnblock.language.python.python_reader import PythonReader
+from learnblock.language.python.parsing import parsed
 from learnblock.language.python.robot_import import robot_import
-from learnblock.language.python.scopes import first_of_locals, stored_names
 from learnblock.language.python.skeleton import (
     Skeleton,
     is_when,
-    leading_globals,
     skeleton_of,
-    unusual,
 )
 from learnblock.language.python.statement_reader import acts, stripped
-from learnblock.language.python.syntax_errors import error_in, syntax_message
-from learnblock.language.python.writer import global_names
 from learnblock.language.tree import markers
 from learnblock.language.tree.builtins import MODULES
 from learnblock.language.tree.layout import normalized, prologue_length
 from learnblock.language.tree.nodes import (
-    AnyPython,
     Blank,
-    Body,
     Branch,
     Comment,
     Compare,
     Def,
-    Expression,
     If,
     Import,
     Item,
@@ -68,10 +54,7 @@ from learnblock.language.tree.nodes import (
     WithoutRobot,
     is_only_raw,
 )
-from learnblock.language.tree.traversal import statements
 
-#: The most known slips that are reported at once.
-MAX_SLIPS = 10
 _NOT_IN_MAIN = Def | When | Import | Setup | WithoutRobot
 
 
@@ -85,7 +68,7 @@ def from_python(text: str, filename: str = "program.py") -> Program:
     Raises:
         ProgramError: the file is not valid Python.
     """
-    tree = _parsed(text, filename)
+    tree = parsed(text, filename)
     try:
         program = _read(text, tree)
     except (Unlike, RecursionError):
@@ -94,55 +77,6 @@ def from_python(text: str, filename: str = "program.py") -> Program:
         return Program((Raw(text, Span(1, 1, text.count("\n") + 1, 0)),))
     written = canonical(program, DEFAULT_ROBOT).text
     return program if written == text else replace(program, python=text)
-
-
-def _parsed(text: str, filename: str) -> ast.Module:
-    if len(text) > MAX_CHARACTERS:
-        raise ProgramError(filename, [Diagnostic("too-long", too_long(text))])
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            return ast.parse(text.removeprefix("\ufeff"))
-    except SyntaxError as error:
-        raise ProgramError(filename, _syntax_errors(error, text), text) from None
-    except (RecursionError, MemoryError):
-        too_deep = Diagnostic("too-deep", Phrase("python-too-deep"))
-        raise ProgramError(filename, [too_deep], text) from None
-    except (ValueError, OverflowError) as error:
-        message = Phrase("python-syntax", reason=str(error))
-        raise ProgramError(filename, [Diagnostic("python-syntax", message)]) from None
-
-
-def _syntax_errors(error: SyntaxError, text: str) -> list[Diagnostic]:
-    """The first error, and those in other lines once the known slips are mended."""
-    lines = text.split("\n")
-    errors: list[Diagnostic] = []
-    rest: SyntaxError | None = error
-    while rest is not None and len(errors) < MAX_SLIPS:
-        line = rest.lineno or 0
-        code = lines[line - 1].partition("#")[0] if 0 < line <= len(lines) else ""
-        rewording = reworded(code, RULES)
-        if rewording is None or any(diagnostic.line == line for diagnostic in errors):
-            break
-        start, end = rewording.start + 1, rewording.end + 1
-        message = _without_main(rewording.message, text)
-        errors.append(Diagnostic("not-python", message, line, start, end))
-        lines[line - 1] = rewording.line
-        rest = error_in("\n".join(lines))
-    return errors or [_syntax_error(error, text)]
-
-
-def _without_main(message: Phrase, text: str) -> Phrase:
-    """A program with `main` and calls of skills as in Block-Text is Block-Text as a whole."""
-    if message.code == "python-main" and "function." in text:
-        return Phrase("python-block-text", **message.values)
-    return message
-
-
-def _syntax_error(error: SyntaxError, text: str) -> Diagnostic:
-    line, column = error.lineno or 0, error.offset or 0
-    end = (error.end_offset or 0) if error.end_lineno == error.lineno else 0
-    return Diagnostic("python-syntax", syntax_message(error, text), line, column, max(end, 0))
 
 
 def _read(text: str, tree: ast.Module) -> Program | None:
@@ -199,7 +133,7 @@ class _Defined(NamedTuple):
         return _Defined(kept, self.functions & program.functions.keys())
 
 
-class _Reader(PythonReader):
+class _Reader(DefinitionReader):
     """Reads a whole file; of its functions, those that are `defined` are definitions."""
 
     def __init__(
@@ -226,7 +160,7 @@ class _Reader(PythonReader):
             self.raw_ends = {
                 line: end for line, end in self.raw_ends.items() if begins.get(end, 0) < line
             }
-        self.raw_lines = self.found_raw_lines()
+        self.raw_lines = self.lines_of_raw()
         self.modules: set[str] = set()
 
     def program(self) -> Program:
@@ -315,7 +249,7 @@ class _Reader(PythonReader):
         ]
         return min(after, default=0)
 
-    def found_raw_lines(self) -> set[int]:
+    def lines_of_raw(self) -> set[int]:
         """The lines of the unindented blocks of raw Python, without the first of each."""
         lines: set[int] = set()
         last = 0
@@ -399,92 +333,6 @@ class _Reader(PythonReader):
         place = setup or prologue_length(items)
         return (*items[:place], *lines, *items[place:])
 
-    # Items.
-
-    def item(self, node: ast.stmt) -> Item:
-        match node:
-            case ast.ImportFrom(module=str(), names=[ast.alias(name="*")], level=0):
-                return self.import_(node)
-            case ast.FunctionDef():
-                return self.function(node)
-            case _:
-                return self.statement(node)
-
-    def import_(self, node: ast.ImportFrom) -> Import:
-        module = imports.from_python(node.module or "")
-        if module is None or self.is_own_style:
-            raise Unlike
-        return Import(module, self.comment_after(node), span_of(node))
-
-    def function(self, node: ast.FunctionDef) -> Def | When:
-        arguments = node.args
-        if node.returns or getattr(node, "type_params", None) or unusual(arguments):
-            raise Unlike
-        comment = self.header_comment(node.lineno, node.body)
-        if node.decorator_list:
-            return self.when(node, comment)
-        name = names.from_python(node.name)
-        parameters = tuple(self.called(argument.arg) for argument in arguments.args)
-        if name is None or self.reads_value_of_event(node):
-            raise Unlike
-        body = self.function_body(node, parameters)
-        return Def(name, parameters, body, comment, span_of(node))
-
-    def reads_value_of_event(self, node: ast.FunctionDef) -> bool:
-        """Whether a function uses a parameter that Block-Text would take for an event's value."""
-        parameters = {argument.arg for argument in node.args.args}
-        return any(
-            isinstance(inner, ast.Name)
-            and inner.id in parameters
-            and state_of(names.from_python(inner.id) or "", self.when_names)
-            for inner in ast.walk(node)
-        )
-
-    def when(self, node: ast.FunctionDef, comment: str | None) -> When:
-        name = self.whens.get(node.name)
-        if name is None or node.args.args:
-            raise Unlike
-        condition: Expression | None = None
-        match node.decorator_list[0]:
-            case ast.Call(args=[ast.Lambda(body=test)]):
-                condition = self.expression(test)
-            case ast.Attribute(attr="when_start") if name != "start":
-                raise Unlike
-            case ast.Attribute(attr="when") if name == "start":
-                raise Unlike
-        body = self.function_body(node, ())
-        return When(name, condition, body, comment, span_of(node))
-
-    def function_body(self, node: ast.FunctionDef, parameters: tuple[str, ...]) -> Body:
-        self.keeps_globals = False
-        self.first_of_locals = first_of_locals(node)
-        try:
-            body = self.body(node.lineno, node.body, end_of(node) + 1)
-        finally:
-            self.keeps_globals = True
-            self.first_of_locals = frozenset()
-        body = self.trailing(body, node)
-        if not self.shares_enough(node, body, parameters):
-            raise Unlike
-        return body if any(map(acts, body)) else (*body, Pass())
-
-    def shares_enough(self, node: ast.FunctionDef, body: Body, parameters: tuple[str, ...]) -> bool:
-        """Whether a function has for itself what it had, and shares the rest."""
-        statements_of_globals = leading_globals(node.body)
-        written = [name for statement in statements_of_globals for name in statement.names]
-        declared = set(written)
-        names_of_globals = global_names(body, parameters, self.when_names)
-        if self.is_own_style:
-            # What a person wrote keeps its words, and a local variable stays local.
-            every = [inner for inner in ast.walk(node) if isinstance(inner, ast.Global)]
-            in_place = every == statements_of_globals and len(every) <= 1
-            return in_place and written == names_of_globals
-        shared = set(names_of_globals)
-        needless = declared - shared
-        if needless and any(isinstance(statement, AnyPython) for statement in statements(body)):
-            return False
-        return shared <= declared and not needless & stored_names(node)
-
 
 def _declared_whens(whens: frozenset[str], clashes: dict[str, int]) -> dict[str, str]:
     """The names in Block-Text of the ``when``s, by their names in Python."""
@@ -502,9 +350,9 @@ def _with_main(items: list[Item]) -> tuple[list[Item], Main | None]:
                     Branch(Compare(("==",), (Name("__name__"), String("__main__"))), body, None),
                 ),
                 otherwise=None,
-            ) as found
+            ) as test
         ]:
-            return items[:last], Main(body, found.span)
+            return items[:last], Main(body, test.span)
     return items, None
 
 

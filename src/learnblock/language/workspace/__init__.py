@@ -12,6 +12,7 @@ blocks                                      node                          read i
 ``controls_*``, ``lb_wait_until``           If, While, Repeat, WaitUntil  statement_reader.py
 ``variables_set``, ``math_change``          Assign                        statement_reader.py
 skills and calls on their own               Perform                       statement_reader.py
+changes of lists and dictionaries           Assign, Perform               container_reader.py
 ``lb_python``, ``lb_comment``               Raw, Comment                  statement_reader.py
 ``lb_python_line``, ``lb_python_block``     PythonLine, PythonBlock       statement_reader.py
 ``math_*``, ``logic_*``, ``text_*``         Binary, Compare, FString      value_reader.py

@@ -8,7 +8,6 @@ from learnblock.blocks.toolbox import SKILL
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.block_parser import MAX_BLOCKS
 from learnblock.language.blocktext.parser import MODULE
-from learnblock.language.blocktext.statement_parser import ASSIGNMENTS
 from learnblock.language.tree import raw
 from learnblock.language.tree.nodes import (
     Activate,
@@ -23,14 +22,11 @@ from learnblock.language.tree.nodes import (
     Continue,
     Deactivate,
     Else,
-    Expression,
     ForEach,
     ForRange,
     If,
     Import,
-    Index,
     Item,
-    List,
     Main,
     Name,
     Number,
@@ -43,7 +39,6 @@ from learnblock.language.tree.nodes import (
     Repeat,
     Return,
     Setup,
-    SkillCall,
     Statement,
     Unary,
     WaitUntil,
@@ -58,6 +53,16 @@ from learnblock.language.workspace.block_reader import (
     plugged,
 )
 from learnblock.language.workspace.blocks import Block
+from learnblock.language.workspace.container_reader import (
+    CHANGES,
+    ContainerReader,
+    change_entry,
+    change_index,
+    pop,
+    remove_entry,
+    set_entry,
+    set_index,
+)
 from learnblock.language.workspace.notes import Ends, Lead, Notes, comments_in, notes_of
 from learnblock.language.workspace.python_shapes import BLOCK, LINE, TEXT, words_in
 from learnblock.language.workspace.types import (
@@ -67,10 +72,8 @@ from learnblock.language.workspace.types import (
     WHILE,
     variable_fields,
 )
-from learnblock.language.workspace.value_reader import ValueReader, popped
 
 _FLOWS: dict[str, type[Break | Continue]] = {"BREAK": Break, "CONTINUE": Continue}
-_CHANGES = {operator: operator for operator in sorted(ASSIGNMENTS - {"="})}
 _OPENERS = frozenset(
     (
         "controls_if",
@@ -93,7 +96,7 @@ class Group(NamedTuple):
     statement: Item | Main
 
 
-class StatementReader(ValueReader):
+class StatementReader(ContainerReader):
     """Reads statements.
 
     `groups` maps each block to its content; `silent` are the blocks without content; `alone` is
@@ -172,30 +175,10 @@ class StatementReader(ValueReader):
         self.depth -= 1
         return spaced(groups)  # type: ignore[return-value]
 
-    def perform(self, block: Block, call: Expression, ends: Ends) -> Perform | None:
-        """A call as a statement."""
-        if isinstance(call, Call | SkillCall):
-            return Perform(self.made(call, block), ends[0])
-        self.report(block, "no-effect", Phrase("workspace-unused-value"))
-        return None
-
     def variables_of(self, block: Block) -> tuple[Name, ...]:
         """The variables of a loop with several."""
         count = max(2, extra_count(block, "variables"))
         return tuple(self.variable(block, field) for field in variable_fields(count))
-
-    def target(
-        self, block: Block, values: Expression, place: Expression, name: str = "LIST"
-    ) -> Index | None:
-        """An item of the list or dictionary in an input, as the target of an assignment."""
-        root = values
-        while isinstance(root, Index):
-            root = root.value
-        if isinstance(root, Name | Call | SkillCall):
-            return self.made(Index(values, place), block)
-        if plugged(block, name) is not None:
-            self.report(block, "no-effect", Phrase("workspace-list-without-name"))
-        return None
 
 
 Reading = Callable[[Block, Notes, Ends], Item | Main | None]
@@ -336,66 +319,6 @@ def _do(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> Perform 
     return None if plugged(block, "VALUE") is None else reader.perform(block, call, ends)
 
 
-def _pop(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> Perform | None:
-    call = popped(reader, block, reader.list(block, "VALUE"))
-    return reader.perform(block, reader.made(call, block), ends)
-
-
-def _changed_list(reader: StatementReader, block: Block) -> Expression:
-    """The list that a block changes; one that no variable holds would be lost."""
-    return reader.value(block, "LIST", List(), "workspace-missing-variable-of-list")
-
-
-def _set_index(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> Statement | None:
-    values = _changed_list(reader, block)
-    if block.fields.get("MODE") == "INSERT":
-        return _insert(reader, block, values, ends)
-    target = reader.target(block, values, reader.place(block, values))
-    if target is None:
-        return None
-    return Assign(target, "=", reader.value(block, "TO"), ends[0])
-
-
-def _insert(
-    reader: StatementReader, block: Block, values: Expression, ends: Ends
-) -> Perform | None:
-    if block.fields.get("WHERE") == "LAST":
-        call = Call("append", (values, reader.value(block, "TO")))
-    else:
-        place = reader.place(block, values)
-        call = Call("insert", (values, place, reader.value(block, "TO")))
-    return reader.perform(block, reader.made(call, block), ends)
-
-
-def _change_index(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> Assign | None:
-    place = reader.number(block, "INDEX")
-    target = reader.target(block, _changed_list(reader, block), place)
-    operator = reader.choice(block, "OP", _CHANGES)
-    value = reader.number(block, "VALUE")
-    return None if target is None else Assign(target, operator, value, ends[0])
-
-
-def _entry(reader: StatementReader, block: Block) -> Index | None:
-    """The entry of a dictionary that a block sets or changes."""
-    return reader.target(block, reader.dictionary(block), reader.key(block), "DICTIONARY")
-
-
-def _set_entry(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> Assign | None:
-    target, value = _entry(reader, block), reader.value(block, "VALUE")
-    return None if target is None else Assign(target, "=", value, ends[0])
-
-
-def _change_entry(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> Assign | None:
-    target, value = _entry(reader, block), reader.number(block, "VALUE")
-    operator = reader.choice(block, "OP", _CHANGES)
-    return None if target is None else Assign(target, operator, value, ends[0])
-
-
-def _remove_entry(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> Perform | None:
-    call = Call("pop", (reader.dictionary(block), reader.key(block)))
-    return reader.perform(block, reader.made(call, block), ends)
-
-
 STATEMENTS: dict[str, Handler] = {
     "controls_if": _if,
     WHILE: _while,
@@ -431,16 +354,16 @@ STATEMENTS: dict[str, Handler] = {
     ),
     "lb_change": lambda reader, block, _, ends: Assign(
         reader.variable(block),
-        reader.choice(block, "OP", _CHANGES),
+        reader.choice(block, "OP", CHANGES),
         reader.number(block, "VALUE"),
         ends[0],
     ),
-    "lists_setIndex": _set_index,
-    "lb_change_index": _change_index,
-    "lb_dictionary_set": _set_entry,
-    "lb_dictionary_change": _change_entry,
-    "lb_dictionary_remove": _remove_entry,
-    "lists_getIndex": _pop,
+    "lists_setIndex": set_index,
+    "lb_change_index": change_index,
+    "lb_dictionary_set": set_entry,
+    "lb_dictionary_change": change_entry,
+    "lb_dictionary_remove": remove_entry,
+    "lists_getIndex": pop,
     "lb_return": lambda reader, block, _, ends: Return(reader.optional(block, "VALUE"), ends[0]),
     "lb_pass": lambda _reader, _block, _, ends: Pass(ends[0]),
     "lb_activate": lambda reader, block, _, ends: Activate(
