@@ -1,6 +1,7 @@
 """The devices that measure, in the order in which the page shows their readings."""
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any, Self
 
 from learnblock.devices.device import Sensor
@@ -100,6 +101,18 @@ class GroundSensors(Sensor[Mapping[str, float | None]]):
     form = ByPlace(0, 100, "%", places=_UNDER, quiet=dict.fromkeys(_UNDER, 100.0))
 
 
+class _Count:
+    """Where a count of degrees began."""
+
+    start = 0.0
+
+    def begin(self, turned: Callable[[], float]) -> None:
+        self.start = turned()
+
+    def since(self, turned: Callable[[], float]) -> float:
+        return turned() - self.start
+
+
 class Gyroscope(Sensor[float]):
     """A gyroscope: `read` returns the degrees turned since `reset`; clockwise is positive.
 
@@ -118,13 +131,9 @@ class Gyroscope(Sensor[float]):
         Args:
             turned: returns the degrees turned since the robot was connected.
         """
-        start = 0.0
-
-        def reset() -> None:
-            nonlocal start
-            start = turned()
-
-        return cls(lambda: turned() - start, reset)
+        # Partials show the driver's function, not these, in the graph of calls.
+        count = _Count()
+        return cls(partial(count.since, turned), partial(count.begin, turned))
 
     def reset(self) -> None:
         """Set the current heading to 0."""

@@ -127,8 +127,8 @@ def _counting(findings: Findings, item: ForRange) -> None:
     for statement in item.body:
         for node in all_expressions(statement):
             match node:
-                case Index(value=Name(name=found), index=Name(name=index)) if (
-                    found == values and index == item.target.name
+                case Index(value=Name(name=indexed), index=Name(name=index)) if (
+                    indexed == values and index == item.target.name
                 ):
                     code = findings.worded("check-loop-past-end", "check-loop-past-end-python")
                     line = str(item.span.line)

@@ -64,7 +64,7 @@ def _places(node: ast.AST, old: str, lines: list[bytes]) -> Iterator[_Place]:
     match node:
         case ast.Name(id=name) | ast.arg(arg=name) if name == old:
             yield _Place(node.lineno, node.col_offset)
-        case ast.Global(names=found) | ast.Nonlocal(names=found) if old in found:
+        case ast.Global(names=shared) | ast.Nonlocal(names=shared) if old in shared:
             yield _behind(r"\b(?:global|nonlocal)\b.*?", old, node, lines)
         case ast.FunctionDef(name=name) | ast.AsyncFunctionDef(name=name) if name == old:
             yield _behind(r"\bdef\s+", old, node, lines)

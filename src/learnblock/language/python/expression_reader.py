@@ -182,8 +182,8 @@ class ExpressionReader:
         text = _on_one_line(ast.JoinedStr(values))
         reader = ExpressionReader([text], self.whens, self.functions)
         match ast.parse(text, mode="eval").body:
-            case ast.JoinedStr(values=found):
-                return moved(reader.f_string(found, Span(1, 1, 1)), span)
+            case ast.JoinedStr(values=pieces):
+                return moved(reader.f_string(pieces, Span(1, 1, 1)), span)
         raise Unlike
 
     def part(self, node: ast.expr) -> Expression:

@@ -76,7 +76,7 @@ class Robot(RealRobot[Settings]):
             self.add(GroundSensors(self._ground))
         if hub.ports["force"]:
             self.add(Bumper(self._pressed))
-        self.add(Gyroscope.counting(lambda: self._there.latest().heading), "Z_AXIS")
+        self.add(Gyroscope.counting(self._heading), "Z_AXIS")
         self.add(Speaker(tone=self._tone))
         self.add(Screen(self._show))
         self.add(RGBLed(self._light), "Status")
@@ -113,6 +113,9 @@ class Robot(RealRobot[Settings]):
 
     def _pressed(self) -> bool:
         return self._reading("force") > 0
+
+    def _heading(self) -> float:
+        return self._there.latest().heading
 
     def _tone(self, hertz: float, milliseconds: float) -> None:
         self._there.say(lines.beep(hertz, milliseconds))
