@@ -85,6 +85,26 @@ def test_a_plain_program_that_hangs_gets_a_process_of_its_own_at_once():
     assert not is_shared(hanging)
 
 
+def test_a_run_in_an_empty_endless_loop_is_not_waited_for_and_ends_as_alone():
+    loop = "robot.move_straight(40)\nwhile True:\n    pass"
+    # Longer than a test may take: it ends at the loop.
+    patient = replace(job(in_python(loop)), limits=Limits(silence=600), with_trace=True)
+    brief = replace(patient, limits=Limits(silence=0.2))
+    [early], alone_at_last = made(patient), alone(brief)
+
+    assert early.report.ended == alone_at_last.ended == How.NO_CALL
+    assert early.report.trace_sha256 == alone_at_last.trace_sha256
+    assert early.report.error["line"] == alone_at_last.error["line"]
+
+
+def test_a_loop_that_a_program_leaves_before_it_hangs_is_run():
+    wanted = job(in_python("if robot.time() > 1:\n    while True: pass\nrobot.sleep(2)"))
+    [result] = made(wanted)
+
+    assert result.report == alone(wanted)
+    assert result.report.ended == How.FINISHED
+
+
 def test_a_plain_program_with_too_much_memory_ends_as_one_in_a_process():
     program = in_python("x = [0]\nwhile len(x) < 1e10:\n    x.extend(x)")
     greedy = replace(job(program), limits=Limits(memory=1024 * MEGABYTE))

@@ -3,7 +3,7 @@
 import pytest
 
 from learnblock import robots, running
-from learnblock.running.plain import hangs, is_plain
+from learnblock.running.plain import dead_ends, is_plain
 from learnblock.runtime.program import Program
 from runs import EXAMPLES
 
@@ -45,7 +45,7 @@ def test_a_program_without_any_way_out_is_plain():
     "python", ["while True: pass", "if x:\n    while 1:\n        pass\n        pass"]
 )
 def test_a_loop_that_never_ends_with_nothing_in_it_hangs(python):
-    assert hangs(in_python(python))
+    assert dead_ends(in_python(python))
 
 
 @pytest.mark.parametrize(
@@ -53,7 +53,7 @@ def test_a_loop_that_never_ends_with_nothing_in_it_hangs(python):
     ["while True: break", "while False: pass", "while x: pass", "for x in y: pass", "while"],
 )
 def test_any_other_loop_may_have_an_end(python):
-    assert not hangs(in_python(python))
+    assert not dead_ends(in_python(python))
 
 
 @pytest.mark.parametrize("path", sorted(EXAMPLES.rglob("*.bt")), ids=lambda path: path.stem)

@@ -37,13 +37,14 @@ def is_plain(program: Program) -> bool:
     return tree is not None and _Inspection(tree).passes()
 
 
-def hangs(program: Program) -> bool:
-    """Whether a program has an endless loop with an empty body, such as one not filled in yet.
+def dead_ends(program: Program) -> tuple[int, ...]:
+    """The lines of endless loops with an empty body, such as one not filled in yet.
 
-    Once in that loop, it runs until its host ends it.
+    Once in such a loop, a plain program runs until its host ends it.
     """
     tree = _tree(program.python)
-    return tree is not None and any(map(_is_empty_and_endless, ast.walk(tree)))
+    loops = [] if tree is None else filter(_is_empty_and_endless, ast.walk(tree))
+    return tuple(sorted({line for loop in loops for line in _lines(loop)}))
 
 
 @lru_cache(maxsize=1)
@@ -133,6 +134,11 @@ def _is_empty_and_endless(node: ast.AST) -> bool:
     if not isinstance(node, ast.While) or not isinstance(node.test, ast.Constant):
         return False
     return bool(node.test.value) and all(isinstance(part, ast.Pass) for part in node.body)
+
+
+def _lines(node: ast.AST) -> range:
+    assert isinstance(node, ast.stmt)  # noqa: S101 - a loop
+    return range(node.lineno, (node.end_lineno or node.lineno) + 1)
 
 
 def _is_visible(name: str) -> bool:

@@ -28,7 +28,7 @@ from learnblock.i18n import Phrase
 from learnblock.installation import version
 from learnblock.robots import RobotEntry
 from learnblock.running.job import Job, Options, unpacked
-from learnblock.running.plain import hangs, is_plain
+from learnblock.running.plain import dead_ends, is_plain
 from learnblock.running.program_run import ProgramRun
 from learnblock.running.recorded_keys import RecordedKeys
 from learnblock.running.report import Report
@@ -173,7 +173,7 @@ def is_shared(job: Job) -> bool:
     if job.options.network or job.isolated or not is_plain(job.program):
         return False
     # Only a host in another process can end it: see `_end_if_silent`.
-    return not hangs(job.program)
+    return not dead_ends(job.program)
 
 
 def trace_of(job: Job) -> BytesIO | None:
@@ -335,6 +335,8 @@ def _isolated(job: Job, programs: ForkServer) -> RunResult:
     def prepare(run: ProgramRun) -> None:
         signal.signal(signal.SIGTERM, lambda *_: run.stop())
 
+    if is_plain(job.program):
+        job = replace(job, program=replace(job.program, dead_ends=dead_ends(job.program)))
     result = _made(job, prepare, standby=programs.standby())
     if _has_begun(result.report):
         return result

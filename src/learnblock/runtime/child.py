@@ -44,6 +44,7 @@ from learnblock.runtime.messages import (
     Logged,
     Printed,
     Setup,
+    Stuck,
     Variables,
 )
 from learnblock.runtime.output import LineStream
@@ -143,6 +144,7 @@ class _Program:
         self._gate: Gate | None = None
         self._noting: Noting | None = None
         self._output = LineStream(self._printed, self._wire.flush)
+        self._is_stuck = False
         #: The characters that it may still print.
         self._unprinted = setup.limits.output
         #: Its variables once it has ended, if its host wants them.
@@ -268,7 +270,8 @@ class _Program:
             random.seed(robot.seed)
             self._cleanup.callback(use_robot_time(robot.clock))
         self._robot = robot
-        self._begin_lines(LineBudget(robot.clock, self._wire.note_line, self._wire.turn))
+        beyond = self._beyond if self._setup.dead_ends else None
+        self._begin_lines(LineBudget(robot.clock, self._wire.note_line, self._wire.turn, beyond))
         return robot
 
     def _watch_gate(self, control: Control) -> None:
@@ -288,6 +291,12 @@ class _Program:
         self._end_lines()
         frame = sys._getframe()  # noqa: SLF001 - the documented way to walk the stack
         self._end_lines = start_line_events(self._code, self._setup.source, budget, frame)
+
+    def _beyond(self, line: int) -> None:
+        """Tell, once, that the program has no way out of a loop."""
+        if line in self._setup.dead_ends and not self._is_stuck:
+            self._is_stuck = True
+            self._wire.send(Stuck())
 
     def _input(self, prompt: object = "") -> str:
         self._output.finish()

@@ -61,6 +61,7 @@ class Conversation:
                 tags=dict(program.tags),
                 log=log,
                 variables=variables,
+                dead_ends=program.dead_ends,
             )
         )
 

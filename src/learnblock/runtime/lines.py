@@ -100,12 +100,20 @@ class LineBudget:
         on_line: called with the number of each line.
         turn: the lines of a thread that may not take it are not passed on: they run only to
             describe a variable.
+        beyond: called with the number of each line that is not passed on.
     """
 
-    def __init__(self, clock: "Clock", on_line: OnLine, turn: Turn | None = None) -> None:
+    def __init__(
+        self,
+        clock: "Clock",
+        on_line: OnLine,
+        turn: Turn | None = None,
+        beyond: OnLine | None = None,
+    ) -> None:
         self._clock = clock
         self._on_line = on_line
         self._turn = turn or Turn()
+        self._beyond = beyond
         self._moment = -1
         self._left = 0
 
@@ -120,6 +128,8 @@ class LineBudget:
         if self._left > 0:
             self._left -= 1
             self._on_line(number)
+        elif self._beyond:
+            self._beyond(number)
 
 
 def depth(filename: str) -> int:

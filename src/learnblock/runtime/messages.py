@@ -100,6 +100,7 @@ class Setup(Message, frozen=True):
         tags: the numbers of tags, by name, that it uses instead of the user's.
         log: whether it tells what it does, for the log of the run.
         variables: whether it tells its variables as they are at its end.
+        dead_ends: the lines of loops that it never leaves; it tells when it is in one.
     """
 
     source: str
@@ -114,6 +115,7 @@ class Setup(Message, frozen=True):
     tags: dict[str, int] = {}
     log: bool = False
     variables: bool = False
+    dead_ends: tuple[int, ...] = ()
 
 
 class DeviceOffer(msgspec.Struct, frozen=True, array_like=True):
@@ -235,6 +237,10 @@ class Collect(Message, frozen=True):
 
 class Keys(Message, frozen=True):
     """Request the keys of the keyboard that are held down; the answer is their names."""
+
+
+class Stuck(Message, frozen=True):
+    """The program is in a loop that it never leaves."""
 
 
 class Disconnect(Message, frozen=True):
@@ -385,6 +391,7 @@ FromChild = (
     | Send
     | Collect
     | Keys
+    | Stuck
     | Disconnect
     | Steps
     | Line

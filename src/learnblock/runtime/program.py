@@ -25,6 +25,7 @@ class Program:
         source_map: from lines of `python` to lines of `written`; None where both are the same.
         folder: where its modules are imported from; "" for nowhere.
         tags: the numbers of tags, by name, that it uses instead of the user's.
+        dead_ends: the lines of loops that it never leaves, at which its run may end.
     """
 
     name: str
@@ -33,6 +34,7 @@ class Program:
     source_map: SourceMap | None = None
     folder: str = ""
     tags: Mapping[str, int] = field(default_factory=dict)
+    dead_ends: tuple[int, ...] = ()
 
     @cached_property
     def identity(self) -> str:

@@ -274,6 +274,7 @@ class Run:
             messages.Send: self._on_send,
             messages.Collect: self._on_collect,
             messages.Keys: self._on_keys,
+            messages.Stuck: lambda _: self._end_soon(self.supervision.no_call),
             messages.Steps: partial(self._on_steps, events),
             messages.Called: events.called,
             messages.Missing: events.missing,
@@ -284,8 +285,7 @@ class Run:
             messages.Variables: self.variables.receive,
             messages.Connect: self._on_connect,
             messages.Disconnect: self._on_disconnect,
-            # An external signal; the last message says how the program ended.
-            messages.Interrupted: lambda _: None,
+            messages.Interrupted: lambda _: None,  # the last message says how the program ended
             messages.Ended: self._on_ended,
         }
 

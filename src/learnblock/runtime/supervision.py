@@ -72,6 +72,11 @@ class Supervision:
         return self._logging <= self.limits.silence + own
 
     @property
+    def no_call(self) -> Ending:
+        """How a run ends whose program makes no call."""
+        return Ending(How.NO_CALL, Phrase("run-no-call", seconds=self.limits.silence))
+
+    @property
     def is_due(self) -> bool:
         """Whether the last check is more than a period ago."""
         return monotonic() - self._last_check > PERIOD
@@ -133,7 +138,7 @@ class Supervision:
         if self._silence.waiting > limits.blocked:
             return Ending(How.NO_CALL, Phrase("run-blocked", seconds=limits.blocked))
         if ready and self._silence.computing > limits.silence:
-            return Ending(How.NO_CALL, Phrase("run-no-call", seconds=limits.silence))
+            return self.no_call
         if not ready and self._silence.computing > limits.preparation:
             return Ending(How.NO_CALL, Phrase("run-no-robot", seconds=limits.preparation))
         return None

@@ -52,6 +52,7 @@ class Validator:
         self._variables = variables
         self._pauses = pauses
         self._log = log
+        self._dead_ends = program.dead_ends
         self._is_contained = False
         #: When the last batch of the log ended, in ticks.
         self._ticks = 0
@@ -68,6 +69,7 @@ class Validator:
             messages.Called: _check_called,
             messages.Steps: self._check_steps,
             messages.Missing: self._check_missing,
+            messages.Stuck: self._check_stuck,
             messages.Logged: self._check_logged,
             messages.Variables: self._check_variables,
             messages.Line: self._check_line,
@@ -138,6 +140,9 @@ class Validator:
         self._ticks = message.last
         if problem := batch_problem(message.events):
             _refuse(problem)
+
+    def _check_stuck(self, _: messages.Stuck) -> None:
+        _require(self._dead_ends, "a loop that the program lacks")
 
     def _check_variables(self, _: messages.Variables) -> None:
         _require(self._variables.pending, "variables that were not asked for")

@@ -124,6 +124,14 @@ def test_a_budget_limits_the_lines_at_one_time():
     assert seen == 2 * list(range(MOST_LINES_AT_ONE_TIME))
 
 
+def test_a_budget_says_which_lines_are_beyond_it():
+    beyond = []
+    budget = LineBudget(VirtualClock(), lambda _: None, beyond=beyond.append)
+    for number in range(MOST_LINES_AT_ONE_TIME + 2):
+        budget(number)
+    assert beyond == [MOST_LINES_AT_ONE_TIME, MOST_LINES_AT_ONE_TIME + 1]
+
+
 def test_a_budget_counts_by_tenths_of_a_second_in_real_time():
     class Flowing(WallClock):
         now = 0.0

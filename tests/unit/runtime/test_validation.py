@@ -122,6 +122,7 @@ FORGED = {
     "a negative device": ["Ask", -1, "read", []],
     "a robot that is not known": ["Connect", "os.path", {}],
     "a second beginning": ["Contained"],
+    "a loop that the program lacks": ["Stuck"],
     "a line behind the last": ["Steps", [10**6]],
     "no line": ["Steps", [0]],
     "more lines than at one time": ["Steps", [1] * 1001],

@@ -6,7 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gate import examples
-from learnblock.simulator.camera import CameraModel, CameraPose, Surface, render
+from learnblock.simulator.camera import CameraModel, CameraPose, Surface, canvas, render
+from learnblock.simulator.camera.facet import Facet
 from learnblock.simulator.camera.mip_chain import MipChain
 
 MODEL = CameraModel(320, 240, 290)
@@ -314,6 +315,33 @@ def test_the_short_ways_for_plain_and_grey_textures_draw_the_same_picture(seed):
         again = [Surface(surface.corners, surface.texture) for surface in surfaces]
 
         assert np.array_equal(render(again, MODEL, pose, BLACK), picture)
+
+
+@settings(max_examples=examples(100, gate=30))
+@given(seed=st.integers(0, 2**32 - 1), is_exact=st.booleans())
+def test_the_short_ways_past_what_is_hidden_or_beside_the_picture_draw_the_same(seed, is_exact):
+    generator = np.random.default_rng(seed)
+    board = generator.integers(0, 256, (200, 300, 3), np.uint8)
+    # A floor, ground beneath it that shows around it, a wall, and what happens to be there.
+    below = ground(plain(90, 90, 90), 9000)
+    surfaces = [
+        ground(board, generator.choice([100, 2000])),
+        below.moved(below.corners - (0, 0, 5)),
+        facing_west(1000, texture=board, width=2000),
+        Surface(random_quad(generator), plain(1, 2, 3)),
+    ]
+    x, y, heading, pitch = generator.uniform((-500, -500, -180, -90), (500, 500, 180, 20))
+    if is_exact:
+        # Planes that are parallel to the picture, or at its edge.
+        x, y, heading, pitch = round(x, -2), 0, 90 * round(heading / 90), -45 * round(-pitch / 45)
+    pose = CameraPose(x, y, generator.integers(20, 200), heading, pitch)
+    picture = render(surfaces, MODEL, pose, BLACK)
+    with pytest.MonkeyPatch.context() as patches:
+        patches.setattr(canvas, "_is_behind", lambda *_: False)
+        patches.setattr(canvas, "_is_ahead", lambda *_: False)
+        patches.setattr(Facet, "_seen_depths", lambda *_: (0, math.inf))
+
+        assert np.array_equal(render(surfaces, MODEL, pose, BLACK), picture)
 
 
 def test_a_picture_without_surfaces_is_its_background():

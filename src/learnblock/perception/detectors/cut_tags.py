@@ -11,8 +11,6 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from learnblock.perception.frames import Frame
-
 Mask = cv2.typing.MatLike
 
 # The frame is searched with about this many rows, in whose pixels all lengths here are.
@@ -44,20 +42,19 @@ _AROUND = np.ones((3, 3), np.uint8)
 _NARROW = np.ones((2, 2), np.uint8)
 
 
-def cut_tags(frame: Frame, darkest: int) -> Iterator[NDArray[np.float64]]:
+def cut_tags(brightest: Mask, darkest: int) -> Iterator[NDArray[np.float64]]:
     """Find tags that are cut by an edge of the frame.
 
     Args:
-        frame: RGB.
-        darkest: the highest value of a dark pixel's brightest channel.
+        brightest: the brightest channel of each pixel of the frame.
+        darkest: the highest value of a dark pixel there.
 
     Returns:
         The outline of each, in pixels of the frame.
     """
-    step = max(1, round(frame.shape[0] / ROWS))
-    red, green, blue = cv2.split(np.ascontiguousarray(frame[::step, ::step]))
-    brightest = cv2.max(cv2.max(red, green), blue)
-    dark = cv2.threshold(brightest, darkest, 1, cv2.THRESH_BINARY_INV)[1]
+    step = max(1, round(brightest.shape[0] / ROWS))
+    searched = np.ascontiguousarray(brightest[::step, ::step])
+    dark = cv2.threshold(searched, darkest, 1, cv2.THRESH_BINARY_INV)[1]
     height, width = dark.shape
     for contour in cv2.findContours(dark, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_SIMPLE)[0]:
         x, y, columns, rows = cv2.boundingRect(contour)

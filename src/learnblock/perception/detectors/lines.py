@@ -5,6 +5,7 @@ edge cuts.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -46,10 +47,11 @@ Masks = Mapping[str, cv2.typing.MatLike]
 
 
 def look(sight: "Sight") -> Lines:
-    masks = _masks(sight.frame)
+    pixels = _Pixels.of(sight.frame)
+    masks = _masks(pixels)
     height = sight.frame.shape[0]
     if cv2.hasNonZero(masks["black"]):
-        _erase(masks, cut_tags(sight.frame, BLACK), height, BLURRED)
+        _erase(masks, cut_tags(pixels.brightest, BLACK), height, BLURRED)
     for name, outlines in (("tags", _tag_outlines), ("faces", _face_outlines)):
         if not _has_blob(masks, height):
             break
@@ -69,7 +71,28 @@ def detect_lines(frame: Frame) -> Lines:
     Raises:
         FrameError: `frame` is not a picture.
     """
-    return _lines(_masks(frame), frame)
+    return _lines(_masks(_Pixels.of(frame)), frame)
+
+
+@dataclass(frozen=True, slots=True)
+class _Pixels:
+    """A frame, by channels.
+
+    Args:
+        frame: RGB.
+        channels: red, green and blue.
+        brightest: the brightest channel of each pixel.
+    """
+
+    frame: Frame
+    channels: Sequence[cv2.typing.MatLike]
+    brightest: cv2.typing.MatLike
+
+    @classmethod
+    def of(cls, frame: Frame) -> "_Pixels":
+        channels = cv2.split(checked(frame))
+        brightest = cv2.max(cv2.max(channels[0], channels[1]), channels[2])
+        return cls(frame, channels, brightest)
 
 
 def _lines(masks: Masks, frame: Frame) -> Lines:
@@ -78,20 +101,19 @@ def _lines(masks: Masks, frame: Frame) -> Lines:
     return Lines(*views)
 
 
-def _masks(frame: Frame) -> Masks:
+def _masks(pixels: _Pixels) -> Masks:
     """By colour a mask of the searched region, 255 where a line may be; absent if nowhere."""
-    height = checked(frame).shape[0]
+    height = pixels.frame.shape[0]
     top, bottom = _rows(height)
+    searched = pixels.brightest[top:bottom]
+    masks = {"black": cv2.threshold(searched, BLACK, 255, cv2.THRESH_BINARY_INV)[1]}
     # Colours are dilated into the searched region from at most this many rows around it.
     reach = _reach(height)
     above = max(0, top - reach)
-    around = frame[above : bottom + reach]
-    channels = cv2.split(around)
-    brightest = cv2.max(cv2.max(channels[0], channels[1]), channels[2])
-    searched = brightest[top - above :][: bottom - top]
-    masks = {"black": cv2.threshold(searched, BLACK, 255, cv2.THRESH_BINARY_INV)[1]}
-    if _may_have_colours(channels, brightest):
-        hsv = cv2.cvtColor(around, cv2.COLOR_RGB2HSV)
+    around = slice(above, bottom + reach)
+    channels = [channel[around] for channel in pixels.channels]
+    if _may_have_colours(channels, pixels.brightest[around]):
+        hsv = cv2.cvtColor(pixels.frame[around], cv2.COLOR_RGB2HSV)
         for colour, ranges in COLOURS.items():
             masks[colour] = _coloured(hsv, ranges, reach)[top - above :][: bottom - top]
     return masks
@@ -113,12 +135,18 @@ def _is_blob(mask: cv2.typing.MatLike, height: int) -> bool:
     small = np.ascontiguousarray(mask[::2, ::2])
     rows, columns = small.shape
     smallest = BLOB * height / 240 / 2
-    _, _, measures, _ = cv2.connectedComponentsWithStats(small)
-    # The first component is the rest of the frame.
+    # The same boxes as of connected components, in a tenth of the time.
+    contours, nesting = cv2.findContours(small, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_SIMPLE)
+    # What is around the contour of a hole is the contour of its component.
+    surrounding = () if nesting is None else nesting[0, :, 3].tolist()
+    boxes = (
+        cv2.boundingRect(contour)
+        for contour, around in zip(contours, surrounding, strict=True)
+        if around < 0
+    )
     # What reaches the upper end of the searched region may be whole in the frame.
     return any(
-        x > 0 and x + w < columns and y + h < rows and min(w, h) >= smallest
-        for x, y, w, h, _ in measures[1:].tolist()
+        x > 0 and x + w < columns and y + h < rows and min(w, h) >= smallest for x, y, w, h in boxes
     )
 
 

@@ -9,12 +9,17 @@ import numpy as np
 from learnblock.simulator.camera.lens import CameraModel, CameraPose
 from learnblock.simulator.camera.surface import Surface
 from learnblock.simulator.camera.vectors import Point, Vector, cross, dot, minus
+from learnblock.simulator.camera.window import Window, bounds
 
 # Nothing nearer to the lens than this many mm is drawn.
 NEAR = 1.0
 # Points to a light above in the south-west; scaled so that a floor keeps its colours.
 LIGHT = (-0.35, -0.2, 1.0)
 AMBIENT = 0.82
+# Patches that are this many pixels beside the picture are not drawn.
+BESIDE = 16
+# The share by which a depth may be wrong, and much more.
+ROUNDING = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,14 +55,26 @@ class Facet:
         """Cut the facet by depth wherever a pixel covers four times as many texels."""
         depths = [z for _, _, z in self.corners]
         nearest, farthest = max(NEAR, min(depths)), max(depths)
+        seen = self._seen_depths(model)
         first, last = self._octave(nearest), self._octave(farthest)
         for octave in range(first, last + 1):
             begin = nearest if octave == first else self._depth(octave)
             end = farthest if octave == last else self._depth(octave + 1)
+            if end < seen[0] or begin > seen[1]:
+                continue
             corners = _cut(self.corners, begin, end)
             if len(corners) >= 3:
                 outline = _projected(corners, model, clockwise=self.is_front)
                 yield Patch(outline, (begin, end))
+
+    def _seen_depths(self, model: CameraModel) -> tuple[float, float]:
+        """Between which depths it may be in the picture, and a little beside it."""
+        picture = Window(-BESIDE, -BESIDE, model.width + BESIDE, model.height + BESIDE)
+        farthest, nearest = bounds(self.pixel_to_texture[2], picture)
+        return (
+            (1 - ROUNDING) / nearest if nearest > 0 else math.inf,
+            (1 + ROUNDING) / farthest if farthest > 0 else math.inf,
+        )
 
     def _octave(self, depth: float) -> int:
         fineness = math.floor(0.5 * math.log2(self.texels_per_pixel * depth**3))

@@ -54,7 +54,7 @@ def render(
     Returns:
         RGB, uint8, shape (model.height, model.width, 3).
     """
-    canvas = Canvas.blank(model, background)
+    canvas = Canvas(model, background)
     for facet in facets(tuple(surfaces), model, pose):
         for patch in facet.patches(model):
             canvas.paint(facet, patch)

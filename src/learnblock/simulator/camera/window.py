@@ -57,6 +57,14 @@ def edges(outline: Sequence[Point], window: Window) -> Iterator[Vector]:
             yield edge
 
 
+def bounds(plane: Vector, window: Window) -> tuple[float, float]:
+    """The lowest and the highest value of an affine function at the pixels of a window."""
+    a, b, c = plane
+    along = sorted((a * window.left, a * (window.right - 1)))
+    down = sorted((b * window.top, b * (window.bottom - 1)))
+    return along[0] + down[0] + c, along[1] + down[1] + c
+
+
 def _is_nowhere_negative(plane: Vector, window: Window) -> bool:
     a, b, c = plane
     column = window.left if a > 0 else window.right - 1

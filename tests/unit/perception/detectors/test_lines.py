@@ -299,3 +299,18 @@ def test_a_short_line_without_an_edge_of_the_picture_is_found_as_before():
     frame = seen([FloorLine([(-190, 0), (-120, 0)], 25, BLACK)])
     assert found(frame) == detect_lines(frame)
     assert {"center"} == sides(found(frame).black)
+
+
+@given(seed=st.integers(0, 2**32 - 1))
+def test_a_blob_is_a_component_that_is_not_cut(seed):
+    generator = np.random.default_rng(seed)
+    mask = np.zeros((120, 160), np.uint8)
+    for _ in range(generator.integers(0, 6)):
+        x, y, radius = generator.integers((0, 0, 1), (160, 120, 60)).tolist()
+        # Also rings, with other components in them.
+        cv2.circle(mask, (x, y), radius, 255, int(generator.choice([-1, 1, 4])))
+    small = np.ascontiguousarray(mask[::2, ::2])
+    boxes = cv2.connectedComponentsWithStats(small)[2][1:]
+    is_whole = [x > 0 and x + w < 80 and y + h < 60 and min(w, h) >= 2.5 for x, y, w, h, _ in boxes]
+
+    assert lines._is_blob(mask, 120) == any(is_whole)
