@@ -31,17 +31,15 @@ grade-workers-lost = The workers were lost again and again. What is finished is 
 grade-trace-too-long = The program did so much that its record is longer than { $limit } MB. It is not judged.
 
 grade-page-title = { $lesson }, step { $step }
-grade-page-facts = { $programs ->
-        [one] { $programs } program
-       *[other] { $programs } programs
-    }, { $tries ->
-        [one] tried once
-       *[other] each tried { $tries } times
-    }.
-grade-page-absent = { $count ->
-    [one] { $count } pupil has
-   *[other] { $count } pupils have
-} handed in no program.
+grade-page-programs = Programs
+grade-page-tried = { $tries ->
+    [one] tried once
+   *[other] each tried { $tries } times
+}
+grade-page-of = of { $count }
+grade-page-without = No program
+grade-page-most-missed = Missed most often
+grade-page-to-look-at = To look at
 grade-page-no-mark = No mark is final: you decide. These results come from fixed rules that only count what a robot did in a simulator and how a program is built. They don't know what a pupil has understood, tried or been told. No artificial intelligence is involved.
 grade-page-overview = Overview
 grade-page-pupil = Pupil

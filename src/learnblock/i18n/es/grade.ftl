@@ -31,17 +31,15 @@ grade-workers-lost = Los trabajadores se perdieron una y otra vez. Lo terminado 
 grade-trace-too-long = El programa hizo tanto que su registro ocupa más de { $limit } MB. No se evalúa.
 
 grade-page-title = { $lesson }, paso { $step }
-grade-page-facts = { $programs ->
-        [one] { $programs } programa
-       *[other] { $programs } programas
-    }, { $tries ->
-        [one] probado una vez
-       *[other] cada uno probado { $tries } veces
-    }.
-grade-page-absent = { $count ->
-    [one] { $count } alumno no tiene
-   *[other] { $count } alumnos no tienen
-} ningún programa entregado.
+grade-page-programs = Programas
+grade-page-tried = { $tries ->
+    [one] probados una vez
+   *[other] cada uno probado { $tries } veces
+}
+grade-page-of = de { $count }
+grade-page-without = Sin programa
+grade-page-most-missed = Lo que más falla
+grade-page-to-look-at = Por revisar
 grade-page-no-mark = Ninguna nota es definitiva: decides tú. Estos resultados salen de reglas fijas que solo cuentan lo que hizo un robot en un simulador y cómo está construido un programa. No saben qué ha entendido, probado u oído un alumno. No interviene ninguna inteligencia artificial.
 grade-page-overview = Resumen
 grade-page-pupil = Alumno

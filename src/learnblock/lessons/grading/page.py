@@ -2,9 +2,8 @@
 
 import base64
 import hashlib
-from collections import Counter, defaultdict
+from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from importlib.resources import files
 from typing import TextIO
@@ -18,6 +17,7 @@ from learnblock.lessons.grading.grading import Grading, Row
 from learnblock.lessons.grading.html import escaped, tag
 from learnblock.lessons.grading.likeness import Pair, Print, alike, print_of
 from learnblock.lessons.grading.pictures import Pictures
+from learnblock.lessons.grading.summary import Outcome, Summary, most_missed, summary_of
 from learnblock.lessons.grading.table import stars
 from learnblock.lessons.grading.values import DIFFERS, HandedIn, HintResult, Result, Texts
 from learnblock.lessons.texts import in_language
@@ -30,30 +30,25 @@ _KINDS = {
     "renamed": "grade-page-kind-renamed",
     "alike": "grade-page-kind-alike",
 }
+#: The headings of the overview's groups, in its order.
+_GROUPS = {
+    Outcome.MISSED: "grade-page-to-look-at",
+    Outcome.DONE: "grade-page-done",
+    Outcome.ABSENT: "grade-page-without",
+}
+_MARKS = {"met": "✓", "failed": "✗"}
+#: LearnBlock's mark: the page's frontend/src/features/start/logo.tsx.
+_LOGO = (
+    '<svg width="36" height="36" viewBox="0 0 40 40" aria-hidden="true">'
+    '<rect width="40" height="40" rx="11" fill="#4338ca"/><path fill="#ffc531" d="M9 13a4 4 0 0 1'
+    " 4-4h2.5c.8 0 1.2.5 1.7 1l.9.9c.4.4.9.6 1.4.6h1c.5 0 1-.2 1.4-.6l.9-.9c.5-.5.9-1 1.7-1H27a4"
+    ' 4 0 0 1 4 4v5H9z"/><rect x="9" y="19.5" width="22" height="11.5" rx="4" fill="#fff"/>'
+    '<path stroke="#4338ca" stroke-width="3.6" stroke-linecap="round" d="M15.8 24.4v1.8m8.4-1.8'
+    'v1.8"/></svg>'
+)
 #: The headings of the columns before and after the checks.
 _BEFORE = ("grade-page-robot", "grade-page-variant", "grade-page-seed")
 _AFTER = ("grade-page-ended", "grade-page-seconds", "grade-page-checked", "grade-page-trace")
-
-
-@dataclass(frozen=True, slots=True)
-class _Summary:
-    """What the overview needs of a pupil.
-
-    Args:
-        met: in how many attempts each check was met.
-        finished: how many attempts are finished.
-        done: in how many the step is done.
-        failing: the checks that are not met in all of them.
-        hint: the hint that comes first most often; None if there is none.
-        refused: why it was not run.
-    """
-
-    met: tuple[int, ...]
-    finished: int
-    done: int
-    failing: tuple[int, ...]
-    hint: HintResult | None
-    refused: Texts
 
 
 class Page:
@@ -82,28 +77,43 @@ class Page:
         file.write(f'<html lang="{escaped(self._language)}"><head><meta charset="utf-8">')
         file.write(f'<meta http-equiv="Content-Security-Policy" content="{escaped(policy)}">')
         file.write('<meta name="viewport" content="width=device-width, initial-scale=1">')
-        file.write(f"<title>{escaped(title)}</title><style>{style}</style></head><body><main>\n")
-        for part in self._parts(title):
+        file.write(f"<title>{escaped(title)}</title><style>{style}</style></head><body>\n")
+        file.write(tag("header", _LOGO, tag("h1", escaped(title)), class_="bar") + "<main>\n")
+        for part in self._parts():
             file.write(part + "\n")
         file.write("</main></body></html>\n")
 
-    def _parts(self, title: str) -> Iterator[str]:
-        yield tag("h1", escaped(title))
-        absent = sum(bool(handed_in.absence) for handed_in in self._plan.handed_in)
-        count = len(self._plan.handed_in) - absent
-        attempts = len(self._plan.attempts)
-        facts = self._escaped("grade-page-facts", programs=count, tries=attempts)
-        missing = self._escaped("grade-page-absent", count=absent) if absent else ""
-        yield tag("p", facts, " " * bool(absent), missing)
+    def _parts(self) -> Iterator[str]:
+        yield tag("div", *self._figures(), class_="figures")
         yield tag("p", self._escaped("grade-page-no-mark"), class_="note")
-        yield from self._overview()
-        yield from self._clusters()
-        yield from self._alike()
+        side = tag("div", *map(_card, (self._clusters(), self._alike())), class_="side")
+        overview = tag("section", *self._overview(), class_="card overview")
+        yield tag("div", overview, side, class_="columns")
         yield tag("h2", self._escaped("grade-page-pupils"))
         if self._pictures:
             yield self._pictures.worlds()
         for index, handed_in in enumerate(self._plan.handed_in):
             yield self._pupil(index, handed_in)
+
+    def _figures(self) -> Iterator[str]:
+        """The class in a few figures."""
+        outcomes = [summary.outcome for summary in self._summaries]
+        absent = outcomes.count(Outcome.ABSENT)
+        count = len(outcomes) - absent
+        tried = self._escaped("grade-page-tried", tries=len(self._plan.attempts))
+        yield self._figure("grade-page-programs", count, tried)
+        of = self._escaped("grade-page-of", count=count)
+        yield self._figure("grade-page-done", outcomes.count(Outcome.DONE), of)
+        if absent:
+            yield self._figure("grade-page-without", absent)
+        if missed := most_missed(self._summaries):
+            place, programs = missed
+            title = self._check_titles[place]
+            yield self._figure("grade-page-most-missed", programs, title)
+
+    def _figure(self, code: str, number: int, words: str = "") -> str:
+        figure = tag("p", tag("strong", str(number)), " ", words)
+        return tag("div", tag("p", self._escaped(code)), figure, class_="card")
 
     def _text(self, code: str, /, **values: str | float) -> str:
         return translate(Phrase(code, **values), self._language)
@@ -136,29 +146,10 @@ class Page:
         )
 
     @cached_property
-    def _summaries(self) -> list[_Summary]:
-        return [self._summary(handed_in) for handed_in in self._plan.handed_in]
-
-    def _summary(self, handed_in: HandedIn) -> _Summary:
-        results = [row.result for row in self._grading.rows_of(handed_in) if row.result]
-        places = range(len(self._checks))
-        if handed_in.absence:
-            reason = results[0].reason if results else {}
-            return _Summary((0,) * len(places), 0, 0, (), None, reason)
-        met = tuple(sum(_is_met(result, place) for result in results) for place in places)
-        firsts = Counter(result.hints[0].rule for result in results if result.hints)
-        often = max(firsts, key=lambda rule: (firsts[rule], rule), default=None)
-        hints = (result.hints[0] for result in results if result.hints)
-        return _Summary(
-            met=met,
-            finished=len(results),
-            done=sum(stars(self._checks, result) > 0 for result in results),
-            failing=tuple(place for place in places if met[place] < len(results)),
-            hint=next((hint for hint in hints if hint.rule == often), None),
-            refused=next(
-                (result.reason for result in results if not result.checks and result.reason), {}
-            ),
-        )
+    def _summaries(self) -> list[Summary]:
+        return [
+            summary_of(self._grading, handed_in, self._checks) for handed_in in self._plan.handed_in
+        ]
 
     def _overview(self) -> Iterator[str]:
         yield tag("h2", self._escaped("grade-page-overview"))
@@ -168,20 +159,30 @@ class Page:
             self._escaped("grade-page-done"),
         ]
         heads.append(self._escaped("grade-page-first-hint"))
-        rows = []
-        for index, (handed_in, summary) in enumerate(
-            zip(self._plan.handed_in, self._summaries, strict=True)
-        ):
-            name = self._link(index)
-            cells = [_count(number, summary.finished) for number in summary.met]
-            cells.append(_count(summary.done, summary.finished))
-            hint = self._in_language(summary.hint.levels[0]) if summary.hint else ""
-            remark = self._in_language(summary.refused) or hint
-            cells.append(
-                tag("td", remark, class_="open") if handed_in.absence else tag("td", remark)
-            )
-            rows.append(tag("tr", tag("th", name, scope="row"), *cells))
-        yield _table(self._text("grade-page-overview"), heads, rows)
+        groups = filter(None, (self._group(outcome, len(heads)) for outcome in _GROUPS))
+        yield _table(self._text("grade-page-overview"), heads, *groups)
+
+    def _group(self, outcome: Outcome, columns: int) -> list[str]:
+        """The rows of the pupils who did alike, under their heading."""
+        rows = [
+            self._line(index, summary)
+            for index, summary in enumerate(self._summaries)
+            if summary.outcome is outcome
+        ]
+        if not rows:
+            return []
+        heading = f"{self._escaped(_GROUPS[outcome])} · {len(rows)}"
+        head = tag("th", heading, scope="rowgroup", colspan=columns)
+        return [tag("tr", head, class_="group"), *rows]
+
+    def _line(self, index: int, summary: Summary) -> str:
+        counts = (*summary.met, summary.done)
+        cells = [_count(number, summary.finished) for number in counts]
+        hint = self._in_language(summary.hint.levels[0]) if summary.hint else ""
+        remark = self._in_language(summary.refused) or hint
+        kind = "open" if summary.outcome is Outcome.ABSENT else None
+        cells.append(tag("td", remark, class_=kind))
+        return tag("tr", tag("th", self._link(index), scope="row"), *cells)
 
     def _clusters(self) -> Iterator[str]:
         """Programs with the same failing checks and the same first hint."""
@@ -193,10 +194,10 @@ class Page:
         several.sort(key=lambda pair: (-len(pair[1]), pair[1]))
         yield tag("h2", self._escaped("grade-page-clusters"))
         if not several:
-            yield tag("p", self._escaped("grade-page-no-clusters"))
+            yield tag("p", self._escaped("grade-page-no-clusters"), class_="dim")
         for (failing, _), group in several:
             first = self._summaries[group[0]]
-            missed = "; ".join(self._check_titles[place] for place in failing)
+            missed = " · ".join(self._check_titles[place].rstrip(".") for place in failing)
             hint = self._in_language(first.hint.levels[0]) if first.hint else ""
             names = ", ".join(self._link(index) for index in group)
             yield tag(
@@ -204,6 +205,7 @@ class Page:
                 tag("h3", self._escaped("grade-page-cluster", count=len(group)), " ", missed),
                 tag("p", hint) if hint else "",
                 tag("p", names),
+                class_="likes",
             )
 
     def _link(self, index: int) -> str:
@@ -211,7 +213,7 @@ class Page:
 
     def _alike(self) -> Iterator[str]:
         yield tag("h2", self._escaped("grade-page-alike"))
-        yield tag("p", self._escaped("grade-page-alike-note"))
+        yield tag("p", self._escaped("grade-page-alike-note"), class_="dim")
         likeness = alike([_print(handed_in) for handed_in in self._plan.handed_in], self._given)
         if not likeness.pairs:
             yield tag("p", self._escaped("grade-page-none-alike"))
@@ -247,33 +249,31 @@ class Page:
     def _pupil(self, index: int, handed_in: HandedIn) -> str:
         rows = [*self._grading.rows_of(handed_in)]
         summary = self._summaries[index]
-        done = self._escaped("grade-page-done-in", done=summary.done, tries=len(rows))
+        name = escaped(handed_in.pupil)
         if handed_in.absence:
-            heading = tag(
-                "summary", escaped(handed_in.pupil), " · ", self._in_language(summary.refused)
-            )
-            return tag("details", heading, id=f"pupil-{index}", class_="pupil open")
-        parts = [
-            tag("summary", escaped(handed_in.pupil), " · ", done),
-            self._ways(rows),
-            "" if handed_in.reason else self._runs(handed_in.pupil, rows),
-            self._hints(rows),
-            *self._remarks(rows, summary),
-            tag(
-                "p",
-                self._escaped("grade-page-again"),
-                " ",
-                tag("code", escaped(self._command(handed_in))),
-            ),
-            tag(
-                "details",
-                tag("summary", self._escaped("grade-page-program")),
-                tag("pre", escaped(handed_in.text)),
-            ),
-        ]
-        return tag("details", *parts, id=f"pupil-{index}", class_="pupil", open="")
+            reason = tag("span", self._in_language(summary.refused), class_="mark open")
+            heading = tag("summary", name, " ", reason)
+            return tag("details", heading, id=f"pupil-{index}", class_="card pupil open")
+        done = self._escaped("grade-page-done-in", done=summary.done, tries=len(rows))
+        kind = "met" if summary.outcome is Outcome.DONE else "failed"
+        heading = tag(
+            "summary", name, " ", tag("span", f"{_MARKS[kind]} {done}", class_=f"mark {kind}")
+        )
+        body = tag("div", *self._details(handed_in, rows, summary), class_="pupil-body")
+        return tag("details", heading, body, id=f"pupil-{index}", class_="card pupil", open="")
 
-    def _remarks(self, rows: Sequence[Row], summary: _Summary) -> Iterator[str]:
+    def _details(self, handed_in: HandedIn, rows: Sequence[Row], summary: Summary) -> Iterator[str]:
+        if run := self._ways(rows) + self._hints(rows):
+            yield tag("div", run, class_="run")
+        if not handed_in.reason:
+            yield self._runs(handed_in.pupil, rows)
+        yield from self._remarks(rows, summary)
+        command = tag("code", escaped(self._command(handed_in)))
+        yield tag("p", self._escaped("grade-page-again"), " ", command, class_="dim")
+        program = tag("pre", escaped(handed_in.text))
+        yield tag("details", tag("summary", self._escaped("grade-page-program")), program)
+
+    def _remarks(self, rows: Sequence[Row], summary: Summary) -> Iterator[str]:
         if summary.refused:
             yield tag("p", self._in_language(summary.refused), class_="failed")
         if any(row.result and row.result.checked == DIFFERS for row in rows):
@@ -289,9 +289,8 @@ class Page:
         driven = [row for row in rows if row.result and row.result.path]
         # What failed is more interesting; otherwise in their order.
         driven.sort(key=lambda row: row.result is not None and stars(self._checks, row.result) > 0)
-        return tag(
-            "div", *(self._way(pictures, row) for row in driven[:MOST_PICTURES]), class_="ways"
-        )
+        ways = [self._way(pictures, row) for row in driven[:MOST_PICTURES]]
+        return tag("div", *ways, class_="ways") if ways else ""
 
     def _way(self, pictures: Pictures, row: Row) -> str:
         assert row.result  # noqa: S101 - it has a path
@@ -328,9 +327,9 @@ class Page:
 
     def _verdict(self, result: Result, place: int) -> str:
         if place >= len(result.checks):
-            return tag("td", "–", class_="failed")
+            return tag("td", tag("span", "–", class_="mark"), class_="failed")
         check = result.checks[place]
-        mark = {"met": "✓", "failed": "✗"}.get(check.state, "–")
+        mark = tag("span", _MARKS.get(check.state, "–"), class_="mark")
         reason = self._in_language(check.reason)
         return tag("td", mark, " " + reason if reason else "", class_=check.state)
 
@@ -342,7 +341,8 @@ class Page:
         if not hints:
             return ""
         listed = (self._hint(hint) for hint in [*hints.values()][:MOST_PICTURES])
-        return tag("div", tag("h3", self._escaped("grade-page-hints")), tag("ul", *listed))
+        heading = tag("h3", self._escaped("grade-page-hints"))
+        return tag("div", heading, tag("ul", *listed), class_="hints")
 
     def _hint(self, hint: HintResult) -> str:
         levels = tag("ol", *(tag("li", self._in_language(level)) for level in hint.levels))
@@ -358,20 +358,21 @@ class Page:
         )  # fmt: skip
 
 
-def _table(name: str, heads: Sequence[str], rows: Sequence[str]) -> str:
+def _card(parts: Iterator[str]) -> str:
+    return tag("section", *parts, class_="card")
+
+
+def _table(name: str, heads: Sequence[str], *groups: Sequence[str]) -> str:
     """A table, which can be scrolled by keyboard alone where it is too wide."""
     head = tag("thead", tag("tr", *(tag("th", head, scope="col") for head in heads)))
-    table = tag("table", head, tag("tbody", *rows))
+    table = tag("table", head, *(tag("tbody", *rows) for rows in groups))
     return tag("div", table, class_="wide", role="group", aria_label=name, tabindex=0)
-
-
-def _is_met(result: Result, place: int) -> bool:
-    return place < len(result.checks) and result.checks[place].state == "met"
 
 
 def _count(number: int, finished: int) -> str:
     kind = "met" if finished and number == finished else "failed" if number < finished else "open"
-    return tag("td", f"{number}/{finished}" if finished else "–", class_=kind)
+    words = f"{_MARKS[kind]} {number}/{finished}" if finished else "–"
+    return tag("td", tag("span", words, class_="mark"), class_=kind)
 
 
 def _print(handed_in: HandedIn) -> Print | None:

@@ -51,7 +51,16 @@ class Pictures:
     def picture(self, attempt: Attempt, path: Sequence[tuple[int, int]], title: str) -> str:
         """A way in its world, in which it begins at a ring and ends at a dot."""
         points = self.view.all(path)
-        parts = [tag("title", title), tag("use", href=f"#{_name(attempt.variant)}")]
+        width, height = self._size
+        world = tag(
+            "use",
+            href=f"#{_name(attempt.variant)}",
+            x=f"{MARGIN:.0f}",
+            y=f"{HEADER:.0f}",
+            width=f"{width:.0f}",
+            height=f"{height:.0f}",
+        )
+        parts = [tag("title", title), world]
         if points:
             places = " ".join(f"{x:.0f},{y:.0f}" for x, y in points)
             (x, y), (end_x, end_y) = points[0], points[-1]
@@ -61,8 +70,8 @@ class Pictures:
                 tag("circle", cx=round(x), cy=round(y), r=14, class_="start"),
                 tag("circle", cx=round(end_x), cy=round(end_y), r=12, class_="end"),
             ]
-        height = round(WIDTH * self._size[1] / self._size[0])
-        return tag("svg", *parts, viewBox=self._box, width=WIDTH, height=height, role="img")
+        scaled = round(WIDTH * height / width)
+        return tag("svg", *parts, viewBox=self._box, width=WIDTH, height=scaled, role="img")
 
     @property
     def _size(self) -> tuple[float, float]:

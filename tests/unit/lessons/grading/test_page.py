@@ -83,12 +83,45 @@ def test_pupils_without_a_program_are_grey_and_have_no_mistakes(page):
         for name in ("dan", "eva")
     ]
     text = page((*absent, *handed_in(ana=SHORT)))
-    assert "1 program, tried once. 2 pupils have handed in no program." in text
+    assert re.findall(
+        r"<div class=\"card\"><p>(.*?)</p><p><strong>(\d+)</strong> (.*?)</p>", text
+    ) == [
+        ("Programs", "1", "tried once"),
+        ("Step done", "0", "of 1"),
+        ("No program", "2", ""),
+        ("Missed most often", "1", "Drive at least 100 mm."),
+    ]
     assert "No two programs miss the same checks" in text
     row = re.search(r"<tr><th scope=\"row\"><a [^>]*>dan</a>.*?</tr>", text)[0]
-    assert {*re.findall(r'class="(\w+)"', row)} == {"open"}
+    assert {*re.findall(r'class="(\w+)"', row)} == {"open", "mark"}
     assert "Has not begun this step." in row
-    assert re.search(r'class="pupil open"><summary>dan · Has not begun', text)
+    assert re.search(r'class="card pupil open"><summary>dan <[^>]*>Has not begun', text)
+
+
+def test_the_overview_begins_with_what_a_teacher_has_to_look_at(page, tmp_path):
+    absent = HandedIn("dan", "dan", reason=Phrase("grade-not-begun"), absence="not begun")
+    met = Result(checks=(CheckResult("met"),) * 3, ended="finished")
+    with opened_journal(tmp_path) as journal:
+        good, short = handed_in(ana=GOOD, bo=SHORT)
+        wanted = plan((absent, good, short))
+        for program, result in ((good, met), (short, MISSED)):
+            for key, _ in wanted.pieces(program):
+                journal.add(key, packed(result))
+        file = StringIO()
+        Page(Grading(wanted, journal), "en", "drive").write(file)
+    rows = re.findall(
+        r"<th (?:scope=\"row\"><a [^>]*|scope=\"rowgroup\"[^>]*)>(.*?)</", file.getvalue()
+    )
+    assert rows == ["To look at · 1", "bo", "Step done · 1", "ana", "No program · 1", "dan"]
+
+
+def test_a_way_is_drawn_where_it_was_driven(page):
+    text = page(handed_in(ana=GOOD))
+    picture = re.search(r'<figure><svg viewBox="([^"]*)"', text)[1].split()
+    world = re.search(
+        r'<use href="#world-0" x="(\d+)" y="(\d+)" width="(\d+)" height="(\d+)"', text
+    )
+    assert [*world.groups()] == picture
 
 
 def test_programs_that_are_the_same_are_shown_side_by_side(page):
