@@ -1,11 +1,14 @@
-"""Measure how much faster than real time whole programs run, in a process and in the host's thread.
+"""Measure how much faster than real time whole programs run, by where program and host run.
 
     python benchmarks/runs_speed.py [--seconds 60] [--rounds 2] [--before PYTHON] [example ...]
 
 With ``--before``, the interpreter of another checkout runs every example too, in turn with this
-one, so that a busy machine slows both alike. The column "thread" is of programs that take turns
-with their host in one thread. All traces should be the same. Times are of the processors, for host
-and program together with its start, and of the wall clock; the fastest round counts.
+one, so that a busy machine slows both alike. The columns are of programs with a process of their
+own; of those that share a contained process with their host, as `learnblock run` makes it for a
+plain program; and of those that take turns with their host in one thread of this process. "ratio"
+is the speed of the second by that of the third, for a second of processor. All traces should be the
+same. Times are of the processors, for host and program together with its start, and of the wall
+clock; the fastest round counts.
 """
 
 import argparse
@@ -22,30 +25,41 @@ sys.path.insert(0, str(ROOT / "tests" / "helpers"))
 
 from runs import EXAMPLES, TWINS, WORLDS  # noqa: E402 - found through the line above
 
-#: Runs one example in another interpreter; its arguments: the worker's module and class, the
-#: program's file, the world, the seconds and the robots.
+#: Runs one example in another interpreter; its arguments: the way, the program's file, the world,
+#: the seconds and the robots.
 RUN = """
-import importlib, os, sys, time
+import os, sys, time
 from pathlib import Path
 from learnblock import robots, running
 from learnblock.running import Job, Options, ProgramRun
+from learnblock.runtime.inline import InlineWorker
+from learnblock.runtime.process import ProcessWorker
+from learnblock.runtime.watcher import Watcher
 
-module, worker, path, world, seconds, *twins = sys.argv[1:]
-worker = getattr(importlib.import_module("learnblock.runtime." + module), worker)
+way, path, world, seconds, *twins = sys.argv[1:]
 source = running.read(Path(path))
 entry = next(entry for entry in map(robots.find, twins) if not [
     one for one in running.check(source, entry) if one.severity == "error"
 ])
 program = running.program(source, entry)
 
-def run(seconds):
-    options = Options(world=world or None, seconds=seconds)
+def made(job, way):
+    if way == "shared":
+        from learnblock.running.shared_run import SharedRun, can_share
+        result = SharedRun(job, Watcher()).run() if can_share(job) else None
+        if result:
+            return result.report
+    worker = InlineWorker if way == "thread" else ProcessWorker
+    return ProgramRun(job, worker=worker).run()
+
+def run(seconds, way=way):
+    job = Job(program, entry, Options(world=world or None, seconds=seconds))
     began, used = time.perf_counter(), sum(os.times()[:4])
-    report = ProgramRun(Job(program, entry, options), worker=worker).run()
+    report = made(job, way)
     return time.perf_counter() - began, sum(os.times()[:4]) - used, report
 
-# The first run loads what all runs need.
-run(0.1)
+# The first run loads what all runs need, also in a process that is forked from this one.
+run(0.1, "thread" if way == "shared" else way)
 wall, processor, report = run(float(seconds))
 print(entry.name, report.time, wall, processor, report.trace_sha256)
 """
@@ -74,17 +88,16 @@ MEANT_FOR = {"line-thymio.bt": "sim-thymio"}
 
 
 class Column(NamedTuple):
-    """What runs the examples: an interpreter, and the module and class of a worker."""
+    """What runs the examples: an interpreter, and where it runs program and host."""
 
     title: str
     python: str
-    module: str = "process"
-    worker: str = "ProcessWorker"
+    way: str = "process"
 
     def run(self, example: Path, seconds: float) -> Measured:
         """Run an example once."""
         world = WORLDS.get(example.name, "")
-        command = [self.python, "-c", RUN, self.module, self.worker, str(example), world]
+        command = [self.python, "-c", RUN, self.way, str(example), world]
         command += [str(seconds), MEANT_FOR.get(example.name, TWINS[0]), *TWINS]
         done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
         robot, time, wall, processor, sha256 = done.stdout.split()
@@ -111,8 +124,9 @@ def compare(
 def row(example: Path, runs: Sequence[Measured]) -> str:
     figures = "".join(f"{x.time / x.processor:9.1f}{x.time / x.wall:8.1f}" for x in runs)
     verdict = "same trace" if len({x.sha256 for x in runs}) == 1 else "OTHER TRACE"
-    now = runs[-1]
-    return f"{example.stem:<13}{now.robot:<12}{figures}  {now.sha256[:12]} {verdict}"
+    shared, now = runs[-2:]
+    ratio = now.processor / shared.processor
+    return f"{example.stem:<13}{now.robot:<12}{figures}{ratio:7.0%}  {now.sha256[:12]} {verdict}"
 
 
 def arguments() -> argparse.Namespace:
@@ -128,12 +142,11 @@ def main() -> None:
     given = arguments()
     columns = [
         *([Column("before", given.before)] if given.before else []),
-        Column("process", sys.executable),
-        Column("thread", sys.executable, "inline", "InlineWorker"),
+        *(Column(way, sys.executable, way) for way in ("process", "shared", "thread")),
     ]
     print(f"Python {platform.python_version()}, {os.cpu_count()} processors; times real time")
     titles = "".join(f"{column.title:>9}{'wall':>8}" for column in columns)
-    print(f"{'':<25}{titles}")
+    print(f"{'':<25}{titles}{'ratio':>7}")
     for example in sorted(EXAMPLES.glob("*.bt")):
         if not given.examples or example.stem in given.examples:
             runs = compare(columns, example, given.seconds, given.rounds)

@@ -75,6 +75,10 @@ class Conversation:
         """Raise an error at the next turn of the host; see `Link.fail`."""
         self._link.fail(error)
 
+    def give_turn(self) -> None:
+        """Let the host run, for a program in its thread; see `Link.give_turn`."""
+        self._link.give_turn()
+
     def copied(self, value: Any) -> Any:
         """A value as it arrives at a program in this thread; see `Link.copied`."""
         return self._link.copied(value)

@@ -7,7 +7,9 @@ from typing import Any
 
 from learnblock.runtime.conversation import Conversation
 from learnblock.runtime.hosted_robot import HostedRobot
+from learnblock.runtime.messages import Answer, Failed
 from learnblock.runtime.recorder import Recorder
+from learnblock.runtime.waiting import Parking
 
 
 class DirectCalls:
@@ -18,6 +20,7 @@ class DirectCalls:
         recorder: its recorder.
         conversation: the conversation with the program.
         wait: lets steps of its world pass; None if others wait there, too, or somebody looks.
+        parking: lets it wait for a world with others; None if it has a world alone, or as above.
     """
 
     def __init__(
@@ -26,12 +29,14 @@ class DirectCalls:
         recorder: Recorder,
         conversation: Conversation,
         wait: Callable[[int], int | None] | None = None,
+        parking: Parking | None = None,
     ) -> None:
         self.note = recorder.note
         self.note_call = recorder.note_call
         self._call = robot.call
         self._conversation = conversation
         self._wait = wait
+        self._parking = parking
         self._write_noted = recorder.write_noted
         self._thread = get_ident()
 
@@ -60,3 +65,9 @@ class DirectCalls:
             return None
         finally:
             sys.settrace(tracer)
+
+    def sleep(self, steps: int, reads: tuple[int, ...]) -> Answer | Failed | None:
+        if self._parking is None or get_ident() != self._thread:
+            return None
+        self._write_noted()
+        return self._parking.wait(steps, reads)

@@ -1,6 +1,6 @@
 """The robot of one program, on the host's side: the calls that arrive, and their recording."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import partial
 from typing import Any
 
@@ -88,6 +88,15 @@ class HostedRobot:
             raise RobotConnectionError(
                 "run-call-failed", function=function, reason=_reason(error)
             ) from error
+
+    def answer_on_waking(self, reads: Iterable[int]) -> messages.Answer | messages.Failed:
+        """What a program is answered that wakes now, with the readings of these devices."""
+        assert self.world.simulation is not None  # noqa: S101 - only a simulated program sleeps
+        try:
+            readings = [self.call(index, "read", ()) for index in reads]
+        except LearnBlockError as error:
+            return failure(error)
+        return messages.Answer((self.world.simulation.steps, readings))
 
     def check_link(self) -> None:
         """Check that a real robot can still be reached.

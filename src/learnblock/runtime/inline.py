@@ -108,7 +108,7 @@ class InlineLink(Link[Incoming]):
 
     def __init__(self, incoming: Any, run_other: Callable[[], None]) -> None:
         super().__init__(incoming)
-        self._run_other = run_other
+        self.run_other = run_other
         self._queue: list[Any] = []
         self._queued = 0
         self._error: Exception | None = None
@@ -139,6 +139,9 @@ class InlineLink(Link[Incoming]):
     def offer(self, at_once: AtOnce | None) -> None:
         self.other.at_once = at_once
 
+    def give_turn(self) -> None:
+        self.other.run_other()
+
     def fail(self, error: Exception) -> None:
         self.offer(None)
         self._error = error
@@ -159,7 +162,7 @@ class InlineLink(Link[Incoming]):
                 error, self._error = self._error, None
                 raise error
             self._require_open()
-            self._run_other()
+            self.run_other()
             if timeout is not None and not self._messages:
                 return None
         return self._messages.popleft()
@@ -189,7 +192,7 @@ class ProgramsEnd(InlineLink[FromHost]):
 
     def flush(self) -> None:
         super().flush()
-        self._run_other()
+        self.run_other()
 
 
 def stays_the_same(message: Message) -> bool:

@@ -11,7 +11,9 @@ from learnblock.errors import DeviceValueError, RobotConnectionError
 from learnblock.runtime.messages import (
     LARGEST,
     LARGEST_LOGGED,
+    Answer,
     Command,
+    Failed,
     FromHost,
     Logged,
     Message,
@@ -71,6 +73,12 @@ class AtOnce(Protocol):
         """Let so many steps of the world pass; return its step counter.
 
         None if that needs a message.
+        """
+
+    def sleep(self, steps: int, reads: tuple[int, ...]) -> Answer | Failed | None:
+        """Let others have their turns for so many steps of the world; see `Sleep`.
+
+        Returns the answer; None if that needs a message, as when the program is being stopped.
         """
 
 
@@ -153,6 +161,10 @@ class Link(Generic[Incoming]):
 
     def offer(self, at_once: "AtOnce | None") -> None:
         """Offer the other end what needs no message if it is in this thread; None ends that."""
+
+    def give_turn(self) -> None:
+        """Let this end run on behalf of the other one; only needed by one that offers functions."""
+        raise NotImplementedError
 
     def fail(self, error: Exception) -> None:
         """Raise an error in the next `receive`; only needed by the end that offers functions."""

@@ -31,7 +31,7 @@ from learnblock.runtime.status import State
 from learnblock.runtime.supervision import Supervision
 from learnblock.runtime.validation import Validator, refused
 from learnblock.runtime.variables import VariableReports
-from learnblock.runtime.waiting import Waiting
+from learnblock.runtime.waiting import Parking, Waiting
 from learnblock.runtime.watcher import Watcher
 from learnblock.runtime.world import HostedSimulation, ProgramWorld
 
@@ -57,7 +57,8 @@ class Run:
         log: keeps what the program does; None for no log.
     """
 
-    _wait: Callable[[int], int | None] | None = None  # see `_waiting`
+    _wait: Callable[[int], int | None] | None = None  # see `_offer`
+    _parking: Parking | None = None
 
     def __init__(
         self,
@@ -141,15 +142,11 @@ class Run:
 
     def release(self) -> None:
         """Wake the program at the current step of its world; it then has to be served."""
-        assert self.simulation is not None  # noqa: S101 - only a simulated program parks
         self.wake = None
         with self._talking() as conversation:
-            try:
-                readings = [self.robot.call(index, "read", ()) for index in self._reads]
-            except LearnBlockError as error:
-                conversation.send(failure(error))
-            else:
-                conversation.send(messages.Answer((self.simulation.steps, readings)))
+            answer = self.robot.answer_on_waking(self._reads)
+            if not (self._parking and self._parking.wake(answer)):
+                conversation.send(answer)
 
     def look(self) -> None:
         """Serve debugger and variables while the program waits for its world."""
@@ -293,22 +290,25 @@ class Run:
         answer = self.robot.connect(message)
         if isinstance(answer, messages.Connected):
             self.supervision.note_call()
-            self._wait = self._waiting()
             self._offer()
         self._send(answer)
 
     def _offer(self) -> None:
-        """Offer a program that shares this thread to do at once what takes no time."""
-        if self.recorder and self._conversation and self.simulation and self._is_unwatched:
-            calls = DirectCalls(self.robot, self.recorder, self._conversation, self._wait)
-            self._conversation.offer(calls)
-
-    def _waiting(self) -> Callable[[int], int | None] | None:
-        """What lets time pass for this program, if only its run depends on that."""
+        """Offer a program that shares this thread to do at once what needs no message."""
+        if not (self.recorder and self._conversation and self.simulation):
+            return
         is_looked_at = type(self.watcher).tick is not Watcher.tick or self._log is not None
-        if self.simulation is None or not self.world.is_private or is_looked_at:
-            return None
-        return Waiting(self.simulation, self.supervision, self._is_ending).wait
+        if self.world.is_private and not is_looked_at:
+            self._wait = Waiting(self.simulation, self.supervision, self._is_ending).wait
+        elif not is_looked_at:
+            self._parking = Parking(self._conversation, self._park)
+        if self._is_unwatched:
+            more = self._conversation, self._wait, self._parking
+            self._conversation.offer(DirectCalls(self.robot, self.recorder, *more))
+
+    def _park(self, steps: int, reads: tuple[int, ...]) -> None:
+        assert self.simulation is not None  # noqa: S101 - see `validation`
+        self.wake, self._reads = self.simulation.steps + steps, reads
 
     def _is_ending(self) -> bool:
         """Look around while the program waits; return whether its run is ending."""
@@ -338,8 +338,7 @@ class Run:
         self.supervision.note_call()
 
     def _on_sleep(self, message: messages.Sleep) -> None:
-        assert self.simulation is not None  # noqa: S101 - see `validation`
-        self.wake, self._reads = self.simulation.steps + message.steps, message.reads
+        self._park(message.steps, message.reads)
         # Nothing else waits for this world, and nobody watches it: the answer needs no turn.
         if self._wait and self._wait(message.steps) is not None:
             self.release()

@@ -98,7 +98,17 @@ class Wire:
             if at is not None:
                 self._fresh = {index: self.call(index, "read") for index in reads}
                 return at
+            answer = self._at_once.sleep(min(steps, MOST_WAITED), reads)
+            if answer is not None:
+                return self._woken(answer, reads)
         woke, readings = self.ask(Sleep(min(steps, MOST_WAITED), reads))
+        self._fresh = dict(zip(reads, readings, strict=True))
+        return int(woke)
+
+    def _woken(self, answer: Answer | Failed, reads: tuple[int, ...]) -> int:
+        if isinstance(answer, Failed):
+            raise _error(answer)
+        woke, readings = answer.value
         self._fresh = dict(zip(reads, readings, strict=True))
         return int(woke)
 
