@@ -19,10 +19,18 @@ ROBOTS = {
     "cozmo": ("Cozmo", ["Test wheels", "Test face", "Beep"], "Ground in the middle"),
     "ev3": ("LEGO EV3", ["Test wheels", "Beep"], "Distance in front"),
     "ebo": ("EBO", ["Test wheels", "Test face"], "Distance in front"),
+    "legoed": ("LEGO Education", ["Test wheels", "Test lamps", "Beep"], "Ground in the middle"),
     "spike": ("LEGO SPIKE Prime", ["Test wheels", "Test lamps", "Beep"], "Distance in front"),
     "thymio": ("Thymio II", ["Test wheels", "Test face", "Beep"], "Distance in front"),
 }
-NEEDS = {"cozmo": "pycozmo", "ev3": None, "ebo": None, "spike": "bleak", "thymio": "thymiodirect"}
+NEEDS = {
+    "cozmo": "pycozmo",
+    "ev3": None,
+    "ebo": None,
+    "legoed": "bleak",
+    "spike": "bleak",
+    "thymio": "thymiodirect",
+}
 
 
 @pytest.fixture

@@ -15,8 +15,6 @@ SHORT = [name for name in FIRST if TASKS[name][0] not in {"line", "red-line"}]
 VERDICTS = {name: running.runs_on(running.read(EXAMPLES / name)) for name in FIRST}
 #: A camera sees tags, faces and colours, an accelerometer feels hands: two twins have one.
 ON_TWO_TWINS = {"first/caught.bt", "first/face.bt", "first/red-line.bt", "first/tag.bt"}
-#: It waits for an obstacle nearer than 40 mm, and no nearer one is measured by SPIKE's sensor.
-TOO_NEAR = ("first/bump.bt", "sim-spike")
 DRIVE_ON = """
 main:
     function.move_straight(60)
@@ -27,7 +25,7 @@ end
 
 def runs_wholly(name, robot):
     verdict = VERDICTS[name][robot]
-    return verdict.runs and not verdict.missed and (name, robot) != TOO_NEAR
+    return verdict.runs and not verdict.missed
 
 
 @pytest.mark.parametrize(

@@ -57,6 +57,11 @@ function isReal({ name, simulated }: RobotChoice): boolean {
   return !simulated && !OTHER_SIMULATORS.has(name);
 }
 
+/** Whether a robot is one of LearnBlock's own twins. */
+export function isTwin({ simulated, ours = false }: RobotChoice): boolean {
+  return simulated && ours;
+}
+
 /** Whether real robots can be used; pupils of a class have simulated ones only. */
 export function hasReal(robots: readonly RobotChoice[]): boolean {
   return robots.some(({ simulated }) => !simulated);

@@ -30,13 +30,14 @@ TWINS: Mapping[str, str] = {
     "coppeliasim": "sim-ev3",
     "ebo": "sim-ebo",
     "ev3": "sim-ev3",
+    "legoed": "sim-legoed",
     "rcis": "sim-ebo",
     "spike": "sim-spike",
 }
 
 
 #: Robots with Bluetooth, which a page finds by itself if they are emulated at their usual place.
-BY_BLUETOOTH = frozenset({"spike"})
+BY_BLUETOOTH = frozenset({"legoed", "spike"})
 
 #: Robots that are emulated in another simulator, to which our worlds are converted.
 SIMULATED_ELSEWHERE = frozenset({"thymio"})

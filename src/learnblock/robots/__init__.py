@@ -23,10 +23,12 @@ _OURS = (
     "sim-ev3",
     "sim-cozmo",
     "sim-spike",
+    "sim-legoed",
     "coppeliasim",
     "cozmo",
     "ebo",
     "ev3",
+    "legoed",
     "rcis",
     "spike",
     "thymio",
@@ -72,6 +74,11 @@ def entries() -> dict[str, RobotEntry]:
     if _only_simulated():
         return {name: entry for name, entry in ours.items() if entry.simulated}
     return {**_users(), **_plugins(), **ours}
+
+
+def is_built_in(name: str) -> bool:
+    """Whether the robot with this name comes with LearnBlock."""
+    return name in _OURS
 
 
 def find(name: str) -> RobotEntry:

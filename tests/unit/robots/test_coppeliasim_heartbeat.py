@@ -5,8 +5,8 @@ from contextlib import contextmanager
 import pytest
 
 from learnblock.errors import RobotConnectionError
-from learnblock.robots.coppeliasim.heartbeat import PERIOD, Heartbeat
 from learnblock.robots.coppeliasim.simulation import STOPPED, SceneSimulation
+from learnblock.robots.heartbeat import PERIOD, Heartbeat
 from learnblock.testing import ManualClock
 
 RUNNING = 17

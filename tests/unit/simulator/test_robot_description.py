@@ -48,6 +48,14 @@ DEVICES = {
         "RGBLed:Right",
         "Speaker:ROBOT",
     },
+    "legoed": {
+        "Base:ROBOT",
+        "GroundSensors:ROBOT",
+        "Gyroscope:Z_AXIS",
+        "JointMotor:ARM",
+        "RGBLed:Status",
+        "Speaker:ROBOT",
+    },
     "spike": {
         "Base:ROBOT",
         "Bumper:ROBOT",
@@ -60,7 +68,7 @@ DEVICES = {
 }
 
 
-def test_the_five_robots_are_built_in() -> None:
+def test_the_six_robots_are_built_in() -> None:
     assert set(robot_names()) == set(DEVICES)
 
 

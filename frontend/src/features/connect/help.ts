@@ -6,6 +6,7 @@ const STEPS: Readonly<Record<string, readonly string[]>> = {
   thymio: ["on", "charged", "cable", "permission", "other"],
   ev3: ["on", "charged", "system", "network", "setup"],
   spike: ["on", "charged", "pybricks", "bluetooth", "other"],
+  legoed: ["on", "charged", "card", "bluetooth", "other"],
   ebo: ["on", "charged", "wifi", "other", "again"],
   rcis: ["started", "computer"],
   coppeliasim: ["started", "service", "other"],

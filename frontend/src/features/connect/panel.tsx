@@ -102,6 +102,13 @@ export function Connected({ show }: { show: (next: Aside) => void }) {
   );
 }
 
+/** The dBm from which a radio is good, and from which it is fair. */
+const [GOOD, FAIR] = [-65, -80];
+
+function strengthWord(signal: number): string {
+  return signal >= GOOD ? "good" : signal >= FAIR ? "fair" : "poor";
+}
+
 /** Picture, name, link and battery. */
 function About() {
   const { connect, project } = usePage();
@@ -140,7 +147,7 @@ function Link() {
   const { values } = usePage().connect;
   const now = values.value;
   if (!now) return <p class="dim">{t("page-connect-reading")}</p>;
-  const { weak = false, quality, charge, battery } = now;
+  const { weak = false, quality, signal } = now;
   return (
     <>
       <p class={weak ? "connect-weak" : "dim"}>
@@ -149,19 +156,30 @@ function Link() {
           {t(weak ? "page-connect-signal-weak" : "page-connect-signal-strong")}
           {lastHeard(now)}
           {typeof quality === "number" && quality < 1 && ` · ${Math.round(quality * 100)} %`}
+          {typeof signal === "number" && ` · ${t("page-connect-strength", { strength: strengthWord(signal), signal })}`}
         </span>
       </p>
-      {typeof battery === "number" && (
-        <p class={typeof charge === "number" && charge < 0.2 ? "connect-weak" : "dim"}>
-          <Icon name="battery" />
-          <span class="connect-text">
-            {typeof charge === "number"
-              ? t("page-connect-battery", { percent: Math.round(charge * 100), volts: battery.toFixed(1) })
-              : t("page-link-battery", { volts: battery.toFixed(1) })}
-          </span>
-        </p>
-      )}
+      <Battery now={now} />
     </>
+  );
+}
+
+/** How full the battery is, or else its voltage; nothing if the robot reports neither. */
+function Battery({ now: { charge, battery } }: { now: RobotValues }) {
+  const isKnown = typeof charge === "number";
+  const volts = typeof battery === "number" ? battery.toFixed(1) : "";
+  if (!isKnown && !volts) return null;
+  const percent = isKnown ? Math.round(charge * 100) : 0;
+  const words = !isKnown
+    ? t("page-link-battery", { volts })
+    : volts
+      ? t("page-connect-battery", { percent, volts })
+      : t("page-connect-full", { percent });
+  return (
+    <p class={isKnown && charge < 0.2 ? "connect-weak" : "dim"}>
+      <Icon name="battery" />
+      <span class="connect-text">{words}</span>
+    </p>
   );
 }
 

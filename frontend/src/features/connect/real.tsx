@@ -3,7 +3,7 @@
 import { useSignal } from "@preact/signals";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 
-import { say, t } from "../../i18n";
+import { say, t, translated } from "../../i18n";
 import type { Listed } from "../../model/connect";
 import { usePage } from "../../model/page";
 import { OTHER_SIMULATORS } from "../../model/robots";
@@ -216,6 +216,7 @@ function AwayRobot({ robot, show }: { robot: Listed; show: (next: Aside) => void
       <div class="connect-about">
         <strong>{title}</strong>
         <span class="dim">{t(state(robot))}</span>
+        {robot.addOn && <Licence robot={robot.robot} />}
         {robot.addOn && <AddOnText addOn={robot.addOn} />}
         {robot.addOn?.ours && <InstallButton robot={robot.robot} title={title} addOn={robot.addOn} />}
       </div>
@@ -230,6 +231,12 @@ function AwayRobot({ robot, show }: { robot: Listed; show: (next: Aside) => void
       </button>
     </li>
   );
+}
+
+/** What may not be done with an add-on whose licence is not free. */
+function Licence({ robot }: { robot: string }) {
+  const words = translated(`page-connect-licence-${robot}`, "");
+  return words ? <span class="dim">{words}</span> : null;
 }
 
 /** What the installer says, or how to install it in a terminal. */

@@ -3,20 +3,17 @@
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
 import { prefer, preferences } from "../../model/preferences";
-import { OTHER_SIMULATORS, plainTitle } from "../../model/robots";
+import { isTwin, OTHER_SIMULATORS, plainTitle } from "../../model/robots";
 import type { RobotChoice } from "../../protocol/messages";
 import { Icon } from "../../ui/icons";
 import { RobotPicture } from "../../ui/robots/picture";
-
-/** Our twins; the others are the user's. */
-const TWINS: ReadonlySet<string> = new Set(["sim-ebo", "sim-thymio", "sim-ev3", "sim-cozmo", "sim-spike"]);
 
 export function SimulatedRobots() {
   const { project } = usePage();
   const robots = project.welcome.value?.robots ?? [];
   const groups = [
-    { name: "twins", robots: robots.filter((one) => TWINS.has(one.name)) },
-    { name: "own", robots: robots.filter((one) => one.simulated && !TWINS.has(one.name)) },
+    { name: "twins", robots: robots.filter(isTwin) },
+    { name: "own", robots: robots.filter((one) => one.simulated && !isTwin(one)) },
     { name: "simulators", robots: robots.filter((one) => OTHER_SIMULATORS.has(one.name)) },
   ];
   return (

@@ -3,24 +3,20 @@
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
 import { prefer, preferences } from "../../model/preferences";
-import { hasReal, plainTitle } from "../../model/robots";
+import { hasReal, isTwin, plainTitle } from "../../model/robots";
 import type { RobotChoice } from "../../protocol/messages";
 import { Icon } from "../../ui/icons";
 import { RobotPicture } from "../../ui/robots/picture";
 import { kindTitle } from "../connect/names";
 
-/** The robots that are offered, in this order. */
-const SHOWN = ["sim-ebo", "sim-cozmo", "sim-thymio", "sim-ev3"];
-
 export function Robots() {
   const { dialogs, project } = usePage();
   const robots = project.welcome.value?.robots ?? [];
-  const shown = SHOWN.flatMap((name) => robots.find((one) => one.name === name) ?? []);
   return (
     <section class="start-card" aria-labelledby="start-robots" data-region="robots">
       <h2 id="start-robots">{t("page-start-robots")}</h2>
       <fieldset class="start-robots" aria-labelledby="start-robots">
-        {shown.map((robot) => (
+        {robots.filter(isTwin).map((robot) => (
           <Robot key={robot.name} robot={robot} />
         ))}
       </fieldset>

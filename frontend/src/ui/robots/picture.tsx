@@ -4,12 +4,22 @@ import { Icon } from "../icons";
 import cozmo from "./cozmo.webp";
 import ebo from "./ebo.webp";
 import ev3 from "./ev3.webp";
+import legoed from "./legoed.webp";
 import spike from "./spike.webp";
 import thymio from "./thymio.webp";
 import "./picture.css";
 
 /** By the robot's id without `sim-`; simulators show the robot in them. */
-const PICTURES: Readonly<Record<string, string>> = { cozmo, ebo, ev3, spike, thymio, rcis: ebo, coppeliasim: ev3 };
+const PICTURES: Readonly<Record<string, string>> = {
+  cozmo,
+  ebo,
+  ev3,
+  legoed,
+  spike,
+  thymio,
+  rcis: ebo,
+  coppeliasim: ev3,
+};
 
 interface Props {
   /** The robot's id. */

@@ -39,16 +39,20 @@ def scan(robot: str, address: str, service: str, seconds: float) -> Iterator[dic
         yield from ({"address": device.address} for device in devices)
 
 
-async def find(robot: str, address: str, service: str) -> "BLEDevice":
-    """The robot with an address or a name, or the first one with this service.
+async def find(robot: str, address: str, service: str) -> tuple["BLEDevice", int | None]:
+    """The robot with an address or a name, or the first one with this service, and its signal.
+
+    The signal is in dBm; a system tells it only until the robot is connected.
 
     Raises:
         RobotNotFoundError: there is none.
         RobotConnectionError: this computer's Bluetooth can't be used.
     """
     bleak = require("bleak", robot)
+    signals: dict[str, int] = {}
 
     def is_it(device: "BLEDevice", seen: "AdvertisementData") -> bool:
+        signals[device.address] = seen.rssi
         if address:
             return address.casefold() in {
                 device.address.casefold(),
@@ -62,7 +66,7 @@ async def find(robot: str, address: str, service: str) -> "BLEDevice":
     if device is None:
         code = "bluetooth-other-not-found" if address else "bluetooth-not-found"
         raise RobotNotFoundError(code, robot=robot, address=address, seconds=LOOKING)
-    return device
+    return device, signals.get(device.address)
 
 
 async def reachable(awaitable: Any) -> Any:

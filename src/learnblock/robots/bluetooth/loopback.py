@@ -13,6 +13,7 @@ hexadecimal.
 import json
 import socket
 from contextlib import suppress
+from typing import Any
 
 #: Where `learnblock emulate` listens, unless another emulator already does.
 HOME = "127.0.0.1:18816"
@@ -34,11 +35,16 @@ def place(address: str) -> tuple[str, int]:
     return host, int(port)
 
 
-def answers(address: str, service: str) -> bool:
-    """Whether an emulator of a robot with this service is there, and free."""
+def greeting(address: str) -> dict[str, Any]:
+    """What an emulated robot says of itself; empty if none is there, or free."""
     with suppress(OSError, ValueError), socket.create_connection(place(address), _SOON) as probe:
         probe.settimeout(_SOON)
         with probe.makefile("rb") as lines:
-            greeting = json.loads(lines.readline(LONGEST_LINE))
-            return service in greeting.get("services", {})
-    return False
+            words = json.loads(lines.readline(LONGEST_LINE))
+            return words if isinstance(words, dict) else {}
+    return {}
+
+
+def answers(address: str, service: str) -> bool:
+    """Whether an emulator of a robot with this service is there, and free."""
+    return service in greeting(address).get("services", {})

@@ -26,6 +26,9 @@ class Radio(Closing):
         clock: the clock of its limits.
         seconds: the time limit for finding and connecting it.
 
+    Attributes:
+        signal: how strong the robot's radio was when it was found, dBm; None for an emulated one.
+
     Raises:
         MissingPackageError: bleak is not installed.
         RobotNotFoundError: there is no such robot.
@@ -41,6 +44,7 @@ class Radio(Closing):
         seconds: float = 15.0,
     ) -> None:
         bleak = require("bleak", robot)
+        self.signal: int | None = None
         self._lost = asyncio.Event()
         # One at a time: BlueZ refuses a second one.
         self._writing = asyncio.Lock()
@@ -58,12 +62,12 @@ class Radio(Closing):
         return bytes(self.loop.run(self._client.read_gatt_char(characteristic), seconds))
 
     def write(self, characteristic: str, data: bytes, seconds: float) -> None:
-        """Write a characteristic; the robot has confirmed it at the end."""
+        """Write a characteristic; at the end the robot has confirmed it, if it confirms writes."""
         self.loop.run(self._written(characteristic, data), seconds)
 
     async def _written(self, characteristic: str, data: bytes) -> None:
         async with self._writing:
-            await self._client.write_gatt_char(characteristic, data, response=True)
+            await self._client.write_gatt_char(characteristic, data)
 
     def hear(self, characteristic: str, note: Callable[[bytes], None], seconds: float) -> None:
         """Call a function with each value that the robot notifies, in the loop's thread."""
@@ -90,7 +94,7 @@ class Radio(Closing):
             )
 
             return BleakClient(address, self._note_loss, backend=LoopbackClient)
-        device = await finding.find(robot, address, service)
+        device, self.signal = await finding.find(robot, address, service)
         return BleakClient(device, self._note_loss)
 
     def _note_loss(self, _: "BleakClient") -> None:

@@ -15,7 +15,6 @@ from learnblock.errors import MissingPackageError, RobotConnectionError
 from learnblock.i18n import Phrase
 from learnblock.robots import settings as user_settings
 from learnblock.robots.coppeliasim import named_parts, paper_scene
-from learnblock.robots.coppeliasim.heartbeat import Heartbeat
 from learnblock.robots.coppeliasim.named_parts import NamedParts
 from learnblock.robots.coppeliasim.paper_scene import PaperScene
 from learnblock.robots.coppeliasim.remote import Remote
@@ -24,6 +23,7 @@ from learnblock.robots.coppeliasim.script_scene import ScriptScene
 from learnblock.robots.coppeliasim.settings import Settings
 from learnblock.robots.coppeliasim.simulation import SceneSimulation
 from learnblock.robots.guardian import Guardian
+from learnblock.robots.heartbeat import Heartbeat
 from learnblock.robots.real import RealRobot
 from learnblock.storage.files import save
 from learnblock.storage.home import home

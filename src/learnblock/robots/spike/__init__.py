@@ -90,8 +90,10 @@ class Robot(RealRobot[Settings]):
             self._hub.check()
 
     def status(self) -> RobotStatus:
-        state = self._hub.known if self._hub else None
-        return RobotStatus(battery=state.battery if state else None)
+        if self._hub is None:
+            return RobotStatus()
+        state = self._hub.known
+        return RobotStatus(battery=state.battery if state else None, signal=self._hub.signal)
 
     def _follow(self, state: HubState) -> None:
         self._counts.follow(state.left, state.right)

@@ -7,7 +7,7 @@ from importlib import resources
 
 from learnblock.closing import Closing
 from learnblock.errors import LearnBlockError, RobotConnectionError
-from learnblock.robots.bluetooth import Radio
+from learnblock.robots.bluetooth import Radio, ReportLink
 from learnblock.robots.spike import lines, profile
 from learnblock.robots.spike.lines import HubState
 from learnblock.robots.spike.settings import Settings
@@ -17,10 +17,6 @@ from learnblock.timing import MONOTONIC, Deadline, SteadyClock
 AGENT = "agent.mpy"
 #: Seconds between two lines of an idle program: the hub stops its motors after 0.3.
 PULSE = 0.1
-#: Seconds without a report until the hub counts as gone; it reports 30 times a second.
-SILENCE = 2.0
-#: Seconds for which a report is new enough to be a reading.
-FRESH = 0.1
 #: The maximum number of characters of what a hub prints without ending the line.
 LONGEST_LINE = 500
 
@@ -51,13 +47,9 @@ class Hub(Closing):
     ) -> None:
         self._clock = clock
         self._on_state = on_state
-        self._changed = threading.Condition()
         self._printed = ""
         self._running = False
         self._greeting: str | None = None
-        self._error: LearnBlockError | None = None
-        self._state: HubState | None = None
-        self._heard = clock.now()
         self._wish = lines.pulse()
         self._pulse = Deadline.after(PULSE, clock)
         self._closed = threading.Event()
@@ -66,6 +58,7 @@ class Hub(Closing):
         self._radio = Radio(
             "spike", settings.address, profile.SERVICE, clock, seconds=settings.patience
         )
+        self._reports: ReportLink[HubState] = ReportLink(self._radio, clock)
         #: When the agent must run.
         self._beginning = Deadline.after(settings.patience, clock)
         try:
@@ -79,12 +72,17 @@ class Hub(Closing):
 
     @property
     def place(self) -> str:
-        return self._radio.loop.place
+        return self._reports.place
+
+    @property
+    def signal(self) -> int | None:
+        """How strong its radio was when it was found, dBm."""
+        return self._reports.signal
 
     @property
     def known(self) -> HubState | None:
         """The last report, however old."""
-        return self._state
+        return self._reports.known
 
     def latest(self) -> HubState:
         """A report that is at most 0.1 s old.
@@ -92,12 +90,7 @@ class Hub(Closing):
         Raises:
             RobotConnectionError: the hub does not report any more, or a motor is unplugged.
         """
-        with self._changed:
-            is_there = self._clock.wait_for(self._changed, self._is_fresh, SILENCE)
-            self._check()
-            if not is_there or self._state is None:
-                raise RobotConnectionError("robot-link-silent", place=self.place)
-            return self._state
+        return self._reports.latest()
 
     def drive(self, left: float, right: float) -> None:
         """Turn the wheels until the next command: degrees/s, forward positive."""
@@ -122,13 +115,13 @@ class Hub(Closing):
         Raises:
             RobotConnectionError: it does not.
         """
-        with self._changed:
-            self._check()
+        self._reports.check()
 
     def close(self) -> None:
         """Stop the agent, and with it the motors, and close the connection."""
         if not self._closed.is_set():
             self._closed.set()
+            self._reports.close()
             # Not if the connection is broken: then the agent ends by itself.
             with suppress(LearnBlockError):
                 self._write(bytes([profile.HubCommand.STOP_PROGRAM]))
@@ -181,27 +174,8 @@ class Hub(Closing):
         self._radio.write(profile.COMMAND_EVENT, command, self._beginning.left)
 
     def _wait_for(self, predicate: Callable[[], bool]) -> None:
-        with self._changed:
-            if not self._clock.wait_for(
-                self._changed, lambda: predicate() or bool(self._error), self._beginning.left
-            ):
-                raise RobotConnectionError("spike-not-started", place=self.place)
-            if self._error:
-                raise self._error
-
-    def _is_fresh(self) -> bool:
-        is_new = self._state is not None and self._clock.now() - self._heard < FRESH
-        return is_new or bool(self._error)
-
-    def _check(self) -> None:
-        """Check it, with the condition held."""
-        self._radio.check()
-        if self._error:
-            raise RobotConnectionError(self._error.phrase.code, **self._error.phrase.values)
-        if self._closed.is_set():
-            raise RobotConnectionError("robot-link-closed", place=self.place)
-        if self._clock.now() - self._heard > SILENCE:
-            raise RobotConnectionError("robot-link-silent", place=self.place)
+        if not self._reports.wait_for(predicate, self._beginning.left):
+            raise RobotConnectionError("spike-not-started", place=self.place)
 
     def _keep_alive(self) -> None:
         while not self._clock.wait(self._closed, self._pulse.left):
@@ -215,14 +189,14 @@ class Hub(Closing):
 
     def _note(self, event: bytes) -> None:
         """Take an event of the hub, in the thread of the connection."""
-        with self._changed:
+        with self._reports.changed:
             try:
                 self._take(event)
             except ValueError:
-                self._error = self._error or RobotConnectionError("spike-garbled", place=self.place)
+                self._reports.fail(RobotConnectionError("spike-garbled", place=self.place))
             except LearnBlockError as error:
-                self._error = self._error or error
-            self._changed.notify_all()
+                self._reports.fail(error)
+            self._reports.changed.notify_all()
 
     def _take(self, event: bytes) -> None:
         kind, payload = event[:1], event[1:]
@@ -247,5 +221,5 @@ class Hub(Closing):
         elif self._greeting:
             state = lines.state(line)
             if state:
-                self._state, self._heard = state, self._clock.now()
+                self._reports.note(state)
                 self._on_state(state)

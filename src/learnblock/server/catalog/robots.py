@@ -23,7 +23,12 @@ def robot_choices() -> tuple[RobotChoice, ...]:
     """The available robots."""
     names = given_names()
     choices = map(_robot_choice, robots.entries().values())
-    return tuple(structs.replace(choice, given=names.get(choice.name, "")) for choice in choices)
+    return tuple(
+        structs.replace(
+            choice, given=names.get(choice.name, ""), ours=robots.is_built_in(choice.name)
+        )
+        for choice in choices
+    )
 
 
 def _robot_choice(entry: robots.RobotEntry) -> RobotChoice:

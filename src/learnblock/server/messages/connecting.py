@@ -179,7 +179,8 @@ class RobotValues(ToPage, frozen=True):
         silence: milliseconds since its last message, if known.
         round_trip: milliseconds from a question to its answer, if known.
         battery: its voltage, V, if it reports it.
-        charge: how full the battery is, 0 to 1, estimated from its voltage.
+        charge: how full the battery is, 0 to 1, estimated from its voltage if need be.
+        signal: how strong its radio was when it was found, dBm, if known.
     """
 
     sensors: tuple[Sensor, ...] = ()
@@ -192,6 +193,7 @@ class RobotValues(ToPage, frozen=True):
     round_trip: int | None = None
     battery: float | None = None
     charge: float | None = None
+    signal: int | None = None
 
 
 class Correction(Struct, frozen=True):

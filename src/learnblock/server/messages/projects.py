@@ -199,6 +199,7 @@ class RobotChoice(Struct, frozen=True, omit_defaults=True):
         lacks: the needs of blocks that it can't serve, such as ``Pen``; see `learnblock.senses`.
         serves: what serves each sense that it has.
         given: the name given by the user; empty without one.
+        ours: whether it comes with LearnBlock.
     """
 
     name: str
@@ -207,6 +208,7 @@ class RobotChoice(Struct, frozen=True, omit_defaults=True):
     lacks: tuple[str, ...] = ()
     serves: Mapping[str, str] = {}
     given: str = ""
+    ours: bool = False
 
 
 class ExampleChoice(Struct, frozen=True, omit_defaults=True):

@@ -157,7 +157,8 @@ def _values(monitor: "Monitor", client: "Client") -> messages.RobotValues:
         silence=None if silence is None else round(silence * 100) * 10,
         round_trip=None if status.round_trip is None else round(status.round_trip * 1000),
         battery=_rounded(link.battery),
-        charge=_charge(client, link.battery),
+        charge=_charge(client, link.battery) if status.charge is None else status.charge,
+        signal=status.signal,
     )
 
 

@@ -29,6 +29,15 @@ def test_the_list_of_robots_loads_no_driver():
     }.isdisjoint(done)
 
 
+def test_a_robot_of_ours_is_told_from_a_users(tmp_path, monkeypatch):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path))
+    (tmp_path / "robots").mkdir()
+    (tmp_path / "robots" / "mine.py").write_text("from learnblock.robots.sim_ebo import Robot\n")
+    ours = {choice.name: choice.ours for choice in welcome("").robots}
+    assert ours.pop("mine") is False
+    assert set(ours.values()) == {True}
+
+
 def test_each_robot_says_what_serves_its_senses():
     serves = {choice.name: choice.serves for choice in welcome("").robots}
     assert serves["sim-thymio"]["black-line"] == "GroundSensors:line"

@@ -19,7 +19,7 @@ ROBOT = """
 from pathlib import Path
 from threading import Event
 
-from learnblock.client import Rights
+from learnblock.client import Rights, RobotStatus
 from learnblock.devices import Base, Display, DistanceSensors, Speaker
 from learnblock.errors import RobotConnectionError
 from learnblock.robots.calibration import Calibration
@@ -61,6 +61,9 @@ class Robot(RealRobot[Settings]):
         self.add(DistanceSensors(lambda: {{"front": [123.0]}}))
         self.add(Display(lambda emotion: self.note(f"show {{emotion}}")))
         self.add(Speaker(tone=lambda hertz, milliseconds: self.note("beep")))
+
+    def status(self):
+        return RobotStatus(charge=0.85, signal=-58)
 
     def disconnect(self):
         self.note("disconnect")
@@ -262,6 +265,8 @@ def test_its_values_are_reported_while_it_is_connected(page):
     while "sensors" not in (values := page.hear("RobotValues")):
         pass
     assert values["sensors"][0]["value"] == 123
+    # As the robot says, which reports no voltage.
+    assert (values["charge"], values["signal"]) == (0.85, -58)
 
 
 def test_the_test_of_the_wheels_drives_forward_and_back_and_stops(page, robot):

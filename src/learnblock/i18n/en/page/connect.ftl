@@ -29,6 +29,8 @@ page-connect-connect-named = Connect { $robot }
 page-connect-disconnect = Disconnect
 page-connect-connected = Connected
 page-connect-needs-add-on = Needs an add-on
+# The licence of an add-on that is not free.
+page-connect-licence-legoed = With LEGO's own package, which is not for commercial use
 page-connect-install = Install
 page-connect-install-named = Install what { $robot } needs
 page-connect-installing = Installing…
@@ -61,7 +63,14 @@ page-connect-signal-weak = Signal weak
 page-connect-heard = heard { $milliseconds } ms ago
 # How long a question to the robot and its answer take together.
 page-connect-answers = answers in { $milliseconds } ms
+# How strong the robot's radio was when it was found; $signal is in dBm.
+page-connect-strength = { $strength ->
+        [good] good reception
+        [fair] fair reception
+       *[poor] poor reception: go nearer
+    } ({ $signal } dBm when found)
 page-connect-battery = Battery about { $percent }% ({ $volts } V)
+page-connect-full = Battery { $percent }%
 page-connect-test-wheels = Test wheels
 page-connect-test-face = Test face
 page-connect-test-lamps = Test lamps
@@ -126,6 +135,16 @@ page-connect-help-thymio-permission-do = On Linux, run: sudo usermod -a -G dialo
 page-connect-help-thymio-other = Is Thymio free?
 page-connect-help-thymio-other-do = Close other programs that use Thymio, such as Aseba Studio or Scratch. Thymio Suite itself may stay open.
 
+page-connect-help-legoed-on = Is the Double Motor on?
+page-connect-help-legoed-on-do = Press its button until its light blinks. Do the same with the Color Sensor, the Controller and the Single Motor, if you use them.
+page-connect-help-legoed-charged = Are the devices charged?
+page-connect-help-legoed-charged-do = If one goes off by itself, charge it by its USB cable.
+page-connect-help-legoed-card = Do all devices have the same connection card?
+page-connect-help-legoed-card-do = Hold one card to each device of your robot, one after the other. In a class, each group has a card of its own.
+page-connect-help-legoed-bluetooth = Is this computer's Bluetooth on?
+page-connect-help-legoed-bluetooth-do = Switch it on in the system's settings, and allow LearnBlock to use it. The devices are not paired there: remove them from the list if they are.
+page-connect-help-legoed-other = Are the devices free?
+page-connect-help-legoed-other-do = Close other programs that use them, such as LEGO's Coding Canvas, on every computer and tablet nearby. Only one can use them at a time.
 page-connect-help-spike-on = Is the hub on?
 page-connect-help-spike-on-do = Press its round button. A Bluetooth light blinks until something connects to it.
 page-connect-help-spike-charged = Is the hub charged?

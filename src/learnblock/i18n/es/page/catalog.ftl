@@ -92,6 +92,7 @@ page-catalog-robot-coppeliasim = CoppeliaSim
 page-catalog-robot-cozmo = Cozmo
 page-catalog-robot-ebo = EBO
 page-catalog-robot-ev3 = LEGO EV3
+page-catalog-robot-legoed = LEGO Education
 page-catalog-robot-spike = LEGO SPIKE Prime
 page-catalog-robot-rcis = RCIS (RoboComp)
 page-catalog-robot-thymio = Thymio II

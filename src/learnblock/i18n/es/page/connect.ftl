@@ -26,6 +26,8 @@ page-connect-connect-named = Conectar { $robot }
 page-connect-disconnect = Desconectar
 page-connect-connected = Conectado
 page-connect-needs-add-on = Necesita un complemento
+# La licencia de un complemento que no es libre.
+page-connect-licence-legoed = Con el paquete propio de LEGO, que no es para uso comercial
 page-connect-install = Instalar
 page-connect-install-named = Instalar lo que necesita { $robot }
 page-connect-installing = Instalando…
@@ -57,7 +59,14 @@ page-connect-signal-weak = Señal débil
 page-connect-heard = oído hace { $milliseconds } ms
 # How long a question to the robot and its answer take together.
 page-connect-answers = responde en { $milliseconds } ms
+# La fuerza de la radio del robot cuando se encontró; $signal está en dBm.
+page-connect-strength = { $strength ->
+        [good] buena recepción
+        [fair] recepción regular
+       *[poor] mala recepción: acércate
+    } ({ $signal } dBm al encontrarlo)
 page-connect-battery = Batería al { $percent } % aprox. ({ $volts } V)
+page-connect-full = Batería al { $percent } %
 page-connect-test-wheels = Probar ruedas
 page-connect-test-face = Probar cara
 page-connect-test-lamps = Probar luces
@@ -119,6 +128,16 @@ page-connect-help-thymio-permission-do = En Linux, ejecuta: sudo usermod -a -G d
 page-connect-help-thymio-other = ¿Está libre Thymio?
 page-connect-help-thymio-other-do = Cierra otros programas que usen Thymio, como Aseba Studio o Scratch. Thymio Suite puede seguir abierta.
 
+page-connect-help-legoed-on = ¿Está encendido el Motor doble?
+page-connect-help-legoed-on-do = Pulsa su botón hasta que parpadee la luz. Haz lo mismo con el sensor de color, el mando y el Motor simple, si los usas.
+page-connect-help-legoed-charged = ¿Tienen batería los dispositivos?
+page-connect-help-legoed-charged-do = Si uno se apaga solo, cárgalo con su cable USB.
+page-connect-help-legoed-card = ¿Tienen todos los dispositivos la misma tarjeta de conexión?
+page-connect-help-legoed-card-do = Acerca una misma tarjeta a cada dispositivo de tu robot, uno tras otro. En una clase, cada grupo tiene su tarjeta.
+page-connect-help-legoed-bluetooth = ¿Está encendido el Bluetooth de este ordenador?
+page-connect-help-legoed-bluetooth-do = Enciéndelo en los ajustes del sistema y deja que LearnBlock lo use. Los dispositivos no se emparejan allí: si están en la lista, quítalos.
+page-connect-help-legoed-other = ¿Están libres los dispositivos?
+page-connect-help-legoed-other-do = Cierra otros programas que los usen, como Coding Canvas de LEGO, en todos los ordenadores y tabletas cercanos. Solo uno puede usarlos a la vez.
 page-connect-help-spike-on = ¿Está encendido el hub?
 page-connect-help-spike-on-do = Pulsa su botón redondo. La luz de Bluetooth parpadea hasta que algo se conecta.
 page-connect-help-spike-charged = ¿Tiene batería el hub?

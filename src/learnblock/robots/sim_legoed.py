@@ -1,0 +1,9 @@
+"""The twin of LEGO Education's Double Motor in the embedded simulator."""
+
+from learnblock.robots.simulated import SimulatedRobot
+
+
+class Robot(SimulatedRobot):
+    """A car with a Double Motor, a Color Sensor and a Single Motor, simulated."""
+
+    description_name = "legoed"
