@@ -16,6 +16,7 @@ from msgspec import Meta
 
 from learnblock.i18n import Phrase
 from learnblock.runtime.limits import Limits
+from learnblock.scores import Change
 from learnblock.wheels import Drivetrain
 
 #: The largest message of a child, in bytes; `Logged` and pictures may be larger.
@@ -237,6 +238,21 @@ class Keys(Message, frozen=True):
     """Request the keys of the keyboard that are held down; the answer is their names."""
 
 
+class ChangeGame(Message, frozen=True):
+    """Change what counts in the game that the robot plays, or end it."""
+
+    change: Change
+    amount: float
+
+
+class AskGame(Message, frozen=True):
+    """Request how the game stands; the answer is a `Standing`."""
+
+
+class CollectNews(Message, frozen=True):
+    """Request the news of the game that have arrived; the answer is a list of their names."""
+
+
 class Disconnect(Message, frozen=True):
     """The program has stopped its robot."""
 
@@ -385,6 +401,9 @@ FromChild = (
     | Send
     | Collect
     | Keys
+    | ChangeGame
+    | AskGame
+    | CollectNews
     | Disconnect
     | Steps
     | Line
