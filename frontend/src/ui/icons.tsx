@@ -150,6 +150,7 @@ const ICONS = {
   down: ChevronDown,
   download: Download,
   drive: Gamepad2,
+  game: Gamepad2,
   edit: Pencil,
   error: CircleAlert,
   events: Flag,

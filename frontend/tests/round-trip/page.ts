@@ -21,6 +21,7 @@ const ACTIONS: BlockActions = {
   draw: nothing,
   show: nothing,
   shownBlocks: () => ({ name: "everything" }),
+  inGame: () => true,
   robot: () => ({ title: "", lacks: new Set(), all: [], serving: () => "" }),
   customBlocks: () => new Set(),
   tagNames: () => [],

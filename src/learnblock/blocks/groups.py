@@ -1,4 +1,4 @@
-"""The nine groups of the palette: each has a colour and an icon on the page, and its first blocks.
+"""The ten groups of the palette: each has a colour and an icon on the page, and its first blocks.
 
 A group gathers several categories, which are its headings. It first shows the few blocks that most
 programs begin with; the others follow on request.
@@ -26,7 +26,7 @@ class Section:
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """One of the nine groups.
+    """One of the ten groups.
 
     Args:
         name: its name for the page, which knows its colour and icon.
@@ -95,6 +95,15 @@ GROUPS = (
         (
             _section("function.sleep controls_repeat_ext lb_forever controls_if controls_if:else"),
             _section("lb_wait_until controls_whileUntil"),
+        ),
+    ),
+    Group(
+        "game",
+        ("Game",),
+        (
+            _section("function.change_score function.show_score function.change_lives"),
+            _section("function.win_game function.game_over"),
+            _section("function.get_score function.get_lives function.get_time_left"),
         ),
     ),
     Group(

@@ -3,7 +3,14 @@
 from collections.abc import Mapping
 from types import MappingProxyType
 
-_SKILLS = ("is_key_pressed", "is_bumped", "is_front_obstacle", "received")
+_SKILLS = (
+    "is_key_pressed",
+    "is_bumped",
+    "is_front_obstacle",
+    "received",
+    "collected",
+    "is_time_up",
+)
 
 
 def ready_hat(skill: str) -> str:

@@ -14,9 +14,10 @@ from learnblock.client.announced import Announced
 from learnblock.client.clock import Clock, WallClock
 from learnblock.client.driver import Driver
 from learnblock.client.events import Events
+from learnblock.client.game import Game, OwnPlay
 from learnblock.client.keyboard import Keyboard
 from learnblock.client.mailbox import Mailbox
-from learnblock.client.observers import Observer
+from learnblock.client.observers import Observer, Witness
 from learnblock.client.operations import Operations
 from learnblock.client.readings import (
     READING,
@@ -45,6 +46,7 @@ from learnblock.errors import (
     RobotStoppedError,
     nearest,
 )
+from learnblock.scores import GameEvent
 
 D = TypeVar("D", bound=Device)
 
@@ -119,6 +121,9 @@ class Client(Announced, Driver, Events):
         self.mailbox = Mailbox()
         #: The keyboard of the computer that runs the program.
         self.keyboard = Keyboard()
+        #: The game that it plays; without a world, it keeps its own.
+        self.game = Game(OwnPlay(self.clock.time, self._report_game))
+        self._witness: Witness | None = None
         self.senses = Senses(self)
         #: What its driver calls by name.
         self.operations = Operations()
@@ -324,7 +329,14 @@ class Client(Announced, Driver, Events):
             raise RobotAttributeError("robot-unknown-skill", name=name)
         raise RobotAttributeError("robot-unknown-skill-like", name=name, suggestion=suggestion)
 
+    def observe(self, witness: Witness) -> None:
+        self._witness = witness
+
     # Helpers of the methods above.
+
+    def _report_game(self, event: GameEvent) -> None:
+        if self._witness:
+            self._witness.game(event)
 
     def _make_readings(self) -> Readings:
         if self.clock.instant is not None:
@@ -422,7 +434,7 @@ class Client(Announced, Driver, Events):
 
     @contextmanager
     def _snapshot(self) -> Iterator[None]:
-        with self._readings.snapshot(), self.mailbox.snapshot():
+        with self._readings.snapshot(), self.mailbox.snapshot(), self.game.snapshot():
             yield
 
     def _begin_pass(self) -> None:

@@ -57,7 +57,7 @@ class Driver:
         return None
 
     def observe(self, witness: Witness) -> None:
-        """Report events in the robot's world to a witness; only simulated robots do this."""
+        """Report events to a witness: what happens in the robot's world, and in its game."""
 
     def check_link(self) -> None:
         """Check that the robot can still be reached; called several times a second.

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Any, Literal, Protocol
 
 from learnblock.devices import Pose
+from learnblock.scores import GameEvent
 
 
 class Observer(Protocol):
@@ -34,6 +35,9 @@ class Witness:
 
     def collision(self, time: float, thing: str) -> None:
         """Record that the robot bumped into a thing of its world."""
+
+    def game(self, event: GameEvent) -> None:
+        """Record what happened in the game that the robot plays."""
 
     def stroke(
         self,

@@ -44,6 +44,7 @@ _MODULES = (
     "cozmo",
     "messages",
     "keyboard",
+    "game",
     "handling",
     "music",
 )

@@ -26,6 +26,7 @@ from learnblock.i18n import Phrase
 from learnblock.i18n.names import goal_phrase
 from learnblock.simulator import WorldDescription
 from learnblock.simulator.geometry import Pose
+from learnblock.simulator.goal import RobotState
 from learnblock.simulator.goal_description import (
     AnyGoal,
     Avoid,
@@ -36,7 +37,7 @@ from learnblock.simulator.goal_description import (
     Tour,
     Visit,
 )
-from learnblock.simulator.goals import FollowGoal, RobotState
+from learnblock.simulator.goals import FollowGoal
 
 #: Degrees by which the way between the places of a tour turns at a corner.
 _CORNER = 30

@@ -120,6 +120,35 @@ class GoalNow(Struct, frozen=True):
     time: float | None
 
 
+class PlayerNow(Struct, frozen=True):
+    """A robot that plays: its name in the world, its score and its lives; None without lives."""
+
+    name: str
+    score: float
+    lives: int | None
+
+
+class GameNow(Struct, frozen=True, omit_defaults=True):
+    """The current state of a world's game.
+
+    Args:
+        players: the robots that play.
+        time_left: seconds of the countdown; None without one.
+        things: (x mm, y mm) of each collectable, in the order of the world's description; None
+            where it has been collected.
+        doors: whether each door is open.
+        won: whether the game has been won; None while it goes on.
+        reason: why it has ended, or what ended it.
+    """
+
+    players: tuple[PlayerNow, ...]
+    time_left: float | None = None
+    things: tuple[tuple[float, float] | None, ...] = ()
+    doors: tuple[bool, ...] = ()
+    won: bool | None = None
+    reason: str = ""
+
+
 class Seen(Struct, frozen=True, omit_defaults=True):
     """A finding of perception in a camera's picture.
 
@@ -161,9 +190,10 @@ class State(Struct, frozen=True):
         time: seconds of the robot's time.
         robots: ours first.
         pushed: (x, y, heading) of movable objects, in the order of the world's description: boxes
-            with a mass first, then cylinders.
+            with a mass first, then cylinders, and what moves by itself.
         sensors: the readings of our robot.
         goals: the world's goals.
+        game: its game; None if nothing has to do with one.
     """
 
     time: float
@@ -171,6 +201,7 @@ class State(Struct, frozen=True):
     pushed: tuple[Pose, ...] = ()
     sensors: tuple[Sensor, ...] = ()
     goals: tuple[GoalNow, ...] = ()
+    game: GameNow | None = None
 
 
 # Why: docs/decisions.md, "The page watches through a monitor"

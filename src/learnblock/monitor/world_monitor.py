@@ -11,6 +11,7 @@ import msgspec
 
 from learnblock.devices import Pose
 from learnblock.errors import LearnBlockError
+from learnblock.monitor.games import game_now
 from learnblock.monitor.manual_drive import ManualDrive
 from learnblock.monitor.monitor import (
     GoalNow,
@@ -91,6 +92,7 @@ class WorldMonitor:
         with simulation.lock:
             world = simulation.world
             pushed = [thing.pose for thing in world.physics.pushed]
+            pushed += [solid.pose for solid in world.game.solids]
             return State(
                 time=world.time,
                 robots=tuple(map(_robot_now, self._bodies(world))),
@@ -100,6 +102,7 @@ class WorldMonitor:
                     GoalNow(goal.name, goal.kind, goal.state, goal.time)
                     for goal in map(goal_of, world.goals)
                 ),
+                game=game_now(world.game, world.time),
             )
 
     def place(self, x: float, y: float, heading: float) -> None:

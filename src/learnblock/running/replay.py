@@ -17,10 +17,12 @@ from learnblock import robots
 from learnblock.client import Witness
 from learnblock.devices import Pose
 from learnblock.errors import LearnBlockError
-from learnblock.robots.simulated import SimulatedRobot, Simulation
+from learnblock.robots.simulated import SimulatedRobot, Simulation, repeat_game
 
 #: The keys of the lines that matter; most lines of a trace have others.
-_MARKS = (b'"run":', b'"device":', b'"pose":', b'"placed":', b'"goal":', b'"end":')
+_MARKS = tuple(
+    f'"{name}":'.encode() for name in ("run", "device", "pose", "placed", "goal", "game", "end")
+)
 _STEPS_PER_SECOND = 100
 Seen = tuple[Any, ...]
 
@@ -121,6 +123,7 @@ class _Stage:
         robot = self._simulation.world.robots[name]
         match line:
             case {"run": _}:
+                self._simulation.world.game.join(name, time)
                 eye = self._simulation.witnesses[name] = _Eye(name, self.repeated)
                 eye.pose(self._simulation.time(), robot.pose)
             case {"device": "Base", "do": "move", "args": args}:
@@ -129,6 +132,8 @@ class _Stage:
                 robot.show_emotion(emotion)
             case {"placed": pose}:
                 self._simulation.place(name, *pose)
+            case {"game": _}:
+                repeat_game(self._simulation, name, line)
             case {"pose": pose}:
                 self.recorded.append((name, "pose", time, pose))
             case {"goal": goal, "state": state}:

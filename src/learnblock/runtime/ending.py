@@ -42,6 +42,11 @@ class Ending:
         return self.how in {How.FINISHED, How.TIME_LIMIT, How.STOPPED}
 
     @classmethod
+    def of_game(cls) -> "Ending":
+        """The end of a run whose game has ended."""
+        return cls(How.FINISHED, Phrase("run-finished"))
+
+    @classmethod
     def time_is_up(cls, seconds: float) -> "Ending":
         """The end of a run after its time limit, in seconds of the robot's time."""
         return cls(How.TIME_LIMIT, Phrase("run-time-limit", seconds=seconds))

@@ -63,7 +63,9 @@ class Host:
             limit = self._last_step(simulation)
             wake = min([run.wake for run in parked if run.wake is not None])
             self._advance(simulation, min(wake, limit))
-            if simulation.steps >= limit:
+            if simulation.is_over:
+                self._stop(Ending.of_game())
+            elif simulation.steps >= limit:
                 self._stop(Ending.time_is_up(limit * simulation.dt))
             self._wake([run for run in parked if run.stopping or _is_due(run, simulation)])
 
@@ -84,7 +86,7 @@ class Host:
 
     def _advance(self, simulation: HostedSimulation, step: float) -> None:
         """Advance in short strides, so that a watcher sees progress during a long wait."""
-        while simulation.steps < step and not self._is_stopping:
+        while simulation.steps < step and not (self._is_stopping or simulation.is_over):
             simulation.advance(min(int(step), simulation.steps + STRIDE))
             self._look()
 

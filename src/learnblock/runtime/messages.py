@@ -16,6 +16,7 @@ from msgspec import Meta
 
 from learnblock.i18n import Phrase
 from learnblock.runtime.limits import Limits
+from learnblock.scores import Change
 from learnblock.wheels import Drivetrain
 
 #: The largest message of a child, in bytes; `Logged` and pictures may be larger.
@@ -243,6 +244,21 @@ class Stuck(Message, frozen=True):
     """The program is in a loop that it never leaves."""
 
 
+class ChangeGame(Message, frozen=True):
+    """Change what counts in the game that the robot plays, or end it."""
+
+    change: Change
+    amount: float
+
+
+class AskGame(Message, frozen=True):
+    """Request how the game stands; the answer is a `Standing`."""
+
+
+class CollectNews(Message, frozen=True):
+    """Request the news of the game that have arrived; the answer is a list of their names."""
+
+
 class Disconnect(Message, frozen=True):
     """The program has stopped its robot."""
 
@@ -392,6 +408,9 @@ FromChild = (
     | Collect
     | Keys
     | Stuck
+    | ChangeGame
+    | AskGame
+    | CollectNews
     | Disconnect
     | Steps
     | Line

@@ -16,6 +16,7 @@ from learnblock.runtime.trace import VERSION, VERSION_WITH_TURNS, Trace, encoded
 from learnblock.runtime.trace_sinks import about
 from learnblock.runtime.turns import CountedSteps
 from learnblock.runtime.values import is_small, plain
+from learnblock.scores import GameEvent
 
 #: The most steps of a program that wait to be written together.
 _NOTED_TOGETHER = 1000
@@ -199,6 +200,18 @@ class Recorder(Witness):
     def goal(self, time: float, name: str, state: str) -> None:
         self._mark(time, "goal", f"{name}: {state}")
         self._write_at(time, "goal", name, state=state)
+
+    def game(self, event: GameEvent) -> None:
+        """What happened in the game; only what has changed is written."""
+        counts = {
+            "thing": event.thing or None,
+            "score": event.score,
+            "lives": event.lives,
+            "lost": event.lost,
+            "seconds": event.seconds,
+        }
+        changed = {name: value for name, value in counts.items() if value is not None}
+        self._write_at(event.time, "game", event.kind, **changed)
 
     def collision(self, time: float, thing: str) -> None:
         # Not in the trace, whose lines are those of earlier versions.

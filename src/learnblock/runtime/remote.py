@@ -10,6 +10,7 @@ import msgspec
 from learnblock import skills as our_skills
 from learnblock.client import Client
 from learnblock.client.clock import Clock, WallClock
+from learnblock.client.game import Game
 from learnblock.client.keyboard import Keyboard
 from learnblock.client.mailbox import Mailbox
 from learnblock.devices import DEVICE_TYPES, Base, Device, Function
@@ -21,6 +22,7 @@ from learnblock.errors import (
 )
 from learnblock.i18n import Phrase
 from learnblock.runtime.claims import is_need
+from learnblock.runtime.hosts_play import HostsPlay
 from learnblock.runtime.lines import without_line_events
 from learnblock.runtime.lockstep import LockStepClock
 from learnblock.runtime.log.events import QUESTIONS
@@ -78,6 +80,7 @@ class RemoteRobot(Client):
         super().__init__(skills=skills, clock=clock, observer=_Notes(wire, noting))
         self.mailbox = Mailbox(partial(_send, wire, noting), _Letters(wire, self.clock).collect)
         self.keyboard = Keyboard(_HeldKeys(wire, self.clock).held)
+        self.game = Game(HostsPlay(wire, self.clock))
 
     @property
     def equipment(self) -> frozenset[str]:

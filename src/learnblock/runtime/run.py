@@ -19,6 +19,7 @@ from learnblock.runtime.direct_calls import DirectCalls
 from learnblock.runtime.dismissal import cause_of_death, dismiss
 from learnblock.runtime.ending import Ending, How
 from learnblock.runtime.events import EventSender
+from learnblock.runtime.hosted_game import HostedGame
 from learnblock.runtime.hosted_robot import HostedRobot, MakeRecorder, MakeRobot, failure
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.log.keeping import RunLog
@@ -107,6 +108,7 @@ class Run:
         self._has_sent = False
         #: The devices whose readings the program wants when it wakes.
         self._reads: tuple[int, ...] = ()
+        self._game = HostedGame(self.robot, self.supervision, self._send)
         events = EventSender(self.robot, self.watcher)
         self._is_unwatched = not events.shows_lines
         self._handlers = self._make_handlers(events)
@@ -272,6 +274,9 @@ class Run:
             messages.Collect: self._on_collect,
             messages.Keys: self._on_keys,
             messages.Stuck: lambda _: self._end_soon(self.supervision.no_call),
+            messages.ChangeGame: self._game.change,
+            messages.AskGame: self._game.answer,
+            messages.CollectNews: self._game.collect,
             messages.Steps: partial(self._on_steps, events),
             messages.Called: events.called,
             messages.Missing: events.missing,

@@ -95,6 +95,8 @@ class Supervision:
         if self._robot.client is not None and self._robot.world.simulation is None:
             # A real robot does not wait for its program, so long silence is not an error there.
             self._robot.check_link()
+            if self._robot.client.game.play.result:
+                return Ending.of_game()
             return self._check_time(self._robot.client.clock.time())
         if self._called:
             self._called = False

@@ -96,7 +96,7 @@ class Trace:
 
 
 #: What decides about a world, by the name of its line.
-_DECISIVE = frozenset({"again", "device", "end", "handled", "placed"})
+_DECISIVE = frozenset({"again", "device", "end", "game", "handled", "placed"})
 
 
 class MemberTrace(Trace):

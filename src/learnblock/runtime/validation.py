@@ -4,6 +4,7 @@ A program runs in the child, so it can send whatever it likes. The types of the 
 size of each field (`learnblock.runtime.messages`); here is checked what each field means.
 """
 
+import math
 import re
 from collections.abc import Callable, Collection, Mapping
 from typing import Any
@@ -66,6 +67,7 @@ class Validator:
             messages.Command: self._check_call,
             messages.Sleep: self._check_sleep,
             messages.Send: _check_send,
+            messages.ChangeGame: _check_change,
             messages.Called: _check_called,
             messages.Steps: self._check_steps,
             messages.Missing: self._check_missing,
@@ -180,6 +182,10 @@ def _check_called(message: messages.Called) -> None:
 
 def _check_send(message: messages.Send) -> None:
     _require(len(bytes(message.value)) <= messages.LARGEST_SENT, "a value that is too large")
+
+
+def _check_change(message: messages.ChangeGame) -> None:
+    _require(math.isfinite(message.amount), "an amount that is no number")
 
 
 def _require_skill(name: str) -> None:

@@ -39,10 +39,12 @@ class Waiting:
         wake = simulation.steps + steps
         if wake >= self._last:
             return None
-        while simulation.steps < wake:
+        while simulation.steps < wake and not simulation.is_over:
             if self._look():
                 return None
             simulation.advance(min(wake, simulation.steps + STRIDE))
+        if simulation.is_over:
+            return None
         self._supervision.note_time()
         return wake
 

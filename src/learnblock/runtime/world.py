@@ -29,8 +29,12 @@ class HostedSimulation(Protocol):
     def steps(self) -> int:
         """The number of steps made so far."""
 
+    @property
+    def is_over(self) -> bool:
+        """Whether its game has ended."""
+
     def advance(self, step: int, given_up: threading.Event | None = None) -> None:
-        """Advance until `steps` is `step`, or until `given_up` is set and the pacing woken."""
+        """Advance until `steps` is `step`, until the game ends, or until `given_up` is set."""
 
 
 class ProgramWorld:
@@ -112,5 +116,5 @@ class ProgramWorld:
 
 
 def _advance(simulation: HostedSimulation, last: float, ended: threading.Event) -> None:
-    while not ended.is_set() and simulation.steps < last:
+    while not ended.is_set() and simulation.steps < last and not simulation.is_over:
         simulation.advance(simulation.steps + 1, ended)

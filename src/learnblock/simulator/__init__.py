@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from learnblock.simulator.camera import CameraModel, CameraPose, CameraView, Surface, render
     from learnblock.simulator.drawing import PenStroke
-    from learnblock.simulator.goals import GoalState
+    from learnblock.simulator.goal import GoalState
     from learnblock.simulator.reachability import Unreachable, unreachable_goals
     from learnblock.simulator.robot_body import LogEntry, RobotBody
     from learnblock.simulator.robot_description import RobotDescription, load_robot, robot_names
@@ -50,7 +50,7 @@ __all__ = [
 _MODULES = {
     "camera": ("CameraModel", "CameraPose", "Surface", "CameraView", "render"),
     "drawing": ("PenStroke",),
-    "goals": ("GoalState",),
+    "goal": ("GoalState",),
     "reachability": ("Unreachable", "unreachable_goals"),
     "robot_body": ("LogEntry", "RobotBody"),
     "robot_description": ("RobotDescription", "load_robot", "robot_names"),

@@ -44,6 +44,7 @@ class Chassis:
     ) -> None:
         hull, self._wheels = description.body, description.wheels
         self._factors = 1 + errors[0], 1 + errors[1]
+        self._reach = hull.reach
         shape_of = _disc if hull.shape == "disc" else _box
         self._body, shape = shape_of(hull)
         self._control = pymunk.Body(body_type=pymunk.Body.KINEMATIC)
@@ -104,6 +105,12 @@ class Chassis:
         now = self._odometry.copy()
         now.roll(*self._uncounted)
         return now.pose
+
+    def touches(self, place: Point, radius: float) -> bool:
+        """Whether its hull is within so many mm of a place."""
+        if math.hypot(place[0] - self._x, place[1] - self._y) > radius + self._reach:
+            return False
+        return any(shape.point_query(place).distance <= radius for shape in self._body.shapes)
 
     def to_world(self, x: float, y: float) -> Point:
         """The world coordinates of a point on the robot (mm forward and left of its middle)."""

@@ -1,7 +1,7 @@
 """The goals in a world's file."""
 
 from collections.abc import Iterator
-from typing import Annotated
+from typing import Annotated, Literal
 
 from msgspec import Meta, Struct
 
@@ -17,6 +17,7 @@ from learnblock.simulator.description_types import (
     X,
     Y,
 )
+from learnblock.simulator.game.description import CollectableKind
 
 GoalName = Annotated[Name, Meta(description="shown on the page")]
 Radius = Annotated[float, Meta(ge=10, le=5000)]
@@ -131,6 +132,41 @@ class Avoid(AnyGoal, kw_only=True, frozen=True, forbid_unknown_fields=True):
     name: GoalName = "avoid"
 
 
+class GameGoal(AnyGoal, kw_only=True, frozen=True, forbid_unknown_fields=True):
+    """What all goals of games have."""
+
+    lose_nothing: Annotated[bool, Meta(description="whether losing a life makes it fail")] = False
+
+
+class Score(GameGoal, kw_only=True, frozen=True, forbid_unknown_fields=True):
+    """Have a score."""
+
+    points: Annotated[float, Meta(ge=0.1, le=1_000_000, description="the score to have")]
+    together: Annotated[bool, Meta(description="whether the scores of all robots are added up")] = (
+        False
+    )
+    name: GoalName = "score"
+
+
+class Collect(GameGoal, kw_only=True, frozen=True, forbid_unknown_fields=True):
+    """Collect things."""
+
+    kind: Annotated[
+        CollectableKind | Literal["anything"], Meta(description="what they have to be")
+    ] = "anything"
+    count: (
+        Annotated[int, Meta(ge=1, le=1000, description="how many; without it all there are")] | None
+    ) = None
+    name: GoalName = "collect"
+
+
+class Gates(GameGoal, kw_only=True, frozen=True, forbid_unknown_fields=True):
+    """Drive through all gates in their order."""
+
+    laps: Annotated[int, Meta(ge=1, le=100, description="how often")] = 1
+    name: GoalName = "gates"
+
+
 class Goals(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     """The goals of robots; checked every 50 ms, and when a robot's program ends."""
 
@@ -141,6 +177,9 @@ class Goals(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     stop: Annotated[tuple[Stop, ...], Meta(max_length=50)] = ()
     show: Annotated[tuple[Show, ...], Meta(max_length=50)] = ()
     avoid: Annotated[tuple[Avoid, ...], Meta(max_length=50)] = ()
+    score: Annotated[tuple[Score, ...], Meta(max_length=50)] = ()
+    collect: Annotated[tuple[Collect, ...], Meta(max_length=50)] = ()
+    gates: Annotated[tuple[Gates, ...], Meta(max_length=50)] = ()
 
     def all(self) -> Iterator[tuple[str, int, AnyGoal]]:
         """Each goal with its kind and its place among the goals of this kind."""

@@ -1,13 +1,13 @@
 """The goals of a world, and the progress of robots towards them."""
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Literal
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
 
+from learnblock.simulator.game.goals import game_goals
 from learnblock.simulator.geometry import Point, Pose, forward, wrapped
+from learnblock.simulator.goal import Goal, RobotState
 from learnblock.simulator.goal_description import (
-    AnyGoal,
     Avoid,
     Follow,
     Reach,
@@ -32,112 +32,6 @@ STILL = (2.0, 2.0)
 
 ROUNDING = 0.001
 """Seconds by which the difference of two rounded times may be too short."""
-
-GoalKind = Literal["reach", "follow", "visit", "tour", "stop", "show", "avoid"]
-
-
-@dataclass(frozen=True, slots=True)
-class RobotState:
-    """What goals see of a robot.
-
-    Args:
-        name: its name in the world.
-        time: the world's time in s.
-        pose: its pose.
-        emotion: the emotion that it shows.
-        distance: mm driven so far.
-        bumps: how often it bumped into something.
-        is_on_floor: whether its middle is above the floor.
-        has_ended: whether its program has ended, so that it stays where it is.
-    """
-
-    name: str
-    time: float
-    pose: Pose
-    emotion: str = "none"
-    distance: float = 0.0
-    bumps: int = 0
-    is_on_floor: bool = True
-    has_ended: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class GoalState:
-    """The state of a goal.
-
-    Args:
-        name: unique in the world.
-        kind: the kind of goal, as in a world's file.
-        progress: 0 to 1.
-        reached_at: when it was reached, in s, or None.
-        failed_at: when it could no longer be reached, in s, or None.
-        robot: the robot that reached it, or "".
-    """
-
-    name: str
-    kind: GoalKind
-    progress: float = 0.0
-    reached_at: float | None = None
-    failed_at: float | None = None
-    robot: str = ""
-
-    @property
-    def is_open(self) -> bool:
-        """Whether it is neither reached nor failed yet."""
-        return self.reached_at is None and self.failed_at is None
-
-
-class Goal:
-    """One goal, checked at regular intervals.
-
-    Args:
-        kind: as in `GoalState`.
-        described: the goal in the world's file.
-    """
-
-    def __init__(self, kind: GoalKind, described: AnyGoal) -> None:
-        self._described = described
-        self.state = GoalState(described.name, kind)
-        #: The goal that has to be reached before this one.
-        self.first: Goal | None = None
-
-    def look(self, time: float, robots: Iterable[RobotState]) -> None:
-        """Update the state from the current states of the robots."""
-        if not self.state.is_open:
-            return
-        if self.first is None or self.first.state.reached_at is not None:
-            self._look([robot for robot in robots if self._described.robot in (None, robot.name)])
-        limit = self._described.time_limit
-        is_late = limit is not None and time >= limit
-        is_lost = self.first is not None and self.first.state.failed_at is not None
-        if self.state.is_open and (is_late or is_lost):
-            self._fail(time)
-
-    def progress(self, robot: RobotState) -> float:
-        """The progress of a robot, 0 to 1."""
-        raise NotImplementedError
-
-    def can_reach(self, robot: RobotState) -> bool:  # noqa: ARG002 - most goals stay possible
-        """Whether a robot can still reach the goal."""
-        return True
-
-    def _look(self, robots: Sequence[RobotState]) -> None:
-        able = [robot for robot in robots if self.can_reach(robot)]
-        for robot in able:
-            if self.state.is_open:
-                self._note(robot, self.progress(robot))
-        if robots and not able:
-            self._fail(robots[0].time)
-
-    def _note(self, robot: RobotState, progress: float) -> None:
-        name, kind = self.state.name, self.state.kind
-        if progress >= 1.0:
-            self.state = GoalState(name, kind, 1.0, reached_at=robot.time, robot=robot.name)
-        elif progress > self.state.progress:
-            self.state = GoalState(name, kind, progress)
-
-    def _fail(self, time: float) -> None:
-        self.state = replace(self.state, failed_at=time)
 
 
 class ReachGoal(Goal):
@@ -347,6 +241,7 @@ def _made(world: WorldDescription, pushed: Mapping[str, Pushed]) -> Iterator[Goa
     yield from map(StopGoal, world.goal.stop)
     yield from map(ShowGoal, world.goal.show)
     yield from map(AvoidGoal, world.goal.avoid)
+    yield from game_goals(world)
 
 
 def _reaching(reach: Reach, pushed: Mapping[str, Pushed]) -> Goal:

@@ -15,8 +15,10 @@ from learnblock.i18n import Phrase
 from learnblock.simulator.chassis import Chassis
 from learnblock.simulator.drawing import Drawing
 from learnblock.simulator.floor import Floor
+from learnblock.simulator.game.game import Game
 from learnblock.simulator.geometry import Pose
-from learnblock.simulator.goals import GoalState, RobotState, goals
+from learnblock.simulator.goal import GoalState, RobotState
+from learnblock.simulator.goals import goals
 from learnblock.simulator.physics import DT, ROBOT, Physics, motion
 from learnblock.simulator.robot_body import RobotBody
 from learnblock.simulator.robot_description import RobotDescription
@@ -77,6 +79,7 @@ class World:
         self._chassis: list[Chassis] = []
         self.drawing = Drawing()
         self._goals = goals(description, self.physics.pushed)
+        self.game = Game(description, self.physics, seed, GOAL_PERIOD * DT)
         self._events: deque[WorldEvent] = deque(maxlen=EVENTS_KEPT)
         self._touched: set[tuple[str, str]] = set()
         self._bumps: Counter[str] = Counter()
@@ -126,6 +129,7 @@ class World:
         group = len(self.robots) + 1
         self.robots[name] = RobotBody(description, name, self, group, pose)
         self._chassis.append(self.robots[name].chassis)
+        self.game.add(name, self.robots[name].chassis)
         return self.robots[name]
 
     def step(self) -> None:
@@ -140,7 +144,14 @@ class World:
             self.drawing.extend()
         if self._touched:
             self._report_collisions()
-        if self._goals and self.steps % GOAL_PERIOD == 0:
+        if self.steps % GOAL_PERIOD == 0:
+            self._look()
+
+    def _look(self) -> None:
+        """Let things of games and robots meet, and check the goals."""
+        if self.game.is_live:
+            self.game.look(self.time)
+        if self._goals:
             self._check_goals(list(map(self._state_of, self.robots.values())))
 
     def copy(self) -> "World":
@@ -165,6 +176,7 @@ class World:
             *(motion(thing.body) for thing in self.physics.pushed),
             *self.goals,
             dict(self._bumps),
+            self.game.state,
         )
 
     def finish(self, name: str) -> None:
@@ -241,6 +253,7 @@ class World:
         for goal in filter(lambda goal: goal.state.is_open, self._goals):
             goal.look(self.time, robots)
             self._tell_end(goal.state)
+        self.game.judge(self.goals, self.time)
 
     def _state_of(self, robot: RobotBody) -> RobotState:
         pose = robot.chassis.pose
@@ -252,6 +265,10 @@ class World:
             robot.chassis.distance_driven,
             self._bumps[robot.name],
             self.floor.reaches(pose.x, pose.y),
+            score=self.game.scores.standing(robot.name, self.time).score,
+            lost_lives=self.game.scores.lost_lives(robot.name),
+            collected=self.game.scores.collected(robot.name),
+            gates=self.game.passed.get(robot.name, 0),
         )
 
     def _tell_end(self, state: GoalState) -> None:
@@ -275,12 +292,22 @@ class World:
             if key not in self._solids:
                 self._solids[key] = solid(pushed.thing)
             yield from self._solids[key].at(pushed.pose)
+        yield from self._solids_of_game()
         for name, robot in self.robots.items():
             key = f"robot {name}"
             if key not in self._solids:
                 self._solids[key] = hull(robot.description.body, name)
             if name != without:
                 yield from self._solids[key].at(robot.chassis.pose)
+
+    def _solids_of_game(self) -> "Iterator[Surface]":
+        from learnblock.simulator.scenery import solid  # noqa: PLC0415 - as above
+
+        for index, (thing, pose) in enumerate(self.game.visible()):
+            key = f"game {index} {thing.name}"
+            if key not in self._solids:
+                self._solids[key] = solid(thing)
+            yield from self._solids[key].at(pose)
 
 
 def _places_around(wanted: Pose, spacing: float) -> Iterator[Pose]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from learnblock.errors import UnknownNameError
 from learnblock.i18n import Phrase
+from learnblock.simulator.game.checks import THINGS, check_game
 from learnblock.simulator.world_description import Box, Cylinder, Face, Tag, WorldFile, thing_name
 from learnblock.storage.struct_types import KeyPath
 from learnblock.storage.toml_source import FileMistake
@@ -29,6 +30,7 @@ def check_world(world: WorldFile, folder: Path) -> Iterator[FileMistake]:
     yield from _check_names(world)
     yield from _check_goals(world)
     yield from _check_vary(world)
+    yield from check_game(world)
     if world.floor.picture is not None:
         yield from _check_picture(folder, world.floor.picture)
 
@@ -57,7 +59,7 @@ def _is_closed(line: "Polyline") -> bool:
 def _check_places(world: WorldFile) -> Iterator[FileMistake]:
     """Report objects outside the floor."""
     east, north = world.floor.size[0] / 2, world.floor.size[1] / 2
-    for key in ("box", "cylinder", "tag", "face", "light", "start"):
+    for key in ("box", "cylinder", "tag", "face", "light", "start", *THINGS):
         for index, thing in enumerate(getattr(world, key)):
             if abs(thing.x) > east or abs(thing.y) > north:
                 message = Phrase(

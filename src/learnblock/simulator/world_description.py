@@ -26,6 +26,15 @@ from learnblock.simulator.description_types import (
     X,
     Y,
 )
+from learnblock.simulator.game.description import (
+    Collectable,
+    Door,
+    GameRules,
+    Gate,
+    Mover,
+    Switch,
+    Zone,
+)
 from learnblock.simulator.geometry import Point, Pose, arc
 from learnblock.simulator.goal_description import Goals
 
@@ -268,6 +277,13 @@ class WorldFile(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     prop: Annotated[tuple[Prop, ...], Meta(max_length=100)] = ()
     start: Annotated[tuple[Start, ...], Meta(max_length=100)] = ()
     goal: Annotated[Goals, Meta(description="the goals of robots")] = Goals()
+    game: Annotated[GameRules, Meta(description="what holds for the whole game")] | None = None
+    collectable: Annotated[tuple[Collectable, ...], Meta(max_length=100)] = ()
+    zone: Annotated[tuple[Zone, ...], Meta(max_length=50)] = ()
+    gate: Annotated[tuple[Gate, ...], Meta(max_length=50)] = ()
+    mover: Annotated[tuple[Mover, ...], Meta(max_length=50)] = ()
+    door: Annotated[tuple[Door, ...], Meta(max_length=50)] = ()
+    switch: Annotated[tuple[Switch, ...], Meta(max_length=50)] = ()
     vary: Annotated[Vary, Meta(description="how variants of the world differ")] | None = None
 
 

@@ -12,7 +12,7 @@ from typing import Any
 from learnblock import robots
 from learnblock.client import endings
 from learnblock.errors import LearnBlockError
-from learnblock.robots.simulated import SimulatedRobot, Simulation, world_of_data
+from learnblock.robots.simulated import SimulatedRobot, Simulation, repeat_game, world_of_data
 from learnblock.runtime.log.noting import TICK
 from learnblock.simulator import World
 from learnblock.why.recorded import Recorded
@@ -20,7 +20,7 @@ from learnblock.why.recorded import Recorded
 #: The longest run that is run again, in s; an hour takes some seconds.
 LONGEST = 4 * 3600.0
 #: What decides about the world, by the name of its line in the trace.
-_DECISIVE = ("device", "again", "placed", "handled", "end")
+_DECISIVE = ("device", "again", "placed", "handled", "game", "end")
 #: The name of a robot that is alone in its world.
 NAME = "robot"
 #: Steps between two moments at which the world is kept, and the most of them.
@@ -208,6 +208,8 @@ class _Run:
                 self.simulation.place(name, *pose)
             case {"handled": how}:
                 self.simulation.handle(name, how)
+            case {"game": _}:
+                repeat_game(self.simulation, name, line)
             case {"end": _}:
                 self.simulation.finish(name)
 

@@ -29,6 +29,8 @@ HEADER = "from learnblock.robots.tiny import Robot\nrobot = Robot()\n"
 class TinyWorld:
     """A world in which only time passes."""
 
+    is_over = False
+
     def __init__(self, dt=0.01, seed=7):
         self.dt, self.seed, self.steps = dt, seed, 0
         self.pacing, self.lock = Pacing(), threading.RLock()

@@ -7,6 +7,7 @@ class World:
     """A world that only counts."""
 
     dt = 0.01
+    is_over = False
 
     def __init__(self):
         self.steps = 0

@@ -4,6 +4,7 @@ from typing import Any
 import pytest
 
 from learnblock.simulator.geometry import Pose
+from learnblock.simulator.goal import Goal, GoalState, RobotState
 from learnblock.simulator.goal_description import (
     AnyGoal,
     Avoid,
@@ -15,7 +16,7 @@ from learnblock.simulator.goal_description import (
     Tour,
     Visit,
 )
-from learnblock.simulator.goals import Goal, GoalState, RobotState, goals
+from learnblock.simulator.goals import goals
 from learnblock.simulator.physics import Physics
 from learnblock.simulator.world_description import Cylinder, Line, Part, Tag, WorldDescription
 

@@ -31,7 +31,8 @@ from learnblock.robots.thymio.frames import Frames
 from learnblock.robots.thymio.program import DONE, LEFT, RIGHT, SOUND, TONE, TOP
 from learnblock.robots.thymio.units import level
 from learnblock.simulator.geometry import Pose
-from learnblock.simulator.goals import RobotState, goals
+from learnblock.simulator.goal import RobotState
+from learnblock.simulator.goals import goals
 from learnblock.testing import LINK_CLAIMS, Fault, Relay, check_robot
 from playground import Playground, missing
 from ports import free_port, mute_server

@@ -38,6 +38,8 @@ export interface BlockActions {
   /** The set of blocks in the palette. */
   shownBlocks(): BlockSet;
   robot(): OfferedRobot;
+  /** Whether the world or the program has a game. */
+  inGame(): boolean;
   /** The names of the skills of custom blocks. */
   customBlocks(): ReadonlySet<string>;
   /** The names in the tag dictionary. */

@@ -1,8 +1,9 @@
 /** The program as blocks. */
 
-import { effect, untracked } from "@preact/signals";
+import { computed, effect, type ReadonlySignal, untracked } from "@preact/signals";
 import { language, t } from "../../i18n";
 import type { Context } from "../../model/context";
+import { hasGame, usesGame } from "../../model/games";
 import type { OwnBlock } from "../../model/own-blocks";
 import type { Stage, ThemeName } from "../../model/preferences";
 import { preferences, theme } from "../../model/preferences";
@@ -47,6 +48,10 @@ export function createBlocks(context: Context): BlocksIsland {
   return new Blocks(context);
 }
 
+function gamesOf({ running, program }: Context): ReadonlySignal<boolean> {
+  return computed(() => hasGame(running.scene.value?.world) || usesGame(program.state.value.workspace));
+}
+
 /** The view scrolls to the running block at most this often, in ms. */
 const FOLLOWING = 400;
 
@@ -60,10 +65,13 @@ class Blocks implements BlocksIsland {
   /** The program shown last; it is older than the blocks while edits are on their way to the server. */
   private shown: Workspace | null = null;
   private readonly cleanup: Cleanup;
+  /** Whether the world or the program has a game. */
+  private readonly inGame: ReadonlySignal<boolean>;
 
   constructor(private readonly context: Context) {
     this.dom.className = "blocks";
     this.dom.setAttribute("role", "group");
+    this.inGame = gamesOf(context);
     const watcher = new ResizeObserver(() => this.resize());
     watcher.observe(this.dom);
     this.cleanup = new Cleanup(
@@ -74,7 +82,7 @@ class Blocks implements BlocksIsland {
       effect(() => this.showCustomBlocks()),
       effect(() => this.showRobot()),
       effect(() => this.showStage(preferences.value.stage)),
-      effect(() => this.showBlocks(context.shownBlocks.value)),
+      effect(() => this.showBlocks(context.shownBlocks.value, this.inGame.value)),
       effect(() => this.showTheme(theme.value)),
       effect(() => this.arrange(room.value === "narrow")),
       effect(() => this.showAccess(context.program.readOnly.value !== null)),
@@ -228,6 +236,7 @@ class Blocks implements BlocksIsland {
       select: (block) => this.context.select(block),
       shownBlocks: () => this.context.shownBlocks.peek(),
       robot: () => this.robot,
+      inGame: () => this.inGame.peek(),
       customBlocks: () => new Set(this.context.customBlocks.peek()?.flatMap(({ blocks }) => blocks)),
       tagNames: () => Object.keys(this.context.tagNames.peek()),
       offered: (type) => this.palette?.toolbox.contents.flatMap(blocksOf).find((one) => one.type === type),
@@ -298,7 +307,7 @@ class Blocks implements BlocksIsland {
     this.editor?.setReadOnly(readOnly);
   }
 
-  private showBlocks(set: BlockSet): void {
+  private showBlocks(set: BlockSet, _inGame: boolean): void {
     this.editor?.whenStill(() => this.editor?.showBlocks(set));
   }
 

@@ -8,7 +8,7 @@ import { actionsOf } from "./actions";
 import { SKILL } from "./menus";
 import { callState, definitionsIn, ownBlockOf } from "./own-blocks";
 import type { PaletteTab } from "./palette";
-import { readyHats } from "./ready-hats";
+import { gameHats, readyHats } from "./ready-hats";
 import { freeWhenName, hasCondition, whensOf } from "./when-block";
 
 type Items = Blockly.utils.toolbox.FlyoutItemInfo[];
@@ -59,7 +59,12 @@ function whenItems(workspace: Blockly.WorkspaceSvg): Items {
   const ready = readyHats(workspace) as unknown as Items;
   const make = stage === "coder" ? [button(NEW_WHEN, t("page-blocks-new-when"))] : [];
   const empty = stage === "starter" ? [] : emptyWhens(workspace);
-  return [...ready, ...empty, ...make, ...usesOfWhens(workspace, stage)];
+  return [...ready, ...gameItems(workspace), ...empty, ...make, ...usesOfWhens(workspace, stage)];
+}
+
+function gameItems(workspace: Blockly.WorkspaceSvg): Items {
+  const hats = gameHats(workspace) as unknown as Items;
+  return hats.length ? [label(t("page-blocks-in-a-game"), "lbHeading"), ...hats] : [];
 }
 
 function emptyWhens(workspace: Blockly.WorkspaceSvg): Items {

@@ -74,13 +74,13 @@ export class BlockEditor {
     private readonly host: HTMLElement,
     private readonly palette: Palette,
     theme: ThemeName,
-    actions: BlockActions,
+    private readonly actions: BlockActions,
     compact: boolean,
     private readonly edited: () => void,
     /** Called when blocks have been drawn that were not. */
     drawn: () => void,
   ) {
-    const usual = options(palette, theme, actions.shownBlocks());
+    const usual = options(theme, toolboxOf(palette, actions.shownBlocks(), actions.inGame()));
     this.workspace = Blockly.inject(host, compact ? compacted(usual) : usual);
     drawBin(this.workspace);
     // The server handles undo for all views.
@@ -146,7 +146,7 @@ export class BlockEditor {
 
   /** Show only the blocks of a set in the palette. */
   showBlocks(set: BlockSet): void {
-    this.workspace.updateToolbox(toolboxOf(this.palette, set));
+    this.workspace.updateToolbox(toolboxOf(this.palette, set, this.actions.inGame()));
     this.toolbox?.begin();
   }
 
@@ -404,12 +404,12 @@ export class BlockEditor {
   }
 }
 
-function options(palette: Palette, theme: ThemeName, set: BlockSet): Blockly.BlocklyOptions {
+function options(theme: ThemeName, toolbox: Blockly.utils.toolbox.ToolboxInfo): Blockly.BlocklyOptions {
   return {
     renderer: "zelos",
     theme: themeOf(theme),
     media: MEDIA,
-    toolbox: toolboxOf(palette, set),
+    toolbox,
     oneBasedIndex: false,
     trashcan: true,
     sounds: false,

@@ -1,4 +1,4 @@
-/** The nine groups of blocks: each has one colour and one icon, whatever the block. */
+/** The ten groups of blocks: each has one colour and one icon, whatever the block. */
 
 export const GROUPS = [
   "events",
@@ -7,6 +7,7 @@ export const GROUPS = [
   "show",
   "sound",
   "control",
+  "game",
   "maths",
   "variables",
   "my_blocks",
@@ -22,6 +23,7 @@ export const COLOURS: Readonly<Record<Group, string>> = {
   show: "#c4267f",
   sound: "#7c3aed",
   control: "#c2470a",
+  game: "#966000",
   maths: "#15803d",
   variables: "#c81e3a",
   my_blocks: "#4b5b76",

@@ -10,8 +10,8 @@ const COUNTING = ["variables_set", "math_change"];
 
 /** The nearest blocks for words of Scratch, MakeCode and others, which are messages; some say what there is instead. */
 export const FOREIGN: Readonly<Record<string, readonly string[]>> = {
-  score: [...COUNTING, "text_print"],
-  game: [...skills("is_key_pressed", "is_press_8_button_controller"), ...COUNTING],
+  score: [...skills("change_score", "show_score", "change_lives"), ...COUNTING],
+  game: skills("is_key_pressed", "change_score", "change_lives", "win_game", "game_over"),
   clone: FACES,
   hide: skills("clear_screen", "expressNeutral", "pen_up"),
   say: [...skills("say_Text", "show_text", "matrix_text"), "text_print"],

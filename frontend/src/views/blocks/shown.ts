@@ -13,13 +13,15 @@ import { searchTab } from "./search";
 type Toolbox = Blockly.utils.toolbox.ToolboxInfo;
 type Items = Blockly.utils.toolbox.FlyoutItemInfo[];
 
-/** A search, and the groups with at least one shown block. */
-export function toolboxOf({ toolbox }: Palette, set: BlockSet): Toolbox {
+/** A search, and the groups with at least one shown block; that of games only where there is one. */
+export function toolboxOf({ toolbox }: Palette, set: BlockSet, inGame: boolean): Toolbox {
   const tabs = shownTabs([...toolbox.contents, ownTab()], set);
   const groups = toolbox.groups
     .map((one): GroupInfo => {
       const own = tabs.filter(({ group }) => group === one.group);
-      return { kind: GROUP, ...one, tabs: own, contents: own.flatMap(blocksOf) };
+      // Hidden, but the search finds it.
+      const hidden = one.group === "game" && !inGame ? { hidden: "true" } : {};
+      return { kind: GROUP, ...one, ...hidden, tabs: own, contents: own.flatMap(blocksOf) };
     })
     .filter((one) => one.tabs.length > 0);
   return { kind: toolbox.kind, contents: [searchTab(), ...groups] as unknown as Toolbox["contents"] };

@@ -31,6 +31,7 @@ unknown-name =
         [lesson-aim] no aim
         [lesson-step] no step
         [library] no library
+        [door] no door
         [light-object] no object with a mass
         [line] no line
         [note] no note

@@ -22,6 +22,10 @@ world-goal-behind-prop = The goal '{ $name }' cannot be reached: solid decoratio
 world-goal-behind-border = The goal '{ $name }' cannot be reached: it is too close to the wall around the floor.
 world-goal-behind-things = The goal '{ $name }' cannot be reached: several things are in the way.
 world-path-part = Write each part of a path as {"{"} forward = 300 {"}"} or as {"{"} turn = 90, radius = 300 {"}"}.
+world-path-or-wander = A thing moves along a 'path' or it wanders, not both. Remove 'path' or 'wander'.
+# $kind is what has to be collected.
+world-nothing-to-collect = The goal '{ $name }' asks to collect '{ $kind }', but the world has no such [[collectable]]. Add one, or remove the goal.
+world-no-gates = The goal '{ $name }' asks to pass gates, but the world has no [[gate]]. Add one, or remove the goal.
 world-reach-choice = A goal has at most one of 'robot', 'object', 'together' and 'alone'.
 world-line-shape = A line needs either 'points' (two or more) or 'start' and 'path'.
 world-line-empty = A line needs a length, but this one ends where it starts.

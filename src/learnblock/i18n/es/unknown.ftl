@@ -31,6 +31,7 @@ unknown-name =
         [lesson-aim] ningún objetivo
         [lesson-step] ningún paso
         [library] ninguna biblioteca
+        [door] ninguna puerta
         [light-object] ningún objeto con masa
         [line] ninguna línea
         [note] ninguna nota

@@ -22,6 +22,10 @@ world-goal-behind-prop = El objetivo '{ $name }' no se puede alcanzar: hay un ad
 world-goal-behind-border = El objetivo '{ $name }' no se puede alcanzar: está demasiado cerca de la pared que rodea el suelo.
 world-goal-behind-things = El objetivo '{ $name }' no se puede alcanzar: hay varias cosas en medio.
 world-path-part = Escribe cada parte de un camino como {"{"} forward = 300 {"}"} o como {"{"} turn = 90, radius = 300 {"}"}.
+world-path-or-wander = Una cosa se mueve por un camino («path») o al azar («wander»), no las dos. Quita «path» o «wander».
+# $kind es lo que hay que recoger.
+world-nothing-to-collect = El objetivo «{ $name }» pide recoger «{ $kind }», pero el mundo no tiene ningún [[collectable]] así. Añade uno o quita el objetivo.
+world-no-gates = El objetivo «{ $name }» pide pasar por puertas, pero el mundo no tiene ninguna [[gate]]. Añade una o quita el objetivo.
 world-reach-choice = Un objetivo tiene como mucho uno de 'robot', 'object', 'together' y 'alone'.
 world-line-shape = Una línea necesita 'points' (dos o más) o bien 'start' y 'path'.
 world-line-empty = Una línea necesita una longitud, pero esta termina donde empieza.

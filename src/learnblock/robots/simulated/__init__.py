@@ -2,6 +2,7 @@
 
 from learnblock.robots.simulated.drawing import draw
 from learnblock.robots.simulated.options import pace_factor
+from learnblock.robots.simulated.play import repeat_game
 from learnblock.robots.simulated.robot import SimulatedRobot, goal_of
 from learnblock.robots.simulated.simulation import STEPS_PER_POSE, Simulation
 from learnblock.robots.simulated.worlds import (
@@ -25,6 +26,7 @@ __all__ = [
     "known_worlds",
     "own_worlds",
     "pace_factor",
+    "repeat_game",
     "robots_for",
     "world_of_data",
     "worlds",

@@ -11,6 +11,7 @@ from typing import Any, ClassVar, Self
 
 from learnblock.client import Client, Goal, Outcome, Witness
 from learnblock.client.clock import Clock
+from learnblock.client.game import Game
 from learnblock.client.readings import Readings
 from learnblock.devices import Pose
 from learnblock.robots.simulated.devices import WORLD_DEVICES, make_device
@@ -20,6 +21,7 @@ from learnblock.robots.simulated.options import (
     chosen_start,
     chosen_variant,
 )
+from learnblock.robots.simulated.play import WorldPlay
 from learnblock.robots.simulated.simulation import Simulation, WorldClock
 from learnblock.robots.simulated.worlds import described_world, find_world
 from learnblock.runtime.lockstep import LockStepClock
@@ -96,6 +98,7 @@ class SimulatedRobot(Client):
         clock: Clock = WorldClock(self.simulation) if simulation else self._own_clock()
         # A host calls no skills, and attaches those that others may call.
         super().__init__(skills=() if simulation else None, clock=clock)
+        self.game = Game(WorldPlay(self.simulation, self.name))
         if simulation is None:
             self._hold_the_program()
 
@@ -208,6 +211,8 @@ class SimulatedRobot(Client):
 
         def wait(steps: int) -> int:
             simulation.advance(simulation.steps + steps)
+            if simulation.is_over:
+                raise SystemExit
             return simulation.steps
 
         return LockStepClock(wait, simulation.steps, simulation.dt)

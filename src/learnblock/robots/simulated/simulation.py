@@ -40,14 +40,19 @@ class Simulation:
         """The world's time in seconds."""
         return self.world.time
 
+    @property
+    def is_over(self) -> bool:
+        """Whether the world's game has ended."""
+        return self.world.game.is_over
+
     def advance(self, step: int, given_up: threading.Event | None = None) -> None:
-        """Advance, no faster than the pace allows, until `steps` is `step`.
+        """Advance, no faster than the pace allows, until `steps` is `step` or the game ends.
 
         Args:
             step: the number of steps.
             given_up: ends this early, see `Pacing.wait`.
         """
-        while self.world.steps < step:
+        while self.world.steps < step and not self.world.game.is_over:
             if not self.pacing.is_free:
                 self.pacing.wait(self.world.time, given_up)
             if given_up and given_up.is_set():
@@ -90,6 +95,8 @@ class Simulation:
 
     def _report(self) -> None:
         world = self.world
+        if world.game.has_events:
+            self.report_game()
         if world.has_events:
             self._report_goals()
         if world.drawing.ended or world.drawing.unable:
@@ -104,6 +111,13 @@ class Simulation:
                 self._report_collision(event)
             else:
                 self._report_goal(event)
+
+    def report_game(self) -> None:
+        """Report what has happened in the game: to one player, or to all of them."""
+        for event in self.world.game.take_events():
+            for name, witness in self.witnesses.items():
+                if event.player in ("", name):
+                    witness.game(event)
 
     def _report_drawing(self) -> None:
         drawing, time = self.world.drawing, self.world.time

@@ -32,7 +32,8 @@ export interface Ref {
   readonly index: number;
 }
 
-type GoalSort = keyof WorldValues["goal"];
+/** The goals of games are written by hand: the editor has no form for them. */
+type GoalSort = Extract<keyof WorldValues["goal"], Sort>;
 const GOALS: readonly Sort[] = ["reach", "follow", "visit", "tour", "stop", "show", "avoid"] satisfies GoalSort[];
 
 export function isGoal(sort: Sort): sort is GoalSort {

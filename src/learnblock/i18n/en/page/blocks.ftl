@@ -58,6 +58,10 @@ page-blocks-name-lb-when-is-key-pressed = key_pressed
 page-blocks-name-lb-when-is-bumped = bumped
 page-blocks-name-lb-when-is-front-obstacle = obstacle_near
 page-blocks-name-lb-when-received = message_received
+page-blocks-name-lb-when-collected = thing_collected
+page-blocks-name-lb-when-is-time-up = time_is_up
+# The heading of events such as "when I collect a star".
+page-blocks-in-a-game = In a game
 page-blocks-when-prompt = Name of the new event:
 page-blocks-zoom = Size of the blocks
 page-blocks-zoom-in = Zoom in

@@ -8,9 +8,9 @@ page-search-nearest = No block has the words “{ $words }”. The closest ones:
 page-search-variable = score
 
 page-search-score = score, points, lives, highscore, counter
-page-search-score-say = Count points with a variable:
+page-search-score-say = These blocks count in a game, and a variable counts anything else:
 page-search-game = game, game over, win, lose, player, level, sprite, enemy
-page-search-game-say = To make a game, drive a robot with keys and count points with a variable:
+page-search-game-say = To make a game, drive a robot with keys and count points:
 page-search-clone = clone, costume, backdrop, stage, background, character, actor
 page-search-clone-say = Here the actor is the robot, and the World menu has the stages. The robot can change its face:
 page-search-hide = hide, invisible, disappear

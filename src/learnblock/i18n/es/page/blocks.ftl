@@ -58,6 +58,10 @@ page-blocks-name-lb-when-is-key-pressed = tecla_pulsada
 page-blocks-name-lb-when-is-bumped = choque
 page-blocks-name-lb-when-is-front-obstacle = obstaculo_cerca
 page-blocks-name-lb-when-received = mensaje_recibido
+page-blocks-name-lb-when-collected = cosa_recogida
+page-blocks-name-lb-when-is-time-up = se_acabo_el_tiempo
+# The heading of events such as "when I collect a star".
+page-blocks-in-a-game = En un juego
 page-blocks-when-prompt = Nombre del nuevo evento:
 page-blocks-zoom = Tamaño de los bloques
 page-blocks-zoom-in = Acercar

@@ -8,9 +8,9 @@ page-search-nearest = Ningún bloque dice «{ $words }». Estos son los más par
 page-search-variable = puntos
 
 page-search-score = puntuación, puntos, vidas, récord, contador, marcador
-page-search-score-say = Cuenta los puntos con una variable:
+page-search-score-say = Estos bloques cuentan en un juego, y una variable cuenta lo demás:
 page-search-game = juego, fin del juego, ganar, perder, jugador, nivel, objeto, enemigo
-page-search-game-say = Para hacer un juego, maneja un robot con teclas y cuenta puntos con una variable:
+page-search-game-say = Para hacer un juego, maneja un robot con teclas y cuenta puntos:
 page-search-clone = clon, clonar, disfraz, fondo, escenario, personaje, actor
 page-search-clone-say = Aquí el actor es el robot, y los escenarios están en el menú Mundo. Puede cambiar de cara:
 page-search-hide = esconder, ocultar, invisible, desaparecer

@@ -1,0 +1,31 @@
+"""The game of a world as the page shows it."""
+
+from learnblock.monitor.monitor import GameNow, PlayerNow
+from learnblock.simulator.game.game import Game
+
+#: Decimals of a place in mm: less than a pixel.
+_DECIMALS = 1
+
+
+def game_now(game: Game, time: float) -> GameNow | None:
+    """How a game stands at a time in s; None if nothing has to do with one."""
+    scores = game.scores
+    if not game.has_things and not game.has_rules and not scores.in_use:
+        return None
+    standings = {name: scores.standing(name, time) for name in scores.players}
+    left = next((standing.time_left for standing in standings.values()), None)
+    result = scores.result
+    return GameNow(
+        tuple(
+            PlayerNow(name, standing.score, standing.lives) for name, standing in standings.items()
+        ),
+        time_left=left,
+        things=tuple(_place(*thing.place) if thing.is_there else None for thing in game.lying),
+        doors=tuple(door.is_open for door in game.doors),
+        won=result.won if result else None,
+        reason=(result.thing or result.reason) if result else "",
+    )
+
+
+def _place(x: float, y: float) -> tuple[float, float]:
+    return round(x, _DECIMALS), round(y, _DECIMALS)
