@@ -1,6 +1,7 @@
 """The game of one program's robot, on the host's side."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from typing import Any
 
 from learnblock.client.game import Play
 from learnblock.errors import LearnBlockError
@@ -27,6 +28,15 @@ class HostedGame:
         self._robot = robot
         self._supervision = supervision
         self._send = send
+
+    @property
+    def handlers(self) -> Mapping[type, Callable[[Any], object]]:
+        """What answers each message."""
+        return {
+            messages.ChangeGame: self.change,
+            messages.AskGame: self.answer,
+            messages.CollectNews: self.collect,
+        }
 
     def change(self, message: messages.ChangeGame) -> None:
         """Change what counts, or end the game."""

@@ -108,7 +108,6 @@ class Run:
         self._has_sent = False
         #: The devices whose readings the program wants when it wakes.
         self._reads: tuple[int, ...] = ()
-        self._game = HostedGame(self.robot, self.supervision, self._send)
         events = EventSender(self.robot, self.watcher)
         self._is_unwatched = not events.shows_lines
         self._handlers = self._make_handlers(events)
@@ -263,7 +262,6 @@ class Run:
         )
 
     # One method for each message of the child that concerns more than one part.
-
     def _make_handlers(self, events: EventSender) -> Mapping[type, Callable[[Any], object]]:
         return {
             messages.Contained: lambda _: None,
@@ -274,9 +272,7 @@ class Run:
             messages.Collect: self._on_collect,
             messages.Keys: self._on_keys,
             messages.Stuck: lambda _: self._end_soon(self.supervision.no_call),
-            messages.ChangeGame: self._game.change,
-            messages.AskGame: self._game.answer,
-            messages.CollectNews: self._game.collect,
+            **HostedGame(self.robot, self.supervision, self._send).handlers,
             messages.Steps: partial(self._on_steps, events),
             messages.Called: events.called,
             messages.Missing: events.missing,
