@@ -33,22 +33,19 @@ from twins import stands_after, x_of
 from twins_time import follow
 from waiting import wait_for
 
-#: How much faster than real time a quick world runs; a command to drive lasts 0.4 s of its time.
-SPEED = 2
-
 
 @contextmanager
-def kit(world="empty", *, speed=1):
+def kit(world="empty"):
     """Emulate the devices."""
-    with emulating(Emulator, "sim-legoed", world, speed=speed) as emulation:
+    with emulating(Emulator, "sim-legoed", world) as emulation:
         emulation.devices = emulation.emulator.devices
         yield emulation
 
 
 @contextmanager
-def relayed(**others):
+def relayed():
     """Emulate the devices, the Double Motor on a link that can fail."""
-    with kit(**others) as emulation:
+    with kit() as emulation:
         host, _, port = emulation.settings["address"].rpartition(":")
         with Relay((host, int(port))) as relay:
             settings = {**emulation.settings, "address": f"127.0.0.1:{relay.port}"}
@@ -60,7 +57,8 @@ def legoed(settings, **others):
 
 
 def test_a_kit_conforms(monkeypatch):
-    with relayed(speed=SPEED) as (emulation, relay, settings):
+    # In real time: a command to drive lasts 0.4 s of the world.
+    with relayed() as (emulation, relay, settings):
         follow(emulation.twin, monkeypatch)
         certificate = check_robot(lambda: legoed(settings), relay=relay)
     assert certificate.passed
