@@ -7,8 +7,7 @@ The maker's own Python programs drive them, too:
 """
 
 import threading
-from collections.abc import Mapping
-from contextlib import suppress
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from learnblock.emulators.gatt import GattServer
@@ -22,8 +21,6 @@ from learnblock.robots.legoed.nearby import OTHERS
 
 #: Seconds between two looks of the firmware at its motors.
 TICK = 0.01
-#: How often to look for free ports that follow each other.
-_TRIES = 20
 
 
 class Emulator:
@@ -70,21 +67,17 @@ class Emulator:
                 device.tick()
 
 
-def _served(devices: list[DeviceFirmware], address: str, port: int) -> list[GattServer]:
-    """Serve each device at the port after that of the one before.
+def _served(devices: Sequence[DeviceFirmware], address: str, port: int) -> list[GattServer]:
+    """Serve each device at the port after that of the one before, or at a free one.
 
     Raises:
-        OSError: a port is not available.
+        OSError: the first port is not available.
     """
-    for _ in range(_TRIES if port == 0 else 1):
-        servers = [GattServer(devices[0], address, port)]
+    servers = [GattServer(devices[0], address, port)]
+    for device in devices[1:]:
         try:
-            for device in devices[1:]:
-                servers.append(GattServer(device, address, servers[-1].port + 1))
+            servers.append(GattServer(device, address, servers[-1].port + 1))
         except (OSError, OverflowError):
-            for server in servers:
-                with suppress(OSError):
-                    server.close()
-        else:
-            return servers
-    raise OSError(f"no {len(devices)} ports in a row are free at {address}:{port}")
+            # Its address is in the settings anyway; only the page looks at the next ports.
+            servers.append(GattServer(device, address, 0))
+    return servers

@@ -1,8 +1,10 @@
 """The page installs what a robot needs, with the installer of this installation."""
 
 import asyncio
+import os
 import sys
 import zipfile
+from pathlib import Path
 
 import pytest
 
@@ -89,6 +91,18 @@ def test_the_page_shows_what_the_installer_says(wheel, tmp_path):
 def test_a_computer_without_network_is_told_that_it_is_offline(monkeypatch):
     monkeypatch.setenv("UV_HTTP_RETRIES", "0")
     problem, _ = install(*uv("--index-url", "http://127.0.0.1:9/simple", "no-such-package"))
+
+    assert problem == Phrase("connect-install-offline")
+
+
+@pytest.mark.exhaustive
+def test_without_network_pips_own_words_are_understood_too(monkeypatch):
+    monkeypatch.setenv("PIP_CONFIG_FILE", os.devnull)
+    for name in ("PIP_FIND_LINKS", "PIP_EXTRA_INDEX_URL", "PIP_NO_INDEX"):
+        monkeypatch.delenv(name, raising=False)
+    python = Path(sys.base_prefix, "bin", f"python{sys.version_info.major}")
+    nowhere = ("--index-url", "http://127.0.0.1:9/simple", "--retries", "1")
+    problem, _ = install(str(python), "-m", "pip", "install", *nowhere, "no-such-package")
 
     assert problem == Phrase("connect-install-offline")
 
