@@ -51,6 +51,8 @@ HEAD = struct.Struct(">I?I")
 #: The largest result, in bytes.
 LARGEST = 256 * MEGABYTE
 _CHUNK = MEGABYTE
+#: New objects after which Python looks for garbage; by default 700.
+_UNCOLLECTED = 20_000
 #: Seconds between two looks at whether runs that were stopped have ended.
 _LOOK = 0.5
 #: Seconds between two looks at whether a program lets its host run.
@@ -134,15 +136,18 @@ def main() -> None:
 
     # One processor for each run.
     cv2.setNumThreads(1)
-    programs = ForkServer()
+    # A run leaves little that has to be collected.
+    gc.set_threshold(_UNCOLLECTED)
+    programs, is_frozen = ForkServer(), False
     with connection.makefile("rb") as stream:
         while length := stream.read(8):
             jobs, at_once = unpacked(stream.read(int.from_bytes(length)))
             for job in jobs:
                 _load(job.robot, job.options.world)
-            if not gc.get_freeze_count():
+            if not is_frozen:
                 # A child that collected what we have loaded would copy all of it.
                 gc.freeze()
+                is_frozen = True
             runs = _Warm(connection, jobs, at_once, programs)
             try:
                 runs.run()

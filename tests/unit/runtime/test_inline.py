@@ -16,6 +16,7 @@ from learnblock.runtime.link import SocketLink
 from learnblock.runtime.messages import Called, Command, FromChild
 from learnblock.runtime.process import ProcessWorker, ThreadWorker
 from learnblock.runtime.recorder import record
+from learnblock.runtime.run import Run
 from learnblock.runtime.trace import Trace
 from learnblock.runtime.watcher import Watcher
 from listener import Listener
@@ -195,8 +196,34 @@ def test_a_program_that_nobody_looks_at_is_answered_without_a_turn_of_its_host(s
     assert released == []
 
 
+@pytest.mark.parametrize("broken", [(), ("read",)])
+@pytest.mark.parametrize("kind", AT_ONCE)
+def test_robots_that_take_turns_wait_as_if_each_wait_had_been_sent(stage, kind, broken):
+    outcomes = []
+    for watch in (Silent, Listener):
+        fresh = type(stage)()
+        for python in (AT_ONCE[kind], TURNS):
+            fresh.add(python, worker=InlineWorker, watcher=watch(), broken=broken)
+        fresh.host(seconds=0.3).run()
+        outcomes.append([(one.trace, one.output, one.ending, one.log) for one in fresh.results()])
+
+    assert outcomes[0] == outcomes[1]
+
+
+def test_robots_that_take_turns_in_one_thread_send_no_waits(stage, monkeypatch):
+    waits = []
+    monkeypatch.setattr(Run, "_on_sleep", lambda _, message: waits.append(message))
+    for _ in range(2):
+        stage.add(TURNS, worker=InlineWorker, watcher=Silent())
+    stage.host(seconds=0.3).run()
+
+    assert [one.ending.how for one in stage.results()] == [How.FINISHED] * 2
+    assert waits == []
+
+
+@pytest.mark.parametrize("count", [1, 2])
 @pytest.mark.parametrize("worker", [InlineWorker, ThreadWorker])
-def test_a_program_whose_run_nobody_looks_at_is_stopped_by_another_thread(stage, worker):
+def test_a_program_whose_run_nobody_looks_at_is_stopped_by_another_thread(stage, worker, count):
     began = Event()
 
     class Beginning(Silent):
@@ -205,14 +232,15 @@ def test_a_program_whose_run_nobody_looks_at_is_stopped_by_another_thread(stage,
             began.set()
 
     loop = "print('begun')\nwhile True:\n    robot.clock.sleep(0.01)"
-    stage.add(loop, worker=worker, watcher=Beginning())
+    for _ in range(count):
+        stage.add(loop, worker=worker, watcher=Beginning())
     host = stage.host()
     stopping = Thread(target=lambda: began.wait(10) and host.stop())
     stopping.start()
     host.run()
     stopping.join()
 
-    assert stage.results()[0].ending.how is How.STOPPED
+    assert [one.ending.how for one in stage.results()] == [How.STOPPED] * count
 
 
 def test_steps_of_robots_that_take_turns_stay_in_order(stage):
