@@ -21,6 +21,7 @@ from websockets.exceptions import InvalidHandshake, InvalidMessage
 from learnblock.classroom import messages as ours
 from learnblock.classroom.answers import (
     address_of,
+    came_by_https,
     close_socket,
     forbidden,
     json_answer,
@@ -194,7 +195,10 @@ class _Door:
             return pupil, False
         return (pupil, True) if self._visitors.is_teacher(request) else None
 
-    def _give(self, response: Response, name: str, badge: str) -> None:
+    def _is_secure(self, request: Request) -> bool:
+        return self._tls or (self._room.is_hubs and came_by_https(request))
+
+    def _give(self, request: Request, response: Response, name: str, badge: str) -> None:
         response.set_cookie(
             name,
             badge,
@@ -202,7 +206,7 @@ class _Door:
             max_age=_YEAR,
             httponly=True,
             samesite="strict",
-            secure=self._tls,
+            secure=self._is_secure(request),
         )
 
     # Joining.
@@ -220,7 +224,7 @@ class _Door:
             response = HTMLResponse(
                 _ONWARD.format("teacher"), headers={"cache-control": "no-store"}
             )
-            self._give(response, self._visitors.teachers_cookie, self._badges.of_teacher())
+            self._give(request, response, self._visitors.teachers_cookie, self._badges.of_teacher())
             return response
 
         return answer
@@ -260,7 +264,7 @@ class _Door:
         self._room.desk(pupil)
         self._room.changed()
         response = json_answer(ours.Joined(f"p/{pupil.id}/", pictures))
-        self._give(response, self._visitors.cookie, self._badges.of_pupil(pupil))
+        self._give(request, response, self._visitors.cookie, self._badges.of_pupil(pupil))
         return response
 
     async def enter(self, hub: HubLogin, request: Request) -> Response:
@@ -277,7 +281,7 @@ class _Door:
             path=self._base,
             httponly=True,
             samesite="lax",
-            secure=self._tls,
+            secure=self._is_secure(request),
         )
         return response
 
@@ -292,12 +296,12 @@ class _Door:
         response = HTMLResponse(_ONWARD.format("./"), headers={"cache-control": "no-store"})
         response.delete_cookie(hub.cookie, path=self._base)
         if user.is_teacher:
-            self._give(response, self._visitors.teachers_cookie, self._badges.of_teacher())
+            self._give(request, response, self._visitors.teachers_cookie, self._badges.of_teacher())
             return response
         pupil = await asyncio.to_thread(self._room.roster.admit, user.id, user.name)
         self._room.desk(pupil)
         self._room.changed()
-        self._give(response, self._visitors.cookie, self._badges.of_pupil(pupil))
+        self._give(request, response, self._visitors.cookie, self._badges.of_pupil(pupil))
         return response
 
     async def leave(self, _: Request) -> Response:
