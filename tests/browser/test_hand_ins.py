@@ -74,6 +74,7 @@ def test_a_pupil_hands_in_and_gets_it_back_with_a_note_and_a_mark(room, desk, ax
         expect(page.locator("#blocks .lbNoted")).to_have_count(1)
         assert faults(SimpleNamespace(page=page), axe) == []
         picture(page, "pupil-handed-back-en")
+        see_own_run(page, axe)
         button(page, "Improve and hand in again").click()
         expect(teacher.get_by_role("heading", name="Improving · 1")).to_be_visible()
         button(page, "Hand in again").click()
@@ -92,6 +93,18 @@ def check(teacher):
     expect(teacher.get_by_role("heading", name="To mark · 2")).to_be_visible(timeout=LONGEST_CHECK)
     expect(teacher.get_by_role("button", name="Ana")).to_contain_text("nothing")
     expect(teacher.get_by_role("button", name="Leo")).not_to_contain_text("nothing")
+
+
+def see_own_run(page, axe):
+    """Look at the run that was handed in, which changes nothing of the pupil's page."""
+    button(page, "The run that you handed in").click()
+    run = page.frame_locator("iframe")
+    expect(run.locator(".timeline")).to_be_visible(timeout=LONGEST_RUN)
+    expect(run.locator(".lesson-goal.met").first).to_be_visible()
+    assert faults(SimpleNamespace(page=page.frames[-1]), axe) == []
+    picture(page, "pupil-own-run-en")
+    page.keyboard.press("Escape")
+    expect(page.locator("iframe")).to_have_count(0)
 
 
 def mark(teacher, axe):

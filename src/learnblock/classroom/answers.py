@@ -49,6 +49,15 @@ def address_of(request: Request) -> str:
     return network_of(request.client.host) if request.client else ""
 
 
+def came_by_https(request: Request) -> bool:
+    """Whether a proxy says that the browser has come to it by HTTPS, perhaps past others.
+
+    Whoever makes that up only keeps cookies back from HTTP.
+    """
+    first, _, _ = request.headers.get("x-forwarded-proto", "").partition(",")
+    return first.strip().lower() == "https"
+
+
 def forbidden() -> Response:
     """The answer to a browser that may not see this."""
     return static_files.no_token()

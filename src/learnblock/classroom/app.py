@@ -18,10 +18,10 @@ from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
 from starlette.websockets import WebSocket
 from websockets.exceptions import InvalidHandshake, InvalidMessage
 
-from learnblock.classroom import hand_in_runs
 from learnblock.classroom import messages as ours
 from learnblock.classroom.answers import (
     address_of,
+    came_by_https,
     close_socket,
     forbidden,
     json_answer,
@@ -38,6 +38,7 @@ from learnblock.classroom.record import record_of
 from learnblock.classroom.relay import Relay, no_messages
 from learnblock.classroom.room import Room
 from learnblock.classroom.roster import AsksTeacherError, Pupil, checked_name
+from learnblock.classroom.run_pages import RunPages
 from learnblock.classroom.servers import ServerAddress
 from learnblock.classroom.tables import Tables
 from learnblock.classroom.wall import Board, MarkingView, ProjectorView, View, WallView
@@ -91,7 +92,9 @@ def create_app(
         WebSocketRoute("/projected", partial(door.board, ProjectorView)),
         *_teachers(door, page),
         *_tables(Tables(room, visitors)),
-        *_hand_in_run(door, partial(_built_page, "hand-in-run.html", static)),
+        *RunPages(room, visitors, door.forwarder).routes(
+            partial(_built_page, "hand-in-run.html", static)
+        ),
         *_pupils(door, page, static),
         # Files of the page are everybody's.
         Mount("/", files, middleware=[_GZIP]),
@@ -134,13 +137,6 @@ def _tables(tables: Tables) -> Iterator[BaseRoute]:
     yield Route("/marks.csv", tables.marks)
 
 
-def _hand_in_run(door: "_Door", page: Endpoint) -> Iterator[BaseRoute]:
-    yield Route(hand_in_runs.PATH, door.teacher(page))
-    yield WebSocketRoute(f"{hand_in_runs.PATH}ws", door.hand_in_run)
-    for folder in ("textures", "worlds"):
-        yield Route(f"{hand_in_runs.PATH}{folder}/{{path:path}}", door.teacher(door.file_of_run))
-
-
 def _pupils(door: "_Door", page: Endpoint, static: Path) -> Iterator[BaseRoute]:
     yield WebSocketRoute("/p/{pupil}/ws", door.websocket)
     yield Route("/p/{pupil}/record", door.pupils(page))
@@ -177,7 +173,7 @@ class _Door:
         self._visitors = visitors
         self._badges = visitors.badges
         self._entrance = Entrance(room.roster)
-        self._forwarder = Forwarder()
+        self.forwarder = Forwarder()
         self._tls = tls
 
     @asynccontextmanager
@@ -186,7 +182,7 @@ class _Door:
         await self._room.open()
         yield
         await self._room.close()
-        await self._forwarder.close()
+        await self.forwarder.close()
 
     # Who is asking.
 
@@ -199,7 +195,10 @@ class _Door:
             return pupil, False
         return (pupil, True) if self._visitors.is_teacher(request) else None
 
-    def _give(self, response: Response, name: str, badge: str) -> None:
+    def _is_secure(self, request: Request) -> bool:
+        return self._tls or (self._room.is_hubs and came_by_https(request))
+
+    def _give(self, request: Request, response: Response, name: str, badge: str) -> None:
         response.set_cookie(
             name,
             badge,
@@ -207,7 +206,7 @@ class _Door:
             max_age=_YEAR,
             httponly=True,
             samesite="strict",
-            secure=self._tls,
+            secure=self._is_secure(request),
         )
 
     # Joining.
@@ -225,7 +224,7 @@ class _Door:
             response = HTMLResponse(
                 _ONWARD.format("teacher"), headers={"cache-control": "no-store"}
             )
-            self._give(response, self._visitors.teachers_cookie, self._badges.of_teacher())
+            self._give(request, response, self._visitors.teachers_cookie, self._badges.of_teacher())
             return response
 
         return answer
@@ -265,7 +264,7 @@ class _Door:
         self._room.desk(pupil)
         self._room.changed()
         response = json_answer(ours.Joined(f"p/{pupil.id}/", pictures))
-        self._give(response, self._visitors.cookie, self._badges.of_pupil(pupil))
+        self._give(request, response, self._visitors.cookie, self._badges.of_pupil(pupil))
         return response
 
     async def enter(self, hub: HubLogin, request: Request) -> Response:
@@ -282,7 +281,7 @@ class _Door:
             path=self._base,
             httponly=True,
             samesite="lax",
-            secure=self._tls,
+            secure=self._is_secure(request),
         )
         return response
 
@@ -297,12 +296,12 @@ class _Door:
         response = HTMLResponse(_ONWARD.format("./"), headers={"cache-control": "no-store"})
         response.delete_cookie(hub.cookie, path=self._base)
         if user.is_teacher:
-            self._give(response, self._visitors.teachers_cookie, self._badges.of_teacher())
+            self._give(request, response, self._visitors.teachers_cookie, self._badges.of_teacher())
             return response
         pupil = await asyncio.to_thread(self._room.roster.admit, user.id, user.name)
         self._room.desk(pupil)
         self._room.changed()
-        self._give(response, self._visitors.cookie, self._badges.of_pupil(pupil))
+        self._give(request, response, self._visitors.cookie, self._badges.of_pupil(pupil))
         return response
 
     async def leave(self, _: Request) -> Response:
@@ -327,7 +326,7 @@ class _Door:
         place = await self._room.place(pupil)
         if request.method == "POST":
             return await self._upload(request, self._room.desk(pupil), place)
-        return await self._forwarder.ask(request, place)
+        return await self.forwarder.ask(request, place)
 
     def pupils(self, page: Endpoint) -> Endpoint:
         """A page about a pupil, for the pupil and the teacher."""
@@ -349,7 +348,7 @@ class _Door:
     async def _upload(self, request: Request, desk: Desk, place: ServerAddress) -> Response:
         try:
             with desk.uploading():
-                return await self._forwarder.upload(request, place)
+                return await self.forwarder.upload(request, place)
         except LearnBlockError as error:
             return json_answer(error.phrase, HTTPStatus.BAD_REQUEST)
 
@@ -378,40 +377,6 @@ class _Door:
             pass
         finally:
             self._room.left(pupil)
-
-    async def hand_in_run(self, socket: WebSocket) -> None:
-        """Connect the teacher's page with the server that runs a hand-in."""
-        await socket.accept(SUBPROTOCOL if socket.scope["subprotocols"] else None)
-        if not self._visitors.is_teacher(socket):
-            await close_socket(socket, _FORBIDDEN)
-            return
-        room = self._room
-        try:
-            pupil, run = await asyncio.to_thread(room.wanted_run, **socket.query_params)
-        except (LearnBlockError, TypeError, ValueError):
-            await close_socket(socket, _FORBIDDEN)
-            return
-        # A desk of the teacher's own, who may run the program.
-        desk = Desk(pupil, lambda: None, room.hand_ins)
-        desk.writing = "yes"
-        relay = Relay(socket, desk, is_teacher=True)
-        relay.tell(run)
-        try:
-            async with room.hand_in_runs.page(relay, run.lesson) as place:
-                await relay.serve(place, partial(hand_in_runs.beginning, run))
-        except (LearnBlockError, OSError, InvalidHandshake, InvalidMessage):
-            await close_socket(socket, _TRY_LATER)
-        except asyncio.CancelledError:
-            # As in `websocket`.
-            pass
-
-    async def file_of_run(self, request: Request) -> Response:
-        """A picture of the world in which a hand-in runs."""
-        return await reached(self._asked_of_run(request))
-
-    async def _asked_of_run(self, request: Request) -> Response:
-        async with self._room.hand_in_runs.used() as place:
-            return await self._forwarder.ask(request, place)
 
     async def board(self, view: type[View], socket: WebSocket) -> None:
         """Show the class to the teacher."""

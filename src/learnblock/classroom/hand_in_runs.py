@@ -1,6 +1,6 @@
-"""The runs that the teacher sees beside hand-ins, on a server of the teacher's own.
+"""The runs of hand-ins, on servers apart from pupils' work: the teacher's, and a pupil's own.
 
-It has the limits of a pupil's server. Its folder is deleted some time after the last look.
+Each has the limits of a pupil's server. Its folder is deleted some time after the last look.
 """
 
 import asyncio
@@ -18,14 +18,15 @@ from learnblock.server import messages
 
 #: The folder in that of the class.
 FOLDER = "hand-in-runs"
-#: Names the server among those of pupils, whose ids are longer.
-_SERVER = "hand-ins"
-#: The path of its page, as `Servers` has it.
-PATH = f"/p/{_SERVER}/"
+#: The names of servers among those of pupils, whose ids have no such form.
+_TEACHERS, _PUPILS = "hand-ins", "hand-in-{}"
+#: The paths of their pages, as `Servers` has them.
+TEACHERS_PATH, PUPILS_PATH = f"/p/{_TEACHERS}/", f"/p/{_PUPILS.format('{owner}')}/"
 #: The name of the projects with the programs.
 _PROJECT = "Hand-in"
-#: Seconds after which the server is stopped that no page uses.
-_GRACE = 120.0
+#: Seconds after which a server is stopped that no page uses: the teacher looks at one hand-in after
+#: the other, and pupils are many.
+_GRACE, _PUPILS_GRACE = 120.0, 20.0
 
 
 class RunPage(Protocol):
@@ -39,19 +40,75 @@ Give = Callable[[str, Iterable[Path]], Awaitable[None]]
 
 
 class HandInRuns:
-    """The server on which what was handed in runs; one for the class.
+    """The servers on which what was handed in runs.
 
     Args:
         folder: of the class.
+        servers: start them.
+        give: puts a lesson into folders if it is one of the teacher's own.
+    """
+
+    def __init__(self, folder: Path, servers: PupilServers, give: Give) -> None:
+        self.folder = folder / FOLDER
+        self._servers = servers
+        self._give = give
+        self.teachers = self._server(_TEACHERS, _GRACE)
+        self._pupils: dict[str, RunServer] = {}
+
+    def of_pupil(self, pupil: str) -> "RunServer":
+        """The server on which a pupil sees what the pupil has handed in."""
+        if pupil not in self._pupils:
+            self._pupils[pupil] = self._server(_PUPILS.format(pupil), _PUPILS_GRACE)
+        return self._pupils[pupil]
+
+    def _server(self, name: str, grace: float) -> "RunServer":
+        return RunServer(name, self.folder / name, self._servers, self._give, grace)
+
+    async def forget(self, pupil: str) -> None:
+        """Delete what has run of a pupil; the pages that show runs connect again.
+
+        Raises:
+            OSError: some of it can't be deleted.
+        """
+        await self.teachers.forget()
+        if server := self._pupils.pop(pupil, None):
+            await server.forget()
+
+    async def close(self) -> None:
+        """End with the class, whose servers have ended.
+
+        Raises:
+            OSError: some files can't be deleted.
+        """
+        for server in (self.teachers, *self._pupils.values()):
+            server.end()
+        await asyncio.to_thread(self.delete)
+
+    def delete(self) -> None:
+        """Delete what the servers have made; they must have ended.
+
+        Raises:
+            OSError: some of it can't be deleted.
+        """
+        _delete(self.folder)
+
+
+class RunServer:
+    """A server on which what was handed in runs.
+
+    Args:
+        name: among those of pupils.
+        folder: its folder.
         servers: start it.
         give: puts a lesson into folders if it is one of the teacher's own.
         grace: seconds after which it is stopped when no page uses it.
     """
 
     def __init__(
-        self, folder: Path, servers: PupilServers, give: Give, *, grace: float = _GRACE
+        self, name: str, folder: Path, servers: PupilServers, give: Give, grace: float
     ) -> None:
-        self.folder = folder / FOLDER
+        self.folder = folder
+        self._name = name
         self._servers = servers
         self._give = give
         self._grace = grace
@@ -88,7 +145,7 @@ class HandInRuns:
         self._uses += 1
         try:
             async with self._lock:
-                place = await self._servers.place(_SERVER, self.folder)
+                place = await self._servers.place(self._name, self.folder)
             yield place
         finally:
             self._uses -= 1
@@ -104,40 +161,34 @@ class HandInRuns:
         async with self._lock:
             for page in list(self._pages):
                 await page.restart()
-            await self._servers.stop(_SERVER)
-            await asyncio.to_thread(self.delete)
+            await self._servers.stop(self._name)
+            await asyncio.to_thread(_delete, self.folder)
 
-    async def close(self) -> None:
-        """End with the class, whose servers have ended.
-
-        Raises:
-            OSError: some files can't be deleted.
-        """
+    def end(self) -> None:
+        """End with the class, whose servers end anyway."""
         if self._ending:
             self._ending.cancel()
-        await asyncio.to_thread(self.delete)
-
-    def delete(self) -> None:
-        """Delete what the server has made; it must have ended.
-
-        Raises:
-            OSError: some of it can't be deleted.
-        """
-        if self.folder.exists():
-            shutil.rmtree(self.folder)
 
     async def _end_later(self) -> None:
         await asyncio.sleep(self._grace)
         await self.forget()
 
 
-def wanted_run(file: HandInFile) -> HandInRun:
-    """What to run of a hand-in: in the world of the run that the list speaks of.
+def _delete(folder: Path) -> None:
+    if folder.exists():
+        shutil.rmtree(folder)
+
+
+def wanted_run(file: HandInFile, *, is_teacher: bool) -> HandInRun:
+    """What to run of a hand-in: in the world of the run that its reader is told about.
 
     Raises:
         LearnBlockError: the lesson or the step is gone.
     """
-    work, checked = file.work, file.checked
+    work = file.work
+    last = file.back[-1] if file.back else None
+    # A pupil sees nothing of a check before it is handed back.
+    checked = file.checked if is_teacher else last and last.checked
     [usual, *_] = named_lesson(work.lesson).robots(work.step)
     robot = checked.robot if checked else ""
     variant = checked.variant if checked else 0

@@ -52,15 +52,18 @@ class Relay:
     Args:
         page: its websocket, accepted.
         desk: the pupil's.
-        is_teacher: whether it is the teacher's page.
+        is_teacher: whether it is the teacher's page, or has the rights of one.
+        paces: how often it may do something; None for those of the desk, or the teacher's own.
     """
 
-    def __init__(self, page: WebSocket, desk: Desk, *, is_teacher: bool) -> None:
+    def __init__(
+        self, page: WebSocket, desk: Desk, *, is_teacher: bool, paces: Paces | None = None
+    ) -> None:
         self.is_teacher = is_teacher
         self._page = page
         self._desk = desk
         # All pages of a pupil share theirs.
-        self._paces = Paces() if is_teacher else desk.paces
+        self._paces = paces or (Paces() if is_teacher else desk.paces)
         self._outbox: asyncio.Queue[str] = asyncio.Queue(maxsize=100)
         self._server: ClientConnection | None = None
 

@@ -73,7 +73,9 @@ class Room:
         #: Whether a hub lets pupils in and starts their servers.
         self.is_hubs = servers is not None
         self._servers = servers or Servers(lambda _: self.changed(), roster.blocks)
-        self.hand_in_runs = HandInRuns(roster.folder, self._servers, self._give)
+        #: Where hand-ins run: here, too, when a hub starts the servers of pupils.
+        self._run_servers = Servers(lambda _: None) if servers else self._servers
+        self.hand_in_runs = HandInRuns(roster.folder, self._run_servers, self._give)
         self._ending: dict[str, asyncio.Task[None]] = {}
         for pupil in roster.pupils:
             self._seat(pupil)
@@ -82,7 +84,12 @@ class Room:
         """Get ready to start pupils' servers."""
         # A class that was killed has left it.
         await asyncio.to_thread(self.hand_in_runs.delete)
-        await self._servers.open()
+        for servers in self._all_servers:
+            await servers.open()
+
+    @property
+    def _all_servers(self) -> tuple[PupilServers, ...]:
+        return (self._servers, self._run_servers) if self.is_hubs else (self._servers,)
 
     @property
     def is_saved(self) -> bool:
@@ -91,19 +98,22 @@ class Room:
 
     def end(self) -> None:
         """Start no more servers, because the class is about to close."""
-        self._servers.refuse()
+        for servers in self._all_servers:
+            servers.refuse()
 
     async def close(self) -> None:
         """Have every server save everything and end."""
         for task in self._ending.values():
             task.cancel()
         await self.marking.checking.close()
-        await self._servers.close()
+        for servers in self._all_servers:
+            await servers.close()
         await self.hand_in_runs.close()
 
     def hurry(self) -> None:
         """Have every server save and end at once; from another thread than the event loop's."""
-        self._servers.hurry()
+        for servers in self._all_servers:
+            servers.hurry()
 
     def changed(self) -> None:
         """Have the walls look at the class again."""
@@ -189,8 +199,10 @@ class Room:
             raise LearnBlockError("class-no-pupil")
         return pupil
 
-    def wanted_run(self, pupil: str, lesson: str, step: str) -> tuple[Pupil, HandInRun]:
-        """Whose hand-in it is, and what to run of it; this reads a file.
+    def wanted_run(
+        self, pupil: str, lesson: str, step: str, *, is_teacher: bool
+    ) -> tuple[Pupil, HandInRun]:
+        """Whose hand-in it is, and what its reader sees run of it; this reads a file.
 
         Raises:
             LearnBlockError: it is not there.
@@ -201,7 +213,8 @@ class Room:
         # The name of a lesson is the name of a file only if it is one that was handed in.
         if place not in self.hand_ins.of_pupil(known.id):
             raise LearnBlockError("class-not-handed-in")
-        return known, wanted_run(self.hand_ins.known(known.id, *place))
+        file = self.hand_ins.known(known.id, *place)
+        return known, wanted_run(file, is_teacher=is_teacher)
 
     async def rest(self, *, eyes_up: bool) -> None:
         """Pause all pages because the teacher speaks, or resume them."""
@@ -261,7 +274,7 @@ class Room:
         """
         await self.desk(pupil).send_away()
         await self._servers.stop(pupil.id)
-        await self.hand_in_runs.forget()
+        await self.hand_in_runs.forget(pupil.id)
         await self.marking.forget(pupil.id)
         await asyncio.to_thread(self.roster.remove, pupil)
         await asyncio.to_thread(self.marking.forget_runs)

@@ -62,6 +62,7 @@ PATHS = [
     "/%2e%2e/class.json", "/p/../class.json", "/p/", "/p/{ana}", "/p/*/", "/p/%00/",
     "/teacher", "/teacher?key=", "/teacher?key=x", "/teacher?key=é", "/teacher?key={ana}",
     "/p/hand-ins/", "/p/hand-ins/textures/tag/1.png", "/p/hand-ins/projects/mine.learnblock",
+    "/p/hand-in-{ana}/", "/p/hand-in-{ana}/textures/tag/1.png", "/p/hand-in-{ana}/projects/x",
     "/p/{ana}/record", "/p/{ana}/record.json", "/p/{leo}/../{ana}/record.json",
     "/export.zip", "/export.zip?pupil={ana}", "/export.zip?pupil={leo}", "/export.zip?pupil=*",
 ]  # fmt: skip

@@ -48,6 +48,10 @@ def address(query):
     return f"/p/hand-ins/ws?{query}"
 
 
+def own_address(pupil):
+    return f"/p/hand-in-{pupil.id}/ws?lesson={LESSON}&step={STEP}"
+
+
 def of(pupil):
     return address(f"pupil={pupil.id}&lesson={LESSON}&step={STEP}")
 
@@ -65,7 +69,7 @@ def test_the_run_is_that_of_the_check_and_can_be_asked_why(room, ana):
         page.type(run["program"]["text"])
         page.say("SetSpeed", factor=None)
         page.say("ShowVariant", robot=run["robot"], variant=run["variant"])
-        while page.hear("LessonGoals")["goals"][0]["state"] != "failed":
+        while page.hear("LessonGoals")["goals"][0].get("state") != "failed":
             pass
         page.say("AskWhy", question={"ask": "now", "subject": "", "time": 0.5})
         assert page.hear("WhyAnswer")["sentences"]
@@ -82,17 +86,48 @@ def test_what_was_not_handed_in_does_not_run(room, ana, query):
     assert closed.value.rcvd.code == 4403
 
 
-def test_a_pupil_sees_no_run_of_a_hand_in(room, ana):
-    with room.socket(of(ana), ana.cookie) as page, pytest.raises(ConnectionClosed) as closed:
+def refused(room, path, cookie):
+    with room.socket(path, cookie) as page, pytest.raises(ConnectionClosed) as closed:
         page.hear("HandInRun")
-    assert closed.value.rcvd.code == 4403
+    return closed.value.rcvd.code == 4403
+
+
+def test_a_pupil_sees_the_runs_of_no_others(room, ana):
+    leo, own = room.pupil("Leo"), own_address(ana)
+    assert refused(room, of(ana), ana.cookie)
     assert room.ask("/p/hand-ins/", cookie=ana.cookie).status == 403
+    for cookie in (leo.cookie, room.teacher(), ""):
+        assert refused(room, own, cookie)
+        assert room.ask(f"/p/hand-in-{ana.id}/", cookie=cookie).status == 403
+    for more in (f"&pupil={leo.id}", f"&pupil={ana.id}", "&is_teacher=1"):
+        assert refused(room, own + more, ana.cookie)
+
+
+@pytest.mark.timeout(120)
+def test_pupils_see_their_own_run_and_no_check_before_it_is_handed_back(room, ana):
+    assert room.ask(f"/p/hand-in-{ana.id}/", cookie=ana.cookie).status == 200
+    with room.socket(own_address(ana), ana.cookie) as page:
+        run = page.hear("HandInRun")
+        # The check was made with another robot, in a variant.
+        assert (run["robot"], run.get("variant", 0)) == ("sim-cozmo", 0)
+        while page.hear("LessonShown").get("step") != STEP:
+            pass
+        page.type(run["program"]["text"])
+        page.say("ShowVariant", robot=run["robot"], variant=0)
+        while page.hear("LessonGoals")["goals"][0].get("state") != "failed":
+            pass
+        page.say("HandIn")
+        assert page.hear("Failed")["message"]["code"] == "class-only-look"
+        with room.wall() as wall:
+            [seat] = [seat for seat in wall.hear("Seats")["seats"] if seat["id"] == ana.id]
+            assert not seat.get("here")
+    assert not [*room.folder.glob(f"pupils/{ana.id}/projects/*.learnblock")]
 
 
 def test_what_ran_is_deleted_with_a_pupil_and_with_the_class(tmp_path):
     small_lesson.put_in(tmp_path)
     with opened(tmp_path) as room:
-        leo, folder = room.pupil("Leo"), room.folder / FOLDER
+        leo, folder = room.pupil("Leo"), room.folder / FOLDER / "hand-ins"
         HandInShelf(room.folder).add(leo.id, GivenWork(LESSON, STEP, GivenProgram(SHORT)))
         with room.socket(of(leo), room.teacher()) as page, room.wall() as wall:
             page.hear("LessonShown")
@@ -106,4 +141,4 @@ def test_what_ran_is_deleted_with_a_pupil_and_with_the_class(tmp_path):
         with room.socket(of(kim), room.teacher()) as page:
             page.hear("LessonShown")
             assert folder.exists()
-    assert not folder.exists()
+    assert not folder.parent.exists()

@@ -7,6 +7,8 @@ import httpx
 import pytest
 from starlette.requests import Request
 
+from learnblock.classroom.app import create_app
+from learnblock.classroom.badges import Badges, Visitors
 from learnblock.classroom.forward import Forwarder
 from learnblock.classroom.hub_class import HubLogin, HubService, HubUser
 from learnblock.classroom.room import Room
@@ -47,6 +49,26 @@ def test_a_login_needs_the_cookie_of_the_browser_that_began_it():
         request = SimpleNamespace(query_params={"state": state, "code": "x"}, cookies=known)
         with pytest.raises(LearnBlockError, match="not begun here"):
             asyncio.run(login.user(request))
+
+
+@pytest.mark.parametrize(
+    ("proxies", "is_secure"),
+    [("https", True), ("https,http", True), ("http, https", False), ("http", False), ("", False)],
+)
+def test_cookies_are_kept_back_from_http_where_browsers_come_by_https(tmp_path, proxies, is_secure):
+    roster = Roster(tmp_path, "7b")
+    room = Room(roster, "http://a", servers=SimpleNamespace())
+    visitors = Visitors(Badges(roster), "class")
+    app = create_app(room, visitors, hosts=["hub.example"], hub=HubLogin(service()))
+
+    async def login():
+        transport = httpx.ASGITransport(app)
+        async with httpx.AsyncClient(transport=transport, base_url="http://hub.example") as browser:
+            headers = {"x-forwarded-proto": proxies}
+            return await browser.get("/services/class-7b/", headers=headers)
+
+    cookie = asyncio.run(login()).headers["set-cookie"]
+    assert ("; secure" in cookie.lower()) == is_secure
 
 
 @pytest.mark.parametrize("path", ["../../bob/learnblock/", "a/../../../hub/api/user", ".."])

@@ -3,6 +3,7 @@
 import os
 import signal
 import sys
+from urllib.parse import urlencode
 
 import pytest
 from websockets.exceptions import ConnectionClosedError
@@ -116,6 +117,29 @@ def test_work_is_handed_out_handed_in_marked_and_handed_back(teacher, alice):
         wall.say("MarkHandIn", pupil=pupil, note="Well driven", mark="9", **PLACE)
         wall.say("HandBack", pupils=[pupil], **PLACE)
         assert hand_ins(page)[0]["back"]["mark"] == "9"
+
+
+@pytest.mark.timeout(240)
+def test_a_hand_in_is_checked_and_its_run_is_seen_by_teacher_and_pupil(teacher, alice):
+    pupil = page_of(alice).split("/")[-2]
+    with teacher.socket(f"{CLASS}marking") as marking:
+        marking.say("CheckHandIns", **PLACE)
+        marking.say("ReadHandIns", **PLACE)
+        while not all(line.get("checked") for line in marking.hear("HandInList")["lines"]):
+            pass
+    place = urlencode(PLACE)
+    watched = (
+        (teacher, f"{CLASS}p/hand-ins/ws?pupil={pupil}&{place}"),
+        (alice, f"{CLASS}p/hand-in-{pupil}/ws?{place}"),
+    )
+    for user, path in watched:
+        with user.socket(path) as page:
+            run = page.hear("HandInRun")
+            page.hear("LessonShown", step=STEP)
+            page.type(run["program"]["text"])
+            page.say("SetSpeed", factor=None)
+            page.say("ShowVariant", robot=run["robot"], variant=run.get("variant", 0))
+            page.hear("Ended")
 
 
 def test_a_program_in_an_open_page_is_collected(hub, teacher, bob):

@@ -15,6 +15,8 @@ export class HandInNews {
   readonly read = signal<ReadonlyMap<string, number>>(new Map());
   /** The block that the teacher's note is about; null without one, or if it is gone. */
   readonly noted = signal<string | null>(null);
+  /** The hand-in whose run is shown; null for none. */
+  readonly run = signal<OwnHandIn | null>(null);
   /** What `noted` belongs to. */
   private notedAt = 0;
 

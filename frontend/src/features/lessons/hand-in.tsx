@@ -5,6 +5,7 @@ import { usePage } from "../../model/page";
 import type { NotedLine, OwnHandIn } from "../../protocol/classroom";
 import type { LessonShown } from "../../protocol/messages";
 import { Icon } from "../../ui/icons";
+import { RunThatWasHandedIn } from "../in-class/handed-in-run";
 import { inLanguage } from "./texts";
 import "./hand-in.css";
 
@@ -88,10 +89,15 @@ function Back({ handIn }: { handIn: OwnHandIn }) {
           <Icon name="restart" />
           {t("page-handins-own-improve")}
         </button>
+        <button type="button" class="button bordered" onClick={() => (handIns.run.value = handIn)}>
+          <Icon name="run" />
+          {t("page-handins-own-run")}
+        </button>
         <button type="button" class="button bordered" onClick={() => handIns.putAway(handIn)}>
           {t("page-handins-own-later")}
         </button>
       </div>
+      <RunThatWasHandedIn handIn={handIn} />
     </section>
   );
 }

@@ -1,7 +1,7 @@
 /** A Parsons puzzle: pieces of a program to be put in order, by mouse, keyboard or touch. */
 
 import { useSignal } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
 import type { LessonPuzzle, Workspace } from "../../protocol/messages";
@@ -24,7 +24,8 @@ export function Puzzle({ puzzle: { pieces, solved = false }, drawings }: Props) 
   const root = useRef<HTMLDivElement>(null);
   const focus = useRef("");
   const judged = lessons.puzzle.value;
-  useEffect(() => {
+  // At once: later it would take the focus back from what is used next.
+  useLayoutEffect(() => {
     // A piece that was moved takes the focus with it.
     if (focus.current) root.current?.querySelector<HTMLElement>(focus.current)?.focus();
     focus.current = "";

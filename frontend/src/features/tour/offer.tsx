@@ -1,15 +1,17 @@
 /** The offer of the tour to new users, over the page, so that nothing moves when it is answered. */
 
 import { t } from "../../i18n";
-import { usePage } from "../../model/page";
+import { type Page, usePage } from "../../model/page";
 import { prefer, preferences } from "../../model/preferences";
 import "./tour.css";
 
+/** Blocks of a program that end above the offer. */
+const SHORT = 6;
+
 export function TourOffer() {
-  const { classNews, dialogs } = usePage();
-  // In a class the teacher says what to do.
-  const inClass = classNews.now.value !== null;
-  if (preferences.value.tourDone || dialogs.tour.value || inClass) return null;
+  const page = usePage();
+  const { dialogs } = page;
+  if (preferences.value.tourDone || dialogs.tour.value || isGuided(page) || isLong(page)) return null;
   return (
     <section class="toast tour-offer" aria-label={t("page-tour-title")}>
       <p>{t("page-tour-offer")}</p>
@@ -21,4 +23,14 @@ export function TourOffer() {
       </button>
     </section>
   );
+}
+
+/** In a class the teacher says what to do, and a lesson says it itself. */
+function isGuided({ classNews, lessons }: Page): boolean {
+  return classNews.now.value !== null || lessons.shown.value !== null;
+}
+
+/** Whether the offer would cover the program's last blocks. */
+function isLong({ context }: Page): boolean {
+  return context.program.state.value.places.length > SHORT;
 }
