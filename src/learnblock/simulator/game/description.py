@@ -19,7 +19,7 @@ from learnblock.simulator.description_types import (
 )
 
 CollectableKind = Literal[
-    "star", "coin", "gem", "heart", "apple", "battery", "key", "flag", "bug", "ghost"
+    "star", "coin", "gem", "heart", "cherry", "battery", "key", "flag", "bug", "ghost"
 ]
 #: What becomes of the game: nothing, or it is won or lost.
 Verdict = Literal["no", "win", "lose"]
