@@ -47,6 +47,11 @@ class OwnPlay:
     def result(self) -> Result | None:
         return self._scores.result
 
+    @property
+    def seen(self) -> Standing | None:
+        """How it stands, for those who only watch; None as long as the program counts nothing."""
+        return self._scores.standing(_ALONE, self._time()) if self._scores.in_use else None
+
     def standing(self) -> Standing:
         self._look()
         return self._scores.standing(_ALONE, self._time())
