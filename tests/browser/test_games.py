@@ -15,7 +15,7 @@ end
 def test_a_game_is_played_by_keys_and_its_score_is_over_the_world(sit_down, server):
     pupil = sit_down(server, reduced_motion="reduce", empty=True)
     game = pupil.page.get_by_role("group", name="Game", exact=True)
-    groups = pupil.page.locator(".lbGroupIcon")
+    groups = pupil.page.locator(".lbGroupIcon:visible")
     expect(game).to_be_hidden()
     before = groups.count()
     pupil.choose("World", "Catch the stars")
