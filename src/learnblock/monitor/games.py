@@ -2,18 +2,17 @@
 
 from typing import TYPE_CHECKING
 
-from learnblock.client.game import Game as RobotGame
-from learnblock.client.game import OwnPlay
+from learnblock.client.game import Game, OwnPlay
 from learnblock.monitor.monitor import GameNow, PlayerNow
 
 if TYPE_CHECKING:
-    from learnblock.simulator.game.game import Game
+    from learnblock.simulator.game.game import WorldGame
 
 #: Decimals of a place in mm: less than a pixel.
 _DECIMALS = 1
 
 
-def game_now(game: "Game", time: float) -> GameNow | None:
+def game_now(game: "WorldGame", time: float) -> GameNow | None:
     """How a game stands at a time in s; None if nothing has to do with one."""
     scores = game.scores
     if not game.has_things and not game.has_rules and not scores.in_use:
@@ -33,7 +32,7 @@ def game_now(game: "Game", time: float) -> GameNow | None:
     )
 
 
-def own_game(game: RobotGame) -> GameNow | None:
+def own_game(game: Game) -> GameNow | None:
     """How the game of a robot without a world stands; None as long as it counts nothing."""
     seen = game.play.seen if isinstance(game.play, OwnPlay) else None
     if seen is None:

@@ -17,6 +17,14 @@ _SKILLS: Mapping[str, Sequence[str]] = {
     "end": ("win_game", "game_over"),
 }
 
+#: What tells a change, by the program or not.
+_CODES = {
+    ("score", True): "why-score-changed",
+    ("score", False): "why-score-changed-by",
+    ("lives", True): "why-lives-changed",
+    ("lives", False): "why-lives-changed-by",
+}
+
 Line = Mapping[str, Any]
 
 
@@ -46,8 +54,7 @@ class GameFacts:
         for line in [*reversed([*self._lines(until, time, name)])][:_MOST]:
             thing = line.get("thing")
             own |= thing is None
-            code = f"why-{name}-changed" if thing is None else f"why-{name}-changed-by"
-            self._say(code, line, thing=str(thing), value=line[name])
+            self._say(_CODES[name, thing is None], line, thing=str(thing), value=line[name])
         return own
 
     def _ended(self, until: int, time: float | None) -> bool:

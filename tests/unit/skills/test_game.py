@@ -5,7 +5,7 @@ import pytest
 from learnblock.client import Witness
 from learnblock.client.game import Game, OwnPlay
 from learnblock.errors import DeviceValueError
-from learnblock.scores import Standing
+from learnblock.scores import Tally
 
 
 class Things(OwnPlay):
@@ -89,7 +89,7 @@ def test_without_lives_a_game_is_over(robot):
     robot.set_lives(1)
     robot.change_lives(-1)
 
-    assert robot.game.standing == Standing(0, 0, None)
+    assert robot.game.standing == Tally(0, 0, None)
     assert not robot.game.play.result.won
 
 
@@ -108,4 +108,4 @@ def test_a_robot_without_a_world_reports_its_game_and_shows_how_it_stands(robot)
     robot.is_time_up()
 
     assert kinds == ["score", "countdown", "time-up"]
-    assert robot.game.play.seen == Standing(1, None, 0)
+    assert robot.game.play.seen == Tally(1, None, 0)

@@ -110,7 +110,7 @@ class Zone(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     name: Annotated[Name, NAME] = "zone"
 
 
-class Gate(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
+class RaceGate(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     """A gate on the floor; gates count when a robot drives through them in their order."""
 
     x: Annotated[Place, X]

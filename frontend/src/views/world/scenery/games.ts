@@ -11,7 +11,7 @@ import {
   RingGeometry,
 } from "three";
 
-import type { Collectable, Door, Gate, Mover } from "../../../protocol/world";
+import type { Collectable, Door, Mover, RaceGate } from "../../../protocol/world";
 import { friendly } from "./colours";
 import type { WorldValues, XY } from "./description";
 import { radians } from "./geometry";
@@ -141,7 +141,7 @@ function door({ x, y, heading, length, width, height, colour }: Door): Object3D 
 }
 
 /** Two posts for each gate, with a bar above them. */
-function gates(all: readonly Gate[]): Mesh {
+function gates(all: readonly RaceGate[]): Mesh {
   const parts = new Parts();
   for (const { x, y, heading, width } of all) {
     const gate = new Parts();
