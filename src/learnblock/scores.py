@@ -48,7 +48,7 @@ TIME_UP = "time-up"
 ANYTHING = "anything"
 
 
-class Standing(NamedTuple):
+class Tally(NamedTuple):
     """How a game stands for a player.
 
     Args:
@@ -62,7 +62,7 @@ class Standing(NamedTuple):
     time_left: float | None = None
 
 
-class Result(NamedTuple):
+class GameResult(NamedTuple):
     """How a game ended.
 
     Args:
@@ -82,7 +82,7 @@ class Result(NamedTuple):
     @classmethod
     def of(
         cls, time: float, reason: Reason, *, won: bool, player: str = "", thing: str = ""
-    ) -> "Result":
+    ) -> "GameResult":
         """The end of a game at a time in s."""
         return cls(won, player, reason, thing, time)
 
@@ -137,7 +137,7 @@ class Scores:
         #: When the countdown ends, in seconds; None without counts.
         self._ends_at: float | None = None
         self._is_time_up = False
-        self.result: Result | None = None
+        self.result: GameResult | None = None
         self._events: deque[GameEvent] = deque(maxlen=_EVENTS_KEPT)
 
     def join(self, player: str) -> None:
@@ -145,11 +145,11 @@ class Scores:
         if player not in self._players:
             self._players[player] = _Counts(self._lives)
 
-    def standing(self, player: str, time: float) -> Standing:
+    def standing(self, player: str, time: float) -> Tally:
         """How the game stands for a player."""
         counts = self._counts(player)
         left = None if self._ends_at is None else max(0.0, round(self._ends_at - time, _DECIMALS))
-        return Standing(counts.score, counts.lives, left)
+        return Tally(counts.score, counts.lives, left)
 
     def lost_lives(self, player: str) -> int:
         """How many lives a player has lost so far."""
@@ -197,7 +197,7 @@ class Scores:
             case "countdown":
                 self.start_countdown(amount, time, player=player)
             case "win" | "lose":
-                self.end(Result.of(time, "program", won=change == "win", player=player))
+                self.end(GameResult.of(time, "program", won=change == "win", player=player))
 
     def affect(
         self,
@@ -231,7 +231,7 @@ class Scores:
         lost = -lives if lives < 0 and not thing else None
         self._events.append(GameEvent(time, kind, player, thing, score, left, lost))
         if all(counts.lives == 0 for counts in self._players.values()):
-            self.end(Result.of(time, "lives", won=False, player=player, thing=thing))
+            self.end(GameResult.of(time, "lives", won=False, player=player, thing=thing))
 
     def note(self, event: GameEvent) -> None:
         """Note something that changes neither score nor lives."""
@@ -271,7 +271,7 @@ class Scores:
             counts.news.append(TIME_UP)
         return True
 
-    def end(self, result: Result) -> None:
+    def end(self, result: GameResult) -> None:
         """End the game; the first end counts."""
         if self.result:
             return

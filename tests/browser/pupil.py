@@ -377,7 +377,7 @@ class Pupil:
     def groups(self):
         """Return the names of the palette's groups."""
         expect(self.page.locator(".lbGroupIcon").first).to_be_visible()
-        return self.page.locator(".blocklyToolboxCategoryLabel").all_text_contents()
+        return self.page.locator(".blocklyToolboxCategoryLabel:visible").all_text_contents()
 
     def search_blocks(self, words):
         """Search in the palette."""

@@ -172,6 +172,11 @@ def read_world(folder: Path, text: str) -> None:
     """Load a world and advance it briefly."""
     world = World(load_world(written(folder / "world.toml", text)))
     world.step()
+    if world.game.has_things:
+        world.add_robot(load_robot("ebo"))
+        world.game.join("robot", world.time)
+        for _ in range(10):
+            world.step()
 
 
 def read_settings(folder: Path, text: str) -> None:

@@ -1,6 +1,7 @@
 """Run programs in tests: from a file, a robot and a world to a report and a recorder."""
 
 import io
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import partial
@@ -16,6 +17,7 @@ from learnblock.runtime.inline import InlineWorker
 from learnblock.runtime.process import ThreadWorker
 from learnblock.runtime.recorder import Recorder
 from learnblock.runtime.watcher import Watcher
+from learnblock.simulator.geometry import wrapped
 from places import ROOT
 
 EXAMPLES = ROOT / "examples"
@@ -59,6 +61,9 @@ TASKS = {
     "first/traffic-light.bt": ("patrol", 60),
     "first/turn-away.bt": ("arena", 40),
     "flower.bt": ("flower", 200),
+    "games/collector.bt": ("stars", 40),
+    "games/maze.bt": ("maze-clock", 115),
+    "games/stars.bt": ("stars", 85),
     "imitate.bt": ("faces", 50),
     "labyrinth.bt": ("labyrinth", 150),
     "line-ebo.bt": ("line", 145),
@@ -105,6 +110,23 @@ ANSWERS = {
 HANDS = {"first/caught.bt": [(1.0, "shake"), (10.0, "left"), (12.0, "level")]}
 
 
+#: Where a person steers the robot of an example with the arrow keys, mm.
+WAYS = {
+    "games/maze.bt": [
+        (-700, -300),
+        (-700, 350),
+        (-100, 350),
+        (100, 300),
+        (100, -400),
+        (700, -400),
+        (1000, -400),
+    ],
+    "games/stars.bt": [(-350, 0), (50, 0), (450, 0), (450, 400), (50, 400), (-350, 400)],
+}
+#: mm and degrees within which a person takes a place as reached, and a direction as right.
+NEAR, STRAIGHT = 45, 8
+
+
 class Presser(Watcher):
     """Holds down recorded keys."""
 
@@ -149,10 +171,38 @@ class Holder(Watcher):
             twin.simulation.handle(twin.name, self._moves.pop(0)[1])
 
 
+class Pilot(Holder):
+    """Steers the twin of a run with the arrow keys.
+
+    Args:
+        places: where to drive, in order, mm.
+    """
+
+    def __init__(self, places: Iterable[tuple[float, float]]) -> None:
+        super().__init__(())
+        self._places = list(places)
+
+    def held_keys(self, time):
+        del time
+        twin = self.session.client if self.session else None
+        return [key] if twin and (key := self._key(*twin.where())) else []
+
+    def _key(self, x, y, heading):
+        while self._places and math.dist((x, y), self._places[0]) < NEAR:
+            self._places.pop(0)
+        if not self._places:
+            return None
+        east, north = self._places[0][0] - x, self._places[0][1] - y
+        off = wrapped(-math.degrees(math.atan2(north, east)) - heading)
+        return "up" if abs(off) < STRAIGHT else "right" if off > 0 else "left"
+
+
 def person(name: str) -> Watcher:
-    """Return who handles the robot, presses keys or answers questions in an example, if needed."""
+    """Return who steers or handles the robot of an example, presses keys or answers, if needed."""
     if name in HANDS:
         return Holder(HANDS[name])
+    if name in WAYS:
+        return Pilot(WAYS[name])
     keys = (EXAMPLES / name).with_suffix(".jsonl")
     return Presser(read_keys(keys)) if keys.exists() else Answerer(ANSWERS.get(name, ()))
 

@@ -16,8 +16,9 @@ pytestmark = pytest.mark.spread
 
 #: Values for parameters without a default, by their type.
 VALUES = {"angle": "20", "float": "40", "int": "3", "string": '"CAMERA"', "apriltext": "1"}
-#: Skills that only work together with other robots, and a function of the language.
-LEFT_OUT = frozenset(("received", "message_value", "elapsedTime"))
+#: Skills that only work together with other robots, a function of the language, and those that end
+#: the program.
+LEFT_OUT = frozenset(("received", "message_value", "elapsedTime", "win_game", "game_over"))
 ALL = frozenset(builtin().keys() - LEFT_OUT)
 QUESTIONS = frozenset(one.name for one in builtin().values() if one.returns == "boolean") & ALL
 

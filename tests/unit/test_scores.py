@@ -2,7 +2,7 @@
 
 import pytest
 
-from learnblock.scores import ANYTHING, MOST_WAITING, TIME_UP, Scores, Standing
+from learnblock.scores import ANYTHING, MOST_WAITING, TIME_UP, Scores, Tally
 
 
 def scores(lives=None, players=("ada",)):
@@ -44,7 +44,7 @@ def test_a_score_has_limits(amount):
 
 def test_a_game_without_lives_begins_with_three_when_one_is_lost():
     game = scores()
-    assert game.standing("ada", 0.0) == Standing(0, None, None)
+    assert game.standing("ada", 0.0) == Tally(0, None, None)
     game.change("ada", "change-lives", -1, 1.0)
 
     assert game.standing("ada", 1.0).lives == 2

@@ -49,4 +49,8 @@ def test_each_question_of_the_page_is_understood(tmp_path, monkeypatch):
         # This run reached no goal and printed nothing.
         QuestionKind.REACHED,
         QuestionKind.PRINTED,
+        # It was no game.
+        QuestionKind.SCORE,
+        QuestionKind.LIVES,
+        QuestionKind.GAME,
     }

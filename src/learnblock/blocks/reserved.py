@@ -28,6 +28,7 @@ RESERVED = frozenset(
         "drivetrain_for",
         "equipment",
         "forget_readings",
+        "game",
         "halt",
         "has",
         "has_extra_camera",

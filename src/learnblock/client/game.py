@@ -5,7 +5,7 @@ from contextlib import AbstractContextManager
 from typing import Protocol
 
 from learnblock.client.mailbox import Mailbox
-from learnblock.scores import TIME_UP, Change, GameEvent, Result, Scores, Standing
+from learnblock.scores import TIME_UP, Change, GameEvent, GameResult, Scores, Tally
 
 #: The only player of a game without a world.
 _ALONE = "robot"
@@ -15,10 +15,10 @@ class Play(Protocol):
     """Where a game is kept, for one of its players."""
 
     @property
-    def result(self) -> Result | None:
+    def result(self) -> GameResult | None:
         """How the game ended; None while it goes on."""
 
-    def standing(self) -> Standing:
+    def standing(self) -> Tally:
         """How the game stands for the player."""
 
     def change(self, change: Change, amount: float) -> None:
@@ -44,10 +44,15 @@ class OwnPlay:
         self._scores = Scores()
 
     @property
-    def result(self) -> Result | None:
+    def result(self) -> GameResult | None:
         return self._scores.result
 
-    def standing(self) -> Standing:
+    @property
+    def seen(self) -> Tally | None:
+        """How it stands, for those who only watch; None as long as the program counts nothing."""
+        return self._scores.standing(_ALONE, self._time()) if self._scores.in_use else None
+
+    def standing(self) -> Tally:
         self._look()
         return self._scores.standing(_ALONE, self._time())
 
@@ -82,9 +87,9 @@ class Game:
         self._news = Mailbox(collect=lambda: ((news, None) for news in play.collect()))
 
     @property
-    def standing(self) -> Standing:
+    def standing(self) -> Tally:
         """Score, lives and the time that is left."""
-        return Standing(*self.play.standing())
+        return Tally(*self.play.standing())
 
     def change(self, change: Change, amount: float = 0) -> None:
         """Change the score, the lives or the countdown, or end the game."""

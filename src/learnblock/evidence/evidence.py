@@ -135,6 +135,11 @@ class Evidence:
         return self._texts("collision")
 
     @cached_property
+    def game(self) -> Sequence[tuple[Moment, Line]]:
+        """The lines about what happened to the robot in a game."""
+        return self._of("game")
+
+    @cached_property
     def lines_run(self) -> frozenset[int]:
         """The lines of the program's Python that ran."""
         return frozenset(about["line"] for about in self.trace.steps() if self._fits("line", about))
@@ -234,6 +239,7 @@ _SHAPES: Mapping[str, Callable[[object], bool]] = {
     "call": _is_named,
     "collision": _is_named,
     "device": _is_named,
+    "game": _is_named,
     "goal": _is_named,
     "line": lambda value: isinstance(value, int),
     "pose": _is_pose,

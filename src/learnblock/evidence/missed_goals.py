@@ -22,6 +22,7 @@ from learnblock.evidence.gaps import (
     turn_words,
     xy,
 )
+from learnblock.evidence.missed_games import missed_game
 from learnblock.i18n import Phrase
 from learnblock.i18n.names import goal_phrase
 from learnblock.simulator import WorldDescription
@@ -30,8 +31,12 @@ from learnblock.simulator.goal import RobotState
 from learnblock.simulator.goal_description import (
     AnyGoal,
     Avoid,
+    Collect,
     Follow,
+    GameGoal,
+    Gates,
     Reach,
+    Score,
     Show,
     Stop,
     Tour,
@@ -272,6 +277,10 @@ def first_bump(run: RunInWorld, hits: Sequence[Moment] | None = None) -> Miss | 
     return Miss(Phrase("miss-bump", mm=mm), xy(until[-1]), xy(until[-1]))
 
 
+def _game(goal: GameGoal, run: RunInWorld) -> Miss | None:
+    return Miss(missed_game(goal, run.evidence, run.world)) if run.world else None
+
+
 _GOALS: Mapping[type, Callable[[Any, RunInWorld], Miss | None]] = {
     Reach: _reach,
     Follow: _follow,
@@ -280,4 +289,7 @@ _GOALS: Mapping[type, Callable[[Any, RunInWorld], Miss | None]] = {
     Stop: _stop,
     Show: _show,
     Avoid: _avoid,
+    Score: _game,
+    Collect: _game,
+    Gates: _game,
 }

@@ -14,6 +14,7 @@ from learnblock.client import Client
 from learnblock.devices import Base, Camera, Device, JointMotor, Pose, Sensor
 from learnblock.errors import LearnBlockError
 from learnblock.monitor import plain_stage
+from learnblock.monitor.games import own_game
 from learnblock.monitor.monitor import (
     Link,
     LinkState,
@@ -67,7 +68,10 @@ class ClientMonitor:
         if client and not client.stopped:
             self._watch(client)
             self._state = State(
-                client.clock.time(), (self._robot_now(client),), sensors=self._readings(client)
+                client.clock.time(),
+                (self._robot_now(client),),
+                sensors=self._readings(client),
+                game=own_game(client.game),
             )
         return self._state
 

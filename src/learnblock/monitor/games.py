@@ -1,13 +1,18 @@
-"""The game of a world as the page shows it."""
+"""The game of a world, or of a real robot, as the page shows it."""
 
+from typing import TYPE_CHECKING
+
+from learnblock.client.game import Game, OwnPlay
 from learnblock.monitor.monitor import GameNow, PlayerNow
-from learnblock.simulator.game.game import Game
+
+if TYPE_CHECKING:
+    from learnblock.simulator.game.game import WorldGame
 
 #: Decimals of a place in mm: less than a pixel.
 _DECIMALS = 1
 
 
-def game_now(game: Game, time: float) -> GameNow | None:
+def game_now(game: "WorldGame", time: float) -> GameNow | None:
     """How a game stands at a time in s; None if nothing has to do with one."""
     scores = game.scores
     if not game.has_things and not game.has_rules and not scores.in_use:
@@ -24,6 +29,19 @@ def game_now(game: Game, time: float) -> GameNow | None:
         doors=tuple(door.is_open for door in game.doors),
         won=result.won if result else None,
         reason=(result.thing or result.reason) if result else "",
+    )
+
+
+def own_game(game: Game) -> GameNow | None:
+    """How the game of a robot without a world stands; None as long as it counts nothing."""
+    seen = game.play.seen if isinstance(game.play, OwnPlay) else None
+    if seen is None:
+        return None
+    result = game.play.result
+    return GameNow(
+        (PlayerNow("robot", seen.score, seen.lives),),
+        time_left=seen.time_left,
+        won=result.won if result else None,
     )
 
 

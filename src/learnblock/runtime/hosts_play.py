@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from learnblock.client.clock import Clock
 from learnblock.runtime.messages import AskGame, ChangeGame, CollectNews
 from learnblock.runtime.wire import Wire
-from learnblock.scores import Change, Result, Standing
+from learnblock.scores import Change, GameResult, Tally
 
 
 class HostsPlay:
@@ -17,16 +17,16 @@ class HostsPlay:
     """
 
     #: The host ends the program of a game that has ended.
-    result: Result | None = None
+    result: GameResult | None = None
 
     def __init__(self, wire: Wire, clock: Clock) -> None:
         self._wire = wire
         self._clock = clock
         self._instant: int | None = None
 
-    def standing(self) -> Standing:
+    def standing(self) -> Tally:
         """How the game stands."""
-        return Standing(*self._wire.ask(AskGame()))
+        return Tally(*self._wire.ask(AskGame()))
 
     def change(self, change: Change, amount: float) -> None:
         """Do what the program has said; where no time passes, with the next request."""

@@ -5,8 +5,6 @@ from functools import partial
 from time import thread_time
 from typing import Any
 
-import msgspec
-
 from learnblock.client import Client
 from learnblock.client.keyboard import KEYS
 from learnblock.client.mailbox import checked
@@ -30,7 +28,7 @@ from learnblock.runtime.program import Program
 from learnblock.runtime.recorder import Recorder
 from learnblock.runtime.status import State
 from learnblock.runtime.supervision import Supervision
-from learnblock.runtime.validation import Validator, refused
+from learnblock.runtime.validation import Validator, decoded, refused
 from learnblock.runtime.variables import VariableReports
 from learnblock.runtime.waiting import Parking, Waiting
 from learnblock.runtime.watcher import Watcher
@@ -345,7 +343,7 @@ class Run:
             self.release()
 
     def _on_send(self, message: messages.Send) -> None:
-        name, value = checked(message.name, _decoded(message.value))
+        name, value = checked(message.name, decoded(message.value))
         self._box.send(name, value, self._step)
         if recorder := self.robot.active_recorder:
             recorder.sent(name, value)
@@ -436,13 +434,6 @@ def _begin(
         variables=variables.enabled,
     )
     return conversation
-
-
-def _decoded(value: msgspec.Raw) -> Any:
-    try:
-        return msgspec.msgpack.decode(value)
-    except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError, TypeError) as error:
-        raise refused(str(error)) from error
 
 
 def _failed(fault: messages.Fault) -> Ending:

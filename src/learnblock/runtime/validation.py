@@ -9,6 +9,8 @@ import re
 from collections.abc import Callable, Collection, Mapping
 from typing import Any
 
+import msgspec
+
 from learnblock.errors import RobotConnectionError
 from learnblock.runtime import messages
 from learnblock.runtime.claims import NOT_CONTAINED, is_need, is_of_program, last_line
@@ -174,6 +176,18 @@ class Validator:
 def refused(reason: str) -> RobotConnectionError:
     """The error about a message that cannot be true."""
     return RobotConnectionError("run-not-a-message", reason=reason)
+
+
+def decoded(value: msgspec.Raw) -> Any:
+    """The value of a message to other robots.
+
+    Raises:
+        RobotConnectionError: it cannot be true.
+    """
+    try:
+        return msgspec.msgpack.decode(value)
+    except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError, TypeError) as error:
+        raise refused(str(error)) from error
 
 
 def _check_called(message: messages.Called) -> None:

@@ -15,7 +15,7 @@ from learnblock.i18n import Phrase
 from learnblock.simulator.chassis import Chassis
 from learnblock.simulator.drawing import Drawing
 from learnblock.simulator.floor import Floor
-from learnblock.simulator.game.game import Game
+from learnblock.simulator.game.game import WorldGame
 from learnblock.simulator.geometry import Pose
 from learnblock.simulator.goal import GoalState, RobotState
 from learnblock.simulator.goals import goals
@@ -79,7 +79,7 @@ class World:
         self._chassis: list[Chassis] = []
         self.drawing = Drawing()
         self._goals = goals(description, self.physics.pushed)
-        self.game = Game(description, self.physics, seed, GOAL_PERIOD * DT)
+        self.game = WorldGame(description, self.physics, seed, GOAL_PERIOD * DT)
         self._events: deque[WorldEvent] = deque(maxlen=EVENTS_KEPT)
         self._touched: set[tuple[str, str]] = set()
         self._bumps: Counter[str] = Counter()

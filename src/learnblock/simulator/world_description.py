@@ -30,8 +30,8 @@ from learnblock.simulator.game.description import (
     Collectable,
     Door,
     GameRules,
-    Gate,
     Mover,
+    RaceGate,
     Switch,
     Zone,
 )
@@ -280,7 +280,7 @@ class WorldFile(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     game: Annotated[GameRules, Meta(description="what holds for the whole game")] | None = None
     collectable: Annotated[tuple[Collectable, ...], Meta(max_length=100)] = ()
     zone: Annotated[tuple[Zone, ...], Meta(max_length=50)] = ()
-    gate: Annotated[tuple[Gate, ...], Meta(max_length=50)] = ()
+    gate: Annotated[tuple[RaceGate, ...], Meta(max_length=50)] = ()
     mover: Annotated[tuple[Mover, ...], Meta(max_length=50)] = ()
     door: Annotated[tuple[Door, ...], Meta(max_length=50)] = ()
     switch: Annotated[tuple[Switch, ...], Meta(max_length=50)] = ()

@@ -1,6 +1,7 @@
 """Answers to questions about a run."""
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from learnblock.i18n.names import goal_phrase
@@ -8,6 +9,7 @@ from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import Kind, Node
 from learnblock.why.actions import ABOUT, Actions
 from learnblock.why.causes import Causes
+from learnblock.why.games import GameFacts
 from learnblock.why.history import EventHistory
 from learnblock.why.inquiry import Inquiry
 from learnblock.why.missed import goal_missed
@@ -70,6 +72,7 @@ class _Answering:
         self._position = inquiry.position
         self._commands = inquiry.commands
         self._draft = inquiry.draft
+        self._games = GameFacts(inquiry.history, inquiry.draft)
         self._since = inquiry.since
         # Each one uses only those above it.
         self._variables = VariableFacts(inquiry)
@@ -324,6 +327,11 @@ class _Answering:
         )
         return [{"name": name, **now}] if name and not recorded.ending else []
 
+    def _game(self, name: str, until: int, time: float | None, *, what: str) -> None:
+        del name
+        skills = self._games.tell(what, until, time)
+        self._ran([number for skill in skills for number in self._skills(skill)], until, time)
+
     def _emotion(self, name: str, until: int, time: float | None) -> None:
         commands = [
             index
@@ -435,5 +443,8 @@ _ANSWERS: dict[QuestionKind, Callable[[_Answering, str, int, float | None], None
     QuestionKind.LONG: _Answering._long,  # noqa: SLF001
     QuestionKind.LOST: _Answering._lost,  # noqa: SLF001
     QuestionKind.FALL: _Answering._fall,  # noqa: SLF001
+    QuestionKind.SCORE: partial(_Answering._game, what="score"),  # noqa: SLF001
+    QuestionKind.LIVES: partial(_Answering._game, what="lives"),  # noqa: SLF001
+    QuestionKind.GAME: partial(_Answering._game, what="end"),  # noqa: SLF001
     QuestionKind.NOW: _Answering._now,  # noqa: SLF001
 }

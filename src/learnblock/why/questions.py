@@ -69,6 +69,12 @@ class QuestionKind(StrEnum):
     FALL = "fall"
     #: Why did the robot bump into something?
     BUMP = "bump"
+    #: Why is the score what it is? The subject is the score.
+    SCORE = "score"
+    #: Why did the lives change?
+    LIVES = "lives"
+    #: Why did the game end? The subject is ``won`` or ``lost``.
+    GAME = "game"
     #: What was going on?
     NOW = "now"
 
@@ -97,6 +103,9 @@ _CODES = {
     QuestionKind.LOST: "why-ask-lost",
     QuestionKind.FALL: "why-ask-fall",
     QuestionKind.BUMP: "why-ask-bump",
+    QuestionKind.SCORE: "why-ask-score",
+    QuestionKind.LIVES: "why-ask-lives",
+    QuestionKind.GAME: "why-ask-game",
     QuestionKind.NOW: "why-ask-now",
 }
 
@@ -181,6 +190,7 @@ def questions(history: EventHistory) -> tuple[Question, ...]:
         *_bumps(history),
         *_emotions(history),
         *_goals(history),
+        *_games(history),
         *_lines(history),
         *_endings(history),
     ]
@@ -355,6 +365,18 @@ def _goals(history: EventHistory) -> Iterator[Question]:
         yield Question(
             QuestionKind.REACHED if is_reached else QuestionKind.GOAL, str(goal.get("name"))
         )
+
+
+def _games(history: EventHistory) -> Iterator[Question]:
+    """What can be asked about the game of a run."""
+    lines = [line for line in history.recorded.lines if "game" in line]
+    if scores := [line for line in lines if "score" in line]:
+        last = scores[-1]
+        yield Question(QuestionKind.SCORE, f"{last['score']:g}", round(last["t"], 2))
+    if lost := [line for line in lines if "lives" in line]:
+        yield Question(QuestionKind.LIVES, "", round(lost[-1]["t"], 2))
+    if ends := [line for line in lines if line["game"] in ("won", "lost")]:
+        yield Question(QuestionKind.GAME, ends[-1]["game"], round(ends[-1]["t"], 2))
 
 
 def _endings(history: EventHistory) -> Iterator[Question]:

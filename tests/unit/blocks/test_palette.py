@@ -303,6 +303,8 @@ def test_each_call_of_python_in_the_palette_is_a_sentence_with_all_its_values(la
             "cuando hay un obstáculo a menos de %1 mm",
         ),
         ("lb_when_received", "when I hear %1", "cuando oigo %1"),
+        ("lb_when_collected", "when I collect a %1", "cuando recojo %1"),
+        ("lb_when_is_time_up", "when time is up", "cuando se acaba el tiempo"),
     ],
 )
 def test_a_ready_hat_is_a_sentence_with_the_values_of_its_condition(kind, english, spanish):

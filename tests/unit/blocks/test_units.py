@@ -16,12 +16,16 @@ WITHOUT = {
     ("RGBled", "red"),
     ("is_illuminated", "threshold"),
     ("is_this_code_IR", "code"),
+    ("change_lives", "lives"),
+    ("change_score", "points"),
     ("led", "intensity"),
     ("matrix_number", "number"),
     ("matrix_text", "column"),
     ("select_audio", "folder"),
     ("select_audio", "song"),
     ("send_code_IR", "code"),
+    ("set_lives", "lives"),
+    ("set_score", "score"),
     ("show_number", "value"),
 }
 NUMBERS = [

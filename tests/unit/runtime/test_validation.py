@@ -39,6 +39,7 @@ KINDS = get_args(FromChild)
 TYPICAL = {
     "module": "learnblock.robots.tiny", "arguments": {}, "device": 0, "function": "move",
     "args": [1.0, 0.0], "skill": "turn", "name": "go", "value": 1, "number": 1, "lines": [1],
+    "change": "change-score", "amount": 1.0,
 }  # fmt: skip
 BEGIN = [["Contained"], ["Connect", "learnblock.robots.tiny", {}]]
 BEHIND = ["Ended", None, False, []]

@@ -44,6 +44,8 @@ EXPECTED = {
     "tag-ahead",
     "tags",
     "walls",
+    "maze-clock",
+    "stars",
 }
 
 

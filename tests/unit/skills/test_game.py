@@ -2,9 +2,10 @@
 
 import pytest
 
+from learnblock.client import Witness
 from learnblock.client.game import Game, OwnPlay
 from learnblock.errors import DeviceValueError
-from learnblock.scores import Standing
+from learnblock.scores import Tally
 
 
 class Things(OwnPlay):
@@ -88,5 +89,23 @@ def test_without_lives_a_game_is_over(robot):
     robot.set_lives(1)
     robot.change_lives(-1)
 
-    assert robot.game.standing == Standing(0, 0, None)
+    assert robot.game.standing == Tally(0, 0, None)
     assert not robot.game.play.result.won
+
+
+def test_a_robot_without_a_world_reports_its_game_and_shows_how_it_stands(robot):
+    kinds = []
+
+    class Listener(Witness):
+        def game(self, event):
+            kinds.append(event.kind)
+
+    robot.observe(Listener())
+    assert robot.game.play.seen is None
+    robot.change_score()
+    robot.start_countdown(1)
+    robot.sleep(1)
+    robot.is_time_up()
+
+    assert kinds == ["score", "countdown", "time-up"]
+    assert robot.game.play.seen == Tally(1, None, 0)

@@ -13,6 +13,7 @@ import { IslandPlace } from "../../ui/island-place";
 import { Chips } from "./chips";
 import { EyeMenu } from "./eye-menu";
 import { Goals } from "./goals";
+import { Hud } from "./hud";
 import { RunBar } from "./run-bar";
 import { Said } from "./said";
 import { Status } from "./status";
@@ -57,6 +58,7 @@ export function WorldPlace({ children }: { children: ComponentChildren }) {
     <div class="world-place">
       <IslandPlace load={() => loadWorld(page)} ready={(world) => (page.views.world.value = world)} />
       <div class="world-top">{children}</div>
+      <Hud />
       <div class="world-bottom">
         <Said />
         <Hint />

@@ -1,6 +1,8 @@
 /** Smooth movement between messages: telemetry arrives 20 times per second, frames are drawn 60 times. */
 
 import type { Robot, Telemetry } from "../../protocol/messages";
+import type { XY } from "./scenery/description";
+import type { GameMoment } from "./scenery/games";
 import { between, type Pose, wrapped } from "./scenery/geometry";
 
 const SHORTEST_PERIOD = 20;
@@ -11,9 +13,11 @@ const USUAL_PERIOD = 50;
 export interface Moment {
   readonly robots: readonly Robot[];
   readonly pushed: readonly Pose[];
+  /** Null without things of a game. */
+  readonly game: GameMoment | null;
 }
 
-const NOTHING: Moment = { robots: [], pushed: [] };
+const NOTHING: Moment = { robots: [], pushed: [], game: null };
 
 /**
  * Moves the drawing smoothly to the last message.
@@ -54,6 +58,7 @@ export class Motion {
     return {
       robots: this.to.robots.map((robot, i) => blendRobots(this.from.robots[i], robot, part)),
       pushed: this.to.pushed.map((pose, i) => blendPoses(this.from.pushed[i], pose, part)),
+      game: this.to.game && blendGames(this.from.game, this.to.game, part),
     };
   }
 
@@ -65,7 +70,22 @@ export class Motion {
 
 function momentOf(telemetry: Telemetry): Moment {
   const pushed = (telemetry.pushed ?? []).map(([x, y, heading]) => ({ x, y, heading }));
-  return { robots: telemetry.robots, pushed };
+  return { robots: telemetry.robots, pushed, game: gameOf(telemetry) };
+}
+
+function gameOf({ game, time }: Telemetry): GameMoment | null {
+  const { things = [], doors = [] } = game ?? {};
+  return things.length || doors.length ? { time, things, doors } : null;
+}
+
+/** A thing that has just come back does not fly to its place. */
+function blendGames(from: GameMoment | null, to: GameMoment, part: number): GameMoment {
+  const things = to.things.map((thing, i): XY | null => {
+    const before = from?.things[i];
+    if (!thing || !before) return thing;
+    return [blend(before[0], thing[0], part), blend(before[1], thing[1], part)];
+  });
+  return { ...to, time: blend(from?.time ?? to.time, to.time, part), things };
 }
 
 function blend(a: number, b: number, part: number): number {

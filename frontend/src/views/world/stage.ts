@@ -13,6 +13,7 @@ import { type RobotModel, robotModel } from "./robots";
 import type { RobotValues, WorldValues, XY } from "./scenery/description";
 import { floor, LINE_PAINT } from "./scenery/floor";
 import { colourOf, legible } from "./scenery/floor-colours";
+import { GameThings, mover } from "./scenery/games";
 import type { Pose } from "./scenery/geometry";
 import { depthBelow } from "./scenery/mat";
 import type { Palette } from "./scenery/palette";
@@ -39,6 +40,7 @@ export class Stage {
   readonly floorColour: string;
   private readonly described: RobotValues | null;
   private readonly pushed: readonly Object3D[];
+  private readonly games: GameThings;
   private readonly goals: readonly GoalMark[];
   private readonly signs = new Signs();
   /** Its own pictures; null if they are shared. */
@@ -65,7 +67,9 @@ export class Stage {
     const pictures = shared ?? new Pictures(changed);
     this.pictures = shared ? null : pictures;
     const { fixed, pushed } = things(this.world, palette, pictures);
-    this.pushed = pushed;
+    const movers = this.world.mover.map(mover);
+    this.pushed = [...pushed, ...movers];
+    this.games = new GameThings(this.world);
     this.goals = goalMarks(this.world, scene.lines, this.signs);
     const descriptions = scene.robots.map(([, description]) => description);
     this.robots = descriptions.map(robotModel);
@@ -84,7 +88,7 @@ export class Stage {
     if (!scene.real) this.object.add(props(this.world.theme ?? "playground", this.world.floor.size, depth));
     this.object.add(around.object, floor(scene.name, this.world, scene.lines, palette, pictures), fixed);
     if (this.world.prop.length > 0) this.object.add(namedProps(this.world, depth));
-    for (const part of [...pushed, ...marks, ...models]) this.object.add(part);
+    for (const part of [...this.pushed, ...marks, ...models, this.games.object]) this.object.add(part);
     this.showStarts(scene);
     if (this.robots[0] && this.beams) this.robots[0].object.add(this.beams.object);
     this.startAt(scene.start);
@@ -130,9 +134,10 @@ export class Stage {
     for (const goal of this.goals) goal.face(x, y);
   }
 
-  show({ robots, pushed }: Moment): void {
+  show({ robots, pushed, game }: Moment): void {
     robots.forEach((robot, i) => this.robots[i]?.show(robot));
     pushed.forEach((pose, i) => this.pushed[i] && place(this.pushed[i], pose));
+    if (game) this.games.show(game);
   }
 
   /** Mark where on our robot a type of device measures; null marks nothing. */

@@ -39,6 +39,12 @@ miss-follow = The robot followed { $share } % of the line instead of { $asked } 
 miss-left-line = The robot left the line at { $at } s.
 miss-emotion = The robot never showed '{ $emotion }'.
 miss-emotion-away = The robot showed '{ $emotion }' { $mm } mm away from the place.
+miss-score = The score was { $score } instead of { $asked }.
+miss-collect = The robot collected { $count } of { $asked } things.
+miss-gates = The robot passed { $count } of { $asked } gates in their order.
+miss-life-lost = The program took a life at { $at } s.
+# $thing is a thing in the world, such as bug 2.
+miss-life-lost-by = '{ $thing }' took a life at { $at } s.
 miss-bump = The robot bumped into something after { $mm } mm.
 miss-line-never = The robot never came to the line.
 miss-was-there = The robot was there at { $at } s.

@@ -96,6 +96,12 @@ why-ask-not-print-any = Why was no text printed{ $time }?
 why-ask-goal-any = Why was the goal not reached?
 why-ask-reached-any = Why was the goal reached?
 why-ask-bump-any = Why did the robot bump into something{ $time }?
+why-ask-score = Why is the score { $subject }{ $time }?
+why-ask-lives = Why did the lives change{ $time }?
+why-ask-game = { $subject ->
+    [won] Why was the game won{ $time }?
+   *[lost] Why is the game over{ $time }?
+}
 why-ask-now = What was the robot doing{ $time }?
 
 # Facts behind a condition, separated by commas.
@@ -224,6 +230,21 @@ why-goal = The goal "{ $name }" { $state ->
     [failed] failed at
    *[other] was not reached by
 } { $time } s.
+why-score-changed = At { $time } s the program changed the score to { $value }.
+why-score-changed-by = At { $time } s "{ $thing }" changed the score to { $value }.
+why-lives-changed = At { $time } s the program changed the lives to { $value }.
+why-lives-changed-by = At { $time } s "{ $thing }" changed the lives to { $value }.
+# $reason is a thing, a goal, or one of these words.
+why-game-ended = The game was { $end ->
+    [won] won
+   *[lost] over
+} at { $time } s: { $reason ->
+    [program] the program ended it
+    [lives] no lives were left
+    [time] the time was up
+    [goals] all goals were reached
+   *[other] because of "{ $reason }"
+}.
 why-no-goal = This world has no goal.
 why-no-events = The log has nothing that the program did.
 why-unknown = The log does not say why.

@@ -39,6 +39,12 @@ miss-follow = El robot siguió el { $share } % de la línea en lugar del { $aske
 miss-left-line = El robot dejó la línea a los { $at } s.
 miss-emotion = El robot no mostró nunca '{ $emotion }'.
 miss-emotion-away = El robot mostró '{ $emotion }' a { $mm } mm del lugar.
+miss-score = Hubo { $score } puntos en lugar de { $asked }.
+miss-collect = El robot recogió { $count } de { $asked } cosas.
+miss-gates = El robot pasó por { $count } de { $asked } puertas en su orden.
+miss-life-lost = El programa quitó una vida a los { $at } s.
+# $thing es una cosa del mundo, como bug 2.
+miss-life-lost-by = '{ $thing }' quitó una vida a los { $at } s.
 miss-bump = El robot chocó con algo después de { $mm } mm.
 miss-line-never = El robot no llegó nunca a la línea.
 miss-was-there = El robot estuvo allí a los { $at } s.

@@ -110,6 +110,12 @@ why-ask-not-print-any = ¿Por qué no se escribió ningún texto{ $time }?
 why-ask-goal-any = ¿Por qué no se alcanzó el objetivo?
 why-ask-reached-any = ¿Por qué se alcanzó el objetivo?
 why-ask-bump-any = ¿Por qué chocó el robot con algo{ $time }?
+why-ask-score = ¿Por qué hay { $subject } puntos{ $time }?
+why-ask-lives = ¿Por qué cambiaron las vidas{ $time }?
+why-ask-game = { $subject ->
+    [won] ¿Por qué se ganó el juego{ $time }?
+   *[lost] ¿Por qué se acabó el juego{ $time }?
+}
 why-ask-now = ¿Qué estaba haciendo el robot{ $time }?
 
 why-facts = : { $facts }
@@ -234,6 +240,21 @@ why-goal = El objetivo «{ $name }» { $state ->
     [failed] falló
    *[other] no se había alcanzado
 } en el segundo { $time }.
+why-score-changed = A los { $time } s, el programa cambió los puntos a { $value }.
+why-score-changed-by = A los { $time } s, "{ $thing }" cambió los puntos a { $value }.
+why-lives-changed = A los { $time } s, el programa cambió las vidas a { $value }.
+why-lives-changed-by = A los { $time } s, "{ $thing }" cambió las vidas a { $value }.
+# $reason es una cosa, una meta o una de estas palabras.
+why-game-ended = { $end ->
+    [won] El juego se ganó
+   *[lost] El juego se acabó
+} a los { $time } s: { $reason ->
+    [program] lo terminó el programa
+    [lives] no quedaban vidas
+    [time] se acabó el tiempo
+    [goals] se alcanzaron todas las metas
+   *[other] por "{ $reason }"
+}.
 why-no-goal = Este mundo no tiene ningún objetivo.
 why-no-events = El registro no tiene nada de lo que hizo el programa.
 why-unknown = El registro no dice por qué.

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from learnblock.robots.simulated.simulation import Simulation
-from learnblock.scores import Change, Result, Standing
+from learnblock.scores import Change, GameResult, Tally
 
 
 class WorldPlay:
@@ -22,11 +22,11 @@ class WorldPlay:
             simulation.world.game.join(name, simulation.world.time)
 
     @property
-    def result(self) -> Result | None:
+    def result(self) -> GameResult | None:
         """How the game ended; None while it goes on."""
         return self._simulation.world.game.scores.result
 
-    def standing(self) -> Standing:
+    def standing(self) -> Tally:
         """How the game stands for the robot."""
         world = self._simulation.world
         return world.game.scores.standing(self._name, world.time)

@@ -108,6 +108,9 @@ class WhyQuestion(Struct, frozen=True):
         "lost",
         "fall",
         "bump",
+        "score",
+        "lives",
+        "game",
         "now",
     ]
     subject: ShortText = ""

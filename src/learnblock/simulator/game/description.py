@@ -19,7 +19,7 @@ from learnblock.simulator.description_types import (
 )
 
 CollectableKind = Literal[
-    "star", "coin", "gem", "heart", "apple", "battery", "key", "flag", "bug", "ghost"
+    "star", "coin", "gem", "heart", "cherry", "battery", "key", "flag", "bug", "ghost"
 ]
 #: What becomes of the game: nothing, or it is won or lost.
 Verdict = Literal["no", "win", "lose"]
@@ -110,7 +110,7 @@ class Zone(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     name: Annotated[Name, NAME] = "zone"
 
 
-class Gate(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
+class RaceGate(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     """A gate on the floor; gates count when a robot drives through them in their order."""
 
     x: Annotated[Place, X]

@@ -3,18 +3,25 @@
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 
-from learnblock.scores import GameEvent, Result, Scores
+from learnblock.scores import GameEvent, GameResult, Scores
 from learnblock.simulator.game.checks import THINGS
 from learnblock.simulator.game.description import GameRules
 from learnblock.simulator.game.solids import DoorNow, MovingSolid, SwitchNow
-from learnblock.simulator.game.things import Body, Effects, Gates, LyingThing, Player, ZoneNow
+from learnblock.simulator.game.things import (
+    Contestant,
+    ContestantBody,
+    GameEffects,
+    GateOrder,
+    LyingThing,
+    ZoneNow,
+)
 from learnblock.simulator.geometry import Pose
 from learnblock.simulator.goal import GoalState
 from learnblock.simulator.physics import Physics
 from learnblock.simulator.world_description import Box, Cylinder, WorldDescription
 
 
-class Game:
+class WorldGame:
     """The game of a world; it begins when the first robot with a program joins it.
 
     Args:
@@ -29,7 +36,7 @@ class Game:
         #: Worlds without rules have goals, too, which end nothing.
         self._ends_with_goals = world.game is not None and world.game.goals_win
         self.scores = Scores(self._rules.lives)
-        self._effects = Effects(self.scores)
+        self._effects = GameEffects(self.scores)
         self._period = period
         self._pushed = physics.pushed
         self.lying = [
@@ -42,10 +49,10 @@ class Game:
         ]
         objects = {thing.thing.name: thing for thing in physics.pushed}
         self._zones = [ZoneNow(zone, objects.get(zone.object or "")) for zone in world.zone]
-        self._gates = Gates(world.gate)
+        self._gates = GateOrder(world.gate)
         self.doors = [DoorNow(door, physics) for door in world.door]
         self.switches = [SwitchNow(switch) for switch in world.switch]
-        self._robots: list[Player] = []
+        self._robots: list[Contestant] = []
         self._has_begun = False
         #: Whether the world has things of games; what programs count needs none of them.
         self.has_things = any(getattr(world, table) for table in THINGS)
@@ -92,9 +99,9 @@ class Game:
         """How many things of each kind are still to be collected."""
         return Counter(thing.described.kind for thing in self.lying if thing.is_there)
 
-    def add(self, name: str, body: Body) -> None:
+    def add(self, name: str, body: ContestantBody) -> None:
         """Add a robot of the world, whether or not a program will join with it."""
-        self._robots.append(Player(name, body))
+        self._robots.append(Contestant(name, body))
 
     def visible(self) -> Iterator[tuple[Box | Cylinder, Pose]]:
         """The solid things that cameras see now, and where they are."""
@@ -143,14 +150,14 @@ class Game:
             return
         missed = next((goal.name for goal in goals if goal.failed_at is not None), None)
         if missed is not None:
-            self.scores.end(Result.of(time, "goal-failed", won=False, thing=missed))
+            self.scores.end(GameResult.of(time, "goal-failed", won=False, thing=missed))
         elif not any(goal.is_open for goal in goals):
-            self.scores.end(Result.of(time, "goals", won=True, player=goals[-1].robot))
+            self.scores.end(GameResult.of(time, "goals", won=True, player=goals[-1].robot))
 
     def _end_countdown(self, time: float) -> None:
         """End the game with the world's countdown, if it says so; others are the program's."""
         if self._rules.countdown is not None and self._rules.time_up != "program":
-            self.scores.end(Result.of(time, "time", won=self._rules.time_up == "win"))
+            self.scores.end(GameResult.of(time, "time", won=self._rules.time_up == "win"))
 
     def _work_doors(self) -> None:
         for switch in self.switches:
@@ -165,7 +172,7 @@ class Game:
             if door.set(is_open=is_open):
                 self.scores.note(GameEvent(time, "opened" if is_open else "closed", "", name))
 
-    def _meet(self, players: Sequence[Player]) -> None:
+    def _meet(self, players: Sequence[Contestant]) -> None:
         for thing in self.lying:
             thing.look(players, self._effects)
         for zone in self._zones:

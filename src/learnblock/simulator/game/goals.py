@@ -3,37 +3,36 @@
 from collections.abc import Iterator, Sequence
 
 from learnblock.scores import ANYTHING
-from learnblock.simulator.goal import Goal, RobotState
+from learnblock.simulator.goal import Goal, GoalKind, RobotState
 from learnblock.simulator.goal_description import Collect, GameGoal, Gates, Score
 from learnblock.simulator.world_description import WorldDescription
 
 
-class _Unharmed:
-    """Whether a goal asks to lose no life.
+class CountedGoal(Goal):
+    """A goal of a game, which may ask to lose no life.
 
     Args:
+        kind: as in `GoalState`.
         described: the goal in the world's file.
     """
 
-    def __init__(self, described: GameGoal) -> None:
-        self._described = described
+    def __init__(self, kind: GoalKind, described: GameGoal) -> None:
+        super().__init__(kind, described)
+        self._lose_nothing = described.lose_nothing
 
-    def allows(self, robot: RobotState) -> bool:
-        return not (self._described.lose_nothing and robot.lost_lives)
+    def can_reach(self, robot: RobotState) -> bool:
+        return not (self._lose_nothing and robot.lost_lives)
 
 
-class ScoreGoal(Goal):
+class ScoreGoal(CountedGoal):
     """Have a score."""
 
     def __init__(self, described: Score) -> None:
         super().__init__("score", described)
-        self._score, self._unharmed = described, _Unharmed(described)
+        self._score = described
 
     def progress(self, robot: RobotState) -> float:
         return _share(robot.score, self._score.points)
-
-    def can_reach(self, robot: RobotState) -> bool:
-        return self._unharmed.allows(robot)
 
 
 class SharedScoreGoal(ScoreGoal):
@@ -49,7 +48,7 @@ class SharedScoreGoal(ScoreGoal):
                 self._note(best, _share(total, self._score.points))
 
 
-class CollectGoal(Goal):
+class CollectGoal(CountedGoal):
     """Collect things of a kind.
 
     Args:
@@ -60,16 +59,12 @@ class CollectGoal(Goal):
     def __init__(self, described: Collect, count: int) -> None:
         super().__init__("collect", described)
         self._kind, self._count = described.kind, count
-        self._unharmed = _Unharmed(described)
 
     def progress(self, robot: RobotState) -> float:
         return _share(robot.collected.get(self._kind, 0), self._count)
 
-    def can_reach(self, robot: RobotState) -> bool:
-        return self._unharmed.allows(robot)
 
-
-class GatesGoal(Goal):
+class GatesGoal(CountedGoal):
     """Pass all gates in their order.
 
     Args:
@@ -79,13 +74,10 @@ class GatesGoal(Goal):
 
     def __init__(self, described: Gates, count: int) -> None:
         super().__init__("gates", described)
-        self._count, self._unharmed = count, _Unharmed(described)
+        self._count = count
 
     def progress(self, robot: RobotState) -> float:
         return _share(robot.gates, self._count)
-
-    def can_reach(self, robot: RobotState) -> bool:
-        return self._unharmed.allows(robot)
 
 
 def game_goals(world: WorldDescription) -> Iterator[Goal]:

@@ -8,7 +8,7 @@ from msgspec import structs
 
 from learnblock.simulator.game.description import Door, Mover, Switch
 from learnblock.simulator.game.movement import Movement
-from learnblock.simulator.game.things import CLOSE, Effects, Player
+from learnblock.simulator.game.things import CLOSE, Contestant, GameEffects
 from learnblock.simulator.geometry import Pose
 from learnblock.simulator.physics import Physics, Pushed
 from learnblock.simulator.world_description import Box, Cylinder
@@ -59,7 +59,7 @@ class MovingSolid:
             (x, y), (to_x, to_y) = self._body.position, self._movement.at(time)
             self._body.velocity = (to_x - x) / seconds, (to_y - y) / seconds
 
-    def look(self, players: Sequence[Player], effects: Effects) -> None:
+    def look(self, players: Sequence[Contestant], effects: GameEffects) -> None:
         """Count who has begun to touch it."""
         x, y = self._body.position
         for player in players:
@@ -131,7 +131,9 @@ class SwitchNow:
         #: Until when its doors are open, in seconds.
         self.opens_until = 0.0
 
-    def look(self, players: Sequence[Player], pushed: Sequence[Pushed], effects: Effects) -> None:
+    def look(
+        self, players: Sequence[Contestant], pushed: Sequence[Pushed], effects: GameEffects
+    ) -> None:
         """Note what is on it now."""
         poses = [player.pose for player in players] + [thing.pose for thing in pushed]
         on = [self._is_on(pose) for pose in poses]

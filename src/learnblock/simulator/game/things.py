@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from learnblock.scores import Result, Scores
-from learnblock.simulator.game.description import Collectable, Gate, Mover, Switch, Zone
+from learnblock.scores import GameResult, Scores
+from learnblock.simulator.game.description import Collectable, Mover, RaceGate, Switch, Zone
 from learnblock.simulator.game.movement import Movement
 from learnblock.simulator.geometry import Point, Pose, forward
 from learnblock.simulator.physics import Pushed
@@ -17,7 +17,7 @@ RECOVERY = 2.0
 CLOSE = 3.0
 
 
-class Body(Protocol):
+class ContestantBody(Protocol):
     """The body of a robot, as things of a game notice it."""
 
     @property
@@ -29,11 +29,11 @@ class Body(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
-class Player:
+class Contestant:
     """A robot in a game, with its name in the world."""
 
     name: str
-    body: Body
+    body: ContestantBody
 
     @property
     def pose(self) -> Pose:
@@ -42,7 +42,7 @@ class Player:
 
 
 @dataclass(slots=True)
-class Effects:
+class GameEffects:
     """What things do to players.
 
     Args:
@@ -70,10 +70,12 @@ class Effects:
         )
         if zone.ends != "no":
             self.scores.end(
-                Result.of(self.time, "zone", won=zone.ends == "win", player=player, thing=zone.name)
+                GameResult.of(
+                    self.time, "zone", won=zone.ends == "win", player=player, thing=zone.name
+                )
             )
 
-    def passed(self, player: str, gate: Gate) -> None:
+    def passed(self, player: str, gate: RaceGate) -> None:
         """Count a gate that a player has passed."""
         self.scores.affect("passed", player, self.time, thing=gate.name, points=gate.score)
 
@@ -126,7 +128,7 @@ class LyingThing:
         self.place = self._movement.at(time)
         self.is_there = time >= self._returns_at
 
-    def look(self, players: Sequence[Player], effects: Effects) -> None:
+    def look(self, players: Sequence[Contestant], effects: GameEffects) -> None:
         """Be collected by the first player that touches it."""
         for player in players if self.is_there else ():
             if player.body.touches(self.place, self.described.radius):
@@ -152,7 +154,7 @@ class ZoneNow:
         self._inside: set[str] = set()
         self._done: set[str] = set()
 
-    def look(self, players: Sequence[Player], effects: Effects) -> None:
+    def look(self, players: Sequence[Contestant], effects: GameEffects) -> None:
         """Count who has entered."""
         if self._thing is None:
             wanted = self.described.robot
@@ -165,7 +167,7 @@ class ZoneNow:
             if self._enter("", counted, pose, effects) and self.described.returns:
                 self._put_back(self._thing)
 
-    def _enter(self, who: str, player: str, pose: Pose, effects: Effects) -> bool:
+    def _enter(self, who: str, player: str, pose: Pose, effects: GameEffects) -> bool:
         """Note where a robot or the object is; return whether it has entered."""
         was_inside, zone = who in self._inside, self.described
         if math.hypot(pose.x - zone.x, pose.y - zone.y) > zone.radius:
@@ -185,20 +187,20 @@ class ZoneNow:
         self._inside.clear()
 
 
-class Gates:
+class GateOrder:
     """The gates of a world, which players pass in their order, round after round.
 
     Args:
         described: the gates in the world's file.
     """
 
-    def __init__(self, described: Sequence[Gate]) -> None:
+    def __init__(self, described: Sequence[RaceGate]) -> None:
         self._gates = described
         #: How many gates each player has passed so far.
         self.passed: dict[str, int] = {}
         self._before: dict[str, Pose] = {}
 
-    def look(self, players: Sequence[Player], effects: Effects) -> None:
+    def look(self, players: Sequence[Contestant], effects: GameEffects) -> None:
         """Count who has passed the gate that is next for it."""
         for player in players if self._gates else ():
             now, before = player.pose, self._before.get(player.name)
@@ -210,11 +212,11 @@ class Gates:
                 effects.passed(player.name, gate)
 
 
-def _nearest(players: Sequence[Player], pose: Pose) -> Player:
+def _nearest(players: Sequence[Contestant], pose: Pose) -> Contestant:
     return min(players, key=lambda one: math.hypot(one.pose.x - pose.x, one.pose.y - pose.y))
 
 
-def _crosses(gate: Gate, before: Pose, now: Pose) -> bool:
+def _crosses(gate: RaceGate, before: Pose, now: Pose) -> bool:
     """Whether a way leads through a gate in its direction."""
     along = forward(gate.heading)
     start, end = (_seen_from(gate, along, pose) for pose in (before, now))
@@ -224,7 +226,7 @@ def _crosses(gate: Gate, before: Pose, now: Pose) -> bool:
     return abs(start[1] + share * (end[1] - start[1])) <= gate.width / 2
 
 
-def _seen_from(gate: Gate, along: Point, pose: Pose) -> Point:
+def _seen_from(gate: RaceGate, along: Point, pose: Pose) -> Point:
     """A place as seen from a gate: mm behind it, and to its left."""
     x, y = pose.x - gate.x, pose.y - gate.y
     return x * along[0] + y * along[1], y * along[0] - x * along[1]

@@ -104,3 +104,11 @@ page-world-theme-warehouse = Warehouse
 page-world-theme-garden = Garden
 page-world-theme-night = Night
 page-world-theme-maze = Maze
+
+# A game: its score, its lives and its time.
+page-game-label = Game
+page-game-score = Score: { $score }
+page-game-lives = Lives: { $lives }
+page-game-time = Time left: { $seconds } seconds
+page-game-won = You win
+page-game-over = Game over

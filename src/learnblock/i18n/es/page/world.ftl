@@ -103,3 +103,11 @@ page-world-theme-warehouse = Almacén
 page-world-theme-garden = Jardín
 page-world-theme-night = Noche
 page-world-theme-maze = Laberinto
+
+# Un juego: sus puntos, sus vidas y su tiempo.
+page-game-label = Juego
+page-game-score = Puntos: { $score }
+page-game-lives = Vidas: { $lives }
+page-game-time = Tiempo que queda: { $seconds } segundos
+page-game-won = Has ganado
+page-game-over = Fin del juego

@@ -1,0 +1,63 @@
+/** Score, lives and time of a game, over the world. */
+
+import { t } from "../../i18n";
+import { usePage } from "../../model/page";
+import type { PlayerNow } from "../../protocol/messages";
+import { Icon } from "../../ui/icons";
+import "./hud.css";
+
+/** More lives are shown as a number. */
+const MOST_HEARTS = 5;
+
+export function Hud() {
+  const { context } = usePage();
+  const game = context.running.telemetry.value?.game;
+  if (!game || game.players.length === 0) return null;
+  const [first, ...others] = game.players;
+  const left = game.time_left;
+  return (
+    <div class="hud" role="group" aria-label={t("page-game-label")}>
+      {first && <Player player={first} alone={others.length === 0} />}
+      {left != null && (
+        <p class="hud-time" role="timer" aria-label={t("page-game-time", { seconds: Math.ceil(left) })}>
+          <Icon name="timer" />
+          {clock(left)}
+        </p>
+      )}
+      {others.map((player) => (
+        <Player key={player.name} player={player} alone={false} />
+      ))}
+      {game.won != null && (
+        <p class="hud-end" role="status">
+          {t(game.won ? "page-game-won" : "page-game-over")}
+        </p>
+      )}
+    </div>
+  );
+}
+
+function Player({ player, alone }: { player: PlayerNow; alone: boolean }) {
+  const { context } = usePage();
+  const { name, score, lives } = player;
+  const style = alone ? {} : { borderColor: context.robotColor(name) ?? undefined };
+  return (
+    <div class="hud-player" style={style}>
+      {!alone && <span class="hud-name">{name}</span>}
+      <span class="hud-score" role="img" aria-label={t("page-game-score", { score })}>
+        <Icon name="star" />
+        {score}
+      </span>
+      {lives != null && (
+        <span class="hud-lives" role="img" aria-label={t("page-game-lives", { lives })}>
+          {lives > MOST_HEARTS ? `♥ ${lives}` : "♥".repeat(lives) || "–"}
+        </span>
+      )}
+    </div>
+  );
+}
+
+/** Minutes and seconds: 0:34. */
+function clock(seconds: number): string {
+  const whole = Math.ceil(seconds);
+  return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}`;
+}
