@@ -25,7 +25,7 @@ STATUS_LIGHT = "Status"
 
 
 @dataclass(frozen=True, slots=True)
-class Movement:
+class Ride:
     """A command that moves the wheels.
 
     Args:
@@ -50,7 +50,7 @@ class DoubleMotor(DeviceFirmware):
         self._twin = twin
         self._speed = 50
         self._percent = (0, 0)
-        self._movement: Movement | None = None
+        self._movement: Ride | None = None
         self._zero = 0.0
         super().__init__(Product.DOUBLE_MOTOR)
 
@@ -107,7 +107,7 @@ class DoubleMotor(DeviceFirmware):
         speeds = zip((LEFT, RIGHT), percent, strict=True)
         self._vehicle.turn({wheel: FASTEST * speed / 100 for wheel, speed in speeds})
 
-    def _begin(self, percent: tuple[int, int], movement: Movement | None) -> None:
+    def _begin(self, percent: tuple[int, int], movement: Ride | None) -> None:
         """Move in another way; what moved it before has been interrupted."""
         before, self._movement = self._movement, movement
         self._run(percent)
@@ -127,7 +127,7 @@ class DoubleMotor(DeviceFirmware):
             turned = max(abs(now[wheel] - begun[wheel]) for wheel in now)
             return bool(turned >= message.degrees)
 
-        self._begin((message.speedLeft, message.speedRight), Movement(is_over, end))
+        self._begin((message.speedLeft, message.speedRight), Ride(is_over, end))
         return False
 
     def _go_for_time(self, message: Any, end: Callable[[int], None]) -> bool:
@@ -135,7 +135,7 @@ class DoubleMotor(DeviceFirmware):
         left, right = self._ways()[message.direction]
         self._begin(
             (left * self._speed, right * self._speed),
-            Movement(lambda: self._twin.time >= until, end),
+            Ride(lambda: self._twin.time >= until, end),
         )
         return False
 
@@ -146,7 +146,7 @@ class DoubleMotor(DeviceFirmware):
             return bool(abs(self._vehicle.angle() - begun) >= message.degrees)
 
         left, right = self._ways()[message.direction]
-        self._begin((left * self._speed, right * self._speed), Movement(is_over, end))
+        self._begin((left * self._speed, right * self._speed), Ride(is_over, end))
         return False
 
     def _ways(self) -> dict[int, tuple[int, int]]:
