@@ -223,9 +223,10 @@ def _guard(module: str) -> bool:
     # Unbuffered, so that nothing is read ahead of the signs of life.
     with open(sys.stdin.fileno(), "rb", buffering=0, closefd=False) as stream:
         settings = msgspec.json.decode(stream.readline(), type=robot.settings_type)
+    halt = robot.standby(settings)
     # The driver alone has the other end, so it closes with the driver.
     wait_for_silence(_hearing(sys.stdin.fileno()), partial(is_busy, os.getppid()))
-    return insist_on(partial(robot.halt, settings), MONOTONIC)
+    return insist_on(halt, MONOTONIC)
 
 
 if __name__ == "__main__":

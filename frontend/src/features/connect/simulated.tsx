@@ -9,7 +9,9 @@ import { Icon } from "../../ui/icons";
 import { RobotPicture } from "../../ui/robots/picture";
 
 /** Our twins; the others are the user's. */
-const TWINS: ReadonlySet<string> = new Set(["sim-ebo", "sim-thymio", "sim-ev3", "sim-cozmo", "sim-spike"]);
+const TWINS: ReadonlySet<string> = new Set(
+  ["ebo", "thymio", "ev3", "cozmo", "spike", "root", "create3"].map((robot) => `sim-${robot}`),
+);
 
 export function SimulatedRobots() {
   const { project } = usePage();

@@ -84,6 +84,7 @@ robot-setting-token = secret shared with the agent, created by setup
 robot-setting-user = user name on ev3dev
 robot-setting-password = password of that user
 robot-setting-full-speed = wheel motor speed at 100 %, in degrees/s
+robot-setting-irobot-address = the robot's name or Bluetooth address; empty for the first one found
 robot-setting-spike-address = the hub's name or Bluetooth address; empty for the first hub found
 robot-setting-thymio-connection = auto uses Thymio Suite if it is running, else a cable, else tcp
 robot-setting-thymio-device = serial port; empty for the first Thymio found

@@ -80,6 +80,7 @@ robot-setting-token = secreto compartido con el agente, creado por setup
 robot-setting-user = nombre de usuario en ev3dev
 robot-setting-password = contraseña de ese usuario
 robot-setting-full-speed = velocidad del motor de una rueda al 100 %, en grados/s
+robot-setting-irobot-address = nombre o dirección Bluetooth del robot; vacío para el primero que se encuentre
 robot-setting-spike-address = nombre o dirección Bluetooth del hub; vacío para el primero que se encuentre
 robot-setting-thymio-connection = auto usa Thymio Suite si está en marcha; si no, un cable; si no, tcp
 robot-setting-thymio-device = puerto serie; vacío para el primer Thymio que se encuentre
