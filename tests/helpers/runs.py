@@ -19,7 +19,7 @@ from learnblock.runtime.watcher import Watcher
 from places import ROOT
 
 EXAMPLES = ROOT / "examples"
-TWINS = ("sim-ebo", "sim-thymio", "sim-ev3", "sim-cozmo", "sim-spike")
+TWINS = ("sim-ebo", "sim-thymio", "sim-ev3", "sim-cozmo", "sim-spike", "sim-root", "sim-create3")
 #: The world for which an example is meant; by default the robot's own.
 WORLDS = {
     "avoid.bt": "obstacles",

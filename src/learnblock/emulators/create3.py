@@ -50,8 +50,8 @@ class EmulatedCreate3(EmulatedRobot):
     def _look(self, _: Packet) -> bytes:
         with self.twin.body() as body:
             sides = body.distances()
-        found = [*sides["left"], *sides["front"], *sides["right"]]
-        levels = [messages.intensity(distance) for distance in found] + [0]
+        seen = [*sides["left"], *sides["front"], *sides["right"]]
+        levels = [messages.intensity(distance) for distance in seen] + [0]
         high = bytes(level >> 4 for level in levels[:7])
         halves = (level & 0x0F for level in levels)
         low = bytes(first << 4 | second for first, second in zip(halves, halves, strict=True))

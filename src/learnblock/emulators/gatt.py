@@ -9,6 +9,7 @@ import socket
 import threading
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
+from time import monotonic
 from typing import Any, Protocol
 
 from learnblock.closing import Closing
@@ -19,8 +20,8 @@ NOT_SUPPORTED, NOT_ALLOWED = 0x06, 0x13
 
 #: Bytes that tell whether a client wants to share.
 _SHARING = 16
-#: Seconds for which a client waits until the previous one has left.
-_LEAVING = 0.5
+#: Seconds for which a client waits until the previous one has left, and between two looks.
+_LEAVING, _LOOK = 0.5, 0.05
 
 Notify = Callable[[str, bytes], None]
 Services = Mapping[str, Mapping[str, Sequence[str]]]
@@ -101,10 +102,13 @@ class GattServer(Closing):
 
     def _converse(self, connection: socket.socket) -> None:
         with connection, suppress(OSError):
-            is_first = self._client.acquire(timeout=_LEAVING)
-            if not is_first and not _shares(connection):
-                connection.sendall(b'{"taken": true}\n')
-                return
+            is_first = self._client.acquire(timeout=_LOOK)
+            until = monotonic() + _LEAVING
+            while not is_first and not _shares(connection):
+                if monotonic() > until:
+                    connection.sendall(b'{"taken": true}\n')
+                    return
+                is_first = self._client.acquire(timeout=_LOOK)
             self._connections.add(connection)
             try:
                 self._serve(connection, is_first=is_first)

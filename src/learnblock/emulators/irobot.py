@@ -180,7 +180,7 @@ class EmulatedRobot:
         """Stop the wheels."""
         self._move(0, 0)
 
-    def answer(self, question: messages.Message, payload: bytes) -> None:
+    def answer(self, question: messages.RobotMessage, payload: bytes) -> None:
         """Answer a question that it would not answer otherwise."""
         self._answers[question[:2]] = lambda _: payload
 

@@ -58,8 +58,8 @@ class EmulatedRoot(EmulatedRobot):
                 body.drive(0, 0)
                 body.pen.set(False)
             self._was_at_edge = is_at_edge
-        found = [_colour(level) for level in levels]
-        pairs = zip(found[::2], found[1::2], strict=True)
+        colours = [_colour(level) for level in levels]
+        pairs = zip(colours[::2], colours[1::2], strict=True)
         return {
             messages.BUMPER_EVENT: self.state(messages.BUMPERS if is_pressed else 0),
             messages.CLIFF_EVENT: self.state(is_at_edge),

@@ -1,12 +1,12 @@
 """iRobot's Create 3, by Bluetooth."""
 
 from learnblock.devices import DistanceSensors, GroundSensors
-from learnblock.robots.irobot import IRobot, Settings, messages
-from learnblock.robots.irobot.link import Link
+from learnblock.robots.irobot import IRobot, messages
+from learnblock.robots.irobot.link import PacketLink
 from learnblock.robots.irobot.packets import Packet
 from learnblock.wheels import Drivetrain
 
-__all__ = ["Robot", "Settings"]
+__all__ = ["Robot"]
 
 #: The sides that list each of its seven proximity sensors, from left to right.
 _SIDES = {"front": slice(2, 5), "left": slice(0, 2), "right": slice(5, 7)}
@@ -33,7 +33,7 @@ class Robot(IRobot):
     def abilities(cls) -> frozenset[str]:
         return frozenset({*(f"DistanceSensors:{side}" for side in _SIDES), "Speaker:tone"})
 
-    def prepare(self, link: Link) -> None:
+    def prepare(self, link: PacketLink) -> None:
         self._cliffs = 0
         link.watch((messages.POSITION, messages.PROXIMITY))
         self.add_base(link, messages.create3_pose)
@@ -46,8 +46,8 @@ class Robot(IRobot):
             self._cliffs = messages.state(event.payload)
 
     def _distances(self) -> dict[str, list[float]]:
-        found = messages.distances(self.reading(messages.PROXIMITY))
-        return {**{side: found[sensors] for side, sensors in _SIDES.items()}, "back": []}
+        seen = messages.distances(self.reading(messages.PROXIMITY))
+        return {**{side: seen[sensors] for side, sensors in _SIDES.items()}, "back": []}
 
     def _ground(self) -> dict[str, float | None]:
         self._there.check()

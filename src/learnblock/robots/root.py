@@ -4,12 +4,12 @@ from contextlib import suppress
 
 from learnblock.devices import GroundSensors, LightSensor, Pen
 from learnblock.errors import LearnBlockError, RobotConnectionError
-from learnblock.robots.irobot import IRobot, Settings, messages
-from learnblock.robots.irobot.link import Link
+from learnblock.robots.irobot import IRobot, messages
+from learnblock.robots.irobot.link import PacketLink
 from learnblock.robots.irobot.packets import Packet
 from learnblock.wheels import Drivetrain
 
-__all__ = ["Robot", "Settings"]
+__all__ = ["Robot"]
 
 #: Robots with an older protocol don't know where they are.
 _KNOWS_ITS_POSE = (1, 2)
@@ -48,7 +48,7 @@ class Robot(IRobot):
                 self._link.probe(messages.marker(down=False), LIFTING)
         super().disconnect()
 
-    def prepare(self, link: Link) -> None:
+    def prepare(self, link: PacketLink) -> None:
         self._is_at_edge = False
         # It says what it sees only when that changes; it measures itself against a white floor.
         self._colours = [messages.WHITE] * messages.COLOURS
@@ -73,7 +73,7 @@ class Robot(IRobot):
     def _set_pen(self, down: bool) -> None:  # noqa: FBT001 - a pen is either down or up
         self._is_drawing = down
         if self._there.probe(messages.marker(down=down), MARKER) is None:
-            raise RobotConnectionError("root-marker-stuck")
+            raise RobotConnectionError("irobot-marker-stuck")
 
     def _ground(self) -> dict[str, float | None]:
         self._there.check()

@@ -116,7 +116,7 @@ def test_a_marker_that_is_stuck_is_named(monkeypatch):
         emulation.robot.is_marker_stuck = True
         with pytest.raises(RobotConnectionError) as refusal:
             robot.device(Pen).set(down=True)
-        assert refusal.value.phrase == Phrase("root-marker-stuck")
+        assert refusal.value.phrase == Phrase("irobot-marker-stuck")
         robot.stop()
 
 

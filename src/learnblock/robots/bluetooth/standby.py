@@ -7,6 +7,7 @@ from learnblock.errors import LearnBlockError
 from learnblock.robots.bluetooth.radio import Radio
 
 
+# Why: docs/decisions.md, "A guardian shares the Bluetooth connection of the program that it guards"
 def standby(
     robot: str, place: str, characteristic: str, value: bytes, seconds: float
 ) -> Callable[[], None]:

@@ -9,7 +9,7 @@ from learnblock.closing import Closing
 from learnblock.errors import LearnBlockError, RobotConnectionError
 from learnblock.robots.bluetooth import Radio
 from learnblock.robots.irobot import messages
-from learnblock.robots.irobot.messages import Message
+from learnblock.robots.irobot.messages import RobotMessage
 from learnblock.robots.irobot.packets import Packet
 from learnblock.timing import MONOTONIC, Deadline, SteadyClock
 
@@ -27,7 +27,7 @@ BATTERY_PERIOD = 10.0
 Kind = tuple[int, int]
 
 
-class Link(Closing):
+class PacketLink(Closing):
     """A connected robot.
 
     Args:
@@ -84,14 +84,14 @@ class Link(Closing):
         value = self._radio.read(messages.SERIAL_NUMBER, self._patience)
         return value.decode("ascii", "replace")
 
-    def watch(self, questions: Sequence[Message]) -> None:
+    def watch(self, questions: Sequence[RobotMessage]) -> None:
         """Ask these questions again and again from now on, so that `latest` has their answers."""
         self._thread = threading.Thread(
             target=self._watch, args=(tuple(questions),), name="irobot", daemon=True
         )
         self._thread.start()
 
-    def latest(self, question: Message) -> bytes:
+    def latest(self, question: RobotMessage) -> bytes:
         """The payload of an answer to a watched question, at most 0.2 s old.
 
         Raises:
@@ -111,7 +111,7 @@ class Link(Closing):
                 raise RobotConnectionError("robot-link-silent", place=self.place)
             return self._answers[kind][2]
 
-    def ask(self, question: Message, seconds: float = SILENCE) -> bytes:
+    def ask(self, question: RobotMessage, seconds: float = SILENCE) -> bytes:
         """The payload of the answer to a question.
 
         Raises:
@@ -122,7 +122,7 @@ class Link(Closing):
             raise RobotConnectionError("robot-link-silent", place=self.place)
         return answer
 
-    def probe(self, question: Message, seconds: float = PROBING) -> bytes | None:
+    def probe(self, question: RobotMessage, seconds: float = PROBING) -> bytes | None:
         """The payload of the answer to a question; None if the robot does not answer it.
 
         Raises:
@@ -139,7 +139,7 @@ class Link(Closing):
             self._check()
             return self._answers[kind][2] if is_there else None
 
-    def say(self, message: Message) -> int:
+    def say(self, message: RobotMessage) -> int:
         """Send a message; return its number. The robot has received it at the end.
 
         Raises:
@@ -188,7 +188,7 @@ class Link(Closing):
         if self._closed.is_set():
             raise RobotConnectionError("robot-link-closed", place=self.place)
 
-    def _watch(self, questions: Sequence[Message]) -> None:
+    def _watch(self, questions: Sequence[RobotMessage]) -> None:
         """Ask until the connection ends."""
         turns = cycle(questions)
         battery = Deadline.after(0, self._clock)

@@ -37,7 +37,7 @@ BRIGHTEST, DECAY, FAINTEST = 3500, 0.026831568, 16
 LONGEST_TONE = 0xFFFF
 
 
-class Message(NamedTuple):
+class RobotMessage(NamedTuple):
     """A request or a command, without its number."""
 
     device: int
@@ -46,13 +46,13 @@ class Message(NamedTuple):
 
 
 #: Also cancels what the robot does, and sets its position to 0.
-STOP = Message(0, 3)
-RESET_POSITION = Message(1, 15)
-POSITION = Message(1, 16)
+STOP = RobotMessage(0, 3)
+RESET_POSITION = RobotMessage(1, 15)
+POSITION = RobotMessage(1, 16)
 #: Only Create 3 answers this.
-PROXIMITY = Message(11, 2)
-LIGHT = Message(13, 1)
-BATTERY = Message(14, 1)
+PROXIMITY = RobotMessage(11, 2)
+LIGHT = RobotMessage(13, 1)
+BATTERY = RobotMessage(14, 1)
 
 # What the robot reports by itself: device and command.
 BUTTON = (0, 4)
@@ -62,31 +62,31 @@ CLIFF_EVENT = (20, 0)
 EVENTS = frozenset({COLOUR_EVENT, BUMPER_EVENT, CLIFF_EVENT})
 
 
-def drive(left: float, right: float) -> Message:
+def drive(left: float, right: float) -> RobotMessage:
     """Turn the wheels until the next command, mm/s forward."""
-    return Message(1, 4, struct.pack(">ii", round(left), round(right)))
+    return RobotMessage(1, 4, struct.pack(">ii", round(left), round(right)))
 
 
-def marker(*, down: bool) -> Message:
+def marker(*, down: bool) -> RobotMessage:
     """Put the marker down or lift it; the robot answers once it has."""
-    return Message(2, 0, bytes((down,)))
+    return RobotMessage(2, 0, bytes((down,)))
 
 
-def lights(red: int, green: int, blue: int) -> Message:
+def lights(red: int, green: int, blue: int) -> RobotMessage:
     """Show a colour on all lights; black switches them off."""
     is_lit = red or green or blue
-    return Message(3, 2, bytes((1, red, green, blue) if is_lit else (0, 255, 255, 255)))
+    return RobotMessage(3, 2, bytes((1, red, green, blue) if is_lit else (0, 255, 255, 255)))
 
 
-def note(hertz: float, milliseconds: float) -> Message:
+def note(hertz: float, milliseconds: float) -> RobotMessage:
     """Play a tone."""
     lasting = min(max(round(milliseconds), 0), LONGEST_TONE)
-    return Message(5, 0, struct.pack(">IH", max(round(hertz), 0), lasting))
+    return RobotMessage(5, 0, struct.pack(">IH", max(round(hertz), 0), lasting))
 
 
-def versions(board: int) -> Message:
+def versions(board: int) -> RobotMessage:
     """Ask for the versions of a board."""
-    return Message(0, 0, bytes((board,)))
+    return RobotMessage(0, 0, bytes((board,)))
 
 
 # What the robot answers. Each has 16 bytes.

@@ -16,28 +16,28 @@ from learnblock.robots import settings as user_settings
 from learnblock.robots.bluetooth import Radio
 from learnblock.robots.guardian import Guardian
 from learnblock.robots.irobot import messages
-from learnblock.robots.irobot.link import Link
-from learnblock.robots.irobot.messages import Message
+from learnblock.robots.irobot.link import PacketLink
+from learnblock.robots.irobot.messages import RobotMessage
 from learnblock.robots.irobot.packets import Packet
 from learnblock.robots.real import RealRobot
 from learnblock.robots.settings import Patience, RobotSettings
 from learnblock.wheels import Drivetrain, wheel_speeds
 
 
-class Settings(RobotSettings, frozen=True, kw_only=True):
+class IRobotSettings(RobotSettings, frozen=True, kw_only=True):
     """Which robot."""
 
     address: Annotated[str, Meta(max_length=100, description="robot-setting-irobot-address")] = ""
     patience: Patience = 5.0
 
 
-class IRobot(RealRobot[Settings]):
+class IRobot(RealRobot[IRobotSettings]):
     """A robot with two wheels, bumpers, lights and a sounder.
 
     Its protocol has no watchdog, so a guardian stops it if the program's process is gone or frozen.
     """
 
-    settings_type = Settings
+    settings_type = IRobotSettings
     add_on = ("bleak",)
     scan_seconds = 5.0
     # Its guardian.
@@ -48,16 +48,16 @@ class IRobot(RealRobot[Settings]):
     is_root: ClassVar[bool]
     #: The key of its lights.
     lamp: ClassVar[str]
-    _link: Link | None = None
+    _link: PacketLink | None = None
     _guardian: Guardian | None = None
 
     @classmethod
-    def drivetrain_for(cls, settings: Settings) -> Drivetrain:  # noqa: ARG003 - always the same
+    def drivetrain_for(cls, settings: IRobotSettings) -> Drivetrain:  # noqa: ARG003 - always the same
         return cls.motors
 
     @classmethod
     def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:
-        address = user_settings.load(cls.name(), Settings).address
+        address = user_settings.load(cls.name(), IRobotSettings).address
         yield from bluetooth.scan(cls.name(), address, messages.SERVICE, seconds, cls.fits)
 
     @classmethod
@@ -67,7 +67,7 @@ class IRobot(RealRobot[Settings]):
         return kind is None or kind.startswith(messages.ROOT) == cls.is_root
 
     @classmethod
-    def standby(cls, settings: Settings) -> Callable[[], object]:
+    def standby(cls, settings: IRobotSettings) -> Callable[[], object]:
         return bluetooth.standby(
             cls.name(),
             settings.address,
@@ -87,18 +87,20 @@ class IRobot(RealRobot[Settings]):
             settings.patience,
             fits=self.fits,
         )
-        link = self._link = Link(radio, settings.patience, self.note, self.steady_clock)
+        link = self._link = PacketLink(radio, settings.patience, self.note, self.steady_clock)
         self._require_kind(link)
+        there = msgspec.structs.replace(settings, address=link.address)
+        self._guardian = Guardian(type(self), there, self.steady_clock)
         link.say(messages.STOP)
         link.say(messages.RESET_POSITION)
         self.prepare(link)
-        there = msgspec.structs.replace(settings, address=link.address)
-        self._guardian = Guardian(type(self), there, self.steady_clock)
         self.add(Bumper(self._bumped))
         self.add(RGBLed(self._shine), self.lamp)
         self.add(Speaker(tone=self._play))
+        # It must not drive without one.
+        self._guardian.wait_for_standby(settings.patience)
 
-    def _require_kind(self, link: Link) -> None:
+    def _require_kind(self, link: PacketLink) -> None:
         """Check that it is not the other one of iRobot's robots."""
         is_root = link.serial_number().startswith(messages.ROOT.decode())
         if is_root and not self.is_root:
@@ -107,7 +109,7 @@ class IRobot(RealRobot[Settings]):
         if self.is_root and not is_root and link.probe(messages.PROXIMITY) is not None:
             raise RobotConnectionError("irobot-is-create3", place=link.place)
 
-    def prepare(self, link: Link) -> None:
+    def prepare(self, link: PacketLink) -> None:
         """Check what the robot is, watch its readings, and add the devices that only it has."""
         raise NotImplementedError
 
@@ -128,7 +130,7 @@ class IRobot(RealRobot[Settings]):
     def status(self) -> RobotStatus:
         return RobotStatus(battery=self._link.battery if self._link else None)
 
-    def add_base(self, link: Link, pose: Callable[[bytes], Pose] | None) -> None:
+    def add_base(self, link: PacketLink, pose: Callable[[bytes], Pose] | None) -> None:
         """Add the wheels; the robot's answer to `POSITION` says where it is."""
 
         def read(parsed: Callable[[bytes], Pose]) -> Pose:
@@ -141,12 +143,12 @@ class IRobot(RealRobot[Settings]):
         if event[:2] == messages.BUMPER_EVENT:
             self._pressed = bool(messages.state(event.payload) & messages.BUMPERS)
 
-    def reading(self, question: Message) -> bytes:
+    def reading(self, question: RobotMessage) -> bytes:
         """The latest answer to a question."""
         return self._there.latest(question)
 
     @property
-    def _there(self) -> Link:
+    def _there(self) -> PacketLink:
         assert self._link  # noqa: S101 - devices exist only with a connection
         return self._link
 
