@@ -1,8 +1,8 @@
 """What becomes of each example on each robot, in the world in which its purpose is a goal.
 
 With `--wires` the robots are the seven real ones, each emulated at the other end of its wire, in
-real time: some 25 minutes. Words select examples: `agnosticism.py --wires first/park square`. With
-`--page` it also writes the table of the docs.
+real time: some 25 minutes. Words select robots and examples: `agnosticism.py --wires ev3 first/park
+square`. With `--page` it also writes the table of the docs, or the columns of these robots.
 """
 
 import os
@@ -45,6 +45,7 @@ from every_robot import (  # noqa: E402 - as above
     programs_table,
     run_for_goals,
     write_part,
+    written_outcomes,
 )
 from playground import Playground  # noqa: E402
 from runs import EXAMPLES, HANDS, TASKS, TWINS, person  # noqa: E402
@@ -182,8 +183,10 @@ def main() -> None:
     arguments = sys.argv[1:]
     over_wires = "--wires" in arguments
     words = [word for word in arguments if word not in {"--wires", "--page"}]
+    every = REAL if over_wires else TWINS
+    chosen = [robot for robot in every if robot in words] or every
+    words = [word for word in words if word not in chosen]
     names = [name for name in TASKS if not words or any(word in name for word in words)]
-    chosen = REAL if over_wires else TWINS
     cells: dict[str, dict[str, str]] = {name: {} for name in names}
     with ProcessPoolExecutor(AT_ONCE if over_wires else 1) as pool:
         pairs = list(product(names, chosen))
@@ -194,7 +197,12 @@ def main() -> None:
     counts = Counter(re.split("[,:]", one)[0] for row in cells.values() for one in row.values())
     print(", ".join(f"{count} {kind}" for kind, count in counts.most_common()))
     if "--page" in arguments and not words:
-        write_part("wires" if over_wires else "programs", programs_table(cells))
+        part = "wires" if over_wires else "programs"
+        before = written_outcomes(part)
+        table = {
+            name: {robot: (before[name] | cells[name])[robot] for robot in every} for name in names
+        }
+        write_part(part, programs_table(table))
 
 
 if __name__ == "__main__":

@@ -21,7 +21,16 @@ from learnblock.simulator.geometry import wrapped
 from places import ROOT
 
 EXAMPLES = ROOT / "examples"
-TWINS = ("sim-ebo", "sim-thymio", "sim-ev3", "sim-cozmo", "sim-spike", "sim-legoed")
+TWINS = (
+    "sim-ebo",
+    "sim-thymio",
+    "sim-ev3",
+    "sim-cozmo",
+    "sim-spike",
+    "sim-legoed",
+    "sim-root",
+    "sim-create3",
+)
 #: The world for which an example is meant; by default the robot's own.
 WORLDS = {
     "avoid.bt": "obstacles",

@@ -23,6 +23,12 @@ def emotion(twin):
         return body.emotion
 
 
+def strokes(twin):
+    """Return what has been drawn on its floor."""
+    with twin._simulation.lock:
+        return list(twin._simulation.world.drawing.strokes)
+
+
 def let_pass(twin, seconds):
     """Wait for seconds of its world's time."""
     until = twin.time + seconds

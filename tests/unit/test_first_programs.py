@@ -15,6 +15,15 @@ SHORT = [name for name in FIRST if TASKS[name][0] not in {"line", "red-line"}]
 VERDICTS = {name: running.runs_on(running.read(EXAMPLES / name)) for name in FIRST}
 #: A camera sees tags, faces and colours, an accelerometer feels hands: two twins have one.
 ON_TWO_TWINS = {"first/caught.bt", "first/face.bt", "first/red-line.bt", "first/tag.bt"}
+#: Goals that a robot's body or its sensors miss, although it has all that the program asks for.
+MISSED = {
+    # Root only feels what it touches.
+    ("first/park.bt", "sim-root"),
+    ("first/turn-away.bt", "sim-root"),
+    # Create 3 is too large to get to these places.
+    ("first/bump.bt", "sim-create3"),
+    ("first/park.bt", "sim-create3"),
+}
 DRIVE_ON = """
 main:
     function.move_straight(60)
@@ -25,7 +34,7 @@ end
 
 def runs_wholly(name, robot):
     verdict = VERDICTS[name][robot]
-    return verdict.runs and not verdict.missed
+    return verdict.runs and not verdict.missed and (name, robot) not in MISSED
 
 
 @pytest.mark.parametrize(

@@ -28,16 +28,18 @@ from learnblock.robots.bluetooth import loopback
 TWINS: Mapping[str, str] = {
     "cozmo": "sim-cozmo",
     "coppeliasim": "sim-ev3",
+    "create3": "sim-create3",
     "ebo": "sim-ebo",
     "ev3": "sim-ev3",
     "legoed": "sim-legoed",
     "rcis": "sim-ebo",
+    "root": "sim-root",
     "spike": "sim-spike",
 }
 
 
 #: Robots with Bluetooth, which a page finds by itself if they are emulated at their usual place.
-BY_BLUETOOTH = frozenset({"legoed", "spike"})
+BY_BLUETOOTH = frozenset({"create3", "legoed", "root", "spike"})
 
 #: Robots that are emulated in another simulator, to which our worlds are converted.
 SIMULATED_ELSEWHERE = frozenset({"thymio"})

@@ -1,7 +1,7 @@
 """A robot with Bluetooth Low Energy, emulated over a socket of this computer.
 
 The lines are those of `learnblock.robots.bluetooth.loopback`. As with a real robot, one program is
-connected at a time.
+connected at a time; a second one of the same computer may share its connection.
 """
 
 import json
@@ -9,6 +9,7 @@ import socket
 import threading
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
+from time import monotonic
 from typing import Any, Protocol
 
 from learnblock.closing import Closing
@@ -17,8 +18,10 @@ from learnblock.robots.bluetooth import loopback
 #: Errors of the Attribute Protocol (Bluetooth Core Specification 5.4, vol. 3, part F, 3.4.1.1).
 NOT_SUPPORTED, NOT_ALLOWED = 0x06, 0x13
 
-#: Seconds for which a client waits until the previous one has left.
-_LEAVING = 0.5
+#: Bytes that tell whether a client wants to share.
+_SHARING = 16
+#: Seconds for which a client waits until the previous one has left, and between two looks.
+_LEAVING, _LOOK = 0.5, 0.05
 
 Notify = Callable[[str, bytes], None]
 Services = Mapping[str, Mapping[str, Sequence[str]]]
@@ -35,11 +38,13 @@ class Peripheral(Protocol):
         name: as it advertises itself.
         largest: the maximum number of bytes that are written at once.
         services: by UUID, the characteristics by UUID with their properties.
+        manufacturer: what it advertises of its manufacturer, by the manufacturer's number.
     """
 
     name: str
     largest: int
     services: Services
+    manufacturer: Mapping[int, bytes]
 
     def connected(self, notify: Notify) -> None:
         """Take a new client, to which `notify(uuid, value)` sends a notification."""
@@ -97,18 +102,23 @@ class GattServer(Closing):
 
     def _converse(self, connection: socket.socket) -> None:
         with connection, suppress(OSError):
-            if not self._client.acquire(timeout=_LEAVING):
-                connection.sendall(b'{"taken": true}\n')
-                return
+            is_first = self._client.acquire(timeout=_LOOK)
+            until = monotonic() + _LEAVING
+            while not is_first and not _shares(connection):
+                if monotonic() > until:
+                    connection.sendall(b'{"taken": true}\n')
+                    return
+                is_first = self._client.acquire(timeout=_LOOK)
             self._connections.add(connection)
             try:
-                self._serve(connection)
+                self._serve(connection, is_first=is_first)
             finally:
-                self._robot.disconnected()
                 self._connections.discard(connection)
-                self._client.release()
+                if is_first:
+                    self._robot.disconnected()
+                    self._client.release()
 
-    def _serve(self, connection: socket.socket) -> None:
+    def _serve(self, connection: socket.socket, *, is_first: bool) -> None:
         def send(message: Mapping[str, Any]) -> None:
             with self._sending, suppress(OSError):
                 connection.sendall(json.dumps(message).encode() + b"\n")
@@ -120,8 +130,11 @@ class GattServer(Closing):
             if uuid in heard:
                 send({"notify": uuid, "value": value.hex()})
 
-        send({"name": robot.name, "largest": robot.largest, "services": robot.services})
-        robot.connected(notify)
+        advertised = {str(maker): data.hex() for maker, data in robot.manufacturer.items()}
+        described = {"largest": robot.largest, "services": robot.services}
+        send({"name": robot.name, "manufacturer": advertised, **described})
+        if is_first:
+            robot.connected(notify)
         with connection.makefile("rb") as requests:
             while line := requests.readline(loopback.LONGEST_LINE):
                 send(self._answer(line, heard))
@@ -129,6 +142,8 @@ class GattServer(Closing):
     def _answer(self, line: bytes, heard: set[str]) -> dict[str, Any]:
         try:
             request = json.loads(line)
+            if "share" in request:
+                return {"done": True}
             if "read" in request:
                 return {"value": self._robot.read(request["read"]).hex()}
             if "hear" in request:
@@ -141,3 +156,14 @@ class GattServer(Closing):
         except (ValueError, TypeError, KeyError, RecursionError):
             return {"error": NOT_SUPPORTED}
         return {"done": True}
+
+
+def _shares(connection: socket.socket) -> bool:
+    """Whether a client wants to share the connection of another one; it says so at once."""
+    connection.settimeout(0)
+    try:
+        return connection.recv(_SHARING, socket.MSG_PEEK).startswith(b'{"share"')
+    except BlockingIOError:
+        return False
+    finally:
+        connection.settimeout(None)

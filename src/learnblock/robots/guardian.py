@@ -19,6 +19,7 @@ import subprocess
 import sys
 import threading
 from collections.abc import Callable
+from contextlib import suppress
 from functools import partial
 from pathlib import Path
 from typing import IO, Any
@@ -72,7 +73,7 @@ class Guardian:
             command,
             bufsize=0,
             stdin=subprocess.PIPE,
-            stdout=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
             # A signal to our whole process group, as from a closed terminal, must not end it.
             start_new_session=True,
@@ -80,6 +81,13 @@ class Guardian:
         assert self._process.stdin is not None  # noqa: S101 - for the type checker
         self._process.stdin.write(msgspec.json.encode(settings) + b"\n")
         self._signs = SignsOfLife(self._process.stdin, clock)
+        self._clock = clock
+        self._stands_by = threading.Event()
+        threading.Thread(target=self._hear, name="guardian", daemon=True).start()
+
+    def wait_for_standby(self, seconds: float) -> None:
+        """Wait until it could stop the motors at once, but no longer than so many seconds."""
+        self._clock.wait(self._stands_by, seconds)
 
     def check(self) -> None:
         """Check that the guardian is watching, and has not stopped the motors.
@@ -103,6 +111,12 @@ class Guardian:
         """Let the guardian stop the motors; it retries for some seconds and then exits."""
         self._signs.end()
         threading.Thread(target=self._process.wait, name="guardian", daemon=True).start()
+
+    def _hear(self) -> None:
+        assert self._process.stdout is not None  # noqa: S101 - for the type checker
+        with self._process.stdout as said:
+            if said.read(1):
+                self._stands_by.set()
 
 
 class SignsOfLife:
@@ -223,9 +237,13 @@ def _guard(module: str) -> bool:
     # Unbuffered, so that nothing is read ahead of the signs of life.
     with open(sys.stdin.fileno(), "rb", buffering=0, closefd=False) as stream:
         settings = msgspec.json.decode(stream.readline(), type=robot.settings_type)
+    halt = robot.standby(settings)
+    with suppress(OSError):
+        # The driver may have ended meanwhile.
+        os.write(sys.stdout.fileno(), b".")
     # The driver alone has the other end, so it closes with the driver.
     wait_for_silence(_hearing(sys.stdin.fileno()), partial(is_busy, os.getppid()))
-    return insist_on(partial(robot.halt, settings), MONOTONIC)
+    return insist_on(halt, MONOTONIC)
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@ import inspect
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping
 from contextlib import ExitStack, suppress
+from functools import partial
 from importlib.util import find_spec
 from types import ModuleType
 from typing import Any, ClassVar, Generic
@@ -169,6 +170,15 @@ class RealRobot(Client, Generic[SettingsT]):
             RobotConnectionError: the robot cannot be reached.
         """
         raise NotImplementedError(f"{cls.name()} has a watchdog, so it needs no guardian")
+
+    @classmethod
+    def standby(cls, settings: SettingsT) -> Callable[[], object]:
+        """What a guardian calls to stop the motors, having prepared what would take too long then.
+
+        Args:
+            settings: how to reach the robot.
+        """
+        return partial(cls.halt, settings)
 
     @classmethod
     def set_up(cls, settings: SettingsT, report: Callable[[Phrase], object]) -> None:  # noqa: ARG003

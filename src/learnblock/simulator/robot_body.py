@@ -29,6 +29,8 @@ PartT = TypeVar("PartT")
 BUMPER_PARTS = 5
 """Points along a bumper's bar that detect a touch."""
 LOG_LENGTH = 10_000
+POINT = 0.01
+"""The diameter in mm of a point of the floor, which is on a line or beside it."""
 
 EMOTION_COLOURS: Mapping[str, RGB] = {
     "fear": (124, 0, 255),
@@ -200,6 +202,15 @@ class RobotBody:
         From 0 (dark, or a cliff) to 100; None where there is no sensor.
         """
         return self._range_sensors.ground()
+
+    def brightness_at(self, x: float, y: float) -> float:
+        """The brightness of the floor at a point of the robot, 0 to 100; 0 outside the floor.
+
+        Args:
+            x: mm forward of the middle between the wheels.
+            y: mm to the left of it.
+        """
+        return self._world.floor.reflectance(*self.chassis.to_world(x, y), POINT)
 
     def gyroscope(self) -> float:
         """Degrees turned since the last reset, clockwise, including full turns.

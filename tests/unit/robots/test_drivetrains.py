@@ -13,7 +13,9 @@ def home(tmp_path, monkeypatch):
     monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path))
 
 
-@pytest.mark.parametrize("name", ["cozmo", "ebo", "ev3", "legoed", "spike", "thymio"])
+@pytest.mark.parametrize(
+    "name", ["cozmo", "create3", "ebo", "ev3", "legoed", "root", "spike", "thymio"]
+)
 def test_a_robot_can_do_about_what_its_twin_can(name):
     real, twin = (robots.find(one).load().drivetrain() for one in (name, f"sim-{name}"))
 

@@ -56,6 +56,22 @@ DEVICES = {
         "RGBLed:Status",
         "Speaker:ROBOT",
     },
+    "create3": {
+        "Base:ROBOT",
+        "Bumper:ROBOT",
+        "DistanceSensors:ROBOT",
+        "GroundSensors:ROBOT",
+        "RGBLed:Up",
+        "Speaker:ROBOT",
+    },
+    "root": {
+        "Base:ROBOT",
+        "Bumper:ROBOT",
+        "GroundSensors:ROBOT",
+        "LightSensor:ROBOT",
+        "RGBLed:Up",
+        "Speaker:ROBOT",
+    },
     "spike": {
         "Base:ROBOT",
         "Bumper:ROBOT",
@@ -68,7 +84,7 @@ DEVICES = {
 }
 
 
-def test_the_six_robots_are_built_in() -> None:
+def test_our_robots_are_built_in() -> None:
     assert set(robot_names()) == set(DEVICES)
 
 

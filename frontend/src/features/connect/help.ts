@@ -5,6 +5,8 @@ const STEPS: Readonly<Record<string, readonly string[]>> = {
   cozmo: ["on", "charged", "wifi", "other", "again"],
   thymio: ["on", "charged", "cable", "permission", "other"],
   ev3: ["on", "charged", "system", "network", "setup"],
+  create3: ["on", "charged", "mode", "bluetooth", "other"],
+  root: ["on", "charged", "bluetooth", "other"],
   spike: ["on", "charged", "pybricks", "bluetooth", "other"],
   legoed: ["on", "charged", "card", "bluetooth", "other"],
   ebo: ["on", "charged", "wifi", "other", "again"],

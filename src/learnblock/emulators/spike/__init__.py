@@ -39,6 +39,7 @@ class EmulatedHub:
 
     name = NAME
     largest = LARGEST
+    manufacturer: Mapping[int, bytes] = {}
     services: Services = {  # noqa: RUF012 - never changed
         profile.SERVICE: {
             profile.COMMAND_EVENT: ["write", "notify"],

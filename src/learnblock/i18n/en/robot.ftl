@@ -88,6 +88,7 @@ robot-setting-legoed-card = the connection card of the robot's devices, such as 
 robot-setting-legoed-address = the Double Motor's Bluetooth address; empty to find it by its card
 robot-setting-legoed-device = the device's Bluetooth address; empty for the one with the same card, none for no such device
 robot-setting-legoed-front = the end of the Double Motor that is the robot's front, by its own forward
+robot-setting-irobot-address = the robot's name or Bluetooth address; empty for the first one found
 robot-setting-spike-address = the hub's name or Bluetooth address; empty for the first hub found
 robot-setting-thymio-connection = auto uses Thymio Suite if it is running, else a cable, else tcp
 robot-setting-thymio-device = serial port; empty for the first Thymio found

@@ -84,6 +84,7 @@ robot-setting-legoed-card = la tarjeta de conexión de los dispositivos del robo
 robot-setting-legoed-address = dirección Bluetooth del Motor doble; vacía para encontrarlo por su tarjeta
 robot-setting-legoed-device = dirección Bluetooth del dispositivo; vacía para el que tenga la misma tarjeta, none si no lo hay
 robot-setting-legoed-front = el extremo del Motor doble que es la parte delantera del robot, según su propio adelante
+robot-setting-irobot-address = nombre o dirección Bluetooth del robot; vacío para el primero que se encuentre
 robot-setting-spike-address = nombre o dirección Bluetooth del hub; vacío para el primero que se encuentre
 robot-setting-thymio-connection = auto usa Thymio Suite si está en marcha; si no, un cable; si no, tcp
 robot-setting-thymio-device = puerto serie; vacío para el primer Thymio que se encuentre

@@ -17,5 +17,6 @@ emulator on this computer, which is reached by a back end of bleak's in
 from learnblock.robots.bluetooth.finding import scan
 from learnblock.robots.bluetooth.radio import Radio
 from learnblock.robots.bluetooth.report_link import ReportLink
+from learnblock.robots.bluetooth.standby import standby
 
-__all__ = ["Radio", "ReportLink", "scan"]
+__all__ = ["Radio", "ReportLink", "scan", "standby"]

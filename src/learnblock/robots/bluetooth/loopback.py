@@ -4,10 +4,14 @@ The emulator (`learnblock.emulators.gatt`) sends one line of JSON with the robot
 one for each answer and each notification; `loopback_client` sends one for each request. Values are
 hexadecimal.
 
-    {"name": "Pybricks Hub", "largest": 509, "services": {"c5f5...": {"c5f5...": ["read"]}}}
+    {"name": "Pybricks Hub", "largest": 509, "manufacturer": {"919": "00"},
+     "services": {"c5f5...": {"c5f5...": ["read"]}}}
     {"write": "c5f5...", "value": "0601"}
     {"done": true}            or {"value": "3401"}, or {"error": 129}, an error of Bluetooth's
     {"notify": "c5f5...", "value": "0073"}
+
+A second client of this computer can share the connection, as its Bluetooth allows: it sends
+``{"share": true}`` first.
 """
 
 import json
@@ -45,6 +49,9 @@ def greeting(address: str) -> dict[str, Any]:
     return {}
 
 
-def answers(address: str, service: str) -> bool:
-    """Whether an emulator of a robot with this service is there, and free."""
-    return service in greeting(address).get("services", {})
+def advertised(greeting: dict[str, Any], service: str) -> dict[int, bytes] | None:
+    """The manufacturer's data in a greeting, by the manufacturer; None without the service."""
+    if service not in greeting.get("services", {}):
+        return None
+    data = greeting.get("manufacturer", {}).items()
+    return {int(maker): bytes.fromhex(value) for maker, value in data}

@@ -20,6 +20,9 @@ from learnblock.robots.bluetooth.loopback import LONGEST_LINE, place
 class LoopbackClient(BaseBleakClient):
     """A client of `learnblock.emulators.gatt`."""
 
+    #: What it sends first.
+    opening = b""
+
     def __init__(self, address_or_ble_device: Any, **options: Any) -> None:
         super().__init__(
             address_or_ble_device,
@@ -51,6 +54,7 @@ class LoopbackClient(BaseBleakClient):
         host, port = place(self.address)
         reader, writer = await asyncio.open_connection(host, port, limit=LONGEST_LINE)
         try:
+            writer.write(self.opening)
             greeting = await self._greeted(reader)
         except BaseException:
             await _hang_up(writer)
@@ -171,6 +175,12 @@ class LoopbackClient(BaseBleakClient):
                 )
                 collection.add_characteristic(characteristic)
         return collection
+
+
+class SharingClient(LoopbackClient):
+    """Shares the connection that another program of this computer has."""
+
+    opening = b'{"share": true}\n'
 
 
 async def _hang_up(writer: asyncio.StreamWriter) -> None:

@@ -25,8 +25,11 @@ class Radio(Closing):
         service: the UUID that such robots advertise.
         clock: the clock of its limits.
         seconds: the time limit for finding and connecting it.
+        fits: leaves out robots of another kind with the same service.
+        shares: whether another program of this computer is connected to it, and stays so.
 
     Attributes:
+        address: the robot's own address, also if any robot with the service would do.
         signal: how strong the robot's radio was when it was found, dBm; None for an emulated one.
 
     Raises:
@@ -42,9 +45,14 @@ class Radio(Closing):
         service: str,
         clock: SteadyClock = MONOTONIC,
         seconds: float = 15.0,
+        *,
+        fits: finding.Fits = finding.fits_all,
+        shares: bool = False,
     ) -> None:
         bleak = require("bleak", robot)
         self.signal: int | None = None
+        self.address = address
+        self._fits, self._shares = fits, shares
         self._lost = asyncio.Event()
         # One at a time: BlueZ refuses a second one.
         self._writing = asyncio.Lock()
@@ -91,10 +99,15 @@ class Radio(Closing):
         if loopback.is_address(address):
             from learnblock.robots.bluetooth.loopback_client import (  # noqa: PLC0415 - as above
                 LoopbackClient,
+                SharingClient,
             )
 
-            return BleakClient(address, self._note_loss, backend=LoopbackClient)
-        device, self.signal = await finding.find(robot, address, service)
+            backend = SharingClient if self._shares else LoopbackClient
+            return BleakClient(address, self._note_loss, backend=backend)
+        device = finding.known(address)
+        if device is None:
+            device, self.signal = await finding.find(robot, address, service, self._fits)
+        self.address = finding.place(device)
         return BleakClient(device, self._note_loss)
 
     def _note_loss(self, _: "BleakClient") -> None:

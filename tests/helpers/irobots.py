@@ -1,0 +1,26 @@
+"""iRobot's robots in tests: an emulated one, on a link that can fail."""
+
+from contextlib import contextmanager
+from importlib import import_module
+
+from emulated import emulating
+from learnblock.testing import Relay
+
+
+@contextmanager
+def emulated(name, world="empty", *, speed=1):
+    """Emulate a robot; the emulation also has the emulated `robot`."""
+    make = import_module(f"learnblock.emulators.{name}").Emulator
+    with emulating(make, f"sim-{name}", world, speed=speed) as emulation:
+        emulation.robot = emulation.emulator.robot
+        yield emulation
+
+
+@contextmanager
+def relayed(name, **others):
+    """Emulate a robot on a link that can fail; yield emulation, relay and settings."""
+    with emulated(name, **others) as emulation:
+        host, _, port = emulation.settings["address"].rpartition(":")
+        with Relay((host, int(port))) as relay:
+            settings = {**emulation.settings, "address": f"127.0.0.1:{relay.port}"}
+            yield emulation, relay, {**settings, "patience": 2.0}
