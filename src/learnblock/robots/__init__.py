@@ -74,6 +74,11 @@ def entries() -> dict[str, RobotEntry]:
     return {**_users(), **_plugins(), **ours}
 
 
+def built_in() -> tuple[str, ...]:
+    """The names of LearnBlock's own robots."""
+    return _OURS
+
+
 def find(name: str) -> RobotEntry:
     """The robot with this name or module.
 
