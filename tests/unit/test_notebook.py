@@ -46,18 +46,24 @@ def test_a_cell_leaves_nothing_in_the_folder_of_the_notebook(tmp_path, monkeypat
     assert [] == list(tmp_path.iterdir())
 
 
+ROBOT = """\
+from learnblock.robots.sim_ebo import Robot
+
+robot = Robot(world="square")
+robot.drive_distance(200)
+robot
+"""
+
+
 @pytest.mark.exhaustive
 @pytest.mark.timeout(180)  # A kernel takes its time to start beside other tests.
 def test_it_works_in_a_real_kernel():
-    cells = ["%load_ext learnblock.notebook", f"%%blocktext --world square\n{SQUARE}"]
+    cells = ["%load_ext learnblock.notebook", f"%%blocktext --world square\n{SQUARE}", ROBOT]
     notebook = nbformat.v4.new_notebook(cells=list(map(nbformat.v4.new_code_cell, cells)))
     nbclient.NotebookClient(notebook, timeout=120, kernel_name="python3").execute()
-    shown, picture = {}, {}
-    for output in notebook.cells[1].outputs:
-        if output.output_type == "stream":
-            shown.setdefault(output.name, []).append(output.text)
-        else:
-            picture = output.data
-    assert {"stdout"} == shown.keys()
-    assert "hello" in "".join(shown["stdout"])
-    assert picture["image/svg+xml"].startswith("<svg")
+    _, blocktext_cell, python_cell = (cell.outputs for cell in notebook.cells)
+    printed = [output for output in blocktext_cell if output.output_type == "stream"]
+    assert {"stdout"} == {output.name for output in printed}
+    assert "hello" in "".join(output.text for output in printed)
+    for outputs in (blocktext_cell, python_cell):
+        assert outputs[-1].data["image/svg+xml"].startswith("<svg")
