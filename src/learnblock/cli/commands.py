@@ -80,6 +80,9 @@ COMMANDS = {
     "run": CommandLocation("programs", "run", "Run programs (.bt, .py or .learnblock) on robots"),
     "sets": CommandLocation("sets", "sets_command", "List the block sets"),
     "skills": CommandLocation("listing", "skills", "List the skills, or describe one"),
+    "stubs": CommandLocation(
+        "stubs", "stubs_command", "Tell editors about your own robots and skills"
+    ),
     "tags": CommandLocation(
         "tags", "tags_group", "List, change, import, export or print tag names"
     ),

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import click
 
 from learnblock.cli.console import print_command, say
+from learnblock.cli.stubs import renew_stubs
 
 if TYPE_CHECKING:
     from learnblock.monitor.worlds import Template
@@ -65,6 +66,7 @@ def robot(
     plan = _plan(name, description)
     files = files_of_package(plan, folder) if folder else files_at_home(plan, home())
     _write(files, force=force)
+    renew_stubs()
     test = next(path for path in files if path.name.startswith("test_"))
     say("cli-new-next")
     if folder:
@@ -88,6 +90,7 @@ def skill(name: str, folder: Path | None, force: bool) -> None:  # noqa: FBT001 
 
     files = skill_files(name, folder or home())
     _write(files, force=force)
+    renew_stubs()
     say("cli-new-skill", call=f"function.{name}()")
 
 

@@ -1,11 +1,11 @@
 """The generic client: base class of every robot."""
 
 import threading
-from collections.abc import Callable, Collection, Hashable, Iterator
+from collections.abc import Callable, Collection, Hashable, Iterable, Iterator
 from contextlib import ExitStack, contextmanager
 from enum import Enum, auto
-from types import TracebackType
-from typing import Any, ClassVar, Self, TypeVar
+from types import MethodType, TracebackType
+from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar
 
 from learnblock import senses
 from learnblock.client import endings
@@ -314,20 +314,26 @@ class Client(Announced, Driver, Events):
             f"<{type(self).__module__}.{type(self).__name__} {self._state.name.lower()}: {names}>"
         )
 
-    def __getattr__(self, name: str) -> Any:
-        # Reached only for names that are neither methods nor skills in use: a skill may call
-        # another skill that its program does not mention.
-        if name.startswith("_"):
-            raise AttributeError(name)
-        self._attach({name})
-        if name in vars(self):
-            return vars(self)[name]
-        suggestion = nearest(
-            name, [attribute for attribute in dir(self) if not attribute.startswith("_")]
-        )
-        if suggestion is None:
-            raise RobotAttributeError("robot-unknown-skill", name=name)
-        raise RobotAttributeError("robot-unknown-skill-like", name=name, suggestion=suggestion)
+    def __dir__(self) -> Iterable[str]:
+        # A program's process attaches only the skills that the program mentions.
+        return {*super().__dir__(), *skill_registry.find()}
+
+    # Type checkers know the skills of each robot: see `learnblock.client.skill_sets`.
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            # Reached only for names that are neither methods nor skills in use: a skill may call
+            # another skill that its program does not mention.
+            if name.startswith("_"):
+                raise AttributeError(name)
+            self._attach({name})
+            if name in vars(self):
+                return vars(self)[name]
+            known = [known for known in super().__dir__() if not known.startswith("_")]
+            suggestion = nearest(name, known)
+            if suggestion is None:
+                raise RobotAttributeError("robot-unknown-skill", name=name)
+            raise RobotAttributeError("robot-unknown-skill-like", name=name, suggestion=suggestion)
 
     def observe(self, witness: Witness) -> None:
         self._witness = witness
@@ -393,21 +399,23 @@ class Client(Announced, Driver, Events):
                 setattr(self, name, self._method(name, function))
 
     def _method(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
-        def skill(*args: Any, **kwargs: Any) -> Any:
-            if self._skill is not None:
-                return function(self, *args, **kwargs)
-            self._skill, self._question = name, (name, args, kwargs)
-            self._noted.clear()
+        def skill(robot: Client, /, *args: Any, **kwargs: Any) -> Any:
+            if robot._skill is not None:
+                return function(robot, *args, **kwargs)
+            robot._skill, robot._question = name, (name, args, kwargs)
+            robot._noted.clear()
             try:
-                if self.observer:
-                    self.observer.called(name, args, kwargs)
-                return function(self, *args, **kwargs)
+                if robot.observer:
+                    robot.observer.called(name, args, kwargs)
+                return function(robot, *args, **kwargs)
             finally:
-                self._skill = self._question = None
+                robot._skill = robot._question = None
 
         skill.__name__ = skill.__qualname__ = name
-        skill.__doc__ = function.__doc__
-        return skill
+        skill.__doc__, skill.__module__ = function.__doc__, function.__module__
+        # Editors, `help` and `inspect` show the signature of the function, without the robot.
+        skill.__wrapped__ = function  # type: ignore[attr-defined]
+        return MethodType(skill, self)
 
     def _seen(self, key: tuple[object, ...], detect: Callable[[], Any]) -> Any:
         """The detector's result for the newest picture, or that of the previous query."""

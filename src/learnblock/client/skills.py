@@ -149,6 +149,11 @@ def _later(path: Path, name: str) -> Skill:
         return _loaded(path, name)(robot, *args, **kwargs)
 
     skill.__name__ = skill.__qualname__ = name
+    definition = skill_files.definition(path, name)
+    if definition is not None:
+        from learnblock.client.signatures import describe  # noqa: PLC0415 - most have no own skills
+
+        describe(skill, definition)
     return skill
 
 

@@ -115,7 +115,7 @@ def _imports(kinds: list[str], plan: RobotPlan) -> Iterator[str]:
         yield "from typing import TYPE_CHECKING\n"
     elif "DistanceSensors" in kinds or _TABLES.keys() & kinds:
         yield ""
-    yield "from learnblock.client import Rights"
+    yield "from learnblock.client import EverySkill, Rights"
     yield _import("learnblock.devices", kinds)
     yield "from learnblock.robots.real import RealRobot, not_written"
     yield _import("learnblock.robots.settings", ["RobotSettings", *_setting_types(plan)])

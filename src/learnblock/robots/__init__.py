@@ -85,6 +85,11 @@ def is_built_in(name: str) -> bool:
     return name in _OURS
 
 
+def built_in() -> tuple[str, ...]:
+    """The names of LearnBlock's own robots."""
+    return _OURS
+
+
 def find(name: str) -> RobotEntry:
     """The robot with this name or module.
 

@@ -1,9 +1,10 @@
 """Cozmo's twin in the embedded simulator."""
 
+from learnblock.client import skill_sets
 from learnblock.robots.simulated import SimulatedRobot
 
 
-class Robot(SimulatedRobot):
+class Robot(SimulatedRobot, skill_sets.SimCozmo):
     """Cozmo, simulated."""
 
     description_name = "cozmo"

@@ -120,17 +120,34 @@ def names_in(source: str) -> tuple[str, ...]:
     return tuple(dict.fromkeys(_DEFINITION.findall(source)))
 
 
+def definition(path: Path, name: str) -> "ast.FunctionDef | None":
+    """Return the definition of a skill in a file; None if the file is not valid Python.
+
+    Raises:
+        OSError: it cannot be read.
+    """
+    status = path.stat()
+    return (_definitions(path, (status.st_mtime_ns, status.st_size)) or {}).get(name)
+
+
 @lru_cache(maxsize=512)
-def _names(path: Path, version: tuple[int, int]) -> tuple[str, ...]:  # noqa: ARG001 - read again after a change
+def _names(path: Path, version: tuple[int, int]) -> tuple[str, ...]:
+    definitions = _definitions(path, version)
+    if definitions is not None:
+        return tuple(definitions)
     try:
-        source = read(path)
+        return names_in(read(path))
     except ProgramError:
         return ()
+
+
+@lru_cache(maxsize=512)
+def _definitions(path: Path, version: tuple[int, int]) -> "dict[str, ast.FunctionDef] | None":  # noqa: ARG001 - read again after a change
     try:
-        tree = parse(source, str(path))
+        tree = parse(read(path), str(path))
     except ProgramError:
-        return names_in(source)
-    return tuple(dict.fromkeys(function.name for function in functions(tree)))
+        return None
+    return {function.name: function for function in functions(tree)}
 
 
 def _not_python(reason: str, line: int = 0, column: int = 0, end_column: int = 0) -> Diagnostic:

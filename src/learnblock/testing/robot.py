@@ -3,7 +3,7 @@
 from collections.abc import Callable, Collection
 from typing import Any
 
-from learnblock.client import Client, Observer
+from learnblock.client import AnyRobot, Observer
 from learnblock.devices import (
     DEFAULT_KEY,
     DEVICE_TYPES,
@@ -30,7 +30,7 @@ from learnblock.testing.forms import quiet_readings
 from learnblock.testing.wheels import Wheels
 
 
-class FakeRobot(Client):
+class FakeRobot(AnyRobot):
     """A robot with every type of device, which records commands and reads values set by a test.
 
     Its wheels react at once, and its gyroscope and pose follow them, all in virtual time:

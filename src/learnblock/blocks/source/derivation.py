@@ -130,12 +130,12 @@ def derive_plugin(point: "EntryPoint") -> Iterator[tuple[Signature, BlockConfigu
         ProgramError: it is not valid Python.
         OSError: it cannot be read.
     """
-    path = _source_of(point)
+    path = plugin_source(point)
     for signature in signatures(skill_files.read(path), str(path)):
         yield signature, derived(signature, str(path))
 
 
-def _source_of(point: "EntryPoint") -> Path:
+def plugin_source(point: "EntryPoint") -> Path:
     """The file of a plugin's module, found without importing the packages around it."""
     package, *rest = point.module.split(".")
     spec = importlib.util.find_spec(package)

@@ -341,6 +341,13 @@ help-skills =
     Dice qué hace cada una y qué dispositivos necesita.
 help-skills-with-json = { help-blocks-with-json }
 
+help-stubs =
+    Da a conocer tus robots y habilidades a los editores.
+
+    Escribe sus tipos y su ayuda en archivos de tipos, también para los verificadores de tipos.
+
+    FOLDER es la carpeta de tus programas: si falta, la carpeta actual.
+
 help-tags = Muestra, cambia, importa, exporta o imprime nombres de etiquetas.
 help-tags-with-json = { help-blocks-with-json }
 help-tags-set = Da un nombre (NAME) a la etiqueta con este número (NUMBER).

@@ -9,7 +9,7 @@ from contextlib import ExitStack, closing
 from importlib.resources import files
 from typing import Any
 
-from learnblock.client import Rights
+from learnblock.client import Rights, skill_sets
 from learnblock.devices import Base
 from learnblock.errors import MissingPackageError, RobotConnectionError
 from learnblock.i18n import Phrase
@@ -37,7 +37,7 @@ _SCENES: Mapping[str, Callable[[Remote, Settings], RobotScene]] = {
 }
 
 
-class Robot(RealRobot[Settings]):
+class Robot(RealRobot[Settings], skill_sets.Coppeliasim):
     """A robot in a scene of CoppeliaSim.
 
     The devices of a scene with our script are known only after connecting.

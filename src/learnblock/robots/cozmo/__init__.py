@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from msgspec import Meta
 
-from learnblock.client import Rights, RobotStatus
+from learnblock.client import Rights, RobotStatus, skill_sets
 from learnblock.devices import (
     Accelerometer,
     Animator,
@@ -59,7 +59,7 @@ class CozmoSettings(RobotSettings, frozen=True):
     voice: Voice = "en"
 
 
-class Robot(RealRobot[CozmoSettings]):
+class Robot(RealRobot[CozmoSettings], skill_sets.Cozmo):
     """A Cozmo whose Wi-Fi this computer has joined.
 
         from learnblock.robots.cozmo import Robot

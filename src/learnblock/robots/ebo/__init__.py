@@ -7,6 +7,7 @@ from typing import Annotated
 
 from msgspec import Meta
 
+from learnblock.client import skill_sets
 from learnblock.devices import Base, Camera, Display, DistanceSensors, JointMotor
 from learnblock.ice.robocomp import Layout
 from learnblock.robots import settings as user_settings
@@ -33,7 +34,7 @@ class Settings(RoboCompSettings, frozen=True):
     camera_port: CameraPort = 50000
 
 
-class Robot(RoboCompRobot[Settings]):
+class Robot(RoboCompRobot[Settings], skill_sets.Ebo):
     """An EBO.
 
     Its components know neither its pose nor the angle of its head.

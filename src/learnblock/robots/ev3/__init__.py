@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from typing import Any
 
-from learnblock.client import Rights, RobotStatus
+from learnblock.client import Rights, RobotStatus, skill_sets
 from learnblock.devices import (
     NOTHING_SEEN,
     Base,
@@ -30,7 +30,7 @@ from learnblock.wheels import Drivetrain
 __all__ = ["Robot", "Settings"]
 
 
-class Robot(RealRobot[Settings]):
+class Robot(RealRobot[Settings], skill_sets.Ev3):
     """A brick with two motors for the wheels and up to four sensors."""
 
     settings_type = Settings

@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING
 
+from learnblock.client import skill_sets
 from learnblock.devices import Base, Camera, Display, DistanceSensors, JointMotor, Screen
 from learnblock.ice.robocomp import Image, Layout
 from learnblock.robots.rcis.camera import FrameConverter
@@ -23,7 +24,7 @@ class Settings(RoboCompSettings, frozen=True):
     camera_port: Port = 10097
 
 
-class Robot(RoboCompRobot[Settings]):
+class Robot(RoboCompRobot[Settings], skill_sets.Rcis):
     """An EBO in RCIS."""
 
     settings_type = Settings

@@ -23,6 +23,7 @@ from learnblock.robots.simulated.options import (
 )
 from learnblock.robots.simulated.play import WorldPlay
 from learnblock.robots.simulated.simulation import Simulation, WorldClock
+from learnblock.robots.simulated.way import DrivenWay
 from learnblock.robots.simulated.worlds import described_world, find_world
 from learnblock.runtime.lockstep import LockStepClock
 from learnblock.runtime.pacing import Pacing
@@ -92,6 +93,8 @@ class SimulatedRobot(Client):
         self._end_trace: Callable[[], None] | None = None
         #: The name of the program that reports what the robot did.
         self._program: str | None = None
+        #: What it has driven, where a person enters its commands, as in a notebook.
+        self._way = DrivenWay()
         self.simulation = simulation or self.make_simulation(
             world=world, seed=seed, pace=pace, variant=variant
         )
@@ -200,6 +203,11 @@ class SimulatedRobot(Client):
         if self._end_trace:
             self._end_trace()
 
+    def _repr_mimebundle_(self, **options: object) -> Mapping[str, str]:  # noqa: ARG002 - for all
+        """What notebooks show of it: its world with the way that it has driven."""
+        picture = self._way.draw(self.body, self.simulation.world, self.name)
+        return {"text/plain": repr(self), "image/svg+xml": picture}
+
     def _make_readings(self) -> Readings:
         if isinstance(self.clock, WorldClock):
             # The program has a robot of its own, elsewhere, which waits for new readings.
@@ -222,6 +230,8 @@ class SimulatedRobot(Client):
         random.seed(self.simulation.seed)
         self._restore_time = use_robot_time(self.clock)
         self._program = main_program()
+        if self._program is None:
+            self.observe(self._way)
         if os.environ.get("LEARNBLOCK_TRACE"):
             self._end_trace = trace_main_program(self, Path(os.environ["LEARNBLOCK_TRACE"]))
 

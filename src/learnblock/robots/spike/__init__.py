@@ -5,7 +5,7 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from learnblock.client import Rights, RobotStatus
+from learnblock.client import Rights, RobotStatus, skill_sets
 from learnblock.devices import (
     NOTHING_SEEN,
     Base,
@@ -32,7 +32,7 @@ from learnblock.wheels import Drivetrain
 __all__ = ["Robot", "Settings"]
 
 
-class Robot(RealRobot[Settings]):
+class Robot(RealRobot[Settings], skill_sets.Spike):
     """A hub with two motors for the wheels and up to three sensors."""
 
     settings_type = Settings

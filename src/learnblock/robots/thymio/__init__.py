@@ -12,7 +12,7 @@ from contextlib import ExitStack
 from functools import partial
 from typing import Any
 
-from learnblock.client import Rights
+from learnblock.client import Rights, skill_sets
 from learnblock.devices import (
     Accelerometer,
     Base,
@@ -35,7 +35,7 @@ from learnblock.wheels import Drivetrain
 __all__ = ["Robot", "ThymioSettings"]
 
 
-class Robot(RealRobot[ThymioSettings]):
+class Robot(RealRobot[ThymioSettings], skill_sets.Thymio):
     """A Thymio II."""
 
     settings_type = ThymioSettings

@@ -1,0 +1,3 @@
+# The user's own skills on every robot: none here. `learnblock stubs` writes a stub that has them.
+
+class OwnSkills: ...
