@@ -46,7 +46,6 @@ from learnblock.errors import (
     RobotStoppedError,
     nearest,
 )
-from learnblock.scores import GameEvent
 
 D = TypeVar("D", bound=Device)
 
@@ -122,8 +121,8 @@ class Client(Announced, Driver, Events):
         #: The keyboard of the computer that runs the program.
         self.keyboard = Keyboard()
         #: The game that it plays; without a world, it keeps its own.
-        self.game = Game(OwnPlay(self.clock.time, self._report_game))
-        self._witness: Witness | None = None
+        self._own_play = OwnPlay(self.clock.time)
+        self.game = Game(self._own_play)
         self.senses = Senses(self)
         #: What its driver calls by name.
         self.operations = Operations()
@@ -336,13 +335,9 @@ class Client(Announced, Driver, Events):
             raise RobotAttributeError("robot-unknown-skill-like", name=name, suggestion=suggestion)
 
     def observe(self, witness: Witness) -> None:
-        self._witness = witness
+        self._own_play.witness = witness
 
     # Helpers of the methods above.
-
-    def _report_game(self, event: GameEvent) -> None:
-        if self._witness:
-            self._witness.game(event)
 
     def _make_readings(self) -> Readings:
         if self.clock.instant is not None:

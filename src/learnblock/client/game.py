@@ -5,7 +5,8 @@ from contextlib import AbstractContextManager
 from typing import Protocol
 
 from learnblock.client.mailbox import Mailbox
-from learnblock.scores import TIME_UP, Change, GameEvent, GameResult, Scores, Tally
+from learnblock.client.observers import Witness
+from learnblock.scores import TIME_UP, Change, GameResult, Scores, Tally
 
 #: The only player of a game without a world.
 _ALONE = "robot"
@@ -33,14 +34,12 @@ class OwnPlay:
 
     Args:
         time: returns the robot's time in seconds.
-        report: reports what happens.
     """
 
-    def __init__(
-        self, time: Callable[[], float], report: Callable[[GameEvent], object] = lambda _: None
-    ) -> None:
+    def __init__(self, time: Callable[[], float]) -> None:
         self._time = time
-        self._report = report
+        #: Is told what happens.
+        self.witness: Witness | None = None
         self._scores = Scores()
 
     @property
@@ -72,7 +71,8 @@ class OwnPlay:
 
     def _tell(self) -> None:
         for event in self._scores.take_events():
-            self._report(event)
+            if self.witness:
+                self.witness.game(event)
 
 
 class Game:

@@ -114,8 +114,8 @@ class Guardian:
 
     def _hear(self) -> None:
         assert self._process.stdout is not None  # noqa: S101 - for the type checker
-        with self._process.stdout as said:
-            if said.read(1):
+        with self._process.stdout as output:
+            if output.read(1):
                 self._stands_by.set()
 
 

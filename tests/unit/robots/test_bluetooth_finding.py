@@ -12,9 +12,14 @@ from learnblock.robots.bluetooth import finding
 SERVICE = "c5f50001-8280-46da-89f4-6d8051e4aeef"
 #: Two hubs and a headset, and how strong each is.
 NEARBY = {
-    "AA": SimpleNamespace(local_name="Hub 1", service_uuids=[SERVICE], rssi=-71),
-    "BB": SimpleNamespace(local_name="Hub 2", service_uuids=[SERVICE], rssi=-48),
-    "CC": SimpleNamespace(local_name="Headset", service_uuids=[], rssi=-30),
+    address: SimpleNamespace(
+        local_name=name, service_uuids=services, rssi=signal, manufacturer_data={}
+    )
+    for address, name, services, signal in [
+        ("AA", "Hub 1", [SERVICE], -71),
+        ("BB", "Hub 2", [SERVICE], -48),
+        ("CC", "Headset", [], -30),
+    ]
 }
 
 
@@ -22,7 +27,10 @@ NEARBY = {
 def scanner(monkeypatch):
     async def find(is_it, timeout):
         assert timeout == finding.LOOKING
-        devices = ((SimpleNamespace(address=address), seen) for address, seen in NEARBY.items())
+        devices = (
+            (SimpleNamespace(address=address, details=None), seen)
+            for address, seen in NEARBY.items()
+        )
         return next((device for device, seen in devices if is_it(device, seen)), None)
 
     monkeypatch.setattr(bleak.BleakScanner, "find_device_by_filter", find)

@@ -52,6 +52,10 @@ class DeviceFirmware:
         self.package = require("legoeducation.rpc_message", "legoed")
         self.name = NAMES[product]
         self.product = product
+        #: Its kind, and no connection card.
+        self.manufacturer: Mapping[int, bytes] = {
+            messages.COMPANY: product.to_bytes(2, "big") + bytes(3)
+        }
         self.version = messages.version()
         self.sounds: list[int] = []
         self.lamp = (-1, 0)
