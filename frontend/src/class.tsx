@@ -13,7 +13,7 @@ import { HandInStream } from "./features/hand-ins/stream";
 import { RecordPage } from "./features/record/page";
 import { language, startLanguage } from "./i18n";
 import { preferredLanguage, theme } from "./model/preferences";
-import "./ui/fonts.css";
+import { startFonts } from "./ui/fonts";
 import "./ui/theme.css";
 import "./ui/controls.css";
 import "./features/class-page/class-page.css";
@@ -32,7 +32,7 @@ async function begin(root: HTMLElement): Promise<void> {
     document.documentElement.lang = language.value;
     document.documentElement.dataset.theme = theme.value;
   });
-  await startLanguage(preferredLanguage);
+  await Promise.all([startLanguage(preferredLanguage), startFonts()]);
   render(pageAt(location.pathname), root);
 }
 

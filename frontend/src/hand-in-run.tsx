@@ -9,6 +9,7 @@ import { revealAround, runHandIn } from "./features/hand-ins/run";
 import { language, startLanguage } from "./i18n";
 import { PageProvider } from "./model/page";
 import { preferredLanguage, theme } from "./model/preferences";
+import { startFonts } from "./ui/fonts";
 
 /** What is sent to run is no edit of the teacher's, so nothing of it is kept in the browser. */
 const NO_DRAFTS = { keep: () => {}, forget: () => {}, left: async () => [] };
@@ -22,7 +23,7 @@ async function begin(root: HTMLElement): Promise<void> {
   runHandIn(page);
   revealAround(page);
   page.context.connection.open();
-  await startLanguage(preferredLanguage);
+  await Promise.all([startLanguage(preferredLanguage), startFonts()]);
   render(
     <PageProvider value={page}>
       <HandInRunPage />

@@ -9,6 +9,7 @@ import { listen } from "./app/shortcuts";
 import { language, startLanguage } from "./i18n";
 import { type Page, PageProvider } from "./model/page";
 import { preferredLanguage, theme } from "./model/preferences";
+import { startFonts } from "./ui/fonts";
 
 async function sound({ context }: Page): Promise<void> {
   const { startSound } = await import("./views/output/sound");
@@ -21,7 +22,7 @@ async function pictures(page: Page): Promise<void> {
 }
 
 async function begin(root: HTMLElement): Promise<void> {
-  const words = startLanguage(preferredLanguage);
+  const readable = Promise.all([startLanguage(preferredLanguage), startFonts()]);
   const page = compose();
   effect(() => {
     document.documentElement.lang = language.value;
@@ -30,7 +31,7 @@ async function begin(root: HTMLElement): Promise<void> {
   addEventListener("pagehide", () => page.context.program.flush());
   listen(page);
   page.context.connection.open();
-  await words;
+  await readable;
   render(
     <PageProvider value={page}>
       <App />

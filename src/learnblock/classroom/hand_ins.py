@@ -290,13 +290,17 @@ class HandInShelf:
     ) -> None:
         """Set the note and the mark that are handed back next, and what the note is about.
 
+        What is said already stays as it is, handed back or not: a page repeats it when a field is
+        left.
+
         Raises:
             LearnBlockError: nothing was handed in.
             OSError: it can't be saved.
         """
         with self._lock:
             file = self.known(pupil, lesson, step)
-            self._keep(pupil, replace(file, note=note, mark=mark, line=line, waits=True))
+            if (note, mark, line) != (file.note, file.mark, file.line):
+                self._keep(pupil, replace(file, note=note, mark=mark, line=line, waits=True))
 
     def hand_back(self, pupil: str, lesson: str, step: int) -> None:
         """Hand back note and mark; nothing happens if they are back already.

@@ -48,6 +48,15 @@ def test_a_hand_in_is_checked_then_marked_then_handed_back(shelf):
     assert (back.note, back.mark, back.checked) == ("Count the corners.", "8", CHECKED)
 
 
+def test_a_mark_that_is_said_again_is_not_to_be_handed_back_again(shelf):
+    shelf.add(ANA, work())
+    for mark, after in (("8", "handed back"), ("9", "marked")):
+        shelf.say(ANA, LESSON, 4, note="Nearly.", mark="8")
+        shelf.hand_back(ANA, LESSON, 4)
+        shelf.say(ANA, LESSON, 4, note="Nearly.", mark=mark)
+        assert state(shelf) == after
+
+
 def test_a_pupil_improves_what_is_back_and_hands_it_in_again(shelf):
     shelf.add(ANA, work())
     shelf.say(ANA, LESSON, 4, note="Nearly.", mark="7")

@@ -5,6 +5,7 @@ import { effect, signal } from "@preact/signals";
 import type { Page } from "../../model/page";
 import { VIEWS } from "../../model/views";
 import type { HandInRun } from "../../protocol/classroom";
+import type { ShowLine } from "../in-class/noted-line";
 
 /** Once the server is at the step, give it the program, and run it as fast as it can; later runs are to be watched. */
 export function runHandIn({ context, lessons }: Pick<Page, "context" | "lessons">): void {
@@ -28,12 +29,6 @@ export function runHandIn({ context, lessons }: Pick<Page, "context" | "lessons"
     connection.send({ kind: "SetSpeed", factor: null });
     connection.send({ kind: "ShowVariant", robot: run.robot, variant: run.variant ?? 0 });
   });
-}
-
-/** What the page with the run tells the page around it. */
-export interface ShowLine {
-  /** The line of the program in Block-Text whose block is to be shown. */
-  readonly showLine: number;
 }
 
 /** The program is on the page around this one: have that show the blocks that answers name. */

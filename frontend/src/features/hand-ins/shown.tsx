@@ -9,11 +9,10 @@ import type { CheckSummary, NotedLine, ShownHandIn } from "../../protocol/classr
 import { IconButton } from "../../ui/button";
 import { Dialog } from "../../ui/dialog";
 import { Icon } from "../../ui/icons";
-import { linesToNote, notedLine, numberIn } from "../in-class/noted-line";
+import { linesToNote, notedLine, numberIn, type ShowLine } from "../in-class/noted-line";
 import { DrawnBlocks } from "../lessons/drawn-blocks";
 import { inLanguage } from "../lessons/texts";
 import { Stars } from "./list";
-import type { ShowLine } from "./run";
 import type { HandInStream } from "./stream";
 import { DrivenWay } from "./way";
 

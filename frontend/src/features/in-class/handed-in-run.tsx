@@ -6,7 +6,7 @@ import { language, t } from "../../i18n";
 import { usePage } from "../../model/page";
 import type { OwnHandIn } from "../../protocol/classroom";
 import { Dialog } from "../../ui/dialog";
-import type { ShowLine } from "../hand-ins/run";
+import type { ShowLine } from "./noted-line";
 import "./handed-in-run.css";
 
 export function RunThatWasHandedIn({ handIn }: { handIn: OwnHandIn }) {

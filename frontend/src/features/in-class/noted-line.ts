@@ -45,3 +45,9 @@ function beginning(line: string): string {
 function firstWord(line: string): string {
   return /^[\w.]+/.exec(line)?.[0] ?? line;
 }
+
+/** What a page with the run of a hand-in tells the page around it. */
+export interface ShowLine {
+  /** The line of the program in Block-Text whose block is to be shown. */
+  readonly showLine: number;
+}

@@ -17,7 +17,7 @@ from learnblock.lessons.grading.grading import Grading, Row
 from learnblock.lessons.grading.html import escaped, tag
 from learnblock.lessons.grading.likeness import Pair, Print, alike, print_of
 from learnblock.lessons.grading.pictures import Pictures
-from learnblock.lessons.grading.summary import PupilOutcome, Summary, most_missed, summary_of
+from learnblock.lessons.grading.summary import StepOutcome, Summary, most_missed, summary_of
 from learnblock.lessons.grading.table import stars
 from learnblock.lessons.grading.values import DIFFERS, HandedIn, HintResult, Result, Texts
 from learnblock.lessons.texts import in_language
@@ -32,9 +32,9 @@ _KINDS = {
 }
 #: The headings of the overview's groups, in its order.
 _GROUPS = {
-    PupilOutcome.MISSED: "grade-page-to-look-at",
-    PupilOutcome.DONE: "grade-page-done",
-    PupilOutcome.ABSENT: "grade-page-without",
+    StepOutcome.MISSED: "grade-page-to-look-at",
+    StepOutcome.DONE: "grade-page-done",
+    StepOutcome.ABSENT: "grade-page-without",
 }
 _MARKS = {"met": "✓", "failed": "✗"}
 #: LearnBlock's mark: the page's frontend/src/features/start/logo.tsx.
@@ -98,12 +98,12 @@ class Page:
     def _figures(self) -> Iterator[str]:
         """The class in a few figures."""
         outcomes = [summary.outcome for summary in self._summaries]
-        absent = outcomes.count(PupilOutcome.ABSENT)
+        absent = outcomes.count(StepOutcome.ABSENT)
         count = len(outcomes) - absent
         tried = self._escaped("grade-page-tried", tries=len(self._plan.attempts))
         yield self._figure("grade-page-programs", count, tried)
         of = self._escaped("grade-page-of", count=count)
-        yield self._figure("grade-page-done", outcomes.count(PupilOutcome.DONE), of)
+        yield self._figure("grade-page-done", outcomes.count(StepOutcome.DONE), of)
         if absent:
             yield self._figure("grade-page-without", absent)
         if missed := most_missed(self._summaries):
@@ -162,7 +162,7 @@ class Page:
         groups = filter(None, (self._group(outcome, len(heads)) for outcome in _GROUPS))
         yield _table(self._text("grade-page-overview"), heads, *groups)
 
-    def _group(self, outcome: PupilOutcome, columns: int) -> list[str]:
+    def _group(self, outcome: StepOutcome, columns: int) -> list[str]:
         """The rows of the pupils who did alike, under their heading."""
         rows = [
             self._line(index, summary)
@@ -180,7 +180,7 @@ class Page:
         cells = [_count(number, summary.finished) for number in counts]
         hint = self._in_language(summary.hint.levels[0]) if summary.hint else ""
         remark = self._in_language(summary.refused) or hint
-        kind = "open" if summary.outcome is PupilOutcome.ABSENT else None
+        kind = "open" if summary.outcome is StepOutcome.ABSENT else None
         cells.append(tag("td", remark, class_=kind))
         return tag("tr", tag("th", self._link(index), scope="row"), *cells)
 
@@ -255,7 +255,7 @@ class Page:
             heading = tag("summary", name, " ", reason)
             return tag("details", heading, id=f"pupil-{index}", class_="card pupil open")
         done = self._escaped("grade-page-done-in", done=summary.done, tries=len(rows))
-        kind = "met" if summary.outcome is PupilOutcome.DONE else "failed"
+        kind = "met" if summary.outcome is StepOutcome.DONE else "failed"
         heading = tag(
             "summary", name, " ", tag("span", f"{_MARKS[kind]} {done}", class_=f"mark {kind}")
         )

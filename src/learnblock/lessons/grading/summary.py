@@ -11,7 +11,7 @@ from learnblock.lessons.grading.table import stars
 from learnblock.lessons.grading.values import HandedIn, HintResult, Result, Texts
 
 
-class PupilOutcome(StrEnum):
+class StepOutcome(StrEnum):
     """How a pupil did, in the order in which a teacher looks."""
 
     MISSED = "missed"
@@ -33,7 +33,7 @@ class Summary:
         refused: why it was not run.
     """
 
-    outcome: PupilOutcome
+    outcome: StepOutcome
     met: tuple[int, ...]
     finished: int
     done: int
@@ -49,12 +49,12 @@ def summary_of(grading: Grading, handed_in: HandedIn, checks: Sequence[Check]) -
     places = range(len(checks))
     if handed_in.absence:
         reason = results[0].reason if results else {}
-        return Summary(PupilOutcome.ABSENT, (0,) * len(places), 0, 0, (), None, reason)
+        return Summary(StepOutcome.ABSENT, (0,) * len(places), 0, 0, (), None, reason)
     met = tuple(sum(_is_met(result, place) for result in results) for place in places)
     done = sum(stars(checks, result) > 0 for result in results)
     refusals = (result.reason for result in results if not result.checks and result.reason)
     return Summary(
-        outcome=PupilOutcome.DONE if rows and done == len(rows) else PupilOutcome.MISSED,
+        outcome=StepOutcome.DONE if rows and done == len(rows) else StepOutcome.MISSED,
         met=met,
         finished=len(results),
         done=done,
