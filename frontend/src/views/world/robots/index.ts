@@ -13,7 +13,14 @@ import { spike } from "./spike";
 import { thymio } from "./thymio";
 
 const LOOKS: Readonly<Record<string, (robot: RobotValues) => Look>> = {
-  ebo, thymio, ev3, cozmo, spike, legoed, root, create3,
+  ebo,
+  thymio,
+  ev3,
+  cozmo,
+  spike,
+  legoed,
+  root,
+  create3,
 };
 
 export function robotModel(robot: RobotValues): RobotModel {
