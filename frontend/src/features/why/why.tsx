@@ -12,7 +12,21 @@ import "./why.css";
 const GROUPS = [
   {
     title: "page-why-happened",
-    kinds: ["goal", "reached", "game", "score", "lives", "bump", "end", "now", "movement", "emotion", "skill", "when", "print"],
+    kinds: [
+      "goal",
+      "reached",
+      "game",
+      "score",
+      "lives",
+      "bump",
+      "end",
+      "now",
+      "movement",
+      "emotion",
+      "skill",
+      "when",
+      "print",
+    ],
   },
   { title: "page-why-did-not", kinds: ["not-end", "not-movement", "not-skill", "not-when", "not-print"] },
   { title: "page-why-values", kinds: ["value"] },
