@@ -16,10 +16,10 @@ export function Hud() {
   const [first, ...others] = game.players;
   const left = game.time_left;
   return (
-    <div class="hud" role="group" aria-label={t("page-game-label")}>
+    <div class="hud" role="group" aria-label={t("page-world-game-label")}>
       {first && <Player player={first} alone={others.length === 0} />}
       {left != null && (
-        <p class="hud-time" role="timer" aria-label={t("page-game-time", { seconds: Math.ceil(left) })}>
+        <p class="hud-time" role="timer" aria-label={t("page-world-game-time", { seconds: Math.ceil(left) })}>
           <Icon name="timer" />
           {clock(left)}
         </p>
@@ -29,7 +29,7 @@ export function Hud() {
       ))}
       {game.won != null && (
         <p class="hud-end" role="status">
-          {t(game.won ? "page-game-won" : "page-game-over")}
+          {t(game.won ? "page-world-game-won" : "page-world-game-over")}
         </p>
       )}
     </div>
@@ -43,12 +43,12 @@ function Player({ player, alone }: { player: PlayerNow; alone: boolean }) {
   return (
     <div class="hud-player" style={style}>
       {!alone && <span class="hud-name">{name}</span>}
-      <span class="hud-score" role="img" aria-label={t("page-game-score", { score })}>
+      <span class="hud-score" role="img" aria-label={t("page-world-game-score", { score })}>
         <Icon name="star" />
         {score}
       </span>
       {lives != null && (
-        <span class="hud-lives" role="img" aria-label={t("page-game-lives", { lives })}>
+        <span class="hud-lives" role="img" aria-label={t("page-world-game-lives", { lives })}>
           {lives > MOST_HEARTS ? `♥ ${lives}` : "♥".repeat(lives) || "–"}
         </span>
       )}

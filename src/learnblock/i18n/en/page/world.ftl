@@ -106,9 +106,9 @@ page-world-theme-night = Night
 page-world-theme-maze = Maze
 
 # A game: its score, its lives and its time.
-page-game-label = Game
-page-game-score = Score: { $score }
-page-game-lives = Lives: { $lives }
-page-game-time = Time left: { $seconds } seconds
-page-game-won = You win
-page-game-over = Game over
+page-world-game-label = Game
+page-world-game-score = Score: { $score }
+page-world-game-lives = Lives: { $lives }
+page-world-game-time = Time left: { $seconds } seconds
+page-world-game-won = You win
+page-world-game-over = Game over

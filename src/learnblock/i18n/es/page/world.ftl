@@ -105,9 +105,9 @@ page-world-theme-night = Noche
 page-world-theme-maze = Laberinto
 
 # Un juego: sus puntos, sus vidas y su tiempo.
-page-game-label = Juego
-page-game-score = Puntos: { $score }
-page-game-lives = Vidas: { $lives }
-page-game-time = Tiempo que queda: { $seconds } segundos
-page-game-won = Has ganado
-page-game-over = Fin del juego
+page-world-game-label = Juego
+page-world-game-score = Puntos: { $score }
+page-world-game-lives = Vidas: { $lives }
+page-world-game-time = Tiempo que queda: { $seconds } segundos
+page-world-game-won = Has ganado
+page-world-game-over = Fin del juego
