@@ -50,6 +50,8 @@ export interface Preferences {
   readonly robot: string;
   /** The world of the last new project; empty for the usual one. */
   readonly world: string;
+  /** The worlds chosen last, the latest first. */
+  readonly recentWorlds: readonly string[];
   readonly layout: Layout;
 }
 
@@ -76,6 +78,7 @@ const DEFAULTS: Preferences = {
   stage: "starter",
   robot: "",
   world: "",
+  recentWorlds: [],
   layout: LAYOUT,
 };
 

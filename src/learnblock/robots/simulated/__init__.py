@@ -9,7 +9,6 @@ from learnblock.robots.simulated.worlds import (
     find_world,
     known_worlds,
     own_worlds,
-    robots_for,
     world_of_data,
     worlds,
 )
@@ -25,7 +24,6 @@ __all__ = [
     "known_worlds",
     "own_worlds",
     "pace_factor",
-    "robots_for",
     "world_of_data",
     "worlds",
 ]
