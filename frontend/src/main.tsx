@@ -7,13 +7,14 @@ import { App } from "./app/app";
 import { compose } from "./app/compose";
 import { listen } from "./app/shortcuts";
 import { language, startLanguage } from "./i18n";
+import { isHeard } from "./model/loudness";
 import { type Page, PageProvider } from "./model/page";
 import { preferredLanguage, theme } from "./model/preferences";
 import { startFonts } from "./ui/fonts";
 
-async function sound({ context }: Page): Promise<void> {
+async function sound({ context, classNews }: Page): Promise<void> {
   const { startSound } = await import("./views/output/sound");
-  startSound(context);
+  startSound(context, () => isHeard(classNews.now.value !== null));
 }
 
 async function pictures(page: Page): Promise<void> {

@@ -173,8 +173,18 @@ class Pupil:
         if what == "Speed":
             self.page.get_by_role("slider", name=what).fill(str(SPEEDS.index(name)))
             return
+        if what == "World":
+            self.choose_world(name)
+            return
         self.menu(what).click()
         self.page.get_by_role("menuitemradio", name=name, exact=True).click()
+
+    def choose_world(self, name):
+        """Choose a world in the gallery."""
+        self.command("World", "All worlds…")
+        self.dialog().get_by_role("searchbox").fill(name)
+        title = self.page.locator("strong", has_text=re.compile(f"^{re.escape(name)}$"))
+        self.dialog().locator("[data-world]").filter(has=title).click()
 
     def menu(self, name):
         """Return the button of a menu by its name, which may go on with the current choice."""
@@ -536,7 +546,7 @@ class Pupil:
 
     def answer(self, text):
         """Type an answer into the open dialog."""
-        field = self.page.locator("dialog[open] input")
+        field = self.page.locator("dialog[open] input:not([type=radio])")
         field.fill(text)
         field.press("Enter")
 

@@ -263,6 +263,21 @@ def filled_dialogs(visitor):
     visitor.escape()
 
 
+def gallery(visitor):
+    """The worlds: all, those of a group, those with a word, and none."""
+    visitor.opens("page-bar-world", "page-gallery-open")
+    expect(visitor.dialog.locator("[data-world]").first).to_be_visible()
+    yield "gallery"
+    visitor.dialog.locator("[aria-pressed=false]").nth(3).click()
+    yield "gallery, a group"
+    visitor.dialog.locator("[aria-pressed=false]").first.click()
+    visitor.dialog.get_by_role("searchbox").fill("2")
+    yield "gallery, search"
+    visitor.dialog.get_by_role("searchbox").fill("xyz")
+    yield "gallery, nothing found"
+    visitor.escape()
+
+
 SORTS = ("wall", "tag", "line", "reach")
 
 
@@ -522,6 +537,7 @@ WALKS = (
     project_dialogs,
     page_dialogs,
     filled_dialogs,
+    gallery,
     world_editor,
     connecting,
     editors,

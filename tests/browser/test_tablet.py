@@ -150,7 +150,7 @@ def begin(pupil):
     before = pupil.name_of_project()
     pupil.menu("Project").tap()
     pupil.page.get_by_role("menuitem", name="New…", exact=True).tap()
-    pupil.dialog().get_by_role("button", name="Create").tap()
+    pupil.dialog().get_by_role("button", name="Start").tap()
     expect(pupil.page.locator("header .project-name")).not_to_have_text(before)
     expect(pupil.blocks("lb_main")).to_be_visible()
 

@@ -51,7 +51,7 @@ def test_a_world_that_varies_can_be_run_in_another_variant(pupil):
 
 
 def test_a_world_without_variants_offers_none(pupil):
-    pupil.choose("World", "Sumo (2 robots)")
+    pupil.choose("World", "Sumo")
     pupil.menu("World").click()
     expect(pupil.page.get_by_role("menuitem", name="Download world")).to_be_visible()
     expect(pupil.page.get_by_role("menuitem", name="Choose a variant…")).to_have_count(0)

@@ -15,6 +15,7 @@ import { RobotSettings } from "../features/robot-settings/robot-settings";
 import { Share } from "../features/share/share";
 import { TagDictionary } from "../features/tags/tag-dictionary";
 import { Classes } from "../features/teachers/classes";
+import { WorldPictures } from "../features/worlds/pictures";
 import { Worlds } from "../features/worlds/worlds";
 import { t } from "../i18n";
 import { Announcer } from "../model/announcer";
@@ -103,6 +104,7 @@ function makeStores(connection: Connection, toasts: Toasts, dialogs: Dialogs) {
     robotSettings: new RobotSettings(connection),
     tags: new TagDictionary(connection),
     worlds: new Worlds(connection, toasts),
+    worldPictures: new WorldPictures(connection),
   };
 }
 

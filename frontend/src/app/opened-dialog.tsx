@@ -16,9 +16,10 @@ import { NewRobotDialog } from "../features/new-robot/dialog";
 import { OtherDeviceDialog } from "../features/other-device/dialog";
 import { HistoryDialog } from "../features/projects/history";
 import { ImportedDialog } from "../features/projects/imported";
+import { NewDialog } from "../features/projects/new";
 import { OfferedDialog } from "../features/projects/offered";
 import { OpenDialog } from "../features/projects/open";
-import { NewDialog, ProjectDialog, RenameDialog, SaveAsDialog } from "../features/projects/save-and-delete";
+import { ProjectDialog, RenameDialog, SaveAsDialog } from "../features/projects/save-and-delete";
 import { PerceptionDialog, RobotSettingsDialog } from "../features/robot-settings/dialogs";
 import { AddRobotsDialog } from "../features/robot-tabs/add";
 import { RobotCountDialog } from "../features/robot-tabs/count";
@@ -27,6 +28,7 @@ import { RunDialog } from "../features/runs/dialogs";
 import { SettingsDialog, ShortcutsDialog } from "../features/settings/dialogs";
 import { TagsDialog } from "../features/tags/dialog";
 import { GradingDialog } from "../features/teachers/topics";
+import { WorldGalleryDialog } from "../features/worlds/gallery";
 import { RenameWorldDialog } from "../features/worlds/rename";
 import { WorldVariantDialog } from "../features/worlds/variant";
 import { t } from "../i18n";
@@ -48,7 +50,7 @@ const DIALOGS = {
   addRobots: AddRobotsDialog,
   robotCount: RobotCountDialog,
   renameRobot: RenameRobotDialog,
-  renameWorld: RenameWorldDialog,
+  worlds: WorldGalleryDialog,
   worldVariant: WorldVariantDialog,
   blockSets: BlockSetsDialog,
   tags: TagsDialog,
@@ -78,12 +80,14 @@ export function OpenedDialog() {
   if (typeof name === "object" && ("nameRun" in name || "deleteRun" in name)) return <RunDialog of={name} />;
   if (typeof name === "object" && "deleteLesson" in name) return <DeleteLessonDialog of={name} />;
   if (typeof name === "object" && "lessonNotes" in name) return <LessonNotesDialog of={name} />;
+  if (typeof name === "object" && "editWorld" in name) return <WorldEditorDialog first={name.editWorld} />;
+  if (typeof name === "object" && "renameWorld" in name) return <RenameWorldDialog name={name.renameWorld} />;
   if (typeof name === "object") return <ProjectDialog of={name} />;
   const Shown = DIALOGS[name];
   return <Shown />;
 }
 
-function WorldEditorDialog() {
+function WorldEditorDialog({ first = "" }: { first?: string }) {
   const { context, dialogs, project, toasts } = usePage();
   const saved = (name: string) => {
     dialogs.close();
@@ -91,7 +95,7 @@ function WorldEditorDialog() {
   };
   const load = async () => {
     const { createWorldEditor } = await import("../features/world-editor");
-    return createWorldEditor(context, (name) => project.freeWorldTitle(name), saved);
+    return createWorldEditor(context, (name) => project.freeWorldTitle(name), saved, first);
   };
   return (
     <Dialog title={t("page-bar-edit-world")} close={() => dialogs.close()} size="whole">

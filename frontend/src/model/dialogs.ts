@@ -13,10 +13,10 @@ export type DialogName =
   | "shortcuts"
   | "settings"
   | "worldEditor"
+  | "worlds"
   | "addRobots"
   | "robotCount"
   | "renameRobot"
-  | "renameWorld"
   | "worldVariant"
   | "blockSets"
   | "tags"
@@ -32,6 +32,7 @@ export type DialogName =
   | "grading"
   | "lessonEditor"
   | ProjectDialogName
+  | WorldDialogName
   | LessonDialogName
   | RunDialogName
   | MakeBlockDialogName
@@ -39,6 +40,9 @@ export type DialogName =
 
 /** A question about a project, which need not be open, by its name. */
 export type ProjectDialogName = { readonly delete: string } | { readonly rename: string } | { readonly copy: string };
+
+/** A world by its name: to change it or its title. */
+export type WorldDialogName = { readonly editWorld: string } | { readonly renameWorld: string };
 
 /** A lesson by its name: the question whether to delete it, or what it has for the teacher. */
 export type LessonDialogName =

@@ -40,6 +40,10 @@ export interface Preferences {
   readonly language: string;
   readonly theme: ThemeName | "system";
   readonly sound: boolean;
+  /** The same in a class, where many sit in one room. */
+  readonly classSound: boolean;
+  /** How loud the robot is, 0 to 100. */
+  readonly volume: number;
   /** Whether sounds report distances ahead and collisions. */
   readonly audible: boolean;
   /** Whether the world celebrates goals that the robot reaches. */
@@ -50,6 +54,8 @@ export interface Preferences {
   readonly robot: string;
   /** The world of the last new project; empty for the usual one. */
   readonly world: string;
+  /** The worlds chosen last, the latest first. */
+  readonly recentWorlds: readonly string[];
   readonly layout: Layout;
 }
 
@@ -70,12 +76,15 @@ const DEFAULTS: Preferences = {
   language: navigator.language.slice(0, 2),
   theme: "system",
   sound: true,
+  classSound: false,
+  volume: 50,
   audible: false,
   celebrate: true,
   tourDone: false,
   stage: "starter",
   robot: "",
   world: "",
+  recentWorlds: [],
   layout: LAYOUT,
 };
 

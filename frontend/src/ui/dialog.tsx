@@ -13,7 +13,7 @@ interface Props {
   readonly close: () => void;
   /** What Escape does instead. */
   readonly cancel?: () => void;
-  readonly size?: "small" | "large" | "whole";
+  readonly size?: "small" | "large" | "worlds" | "whole";
   /** Beside the title. */
   readonly head?: ComponentChildren;
   readonly children: ComponentChildren;

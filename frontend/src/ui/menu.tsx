@@ -10,6 +10,8 @@ import "./menu.css";
 export interface MenuItem {
   readonly text: string;
   readonly icon?: IconName;
+  /** The address of a picture that shows what it chooses. */
+  readonly picture?: string | undefined;
   /** For one of several choices: whether it is selected. */
   readonly checked?: boolean;
   /** For a switch: whether it is on. */
@@ -133,7 +135,7 @@ function Group({ group: { title, items }, close }: { group: MenuGroup; close: ()
 }
 
 function Item({ item, close }: { item: MenuItem; close: () => void }) {
-  const { text, icon, checked, on, off, key, run } = item;
+  const { text, icon, picture, checked, on, off, key, run } = item;
   return (
     // biome-ignore lint/a11y/useAriaPropsSupportedByRole: it is only set for the roles that have it
     <button
@@ -151,6 +153,7 @@ function Item({ item, close }: { item: MenuItem; close: () => void }) {
       }}
     >
       {icon && <Icon name={icon} />}
+      {picture && <img class="menu-picture" src={picture} alt="" width={400} height={200} />}
       <span class="menu-text">{text}</span>
       {/* The style sheet shows it: as text, it would have to be part of the name. */}
       {key && <kbd data-key={key} />}

@@ -27,8 +27,9 @@ export function takesKeys(element: EventTarget | null): boolean {
  * comes some time after. What the user has focused or typed meanwhile comes first. Call the result to stop.
  */
 export function followTyping(part: HTMLElement): () => void {
-  // On a touch screen the keyboard would cover half of it: there only `autofocus` chooses a field.
-  let known: ReadonlySet<Element> | null = matchMedia("(pointer: coarse)").matches ? null : new Set();
+  // On a touch screen the keyboard would cover half of it: there only `autofocus` chooses a field, or anywhere a button.
+  const isChosen = matchMedia("(pointer: coarse)").matches || part.querySelector("button[autofocus]") !== null;
+  let known: ReadonlySet<Element> | null = isChosen ? null : new Set();
   const fields = () => [...part.querySelectorAll<HTMLElement>(FIELDS)];
   const look = () => {
     if (known === null || isTyped(document.activeElement)) return;

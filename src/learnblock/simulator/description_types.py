@@ -20,6 +20,9 @@ Seconds = Annotated[float, Meta(ge=0.1, le=3600)]
 TagNumber = Annotated[int, Meta(ge=0, le=586)]
 Emotion = Literal["fear", "surprise", "anger", "sadness", "disgust", "joy", "neutral"]
 EMOTIONS: tuple[str, ...] = get_args(Emotion)
+#: What one does in a world, in the order of the page's gallery.
+Group = Literal["games", "drive", "obstacles", "lines", "tags", "faces", "several", "empty"]
+Difficulty = Literal["easy", "medium", "tricky"]
 
 X = Meta(description="position to the east, mm")
 Y = Meta(description="position to the north, mm")

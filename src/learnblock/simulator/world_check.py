@@ -10,6 +10,7 @@ from learnblock.errors import UnknownNameError
 from learnblock.i18n import Phrase
 from learnblock.simulator.game.checks import THINGS, check_game
 from learnblock.simulator.world_description import Box, Cylinder, Face, Tag, WorldFile, thing_name
+from learnblock.simulator.world_guide import offers
 from learnblock.storage.struct_types import KeyPath
 from learnblock.storage.toml_source import FileMistake
 
@@ -31,6 +32,7 @@ def check_world(world: WorldFile, folder: Path) -> Iterator[FileMistake]:
     yield from _check_goals(world)
     yield from _check_vary(world)
     yield from check_game(world)
+    yield from _check_group(world)
     if world.floor.picture is not None:
         yield from _check_picture(folder, world.floor.picture)
 
@@ -94,6 +96,13 @@ def _check_names(world: WorldFile) -> Iterator[FileMistake]:
             if seen[name] == 2:
                 message = Phrase("world-name-taken", group=str(path[0]), name=name)
                 yield FileMistake((*path, "name"), "name-taken", message)
+
+
+def _check_group(world: WorldFile) -> Iterator[FileMistake]:
+    """Report a group that promises what is not in the world."""
+    if world.group is not None and not offers(world, world.group):
+        message = Phrase("world-group-missing", group=world.group)
+        yield FileMistake(("group",), "wrong-value", message)
 
 
 def _check_vary(world: WorldFile) -> Iterator[FileMistake]:

@@ -14,7 +14,9 @@ from learnblock.simulator.colours import Colour
 from learnblock.simulator.description_types import (
     HEADING,
     XY,
+    Difficulty,
     Emotion,
+    Group,
     Heading,
     Mass,
     Name,
@@ -260,6 +262,14 @@ class WorldFile(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
 
     title: Annotated[Text, Meta(description="shown on the page")] = ""
     theme: Annotated[Theme, Meta(description="what the page draws around the floor")] = "playground"
+    group: (
+        Annotated[
+            Group,
+            Meta(description="where the page's gallery shows it; without it, by what is in it"),
+        ]
+        | None
+    ) = None
+    difficulty: Annotated[Difficulty, Meta(description="shown in the gallery")] | None = None
     ambient_light: Annotated[
         float, Meta(ge=0, le=1023, description="the light everywhere, of 1023")
     ] = 400.0

@@ -1,5 +1,6 @@
 /** The chosen world: the menu that chooses another, edits it or carries it elsewhere. */
 
+import { few, remember } from "../../features/worlds/recent";
 import { WORLD_FILES } from "../../features/worlds/worlds";
 import { t } from "../../i18n";
 import { type Page, usePage } from "../../model/page";
@@ -16,8 +17,7 @@ export function WorldMenu() {
   const all = project.worlds.value;
   const groups: readonly MenuGroup[] = [
     { title: t("page-world-this"), items: [...changes(page), ...sharing(page), ...files(page)] },
-    { title: t("page-bar-own-worlds"), items: all.filter(({ own }) => own).map((one) => choice(page, one)) },
-    { title: t("page-bar-worlds"), items: all.filter(({ own }) => !own).map((one) => choice(page, one)) },
+    { title: t("page-bar-worlds"), items: [everyWorld(page), ...few(all, name).map((one) => choice(page, one))] },
   ];
   return (
     <div class="world-menu">
@@ -38,13 +38,24 @@ function sharing({ context, share }: Page): readonly MenuItem[] {
   ];
 }
 
-function choice({ context, controls, project }: Page, { name, robots = 1 }: WorldChoice): MenuItem {
+function everyWorld({ context, dialogs }: Page): MenuItem {
+  const off = context.running.active.value;
+  return { text: t("page-gallery-open"), icon: "top", off, run: () => dialogs.show("worlds") };
+}
+
+/** One of the worlds that were chosen last. */
+function choice({ context, controls, project, worldPictures }: Page, world: WorldChoice): MenuItem {
+  const { name, robots = 1 } = world;
   const title = project.worldTitle(name);
   return {
     text: robots > 1 ? t("page-bar-world-robots", { title, count: robots }) : title,
+    picture: worldPictures.of(world),
     checked: name === context.running.world.value,
     off: context.running.active.value,
-    run: () => controls.chooseWorld(name),
+    run: () => {
+      remember(name);
+      controls.chooseWorld(name);
+    },
   };
 }
 
@@ -81,7 +92,7 @@ function files({ context, dialogs, project, worlds }: Page): readonly MenuItem[]
   ];
   if (project.worlds.value.some((one) => one.own && one.name === name)) {
     items.push(
-      { text: t("page-worlds-rename"), icon: "rename", off, run: () => dialogs.show("renameWorld") },
+      { text: t("page-worlds-rename"), icon: "rename", off, run: () => dialogs.show({ renameWorld: name }) },
       { text: t("page-worlds-delete"), icon: "trash", off, run: () => worlds.delete(name) },
     );
   }

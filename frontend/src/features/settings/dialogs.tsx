@@ -1,6 +1,7 @@
 /** The dialogs for preferences and keyboard shortcuts. */
 
 import { language, languages, t } from "../../i18n";
+import { hear, isHeard } from "../../model/loudness";
 import { usePage } from "../../model/page";
 import { type Preferences, prefer, preferences, THEMES } from "../../model/preferences";
 import { Dialog } from "../../ui/dialog";
@@ -8,8 +9,9 @@ import { languageName } from "../../ui/language-name";
 import { keysOf, OTHER_KEYS, SHORTCUTS } from "../../ui/shortcuts";
 
 export function SettingsDialog() {
-  const { dialogs, project } = usePage();
-  const { theme, sound, audible, celebrate } = preferences.value;
+  const { classNews, dialogs, project } = usePage();
+  const { theme, audible, celebrate } = preferences.value;
+  const inClass = classNews.now.value !== null;
   const welcome = project.welcome.value;
   return (
     <Dialog title={t("page-settings-title")} close={() => dialogs.close()}>
@@ -23,7 +25,8 @@ export function SettingsDialog() {
       >
         {THEMES.map((name) => [name, t(`page-settings-theme-${name}`)])}
       </Choice>
-      <Check label={t("page-settings-sound")} on={sound} set={(on) => prefer({ sound: on })} />
+      <Check label={t("page-settings-sound")} on={isHeard(inClass)} set={(on) => prefer(hear(on, inClass))} />
+      <Volume />
       <Check label={t("page-settings-audible")} on={audible} set={(on) => prefer({ audible: on })} />
       <Check label={t("page-settings-celebrate")} on={celebrate} set={(on) => prefer({ celebrate: on })} />
       {welcome && <p class="dim">{t("page-settings-about", { version: welcome.version, folder: welcome.folder })}</p>}
@@ -49,6 +52,22 @@ function Choice({ label, value, choose, children }: ChoiceProps) {
           </option>
         ))}
       </select>
+    </label>
+  );
+}
+
+function Volume() {
+  return (
+    <label class="field">
+      {t("page-settings-volume")}
+      <input
+        type="range"
+        min={0}
+        max={100}
+        step={10}
+        value={preferences.value.volume}
+        onInput={({ currentTarget }) => prefer({ volume: Number(currentTarget.value) })}
+      />
     </label>
   );
 }

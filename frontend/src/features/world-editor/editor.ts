@@ -59,6 +59,7 @@ export class WorldEditor implements Island {
     private readonly context: Context,
     private readonly freeTitle: (name: string) => string,
     private readonly leave: (title: string) => void,
+    first: string,
   ) {
     const { connection } = context;
     this.checking = new Checking(this.draft, connection);
@@ -79,12 +80,12 @@ export class WorldEditor implements Island {
     this.saving = new Saving(this.draft, connection, this.checking.problems, (name, title) => this.saved(name, title));
     this.build();
     this.cleanup = new Cleanup(
-      connection.on("WorldToEdit", (message) => this.open(message)),
+      connection.on("WorldToEdit", (message) => message.request || this.open(message)),
       connection.on("WorldMade", ({ world }) => this.made(world)),
       effect(() => this.keepUnsaved(this.draft.world.value)),
       effect(() => this.words()),
     );
-    this.read(context.running.world.peek() || NEW);
+    this.read(first || context.running.world.peek() || NEW);
   }
 
   destroy(): void {

@@ -9,11 +9,13 @@ import { WorldEditor } from "./editor";
 /**
  * @param freeTitle returns a title for a copy of a built-in world that no world has yet.
  * @param leave is called with the title of the world that was saved.
+ * @param first the world that is edited; empty for the one that is used.
  */
 export function createWorldEditor(
   context: Context,
   freeTitle: (name: string) => string,
   leave: (title: string) => void,
+  first = "",
 ): Island {
-  return new WorldEditor(context, freeTitle, leave);
+  return new WorldEditor(context, freeTitle, leave, first);
 }

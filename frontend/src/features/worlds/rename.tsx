@@ -4,9 +4,8 @@ import { LIMITS } from "../../protocol/messages";
 import { Dialog } from "../../ui/dialog";
 import { NameForm } from "../../ui/name-form";
 
-export function RenameWorldDialog() {
-  const { context, dialogs, project, worlds } = usePage();
-  const name = context.running.world.value;
+export function RenameWorldDialog({ name }: { name: string }) {
+  const { dialogs, project, worlds } = usePage();
   return (
     <Dialog title={t("page-worlds-rename-title")} close={() => dialogs.close()}>
       <NameForm

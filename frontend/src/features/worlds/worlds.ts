@@ -5,6 +5,7 @@ import type { Connection } from "../../protocol/connection";
 import { LIMITS } from "../../protocol/messages";
 import { bytesOf, inBase64, saveFile } from "../../ui/files";
 import type { Toasts } from "../../ui/toasts";
+import type { WorldPictures } from "./pictures";
 
 /** The files of worlds: the second has a floor picture too. */
 export const WORLD_FILES = [".toml", ".zip"];
@@ -52,5 +53,6 @@ export class Worlds {
 declare module "../../model/page" {
   interface Page {
     readonly worlds: Worlds;
+    readonly worldPictures: WorldPictures;
   }
 }

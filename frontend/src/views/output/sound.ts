@@ -3,6 +3,7 @@
 import { effect } from "@preact/signals";
 import { language } from "../../i18n";
 import type { Context } from "../../model/context";
+import { loudness } from "../../model/loudness";
 import { preferences } from "../../model/preferences";
 import type { Sound } from "../../protocol/messages";
 import { Cleanup } from "../../ui/cleanup";
@@ -34,7 +35,7 @@ class Player {
     if (!/play|next|prev/.test(key)) return;
     if (key.startsWith("next")) this.number += 1;
     if (key.startsWith("prev")) this.number = Math.max(1, this.number - 1);
-    const tones = song(this.folder, this.number, (VOLUME * this.volume) / 100);
+    const tones = song(this.folder, this.number, (loudness() * VOLUME * this.volume) / 100);
     for (const tone of tones) this.synthesizer.play(tone);
   }
 }
@@ -46,9 +47,9 @@ class Loudspeaker {
   private readonly cleanup: Cleanup;
   private sentences = 0;
 
-  constructor({ connection, running }: Context) {
+  constructor({ connection, running }: Context, isHeard: () => boolean) {
     this.cleanup = new Cleanup(
-      connection.on("Sound", (sound) => preferences.value.sound && this.receive(sound)),
+      connection.on("Sound", (sound) => isHeard() && this.receive(sound)),
       connection.on("Opened", () => this.silence()),
       connection.on("TabOpened", () => this.silence()),
       connection.on("RunState", ({ state }) => state === "starting" && this.silence()),
@@ -57,7 +58,7 @@ class Loudspeaker {
         if (preferences.value.audible) this.proximity.receive(telemetry, performance.now() / 1000);
       }),
       effect(() => {
-        if (!preferences.value.sound || running.state.value.state === "paused") this.silence();
+        if (!isHeard() || running.state.value.state === "paused") this.silence();
       }),
     );
   }
@@ -73,17 +74,19 @@ class Loudspeaker {
     if (device !== "Speaker") return;
     if (action === "say") this.say(String(values[0]));
     if (action === "tone") this.tone(Number(values[0]), Number(values[1]) / 1000);
-    if (action === "play") for (const tone of soundNamed(String(values[0]), VOLUME)) this.synthesizer.play(tone);
+    if (action === "play")
+      for (const tone of soundNamed(String(values[0]), loudness() * VOLUME)) this.synthesizer.play(tone);
   }
 
   private tone(hertz: number, seconds: number): void {
-    this.synthesizer.play({ hertz, seconds, volume: VOLUME });
+    this.synthesizer.play({ hertz, seconds, volume: loudness() * VOLUME });
   }
 
   private say(text: string): void {
     if (!("speechSynthesis" in window) || this.sentences >= MOST_SENTENCES) return;
     const sentence = new SpeechSynthesisUtterance(text.slice(0, LONGEST_SENTENCE));
     sentence.lang = language.value;
+    sentence.volume = Math.min(1, loudness());
     this.sentences += 1;
     sentence.onend = sentence.onerror = () => (this.sentences = Math.max(0, this.sentences - 1));
     speechSynthesis.speak(sentence);
@@ -96,7 +99,7 @@ class Loudspeaker {
   }
 }
 
-/** Start playing the robot's sounds. */
-export function startSound(context: Context): { destroy(): void } {
-  return new Loudspeaker(context);
+/** Start playing the robot's sounds while it is to be heard. */
+export function startSound(context: Context, isHeard: () => boolean): { destroy(): void } {
+  return new Loudspeaker(context, isHeard);
 }

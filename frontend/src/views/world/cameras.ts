@@ -8,6 +8,7 @@ import { FIELD, frame, type Subject } from "./framing";
 import type { EyePose } from "./robots";
 import type { XY } from "./scenery/description";
 import { between, forward, type Pose, radians } from "./scenery/geometry";
+import { Together } from "./together";
 
 export type CameraMode = "follow" | "eye" | "orbit" | "top";
 
@@ -54,6 +55,7 @@ export class Cameras {
   /** What it shows, also after a resize, until the user moves it. */
   private shows: "whole" | "start" | null = null;
   private readonly following = new Following(this.camera);
+  private readonly together = new Together(this.camera);
   /** The time from which on it follows, in ms; later than all times while the user moves it. */
   private followsFrom = 0;
   private waiting = 0;
@@ -172,10 +174,17 @@ export class Cameras {
     this.go({ place: offset.add(target), target });
   }
 
-  /** Keep the robot in the picture; return whether the camera is still moving. */
-  follow({ x, y }: Pose, now: number): boolean {
-    if (this.mode !== "follow" || this.move || now < this.followsFrom || this.isAtStart(x, y)) return false;
-    const moves = this.following.step(x, y, this.controls.target, now, this.calm.matches);
+  /** Keep the robots in the picture, ours first; return whether the camera is still moving. */
+  follow([first, ...others]: readonly Pose[], now: number): boolean {
+    if (!first || this.mode !== "follow" || this.move || now < this.followsFrom) return false;
+    const { x, y } = first;
+    if (others.length === 0 && this.isAtStart(x, y)) return false;
+    const { target } = this.controls;
+    const all = [first, ...others].map((one): XY => [one.x, one.y]);
+    const moves =
+      others.length > 0
+        ? this.together.step(all, target, now, this.calm.matches)
+        : this.following.step(x, y, target, now, this.calm.matches);
     this.controls.update();
     return moves;
   }

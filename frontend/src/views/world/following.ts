@@ -33,7 +33,7 @@ export class Following {
     this.last = now;
     this.camera.updateMatrixWorld();
     this.place.set(x, y, 0).project(this.camera);
-    const { middle, half } = this.freeHeight();
+    const { middle, half } = freeHeight(this.camera);
     const right = between(this.place.x, -FREE, FREE);
     const up = between(this.place.y, middle - FREE * half, middle + FREE * half);
     const isAhead = this.place.z < 1;
@@ -52,12 +52,11 @@ export class Following {
     target.add(this.place);
     return !calm && whole > CLOSE;
   }
+}
 
-  /** The middle and half the height of the part that nothing covers, where the picture's lower edge is -1 and its upper edge 1. */
-  private freeHeight(): { middle: number; half: number } {
-    const { view } = this.camera;
-    if (!view) return { middle: 0, half: 1 };
-    const half = view.fullHeight / view.height;
-    return { middle: 1 - half + (2 * view.offsetY) / view.height, half };
-  }
+/** The middle and half the height of the part that nothing covers, where the picture's lower edge is -1 and its upper edge 1. */
+export function freeHeight({ view }: PerspectiveCamera): { middle: number; half: number } {
+  if (!view) return { middle: 0, half: 1 };
+  const half = view.fullHeight / view.height;
+  return { middle: 1 - half + (2 * view.offsetY) / view.height, half };
 }

@@ -427,14 +427,18 @@ export class World implements WorldIsland {
     return this.moveCamera(now) || moving || shows || blinks;
   }
 
-  /** Move the camera with the robot; return whether it is still moving. */
+  /** Move the camera with the robots; return whether it is still moving. */
   private moveCamera(now: number): boolean {
-    const robot = this.stage?.robots[0];
+    const robots = this.stage?.robots ?? [];
+    const [robot] = robots;
     const turning = this.cameras.step(now);
     if (!robot) return turning;
     robot.object.visible = this.cameras.mode !== "eye";
     this.cameras.look(robot.pose, robot.eye);
-    const following = this.cameras.follow(robot.pose, now);
+    const following = this.cameras.follow(
+      robots.map(({ pose }) => pose),
+      now,
+    );
     this.stage?.face(this.cameras.camera.position);
     return following || turning;
   }

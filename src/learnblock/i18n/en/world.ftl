@@ -30,6 +30,7 @@ world-reach-choice = A goal has at most one of 'robot', 'object', 'together' and
 world-line-shape = A line needs either 'points' (two or more) or 'start' and 'path'.
 world-line-empty = A line needs a length, but this one ends where it starts.
 world-line-open = The closed line '{ $name }' has to end where it starts, at ({ $start_x }, { $start_y }). It ends at ({ $x }, { $y }).
+world-group-missing = A world of the group '{ $group }' has to contain what this group is about.
 world-picture-outside = The floor picture '{ $picture }' has to be in the same folder as the world's file.
 world-picture-missing = There is no floor picture '{ $picture }' in the folder of the world's file.
 world-picture-too-large = The floor picture '{ $picture }' is larger than { $limit } MB.

@@ -30,6 +30,7 @@ world-reach-choice = Un objetivo tiene como mucho uno de 'robot', 'object', 'tog
 world-line-shape = Una línea necesita 'points' (dos o más) o bien 'start' y 'path'.
 world-line-empty = Una línea necesita una longitud, pero esta termina donde empieza.
 world-line-open = La línea cerrada '{ $name }' tiene que terminar donde empieza, en ({ $start_x }, { $start_y }). Termina en ({ $x }, { $y }).
+world-group-missing = Un mundo del grupo '{ $group }' tiene que contener aquello de lo que trata el grupo.
 world-picture-outside = La imagen del suelo '{ $picture }' tiene que estar en la misma carpeta que el archivo del mundo.
 world-picture-missing = No hay ninguna imagen del suelo '{ $picture }' en la carpeta del archivo del mundo.
 world-picture-too-large = La imagen del suelo '{ $picture }' ocupa más de { $limit } MB.

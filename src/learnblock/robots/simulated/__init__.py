@@ -10,7 +10,6 @@ from learnblock.robots.simulated.worlds import (
     find_world,
     known_worlds,
     own_worlds,
-    robots_for,
     world_of_data,
     worlds,
 )
@@ -27,7 +26,6 @@ __all__ = [
     "own_worlds",
     "pace_factor",
     "repeat_game",
-    "robots_for",
     "world_of_data",
     "worlds",
 ]

@@ -43,13 +43,6 @@ def known_worlds() -> tuple[str, ...]:
     return world_names(folders=(own_worlds(), *_plugin_worlds()))
 
 
-def robots_for(world: WorldDescription) -> int:
-    """How many robots a world is for."""
-    needs_others = any(goal.together or goal.alone or goal.robot for goal in world.goal.reach)
-    # Some worlds for one robot have a place for a second one.
-    return len(world.start) if needs_others or len(world.start) > 2 else 1
-
-
 def described_world(world: WorldDescription) -> dict[str, Any]:
     """A world as plain data, without the folder of its picture."""
     data: dict[str, Any] = msgspec.to_builtins(structs.replace(world, folder=""))

@@ -4,10 +4,15 @@ The functions import the simulator, because it is slow and the server should ans
 """
 
 from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 from learnblock.errors import UnknownNameError, WorldError
 from learnblock.robots import RobotEntry
 from learnblock.server.messages import WorldChoice
+
+if TYPE_CHECKING:
+    from learnblock.simulator import WorldDescription
 
 
 def world_choices() -> tuple[WorldChoice, ...]:
@@ -45,6 +50,21 @@ def _world_choices() -> Iterator[WorldChoice]:
             world = simulated.find_world(name)
         except WorldError:
             continue
-        robots = simulated.robots_for(world)
-        is_own = (own / f"{name}.toml").is_file()
-        yield WorldChoice(name, world.title or name, own=is_own, robots=robots)
+        yield _world_choice(world, own / f"{name}.toml")
+
+
+def _world_choice(world: "WorldDescription", own: Path) -> WorldChoice:
+    """A world; `own` is its file if it is the user's."""
+    from learnblock.simulator import world_guide as guide  # noqa: PLC0415
+
+    is_own = own.is_file()
+    return WorldChoice(
+        world.name,
+        world.title or world.name,
+        own=is_own,
+        robots=guide.robots_for(world),
+        group=guide.group_of(world),
+        difficulty=world.difficulty,
+        needs=guide.needs_of(world),
+        changed=own.stat().st_mtime if is_own else 0.0,
+    )

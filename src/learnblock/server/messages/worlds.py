@@ -8,6 +8,7 @@ from learnblock.i18n import Phrase
 from learnblock.monitor import monitor
 from learnblock.monitor.monitor import WorldValues
 from learnblock.server.messages.base import LONGEST_CONTENT, Look, Name, Own, ToPage
+from learnblock.simulator.description_types import Difficulty, Group
 
 #: The limit of a file in bytes; as a message it is a third longer.
 LARGEST_WORLD = LONGEST_CONTENT * 3 // 4
@@ -16,7 +17,9 @@ LARGEST_WORLD = LONGEST_CONTENT * 3 // 4
 
 
 class ReadWorld(Look, frozen=True):
-    """Ask for a world to edit; the reply is `WorldToEdit`."""
+    """Ask for a world to edit or to draw; the reply is `WorldToEdit`."""
+
+    answer: ClassVar = "WorldToEdit"
 
     name: Name
 
@@ -105,12 +108,20 @@ class WorldChoice(Struct, frozen=True, omit_defaults=True):
         title: its title.
         own: whether it is the user's.
         robots: how many robots its goals are for.
+        group: what one does there.
+        difficulty: None if its file doesn't say.
+        needs: the senses and devices that a robot needs to reach its goals.
+        changed: when the user's file was last changed, in seconds since 1970.
     """
 
     name: str
     title: str
     own: bool
     robots: int = 1
+    group: Group = "drive"
+    difficulty: Difficulty | None = None
+    needs: tuple[str, ...] = ()
+    changed: float = 0.0
 
 
 class Worlds(ToPage, frozen=True):
@@ -142,12 +153,14 @@ class WorldToEdit(ToPage, frozen=True):
 
     Args:
         save_as: its name if it belongs to the user, else a free one, so that no world is replaced.
+        request: the number of the request to draw it; 0 opens it in the editor.
     """
 
     name: str
     world: WorldValues
     lines: tuple[tuple[tuple[float, float], ...], ...]
     save_as: str
+    request: int = 0
 
 
 class UnreachableGoal(Struct, frozen=True):

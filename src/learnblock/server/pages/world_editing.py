@@ -15,7 +15,8 @@ HANDLERS = Handlers()
 
 @HANDLERS.add
 async def _read(page: Page, message: messages.ReadWorld) -> None:
-    page.send(await to_thread.run_sync(_to_edit, message.name))
+    world = await to_thread.run_sync(_to_edit, message.name)
+    page.send(structs.replace(world, request=message.request))
 
 
 @HANDLERS.add

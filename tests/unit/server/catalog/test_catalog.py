@@ -5,6 +5,7 @@ import sys
 
 from learnblock import robots, running
 from learnblock.server.catalog import example, example_choices, welcome
+from learnblock.simulator import world_names
 from places import ROOT
 
 ASK = """
@@ -59,11 +60,17 @@ def test_polygons_opens_without_a_warning():
 
 
 PICTURES = ROOT / "frontend/src/features/examples/pictures"
+WORLD_PICTURES = ROOT / "frontend/src/features/worlds/pictures"
 
 
 def test_each_example_has_its_picture_and_no_picture_is_left_over():
     pictures = {path.stem for path in PICTURES.iterdir()}
     assert pictures == {*example_choices()}, "take them anew: scripts/pictures"
+
+
+def test_each_built_in_world_has_its_picture_and_no_picture_is_left_over():
+    pictures = {path.stem for path in WORLD_PICTURES.iterdir()}
+    assert pictures == {*world_names()}, "take them: scripts/pictures worlds"
 
 
 def test_the_pictures_of_examples_are_small():

@@ -42,6 +42,18 @@ def test_an_imported_world_is_listed_and_chosen(open_page):
     assert open_page.last["Scene"]["name"] == "room"
 
 
+def test_the_gallery_is_told_when_ones_own_world_was_changed(open_page):
+    imported(open_page, "room.toml", ROOM.encode())
+    (room,) = (one for one in open_page.last["Worlds"]["worlds"] if one["own"])
+    assert room["changed"] == (own_worlds() / "room.toml").stat().st_mtime
+
+
+def test_a_world_that_is_read_for_a_picture_answers_that_request(open_page):
+    open_page.say("ReadWorld", name="line", request=7)
+    answer = open_page.hear("WorldToEdit")
+    assert (answer["name"], answer["request"]) == ("line", 7)
+
+
 def test_a_world_comes_back_from_its_exported_file(open_page):
     packed = PackedWorld("mat", MAT, png(20, 10))
     worlds.install(packed)

@@ -19,6 +19,8 @@ const ROUNDS = 12;
 /** What is up to so many times as far away as the nearest goal is shown with it, such as all corners of a square. */
 const ABOUT = 2;
 
+const ORIGIN: XY = [0, 0];
+
 const TAN = Math.tan(radians(FIELD / 2));
 const [LEVEL, RISE] = [Math.cos(radians(STEEPNESS)), Math.sin(radians(STEEPNESS))];
 
@@ -96,6 +98,13 @@ export function areasOf({ world, lines, start }: Pick<Scene, "world" | "lines" |
   const near = nearest(aims, first);
   const small = around([...starts, ...near]);
   return [small, larger(small), around([...starts, ...aims]), floor].sort((one, other) => sizeOf(one) - sizeOf(other));
+}
+
+/** The area of everything that is in a world and of its goals; of an empty one, what is around its starts. */
+export function areaOfAll({ world, lines }: Pick<Scene, "world" | "lines">): Area {
+  const things = [...world.box, ...world.cylinder, ...world.tag, ...world.face, ...world.start];
+  const corners = [...world.wall.flatMap(({ points }) => points), ...lines.flat(), ...goalPlaces(world)];
+  return around([...things.map(({ x, y }) => [x, y] as const), ...corners, ...(things.length ? [] : [ORIGIN])]);
 }
 
 /** Twice as wide and deep. */

@@ -2,3 +2,4 @@
 
 export { paint } from "./paint";
 export { Plates } from "./plates";
+export { drawPortrait } from "./portrait";

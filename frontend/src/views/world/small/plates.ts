@@ -9,10 +9,11 @@ import { type RobotModel, robotModel } from "../robots";
 import type { RobotValues, XY } from "../scenery/description";
 import { radians } from "../scenery/geometry";
 import { paletteOf } from "../scenery/palette";
-import { type Loading, Pictures } from "../scenery/pictures";
+import { Pictures } from "../scenery/pictures";
 import { Stage } from "../stage";
 import { View } from "../view";
 import { areasOf, cameraOver, FIELD, type SmallCamera, STEEPNESS } from "./camera";
+import { Waiting } from "./waiting";
 
 /** The size of a plate, and of a sprite, in pixels. */
 export const WIDTH = 332;
@@ -205,28 +206,4 @@ export class Plates {
 export function facing({ pictures }: Sprites, heading: number): CanvasImageSource {
   const turn = Math.round((heading / 360) * pictures.length);
   return pictures[((turn % pictures.length) + pictures.length) % pictures.length]!;
-}
-
-/** Waits for pictures that are being loaded. */
-class Waiting implements Loading {
-  private count = 0;
-  private wake: () => void = () => undefined;
-
-  begin(): void {
-    this.count += 1;
-  }
-
-  end(): void {
-    this.count -= 1;
-    if (this.count === 0) this.wake();
-  }
-
-  /** Wait until nothing is being loaded, at most so many ms. */
-  async done(most: number): Promise<void> {
-    if (this.count === 0) return;
-    await new Promise<void>((resolve) => {
-      this.wake = resolve;
-      setTimeout(resolve, most);
-    });
-  }
 }

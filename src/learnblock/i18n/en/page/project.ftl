@@ -3,8 +3,13 @@
 page-project-menu = Project
 page-project-new = New…
 page-project-new-title = New project
-page-project-new-help = If the name is taken, a number is added.
-page-project-new-now = Create
+page-project-new-help = As last time. Change what you like, or just press Start.
+page-project-new-now = Start
+page-project-new-starter = the first blocks
+page-project-new-explorer = + step by step
+page-project-new-coder = + everything, Python
+page-project-new-in = { $robot } in
+page-project-copy-help = If the name is taken, a number is added.
 page-project-new-name = My program
 page-project-open = Open…
 page-project-examples = Examples…

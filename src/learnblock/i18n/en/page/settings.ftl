@@ -6,6 +6,7 @@ page-settings-theme-light = Light
 page-settings-theme-dark = Dark
 page-settings-theme-contrast = High contrast
 page-settings-sound = Robot sounds
+page-settings-volume = Volume
 page-settings-audible = Sounds for distances and collisions
 page-settings-celebrate = Celebrate reached goals
 page-settings-about = LearnBlock { $version }. Your projects are in { $folder }.

@@ -3,8 +3,13 @@
 page-project-menu = Proyecto
 page-project-new = Nuevo…
 page-project-new-title = Proyecto nuevo
-page-project-new-help = Si el nombre ya existe, se le añade un número.
-page-project-new-now = Crear
+page-project-new-help = Como la última vez. Cambia lo que quieras o pulsa Empezar.
+page-project-new-now = Empezar
+page-project-new-starter = los primeros bloques
+page-project-new-explorer = + paso a paso
+page-project-new-coder = + todo, Python
+page-project-new-in = { $robot } en
+page-project-copy-help = Si el nombre ya existe, se le añade un número.
 page-project-new-name = Mi programa
 page-project-open = Abrir…
 page-project-examples = Ejemplos…

@@ -6,6 +6,7 @@ page-settings-theme-light = Claro
 page-settings-theme-dark = Oscuro
 page-settings-theme-contrast = Alto contraste
 page-settings-sound = Sonidos del robot
+page-settings-volume = Volumen
 page-settings-audible = Sonidos para distancias y choques
 page-settings-celebrate = Celebrar las metas alcanzadas
 page-settings-about = LearnBlock { $version }. Tus proyectos están en { $folder }.
