@@ -105,7 +105,6 @@ class Run:
         self._has_sent = False
         #: The devices whose readings the program wants when it wakes.
         self._reads: tuple[int, ...] = ()
-        self._game = HostedGame(self.robot, self.supervision, self._send)
         events = EventSender(self.robot, self.watcher)
         self._is_unwatched = not events.shows_lines
         self._handlers = self._make_handlers(events)
@@ -266,6 +265,7 @@ class Run:
     # One method for each message of the child that concerns more than one part.
 
     def _make_handlers(self, events: EventSender) -> Mapping[type, Callable[[Any], object]]:
+        game = HostedGame(self.robot, self.supervision, self._send)
         return {
             messages.Contained: lambda _: None,
             messages.Ask: self._on_ask,
@@ -274,9 +274,9 @@ class Run:
             messages.Send: self._on_send,
             messages.Collect: self._on_collect,
             messages.Keys: self._on_keys,
-            messages.ChangeGame: self._game.change,
-            messages.AskGame: self._game.answer,
-            messages.CollectNews: self._game.collect,
+            messages.ChangeGame: game.change,
+            messages.AskGame: game.answer,
+            messages.CollectNews: game.collect,
             messages.Steps: partial(self._on_steps, events),
             messages.Called: events.called,
             messages.Missing: events.missing,
