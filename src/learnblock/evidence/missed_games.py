@@ -8,7 +8,7 @@ from learnblock.i18n import Phrase
 from learnblock.scores import ANYTHING
 from learnblock.simulator import WorldDescription
 from learnblock.simulator.game.goals import things_of
-from learnblock.simulator.goal_description import Collect, GameGoal, Gates, Score
+from learnblock.simulator.goal_description import CollectThings, GameGoal, Gates, Score
 
 
 def missed_game(goal: GameGoal, evidence: Evidence, world: WorldDescription) -> Phrase:
@@ -40,7 +40,7 @@ def _shortfall(goal: GameGoal, evidence: Evidence, world: WorldDescription) -> P
         case Score():
             robots = [evidence.of(name) for name in evidence.team] if goal.together else [evidence]
             return Phrase("miss-score", score=sum(map(_score, robots)), asked=goal.points)
-        case Collect():
+        case CollectThings():
             asked = goal.count or things_of(world, goal.kind)
             return Phrase("miss-collect", count=_collected(goal.kind, evidence), asked=asked)
         case Gates():

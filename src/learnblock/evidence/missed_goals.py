@@ -31,7 +31,7 @@ from learnblock.simulator.goal import RobotState
 from learnblock.simulator.goal_description import (
     AnyGoal,
     Avoid,
-    Collect,
+    CollectThings,
     Follow,
     GameGoal,
     Gates,
@@ -290,6 +290,6 @@ _GOALS: Mapping[type, Callable[[Any, RunInWorld], Miss | None]] = {
     Show: _show,
     Avoid: _avoid,
     Score: _game,
-    Collect: _game,
+    CollectThings: _game,
     Gates: _game,
 }

@@ -148,8 +148,8 @@ class Score(GameGoal, kw_only=True, frozen=True, forbid_unknown_fields=True):
     name: GoalName = "score"
 
 
-class Collect(GameGoal, kw_only=True, frozen=True, forbid_unknown_fields=True):
-    """Collect things."""
+class CollectThings(GameGoal, kw_only=True, frozen=True, forbid_unknown_fields=True):
+    """CollectThings things."""
 
     kind: Annotated[
         CollectableKind | Literal["anything"], Meta(description="what they have to be")
@@ -178,7 +178,7 @@ class Goals(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     show: Annotated[tuple[Show, ...], Meta(max_length=50)] = ()
     avoid: Annotated[tuple[Avoid, ...], Meta(max_length=50)] = ()
     score: Annotated[tuple[Score, ...], Meta(max_length=50)] = ()
-    collect: Annotated[tuple[Collect, ...], Meta(max_length=50)] = ()
+    collect: Annotated[tuple[CollectThings, ...], Meta(max_length=50)] = ()
     gates: Annotated[tuple[Gates, ...], Meta(max_length=50)] = ()
 
     def all(self) -> Iterator[tuple[str, int, AnyGoal]]:

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from learnblock.scores import ANYTHING
 from learnblock.simulator.goal import Goal, GoalKind, RobotState
-from learnblock.simulator.goal_description import Collect, GameGoal, Gates, Score
+from learnblock.simulator.goal_description import CollectThings, GameGoal, Gates, Score
 from learnblock.simulator.world_description import WorldDescription
 
 
@@ -49,14 +49,14 @@ class SharedScoreGoal(ScoreGoal):
 
 
 class CollectGoal(CountedGoal):
-    """Collect things of a kind.
+    """CollectThings things of a kind.
 
     Args:
         described: the goal.
         count: how many.
     """
 
-    def __init__(self, described: Collect, count: int) -> None:
+    def __init__(self, described: CollectThings, count: int) -> None:
         super().__init__("collect", described)
         self._kind, self._count = described.kind, count
 
