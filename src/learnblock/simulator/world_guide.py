@@ -23,7 +23,9 @@ def robots_for(world: WorldFile) -> int:
 
 def group_of(world: WorldFile) -> Group:
     """What one does in a world."""
-    return world.group or next(group for group in _ORDER if offers(world, group))
+    if world.group is not None:
+        return world.group
+    return next(group for group in _ORDER if offers(world, group))
 
 
 def offers(world: WorldFile, group: Group) -> bool:

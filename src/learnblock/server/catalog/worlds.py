@@ -12,7 +12,7 @@ from learnblock.robots import RobotEntry
 from learnblock.server.messages import WorldChoice
 
 if TYPE_CHECKING:
-    from learnblock.simulator import WorldDescription
+    from learnblock.monitor.gallery import WorldDescription
 
 
 def world_choices() -> tuple[WorldChoice, ...]:
@@ -55,16 +55,16 @@ def _world_choices() -> Iterator[WorldChoice]:
 
 def _world_choice(world: "WorldDescription", own: Path) -> WorldChoice:
     """A world; `own` is its file if it is the user's."""
-    from learnblock.simulator import world_guide as guide  # noqa: PLC0415
+    from learnblock.monitor import gallery  # noqa: PLC0415
 
     is_own = own.is_file()
     return WorldChoice(
         world.name,
         world.title or world.name,
         own=is_own,
-        robots=guide.robots_for(world),
-        group=guide.group_of(world),
+        robots=gallery.robots_for(world),
+        group=gallery.group_of(world),
         difficulty=world.difficulty,
-        needs=guide.needs_of(world),
+        needs=gallery.needs_of(world),
         changed=own.stat().st_mtime if is_own else 0.0,
     )

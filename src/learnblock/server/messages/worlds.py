@@ -6,9 +6,9 @@ from msgspec import Meta, Struct
 
 from learnblock.i18n import Phrase
 from learnblock.monitor import monitor
+from learnblock.monitor.gallery import Difficulty, Group
 from learnblock.monitor.monitor import WorldValues
 from learnblock.server.messages.base import LONGEST_CONTENT, Look, Name, Own, ToPage
-from learnblock.simulator.description_types import Difficulty, Group
 
 #: The limit of a file in bytes; as a message it is a third longer.
 LARGEST_WORLD = LONGEST_CONTENT * 3 // 4
