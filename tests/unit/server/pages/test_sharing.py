@@ -11,8 +11,10 @@ FARTHER = PROGRAM.replace("100", "120")
 
 
 @pytest.fixture
-def elsewhere(tmp_path):
+def elsewhere(tmp_path, page):
     """A page of another LearnBlock, with a projects folder of its own."""
+    # Both are in this process, and worlds are read for the first time in one thread.
+    page.hear("Welcome")
     with serving(tmp_path / "elsewhere") as server, server.visit() as visitor:
         yield visitor
 
