@@ -32,8 +32,7 @@ class FileOrLink(click.Path):
         from learnblock.project.files import share_link  # noqa: PLC0415 - `--help` needs none of it
 
         if not share_link.is_link(value):
-            path: Path = super().convert(value, param, ctx)
-            return path
+            return Path(str(super().convert(value, param, ctx)))
         share_link.read_link(value)
         return share_link.bare(value)
 

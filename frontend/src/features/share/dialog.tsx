@@ -68,7 +68,7 @@ function Link({ answer: { link } }: { answer: ShareLink }) {
   useEffect(() => {
     if (address.length > LONGEST_CODE) return;
     void import("uqr").then(({ renderSVG }) => {
-      code.value = `data:image/svg+xml,${encodeURIComponent(renderSVG(address, { ecc: "L" }))}`;
+      code.value = `data:image/svg+xml,${encodeURIComponent(renderSVG(address, { ecc: "L", border: 4 }))}`;
     });
   }, [address]);
   const copy = async () => {
