@@ -99,8 +99,6 @@ def open_page(
         if not isinstance(access, Access):
             _join(access, folder, file or link, no_browser=no_browser, window=window)
             return
-        if link and access.read_only:
-            raise LearnBlockError("server-open-read-only", name=link[:20])
         project = _project(folder, file, read_only=access.read_only is not None) if file else None
         service = serve.Service(
             folder,

@@ -48,7 +48,7 @@ class LinkError(LearnBlockError, ValueError):
     """A link can't be read, or a project doesn't fit into one."""
 
 
-class SharedRun(Struct, frozen=True, array_like=True):
+class ProvedRun(Struct, frozen=True, array_like=True):
     """The run with which a project was shared.
 
     Args:
@@ -70,7 +70,7 @@ class _Content(Struct, forbid_unknown_fields=True):
     name: Annotated[str, Meta(min_length=1, max_length=LONGEST_NAME)]
     project: Raw
     variant: Annotated[int, Meta(ge=0, le=MOST_VARIANTS)] = 0
-    run: SharedRun | None = None
+    run: ProvedRun | None = None
 
 
 @dataclass(frozen=True)
@@ -85,7 +85,7 @@ class SharedProject:
 
     project: Project
     variant: int = 0
-    run: SharedRun | None = None
+    run: ProvedRun | None = None
 
 
 _read_content = msgspec.json.Decoder(_Content).decode

@@ -8,7 +8,7 @@ import msgspec
 from msgspec import Meta, Struct
 
 from learnblock.project.files.project import Project
-from learnblock.project.files.share_link import MOST_VARIANTS, SharedRun
+from learnblock.project.files.share_link import MOST_VARIANTS, ProvedRun
 from learnblock.storage.files import save
 
 #: The maximum size of the file in bytes.
@@ -47,7 +47,7 @@ class SharedRecord(Struct, frozen=True, forbid_unknown_fields=True):
     """A link's run, and the project as it was when it was opened from the link."""
 
     state: ProgramState
-    run: SharedRun | None = None
+    run: ProvedRun | None = None
 
 
 _read = msgspec.json.Decoder(SharedRecord).decode

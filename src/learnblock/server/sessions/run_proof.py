@@ -7,7 +7,7 @@ from typing import Protocol
 from learnblock.i18n import Phrase
 from learnblock.installation import version
 from learnblock.project.files.project import Project
-from learnblock.project.files.share_link import SharedRun
+from learnblock.project.files.share_link import ProvedRun
 from learnblock.project.files.shared_record import ProgramState, SharedRecord
 from learnblock.running.job import Job
 from learnblock.runtime.ending import How
@@ -83,7 +83,7 @@ class RunProof:
         differences = () if same else tuple(self._differences(self._begun, self._ended, run))
         return messages.RunCompared(same, run.trace_sha256, differences)
 
-    def last_run(self) -> SharedRun | Phrase:
+    def last_run(self) -> ProvedRun | Phrase:
         """The last run, or why it proves nothing."""
         begun, ended = self._begun, self._ended
         if begun is None or ended is None:
@@ -97,10 +97,10 @@ class RunProof:
         if ended.ended in _INEXACT or not ended.trace_sha256:
             return Phrase("share-no-run-stopped")
         seconds = round(ended.time, 3)
-        return SharedRun(seconds, How(ended.ended), version(), ended.trace_sha256)
+        return ProvedRun(seconds, How(ended.ended), version(), ended.trace_sha256)
 
     def _differences(
-        self, begun: _Begun, ended: messages.Ended, run: SharedRun
+        self, begun: _Begun, ended: messages.Ended, run: ProvedRun
     ) -> Iterator[Phrase]:
         causes = list(self._causes(begun, ended, run))
         yield from causes
@@ -110,7 +110,7 @@ class RunProof:
         elif not causes:
             yield Phrase("share-differs-else")
 
-    def _causes(self, begun: _Begun, ended: messages.Ended, run: SharedRun) -> Iterator[Phrase]:
+    def _causes(self, begun: _Begun, ended: messages.Ended, run: ProvedRun) -> Iterator[Phrase]:
         shared = self.record.state if self.record else begun.state
         if begun.state.program != shared.program:
             yield Phrase("share-differs-program")

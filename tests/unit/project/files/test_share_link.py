@@ -18,8 +18,8 @@ from learnblock.project.files.share_link import (
     LARGEST_INFLATED,
     LONGEST_LINK,
     LinkError,
+    ProvedRun,
     SharedProject,
-    SharedRun,
     link_of,
     read_link,
 )
@@ -30,7 +30,7 @@ BLOCKTEXT = "# Ein Quadrat: größer.\nmain:\n    function.move_straight(40)\nen
 PYTHON = (
     "from learnblock.robots.simulated.ebo import Robot\n\nrobot = Robot()\nrobot.move_straight()\n"
 )
-RUN = SharedRun(16.4, How.FINISHED, "0.2.0", "7f3a91c2" * 8)
+RUN = ProvedRun(16.4, How.FINISHED, "0.2.0", "7f3a91c2" * 8)
 SQUARE = SharedProject(Project("Square 2", BLOCKTEXT, robot="sim-ev3", world="line"), 4, RUN)
 TEAM = Project(
     "sumo", BLOCKTEXT, world="ring", first="a", others=(ProjectPart("b", BLOCKTEXT, count=3),)
