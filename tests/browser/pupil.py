@@ -49,6 +49,8 @@ MENUS = {
     ),
     "World": ("Download world", "Edit world", "Reset world"),
 }
+#: The command of the project's menu that has the others, in each language.
+MORE = re.compile("^(More…|Más…)$")
 #: The menu of each of these commands.
 MENU_OF = {command: menu for menu, commands in MENUS.items() for command in commands}
 #: The positions of the speed's slider.
@@ -208,7 +210,13 @@ class Pupil:
     def project(self, command):
         """Choose a command of the project's menu."""
         self.page.locator("header .project-name").click()
-        self.page.get_by_role("menuitem", name=command, exact=True).click()
+        item = self.page.get_by_role("menuitem", name=command, exact=True)
+        if item.count():
+            item.click()
+            return
+        # What is rarely asked for.
+        self.page.get_by_role("menuitem", name=MORE).click()
+        self.page.get_by_role("dialog").get_by_role("button", name=command, exact=True).click()
 
     def open_example(self, title):
         """Open an example as a new project."""

@@ -78,6 +78,11 @@ class Visitor:
     def command(self, menu, code):
         """Choose a command of a menu."""
         self.open_menu(menu)
+        if code in RARE:
+            more = self.says("page-project-more")
+            self.page.get_by_role("menuitem", name=more, exact=True).click()
+            self.dialog.get_by_role("button", name=self.says(code), exact=True).click()
+            return
         item = self.page.locator("[role^=menuitem]").and_(
             self.page.get_by_label(self.says(code), exact=True)
         )
@@ -222,6 +227,10 @@ def project_dialogs(visitor):
         visitor.opens("page-project-menu", code)
         yield f"dialog, {name}"
         visitor.escape()
+    visitor.page.get_by_role("button", name=visitor.says("page-share-menu"), exact=True).click()
+    expect(visitor.dialog.get_by_role("img", name=visitor.says("page-share-code"))).to_be_visible()
+    yield "dialog, share"
+    visitor.escape()
 
 
 def page_dialogs(visitor):
@@ -515,7 +524,19 @@ PROJECT_DIALOGS = {
     "page-libraries-menu": "libraries",
     "page-tags-menu": "tag names",
     "page-maker-menu": "make a lesson",
+    "page-project-more": "more of the project",
+    "page-share-open": "open a link",
     "page-project-delete": "delete",
+}
+#: The commands of the project's menu that are under *More*.
+RARE = {
+    "page-sets-menu",
+    "page-custom-menu",
+    "page-libraries-menu",
+    "page-tags-menu",
+    "page-maker-menu",
+    "page-share-open",
+    "page-project-upload-folder",
 }
 PAGE_DIALOGS = {
     "page-help-title": "help",

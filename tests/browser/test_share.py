@@ -1,4 +1,4 @@
-"""A picture and a film of the world are saved to show them to others."""
+"""A program is shared as a link that proves its run, and the world as a picture or a film."""
 
 import cv2
 import pytest
@@ -28,11 +28,17 @@ def pupil(sit_down, server):
     return pupil
 
 
+def share(pupil, way):
+    """Share in one of the ways of the dialog."""
+    pupil.page.get_by_role("banner").get_by_role("button", name="Share").click()
+    pupil.page.get_by_role("dialog").get_by_role("button", name=way).click()
+
+
 def saved(pupil, command, tmp_path):
-    """Choose a command of the world's menu; return the path of the file that it saves."""
+    """Choose a way of sharing; return the path of the file that it saves."""
     # A film is saved when its run has ended.
     with pupil.page.expect_download(timeout=LONGEST_RUN) as started:
-        pupil.command("World", command)
+        share(pupil, command)
     path = tmp_path / started.value.suggested_filename
     started.value.save_as(path)
     return path
@@ -44,7 +50,7 @@ def is_colourful(frame):
 
 
 def test_a_picture_of_the_world_has_the_name_of_the_project(pupil, tmp_path):
-    path = saved(pupil, "Save picture", tmp_path)
+    path = saved(pupil, "Picture of the world", tmp_path)
     picture = cv2.imread(str(path))
     assert path.stem == pupil.name_of_project()
     assert picture.shape == (720, 1280, 3)
@@ -52,7 +58,7 @@ def test_a_picture_of_the_world_has_the_name_of_the_project(pupil, tmp_path):
 
 
 def test_a_film_shows_the_run_from_its_start_to_its_end(pupil, tmp_path):
-    path = saved(pupil, "Film a run", tmp_path)
+    path = saved(pupil, "Film of a run", tmp_path)
     pupil.state("Ended")
     film = cv2.VideoCapture(str(path))
     frames = []
@@ -67,7 +73,7 @@ def test_a_film_shows_the_run_from_its_start_to_its_end(pupil, tmp_path):
 
 def test_a_browser_that_cannot_film_says_so_and_the_run_is_not_started(pupil):
     pupil.page.evaluate(ONLY, "none")
-    pupil.command("World", "Film a run")
+    share(pupil, "Film of a run")
     pupil.expect_note("This browser can't make films.")
     expect(pupil.page.locator(".filming")).to_have_count(0)
     pupil.state("Ready")
@@ -77,7 +83,7 @@ def test_without_webm_the_film_is_an_mp4(pupil, tmp_path):
     if not pupil.page.evaluate("MediaRecorder.isTypeSupported('video/mp4')"):
         pytest.skip("this Chromium cannot record mp4")
     pupil.page.evaluate(ONLY, "video/mp4")
-    path = saved(pupil, "Film a run", tmp_path)
+    path = saved(pupil, "Film of a run", tmp_path)
     assert path.suffix == ".mp4"
     assert cv2.VideoCapture(str(path)).read()[0]
 
@@ -85,6 +91,30 @@ def test_without_webm_the_film_is_an_mp4(pupil, tmp_path):
 def test_a_run_that_does_not_start_is_not_filmed(pupil):
     pupil.write("blocktext", "main:\n    unknown_word\nend\n")
     expect(pupil.page.locator("[role=tab] .count")).to_have_text("1")
-    pupil.command("World", "Film a run")
+    share(pupil, "Film of a run")
     pupil.expect_note("The program has an error")
     expect(pupil.page.locator(".filming")).to_have_count(0)
+
+
+#: Paste a text on the start page.
+PASTE = """text => {
+    const clipboardData = new DataTransfer();
+    clipboardData.setData("text/plain", text);
+    document.body.dispatchEvent(new ClipboardEvent("paste", {clipboardData, bubbles: true}));
+}"""
+
+
+def test_a_link_opens_in_another_learnblock_whose_run_is_the_same(pupil, sit_down, own_server):
+    pupil.choose("Speed", "Fastest")
+    pupil.run_to_the_end()
+    pupil.page.get_by_role("banner").get_by_role("button", name="Share").click()
+    dialog = pupil.dialog()
+    expect(dialog.get_by_text("The same run, proved")).to_be_visible()
+    address = dialog.get_by_label("Link", exact=True).input_value()
+    expect(dialog.get_by_role("img", name="QR code of the link")).to_be_visible()
+    other = sit_down(own_server, start=True, flat=True)
+    other.page.evaluate(PASTE, address)
+    expect(other.blocks("lb_skill_drive_distance")).to_be_visible()
+    other.choose("Speed", "Fastest")
+    other.run_to_the_end()
+    other.expect_note("The same run as the one that was shared.")

@@ -12,6 +12,7 @@ import { LessonMaking } from "../features/lessons/making";
 import { Libraries } from "../features/libraries/libraries";
 import { RobotMaker } from "../features/new-robot/robot-maker";
 import { RobotSettings } from "../features/robot-settings/robot-settings";
+import { Links } from "../features/share/links";
 import { Share } from "../features/share/share";
 import { TagDictionary } from "../features/tags/tag-dictionary";
 import { Classes } from "../features/teachers/classes";
@@ -63,7 +64,8 @@ export function compose({ drafts, query }: Place = { drafts: new BrowserDrafts()
   const lessons = new Lessons(connection, { program: context.program, announcer, toasts });
   const lessonMaking = new LessonMaking(connection, { program: context.program, dialogs, toasts, lessons });
   stores.handIns.follow(context.program.state, lessons.shown);
-  const page = { ...model, ...stores, lessons, lessonMaking, share: new Share(model) };
+  const links = new Links(connection, model.project, toasts);
+  const page = { ...model, ...stores, lessons, lessonMaking, links, share: new Share(model) };
   connect(page);
   return page;
 }
@@ -73,7 +75,7 @@ function connect(page: Page): void {
   const { program, running } = page.context;
   beginAnew(page.context.connection, {
     // It is known who only reads before the project is opened again, and whose it is after that.
-    connected: [page.connect, page.containment, program, page.project, page.lessons],
+    connected: [page.connect, page.containment, program, page.project, page.lessons, page.links],
     // The program comes before what shows it. The survey takes a moment, so the project comes first.
     reset: [
       program,
@@ -83,6 +85,7 @@ function connect(page: Page): void {
       page.keptRuns,
       page.project,
       page.lessons,
+      page.links,
       page.blockSets,
       page.customBlocks,
       page.containment,

@@ -16,6 +16,7 @@ import { NewRobotDialog } from "../features/new-robot/dialog";
 import { OtherDeviceDialog } from "../features/other-device/dialog";
 import { HistoryDialog } from "../features/projects/history";
 import { ImportedDialog } from "../features/projects/imported";
+import { MoreDialog } from "../features/projects/more";
 import { NewDialog } from "../features/projects/new";
 import { OfferedDialog } from "../features/projects/offered";
 import { OpenDialog } from "../features/projects/open";
@@ -26,6 +27,8 @@ import { RobotCountDialog } from "../features/robot-tabs/count";
 import { RenameRobotDialog } from "../features/robot-tabs/rename";
 import { RunDialog } from "../features/runs/dialogs";
 import { SettingsDialog, ShortcutsDialog } from "../features/settings/dialogs";
+import { ShareDialog } from "../features/share/dialog";
+import { OpenLinkDialog } from "../features/share/open-link";
 import { TagsDialog } from "../features/tags/dialog";
 import { GradingDialog } from "../features/teachers/topics";
 import { WorldGalleryDialog } from "../features/worlds/gallery";
@@ -43,6 +46,9 @@ const DIALOGS = {
   rename: RenameDialog,
   saveAs: SaveAsDialog,
   history: HistoryDialog,
+  moreOfProject: MoreDialog,
+  openLink: OpenLinkDialog,
+  share: ShareDialog,
   help: HelpDialog,
   shortcuts: ShortcutsDialog,
   settings: SettingsDialog,

@@ -7,6 +7,9 @@ const base = new URL(".", location.href);
 /** Several servers may share one origin, behind a proxy. */
 const TOKEN = inBrowser(`learnblock.token:${base.pathname}`);
 
+/** The name of a shared link in the fragment. */
+const SHARED = "share";
+
 function parameters(): URLSearchParams {
   return new URLSearchParams(location.hash.slice(1));
 }
@@ -41,6 +44,25 @@ export function addressElsewhere(network: string | null): string | null {
   // In a class and behind a proxy that logs users in there is none.
   if (token) address.searchParams.set("token", token);
   return address.href;
+}
+
+/**
+ * The address that opens a shared link in any LearnBlock at that address. It never has the token: that opens
+ * all projects.
+ */
+export function sharedAddress(link: string, network: string | null): string {
+  const address = new URL(base);
+  if (isLoopback(address.hostname) && network !== null) address.hostname = network;
+  address.hash = `${SHARED}=${link}`;
+  return address.href;
+}
+
+/** Take a shared link out of the address and return it; null if there is none. */
+export function takeSharedLink(): string | null {
+  const link = parameters().get(SHARED);
+  if (link === null) return null;
+  forgetProject();
+  return `#${SHARED}=${link}`;
 }
 
 function isLoopback(name: string): boolean {

@@ -19,16 +19,37 @@ if TYPE_CHECKING:
     from learnblock.server.catalog.classes import ClassShelf
 
 
+class FileOrLink(click.Path):
+    """A file that exists, or a link that holds a project."""
+
+    def __init__(self) -> None:
+        super().__init__(path_type=Path, exists=True, dir_okay=False)
+
+    def convert(
+        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
+    ) -> Path | str:
+        """The path of a file, or a link without its address."""
+        from learnblock.project.files import share_link  # noqa: PLC0415 - `--help` needs none of it
+
+        if not share_link.is_link(value):
+            return Path(str(super().convert(value, param, ctx)))
+        share_link.read_link(value)
+        return share_link.bare(value)
+
+
 @click.command("open")
-@click.argument("file", type=click.Path(path_type=Path, exists=True, dir_okay=False))
+@click.argument("file", type=FileOrLink(), metavar="FILE|LINK")
 @page_options
-def open_command(file: Path, **choices: Any) -> None:
-    """Open a program (.learnblock, .bt or .py) in the page.
+def open_command(file: Path | str, **choices: Any) -> None:
+    """Open a program (.learnblock, .bt or .py), or a shared link, in the page.
 
     A file from elsewhere becomes a project in the projects folder; the file itself stays unchanged.
     Projects of the original LearnBlock (.blockProject) are imported: see learnblock import.
     """
-    open_page(file, **choices)
+    if isinstance(file, Path):
+        open_page(file, **choices)
+    else:
+        open_page(None, link=file, **choices)
 
 
 @click.command()
@@ -46,6 +67,7 @@ def dev(port: int) -> None:
 def open_page(
     file: Path | None,
     *,
+    link: str | None = None,
     projects: Path | None,
     no_browser: bool,
     window: bool,
@@ -57,6 +79,7 @@ def open_page(
 
     Args:
         file: the program to open, if any.
+        link: the link of a project to open instead.
         projects: the projects folder; None for the default.
         no_browser: only print the page's address.
         window: show the page in a separate window.
@@ -74,12 +97,13 @@ def open_page(
     joins = not any(value for name, value in options.items() if name != "port")
     with claimed(folder, take_over=take_over, read_only=read_only, joins=joins) as access:
         if not isinstance(access, Access):
-            _join(access, folder, file, no_browser=no_browser, window=window)
+            _join(access, folder, file or link, no_browser=no_browser, window=window)
             return
         project = _project(folder, file, read_only=access.read_only is not None) if file else None
         service = serve.Service(
             folder,
             project=project,
+            link=link,
             announce=_announce,
             access=access,
             classes=_own_classes,
@@ -92,12 +116,20 @@ def open_page(
 
 
 def _join(
-    running: "RunningServer", folder: Path, file: Path | None, *, no_browser: bool, window: bool
+    running: "RunningServer",
+    folder: Path,
+    file: Path | str | None,
+    *,
+    no_browser: bool,
+    window: bool,
 ) -> None:
-    """Show the page of a server that is already running, and let it take in the file."""
+    """Show the page of a server that is already running, and let it take in a file or a link."""
     from learnblock.server import serve  # noqa: PLC0415 - `--help` needs none of it
 
-    address = running.page(_opened(folder, file, running.add) if file else None)
+    if isinstance(file, Path):
+        address = running.page(_opened(folder, file, running.add))
+    else:
+        address = running.page(link=file)
     say("server-running", address=address)
     if window:
         serve.show_in_window(address)

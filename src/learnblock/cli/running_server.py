@@ -50,9 +50,9 @@ class RunningServer:
             return server
         return None
 
-    def page(self, project: str | None = None) -> str:
-        """The address that opens its page, with a project."""
-        return whole_address(self.address, self.token, project)
+    def page(self, project: str | None = None, link: str | None = None) -> str:
+        """The address that opens its page, with a project or a link."""
+        return whole_address(self.address, self.token, project, link)
 
     def add(self, project: Project) -> str:
         """Let it save a new project, and return the name of the project.

@@ -22,6 +22,7 @@ from starlette.requests import HTTPConnection
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.installation import add_on
+from learnblock.project.files.share_link import KEY
 from learnblock.project.files.writer import Access
 from learnblock.server.app import create_app
 from learnblock.server.catalog.classes import ClassShelf
@@ -62,6 +63,7 @@ class Service:
         allowed_hosts: names that a proxy uses for the server.
         proxy_sends_token: whether a proxy sends the token for users that it has logged in.
         project: the project to open.
+        link: the link of a project to open instead, without an address.
         new_token: whether the address gets a new token, with which only new pages open.
         access: the right to write to the folder.
         for_one: whether all pages belong to one person, on any device.
@@ -78,6 +80,7 @@ class Service:
     allowed_hosts: tuple[str, ...] = ()
     proxy_sends_token: bool = False
     project: str | None = None
+    link: str | None = None
     new_token: bool = False
     access: Access = field(default_factory=Access)
     for_one: bool = False
@@ -254,7 +257,7 @@ def _server(
             if service.access.writer:
                 service.access.writer.describe(address, token)
             shown_token = None if service.proxy_sends_token else token
-            address = whole_address(address, shown_token, service.project)
+            address = whole_address(address, shown_token, service.project, service.link)
             service.announce(Phrase("server-started", address=address))
             if service.access.read_only:
                 service.announce(service.access.read_only)
@@ -335,9 +338,13 @@ def _page_address(service: Service, listening: socket.socket) -> str:
     return f"http://{_place(service, listening)}{path}"
 
 
-def whole_address(address: str, token: str | None, project: str | None) -> str:
-    """The address that opens a page: with the token, and the project to open."""
+def whole_address(
+    address: str, token: str | None, project: str | None, link: str | None = None
+) -> str:
+    """The address that opens a page: with the token, and the project or the link to open."""
     query = f"?token={token}" if token else ""
+    if link:
+        return f"{address}{query}#{KEY}={link}"
     return f"{address}{query}#project={quote(project)}" if project else f"{address}{query}"
 
 

@@ -4,6 +4,8 @@ import pytest
 from click.testing import CliRunner
 
 from learnblock.cli import main
+from learnblock.project.files.project import Project
+from learnblock.project.files.share_link import SharedProject, link_of
 from learnblock.project.files.writer import FolderClaim
 from learnblock.server import serve
 from pages import TOKEN, serving
@@ -105,3 +107,22 @@ def test_one_that_does_not_answer_can_be_taken_over(folder, shown, monkeypatch):
 def test_other_rules_of_access_need_a_server_of_their_own(running, folder, shown):
     called = call("--projects", folder, "--allow-host", "robots.school")
     assert (called.exit_code, shown) == (2, [])
+
+
+def test_a_link_is_opened_by_the_page_of_the_running_one(running, folder, shown, started):
+    link = link_of(SharedProject(Project("turn", PROGRAM)))
+    result = call("open", f"http://192.168.1.20:8421/#share={link}", "--projects", folder)
+    assert result.exit_code == 0, result.output
+    assert (shown, started) == ([f"{running}?token={TOKEN}#share={link}"], [])
+
+
+def test_a_link_is_opened_by_the_page_of_a_new_one(folder, started):
+    link = link_of(SharedProject(Project("turn", PROGRAM)))
+    call("open", link, "--projects", folder)
+    assert started[0].link == link
+
+
+def test_a_damaged_link_is_refused_at_once(folder, started):
+    result = call("open", "http://127.0.0.1/#share=1.AAAA", "--projects", folder)
+    assert "damaged or cut off" in result.output
+    assert started == []

@@ -1,6 +1,7 @@
 /** The bar: the project, the robot and the page's own menu. */
 
 import { PupilChip } from "../../features/in-class/notes";
+import { ShareButton } from "../../features/share/button";
 import { HomeButton } from "../../features/start/home-button";
 import { MoreMenu } from "./more-menu";
 import { ProjectMenu } from "./project-menu";
@@ -14,6 +15,7 @@ export function Bar() {
       <HomeButton />
       <ProjectMenu />
       <span class="bar-space" />
+      <ShareButton />
       <PupilChip />
       <RobotMenu />
       <MoreMenu />

@@ -3,7 +3,7 @@
 import { t } from "../../i18n";
 import { type Page, usePage } from "../../model/page";
 import { UPLOADS } from "../../model/upload";
-import { chooseFiles, chooseFolder } from "../../ui/files";
+import { chooseFiles } from "../../ui/files";
 import { Icon } from "../../ui/icons";
 import { Menu, type MenuGroup } from "../../ui/menu";
 import { useOpening } from "../files/opening";
@@ -31,7 +31,7 @@ export function ProjectMenu() {
 }
 
 function groups(page: Page, open: (files: readonly File[]) => void): readonly MenuGroup[] {
-  const { dialogs, lessonMaking, lessons, project } = page;
+  const { dialogs, project } = page;
   const name = project.name.value;
   return [
     {
@@ -49,26 +49,9 @@ function groups(page: Page, open: (files: readonly File[]) => void): readonly Me
       ],
     },
     {
-      title: t("page-project-share"),
-      items: [
-        { text: t("page-project-download-learnblock"), run: () => project.export("learnblock") },
-        { text: t("page-project-download-bt"), run: () => project.export("bt") },
-        { text: t("page-project-download-py"), run: () => project.export("py") },
-      ],
-    },
-    {
-      items: [
-        { text: t("page-sets-menu"), run: () => dialogs.show("blockSets") },
-        { text: t("page-custom-menu"), run: () => dialogs.show("customBlocks") },
-        { text: t("page-libraries-menu"), run: () => dialogs.show("libraries") },
-        { text: t("page-tags-menu"), run: () => dialogs.show("tags") },
-        ...(lessons.teaches.value ? [{ text: t("page-maker-menu"), run: () => lessonMaking.make() }] : []),
-      ],
-    },
-    {
       items: [
         { text: t("page-project-upload"), run: () => chooseFiles(UPLOADS.join(","), open) },
-        { text: t("page-project-upload-folder"), run: () => chooseFolder(open) },
+        { text: t("page-project-more"), run: () => dialogs.show("moreOfProject") },
       ],
     },
     { items: [{ text: t("page-project-delete"), run: () => dialogs.show({ delete: name }) }] },

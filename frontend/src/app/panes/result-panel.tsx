@@ -2,6 +2,7 @@
 
 import type { ComponentChildren } from "preact";
 import { CustomBlockLink } from "../../features/custom-blocks/link";
+import { Compared } from "../../features/share/compared";
 import { say, t, worldName } from "../../i18n";
 import { usePage } from "../../model/page";
 import { explained } from "../../model/run-error";
@@ -24,6 +25,7 @@ export function Result() {
       {ended.message && <p>{explained(ended.message)}</p>}
       <CustomBlockLink ended={ended} />
       <Facts ended={ended} />
+      <Compared />
       <Hash ended={ended} />
     </div>
   );

@@ -16,7 +16,7 @@ export function WorldMenu() {
   const name = context.running.world.value;
   const all = project.worlds.value;
   const groups: readonly MenuGroup[] = [
-    { title: t("page-world-this"), items: [...changes(page), ...sharing(page), ...files(page)] },
+    { title: t("page-world-this"), items: [...changes(page), ...files(page)] },
     { title: t("page-bar-worlds"), items: [everyWorld(page), ...few(all, name).map((one) => choice(page, one))] },
   ];
   return (
@@ -28,14 +28,6 @@ export function WorldMenu() {
       </Menu>
     </div>
   );
-}
-
-function sharing({ context, share }: Page): readonly MenuItem[] {
-  const off = context.running.active.value || share.isFilming.value;
-  return [
-    { text: t("page-share-picture"), icon: "image", run: () => void share.takePicture() },
-    { text: t("page-share-film"), icon: "video", off, run: () => share.film() },
-  ];
 }
 
 function everyWorld({ context, dialogs }: Page): MenuItem {

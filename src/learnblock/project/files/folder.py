@@ -32,6 +32,7 @@ from learnblock.project.files.project import (
     checked_name,
 )
 from learnblock.project.files.project_file import LARGEST, decode, encode
+from learnblock.project.files.shared_record import SharedRecord, keep_record, read_record
 from learnblock.running import forbid_network, move_network
 from learnblock.storage.files import save
 
@@ -319,6 +320,20 @@ class ProjectFolder:
             ProjectError: no project can have this name.
         """
         return LessonFolder(name, self._history(name).folder, self.read_only)
+
+    def shared(self, name: str) -> SharedRecord | None:
+        """The link that a project was opened from; None if it was not."""
+        return read_record(self._history(name).folder)
+
+    def keep_shared(self, name: str, record: SharedRecord) -> None:
+        """Save the link that a project was opened from, if anything may be saved.
+
+        Raises:
+            ProjectError: it can't be saved.
+        """
+        if not self.read_only:
+            with _reporting(self._path(name), "save"):
+                keep_record(self._history(name).folder, record)
 
     # Pictures.
 

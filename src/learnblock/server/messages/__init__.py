@@ -29,6 +29,7 @@ from learnblock.server.messages.robots import *
 from learnblock.server.messages.running import *
 from learnblock.server.messages.seats import *
 from learnblock.server.messages.settings import *
+from learnblock.server.messages.sharing import *
 from learnblock.server.messages.tabs import *
 from learnblock.server.messages.tags import *
 from learnblock.server.messages.worlds import *

@@ -28,6 +28,7 @@ from learnblock.server.pages import (
     projecting,
     robot_making,
     settings,
+    sharing,
     tabs,
     tags,
     world_editing,
@@ -39,6 +40,7 @@ from learnblock.server.sessions.sessions import Sessions
 
 HANDLERS = {
     **projecting.HANDLERS,
+    **sharing.HANDLERS,
     **editing.HANDLERS,
     **asking.HANDLERS,
     **controlling.HANDLERS,

@@ -23,6 +23,7 @@ from learnblock.server.runs.together import Participant, play_together, staged
 from learnblock.server.sessions.archive import Archive
 from learnblock.server.sessions.part import Part
 from learnblock.server.sessions.parts import Parts
+from learnblock.server.sessions.run_proof import RunProof
 
 #: The seed of the command line, so that the same run can be repeated there.
 SEED = 0
@@ -64,6 +65,10 @@ class RunProject(Protocol):
     @property
     def archive(self) -> Archive:
         """Saves it."""
+
+    @property
+    def proof(self) -> RunProof:
+        """Knows its last run."""
 
     @property
     def coach(self) -> RunObserver | None:
@@ -148,6 +153,7 @@ class Runs:
         self._endings.clear()
         self._last_run = (time(), await self._project.archive.keep_version("run"))
         jobs = [await self._job(part, member, part.document) for part, member in self._robots]
+        self._project.proof.begin(jobs)
         lines = None
         if coach := self._project.coach:
             lines, seconds = coach.watch()
@@ -229,6 +235,9 @@ class Runs:
         if coach := self._project.coach:
             coach.ended()
         self._keep_run()
+        if compared := self._project.proof.end(self._endings):
+            for player in self._players:
+                player.viewers.send(compared)
 
     @property
     def _parts(self) -> Parts:

@@ -17,6 +17,8 @@ from learnblock.project.files.folder import ProjectFolder
 from learnblock.project.files.kept_runs import KeptRun
 from learnblock.project.files.lesson_folder import Progress
 from learnblock.project.files.project import Project
+from learnblock.project.files.share_link import SharedProject
+from learnblock.project.files.shared_record import SharedRecord
 from learnblock.project.files.unpacking import without
 from learnblock.server import catalog, messages
 from learnblock.server.runs.keyboard import SharedKeyboard
@@ -29,6 +31,7 @@ from learnblock.server.sessions.parts import Parts
 from learnblock.server.sessions.periods import Periods
 from learnblock.server.sessions.prepared import Prepared, prepare
 from learnblock.server.sessions.project_robots import ProjectRobots
+from learnblock.server.sessions.run_proof import RunProof
 from learnblock.server.sessions.runs import Runs
 
 
@@ -61,6 +64,7 @@ class Session:
         self.robots = ProjectRobots(self, prepared)
         self._saved = self.project
         self.archive = Archive(folder, self, periods)
+        self.proof = RunProof(self)
         self.runs = Runs(self, folder)
 
     @property
@@ -142,6 +146,32 @@ class Session:
             return
         self.coach = Coach(self, opened, progress, self._folder.lesson)
         await self.coach.resume()
+
+    async def follow_link(self, shared: SharedProject) -> None:
+        """Compare the runs from now on with the one in the link that the project comes from."""
+        await self._choose_variant(shared.variant)
+        record = SharedRecord(self.proof.state, shared.run)
+        await to_thread.run_sync(self._folder.keep_shared, self.name, record)
+        self.proof.record = record
+        self._notes = (
+            *self._notes,
+            Phrase("share-opened" if shared.run else "share-opened-no-run"),
+        )
+
+    async def resume_link(self) -> None:
+        """Compare the runs with the one in the link that the project came from, if it did."""
+        record = await to_thread.run_sync(self._folder.shared, self.name)
+        if record:
+            await self._choose_variant(record.state.variant)
+        self.proof.record = record
+
+    async def _choose_variant(self, variant: int) -> None:
+        if variant == self.variant:
+            return
+        try:
+            await self.robots.choose_world(self.world, variant)
+        except LearnBlockError as error:
+            self._remarks = (*self._remarks, error.phrase)
 
     # Pages.
 

@@ -270,6 +270,7 @@ class Sessions:
                 session = Session(self.folder, prepared, self._periods)
                 await session.robots.set_the_stage()
                 await session.resume_lesson()
+                await session.resume_link()
                 self._open[name] = session
             return self._open[name]
 

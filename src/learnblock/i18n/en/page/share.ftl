@@ -1,7 +1,33 @@
-# Pictures and films of the world.
+# The dialog Share, links, and pictures and films of the world.
 
-page-share-picture = Save picture
-page-share-film = Film a run
+page-share-menu = Share
+page-share-title = Share “{ $name }”
+page-share-link = Link
+page-share-copy = Copy link
+page-share-copied = Link copied.
+page-share-code = QR code of the link
+page-share-inside = The program is inside the link ({ $count } characters). Nothing is uploaded. It opens in any LearnBlock.
+page-share-proved = The same run, proved
+page-share-proved-help = On any computer, Run drives exactly this way. LearnBlock compares the whole run with its fingerprint, and says “the same run” or what differs.
+page-share-unproved = Without a run
+page-share-copies = Other people can change their copy. Yours stays as it is.
+page-share-keep = To keep
+page-share-file = File
+page-share-file-help = to open and change again
+page-share-blocktext = Block-Text
+page-share-blocktext-help = the text alone (.bt)
+page-share-python = Python
+page-share-python-help = runs with Python (.py)
+page-share-picture = Picture of the world
+page-share-picture-help = as it is now (.png)
+page-share-film = Film of a run
+page-share-film-help = runs from the start
 page-share-filming = Filming
 page-share-saved = Film saved.
 page-share-no-film = This browser can't make films. Save a picture instead, or use a newer browser.
+page-share-same = The same run as the one that was shared.
+page-share-other = Not the same run as the one that was shared.
+page-share-open = Open a link…
+page-share-open-title = Open a link
+page-share-open-help = Paste the whole link. Its project becomes one of yours.
+page-share-open-now = Open

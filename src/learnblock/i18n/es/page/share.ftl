@@ -1,7 +1,33 @@
-# Imágenes y películas del mundo.
+# El diálogo Compartir, enlaces, e imágenes y películas del mundo.
 
-page-share-picture = Guardar imagen
-page-share-film = Filmar una ejecución
+page-share-menu = Compartir
+page-share-title = Compartir «{ $name }»
+page-share-link = Enlace
+page-share-copy = Copiar enlace
+page-share-copied = Enlace copiado.
+page-share-code = Código QR del enlace
+page-share-inside = El programa está dentro del enlace ({ $count } caracteres). No se sube nada. Se abre en cualquier LearnBlock.
+page-share-proved = La misma ejecución, demostrada
+page-share-proved-help = En cualquier ordenador, Ejecutar lo mueve exactamente así. LearnBlock compara toda la ejecución con su huella y dice «la misma ejecución» o qué es distinto.
+page-share-unproved = Sin ejecución
+page-share-copies = Otras personas pueden cambiar su copia. La tuya se queda como está.
+page-share-keep = Para guardar
+page-share-file = Archivo
+page-share-file-help = para abrirlo y cambiarlo
+page-share-blocktext = Block-Text
+page-share-blocktext-help = solo el texto (.bt)
+page-share-python = Python
+page-share-python-help = funciona con Python (.py)
+page-share-picture = Imagen del mundo
+page-share-picture-help = como está ahora (.png)
+page-share-film = Película de una ejecución
+page-share-film-help = ejecuta desde el principio
 page-share-filming = Filmando
 page-share-saved = Película guardada.
 page-share-no-film = Este navegador no puede hacer películas. Guarda una imagen o usa un navegador más reciente.
+page-share-same = La misma ejecución que se compartió.
+page-share-other = No es la misma ejecución que se compartió.
+page-share-open = Abrir un enlace…
+page-share-open-title = Abrir un enlace
+page-share-open-help = Pega el enlace entero. Su proyecto será uno de los tuyos.
+page-share-open-now = Abrir

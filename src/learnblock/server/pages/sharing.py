@@ -1,0 +1,42 @@
+"""Handlers of messages about links that hold a project."""
+
+from anyio import to_thread
+
+from learnblock.i18n import Phrase
+from learnblock.project.files.share_link import LinkError, SharedProject, link_of, read_link
+from learnblock.server import messages
+from learnblock.server.pages.page import Handlers, Page
+
+HANDLERS = Handlers()
+
+
+@HANDLERS.add
+async def _make_link(page: Page, message: messages.MakeLink) -> None:
+    session = page.session
+    last = session.proof.last_run()
+    run = None if isinstance(last, Phrase) else last
+    shared = SharedProject(session.project, session.variant, run)
+    try:
+        link = await to_thread.run_sync(link_of, shared)
+    except LinkError as error:
+        page.send(messages.ShareLink(message.request, "", problem=error.phrase))
+        return
+    if isinstance(last, Phrase):
+        page.send(messages.ShareLink(message.request, link, problem=last))
+        return
+    page.send(messages.ShareLink(message.request, link, last.trace_sha256, last.seconds))
+
+
+@HANDLERS.add
+async def _open_link(page: Page, message: messages.OpenLink) -> None:
+    shared = await to_thread.run_sync(read_link, message.link)
+    unchanged = await page.sessions.find_unchanged(shared.project)
+    if unchanged:
+        session = await page.sessions.open(unchanged)
+    else:
+        page.new_projects.take()
+        session = await page.sessions.start(shared.project)
+    await session.follow_link(shared)
+    await page.move_to(session)
+    # The file of a new project does not carry anything yet.
+    session.archive.changed()
