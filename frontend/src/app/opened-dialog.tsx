@@ -16,7 +16,6 @@ import { NewRobotDialog } from "../features/new-robot/dialog";
 import { OtherDeviceDialog } from "../features/other-device/dialog";
 import { HistoryDialog } from "../features/projects/history";
 import { ImportedDialog } from "../features/projects/imported";
-import { MoreDialog } from "../features/projects/more";
 import { NewDialog } from "../features/projects/new";
 import { OfferedDialog } from "../features/projects/offered";
 import { OpenDialog } from "../features/projects/open";
@@ -38,6 +37,7 @@ import { t } from "../i18n";
 import { usePage } from "../model/page";
 import { Dialog } from "../ui/dialog";
 import { IslandPlace } from "../ui/island-place";
+import { MoreDialog } from "./bar/more-dialog";
 
 const DIALOGS = {
   open: OpenDialog,

@@ -4,8 +4,8 @@ import { t } from "../../i18n";
 import { usePage } from "../../model/page";
 import { ending } from "../../model/run-result";
 import type { PastRun, Version } from "../../protocol/messages";
+import { date } from "../../ui/dates";
 import { Dialog } from "../../ui/dialog";
-import { date } from "./dates";
 
 /** The project's history: versions to restore, and runs with their results. */
 export function HistoryDialog() {

@@ -5,8 +5,8 @@ import { t } from "../../i18n";
 import { usePage } from "../../model/page";
 import type { ProjectEntry } from "../../protocol/messages";
 import { IconButton } from "../../ui/button";
+import { date } from "../../ui/dates";
 import { Dialog } from "../../ui/dialog";
-import { date } from "./dates";
 
 /** All projects, the last changed first. */
 export function OpenDialog() {

@@ -6,12 +6,12 @@ import { t } from "../../i18n";
 import { usePage } from "../../model/page";
 import { preferences } from "../../model/preferences";
 import type { ExampleChoice, LessonChoice, ProjectEntry } from "../../protocol/messages";
+import { day } from "../../ui/dates";
 import { Icon } from "../../ui/icons";
 import { RobotPicture } from "../../ui/robots/picture";
 import { pictureOf } from "../examples/pictures";
 import { exampleText, exampleTitle } from "../examples/words";
 import { inLanguage, isDone } from "../lessons/lessons";
-import { day } from "../projects/dates";
 import { projectPicture } from "./project-picture";
 import { tryExample } from "./try-example";
 

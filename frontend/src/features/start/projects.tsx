@@ -4,10 +4,10 @@ import { t } from "../../i18n";
 import { type Page, usePage } from "../../model/page";
 import { UPLOADS } from "../../model/upload";
 import type { ProjectEntry } from "../../protocol/messages";
+import { day } from "../../ui/dates";
 import { chooseFiles } from "../../ui/files";
 import { Icon } from "../../ui/icons";
 import { Menu, type MenuGroup } from "../../ui/menu";
-import { day } from "../projects/dates";
 import { projectPicture } from "./project-picture";
 
 /** The number of projects beside the examples; the others are in the dialog with the search. */

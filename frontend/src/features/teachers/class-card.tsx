@@ -5,11 +5,11 @@ import { useSignal } from "@preact/signals";
 import { say, t } from "../../i18n";
 import { usePage } from "../../model/page";
 import type { ClassEntry } from "../../protocol/messages";
+import { day } from "../../ui/dates";
 import { Dialog } from "../../ui/dialog";
 import { Icon } from "../../ui/icons";
 import { Menu, type MenuGroup } from "../../ui/menu";
 import { inLanguage } from "../lessons/lessons";
-import { day } from "../projects/dates";
 import { CLASS_FILE } from "./classes";
 
 export function ClassCard({ entry }: { entry: ClassEntry }) {

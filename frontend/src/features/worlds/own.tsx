@@ -3,9 +3,9 @@
 import { t } from "../../i18n";
 import { type Page, usePage } from "../../model/page";
 import type { WorldChoice } from "../../protocol/messages";
+import { day } from "../../ui/dates";
 import { Icon } from "../../ui/icons";
 import { Menu, type MenuItem } from "../../ui/menu";
-import { day } from "../projects/dates";
 import { WorldPicture } from "./card";
 
 interface Props {

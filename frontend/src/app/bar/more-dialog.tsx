@@ -1,10 +1,10 @@
 /** What a project is rarely asked for, kept out of its menu. */
 
-import { useOpening } from "../../app/files/opening";
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
 import { Dialog } from "../../ui/dialog";
 import { chooseFolder } from "../../ui/files";
+import { useOpening } from "../files/opening";
 
 interface Command {
   readonly text: string;

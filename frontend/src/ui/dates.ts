@@ -1,6 +1,6 @@
 /** Dates in the page's language. */
 
-import { language } from "../../i18n";
+import { language } from "../i18n";
 
 const DAY = 86_400_000;
 

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 
-import { day } from "../../src/features/projects/dates";
+import { day } from "../../src/ui/dates";
 
 const NOON = new Date(2026, 4, 13, 12);
 
