@@ -25,6 +25,8 @@ def group_of(world: WorldFile) -> Group:
     """What one does in a world."""
     if world.group is not None:
         return world.group
+    if world.game is not None:
+        return "games"
     return next(group for group in _ORDER if offers(world, group))
 
 
