@@ -10,5 +10,8 @@ export function emptyWorld(): WorldValues {
     floor,
     ...lists,
     goal: { reach: [], follow: [], visit: [], tour: [], stop: [], show: [], avoid: [] },
+    collectable: [],
+    gate: [],
+    zone: [],
   } as unknown as WorldValues;
 }

@@ -180,11 +180,12 @@ function starAt([x, y]: XY, goal: number, { start }: WorldValues): Object3D {
 }
 
 /** The places of the goals that have one, the first goal's first. */
-export function goalPlaces({ goal, tag }: WorldValues): readonly XY[] {
+export function goalPlaces({ goal, tag, ...things }: WorldValues): readonly XY[] {
   const visited = goal.visit.flatMap(({ id }) => tag.filter((one) => one.id === id));
   const toured = goal.tour.flatMap(({ points }) => points.map(([x, y]) => ({ x, y })));
   const shown = goal.show.filter(({ radius }) => radius !== null);
-  return [...goal.reach, ...visited, ...toured, ...goal.stop, ...shown].map(({ x, y }): XY => [x, y]);
+  const played = [...things.collectable, ...things.gate, ...things.zone];
+  return [...goal.reach, ...visited, ...toured, ...goal.stop, ...shown, ...played].map(({ x, y }): XY => [x, y]);
 }
 
 /** mm: showing a line farther away would make the robot too small. */
