@@ -79,7 +79,9 @@ def test_what_answers_a_request_repeats_its_number():
         "Completions",
         "CustomBlockChecked",
         "Description",
+        "ShareLink",
         "WorldChecked",
+        "WorldToEdit",
     }
     for answer in answers:
         assert "request" in getattr(messages, answer).__struct_fields__
