@@ -75,7 +75,7 @@ DECORATIONS = frozenset(
 
 
 #: The devices that none of LearnBlock's robots has; those of users and plugins can have them.
-UNSERVED = frozenset(("Infrared", "LightSensor", "MP3", "Matrix"))
+UNSERVED = frozenset(("Infrared", "MP3", "Matrix"))
 
 
 def equipment(devices: Iterable[str], abilities: frozenset[str] | None) -> frozenset[str]:

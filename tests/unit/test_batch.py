@@ -94,7 +94,8 @@ def test_a_run_in_an_empty_endless_loop_is_not_waited_for_and_ends_as_alone():
 
     assert early.report.ended == alone_at_last.ended == How.NO_CALL
     assert early.report.trace_sha256 == alone_at_last.trace_sha256
-    assert early.report.error["line"] == alone_at_last.error["line"]
+    # Alone, it is ended in either line of the loop.
+    assert {early.report.error["line"], alone_at_last.error["line"]} <= {5, 6}
 
 
 def test_a_loop_that_a_program_leaves_before_it_hangs_is_run():

@@ -155,7 +155,7 @@ def test_another_seed_gives_another_path():
 
 
 def test_every_example_has_a_task():
-    files = [*EXAMPLES.glob("*.bt"), *EXAMPLES.glob("first/*.bt")]
+    files = [*EXAMPLES.glob("*.bt"), *EXAMPLES.glob("first/*.bt"), *EXAMPLES.glob("games/*.bt")]
     assert sorted(path.relative_to(EXAMPLES).as_posix() for path in files) == NAMES
 
 

@@ -16,6 +16,7 @@ pytestmark = pytest.mark.spread
 
 #: Values for parameters without a default, by their type.
 VALUES = {"angle": "20", "float": "40", "int": "3", "string": '"CAMERA"', "apriltext": "1"}
+VALUES["boolean"] = "True"
 #: Skills that only work together with other robots, a function of the language, and those that end
 #: the program.
 LEFT_OUT = frozenset(("received", "message_value", "elapsedTime", "win_game", "game_over"))

@@ -67,6 +67,7 @@ RESERVED = frozenset(
         "settings",
         "settings_type",
         "simulation",
+        "standby",
         "start",
         "status",
         "stop",

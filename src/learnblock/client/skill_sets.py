@@ -16,6 +16,10 @@ class Cozmo:
     """The skills of `cozmo`."""
 
 
+class Create3:
+    """The skills of `create3`."""
+
+
 class Ebo:
     """The skills of `ebo`."""
 
@@ -24,12 +28,24 @@ class Ev3:
     """The skills of `ev3`."""
 
 
+class Legoed:
+    """The skills of `legoed`."""
+
+
 class Rcis:
     """The skills of `rcis`."""
 
 
+class Root:
+    """The skills of `root`."""
+
+
 class SimCozmo:
     """The skills of `sim-cozmo`."""
+
+
+class SimCreate3:
+    """The skills of `sim-create3`."""
 
 
 class SimEbo:
@@ -38,6 +54,14 @@ class SimEbo:
 
 class SimEv3:
     """The skills of `sim-ev3`."""
+
+
+class SimLegoed:
+    """The skills of `sim-legoed`."""
+
+
+class SimRoot:
+    """The skills of `sim-root`."""
 
 
 class SimSpike:

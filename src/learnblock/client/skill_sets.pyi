@@ -86,6 +86,76 @@ class _NeedsNothing:
     def is_Neutral(self) -> bool:
         """Does the robot look neutral after `expressNeutral`?"""
 
+    def change_score(self, points: float = 1) -> None:
+        """Change the score of the game.
+
+        Args:
+            points: what is added to it; a negative number is taken away.
+        """
+
+    def set_score(self, score: float = 0) -> None:
+        """Set the score of the game.
+
+        Args:
+            score: the new score.
+        """
+
+    def get_score(self) -> float:
+        """The score of the game: what the world and the program have added to it."""
+
+    def show_score(self) -> None:
+        """Show the score on the robot's screen; a real robot without a screen prints it.
+
+        In a world with a game, the page shows the score anyway.
+        """
+
+    def change_lives(self, lives: float = -1) -> None:
+        """Change the number of lives; without any left, the game is over.
+
+        A game that has not said how many there are begins with three.
+
+        Args:
+            lives: how many are added; a negative number is taken away.
+        """
+
+    def set_lives(self, lives: float = 3) -> None:
+        """Set the number of lives.
+
+        Args:
+            lives: how many there are.
+        """
+
+    def get_lives(self) -> float:
+        """The lives that are left."""
+
+    def start_countdown(self, seconds: float = 60) -> None:
+        """Begin a countdown, instead of the one before. It belongs to all robots of the world.
+
+        Args:
+            seconds: how long it takes.
+        """
+
+    def get_time_left(self) -> float:
+        """The seconds until the countdown ends; 0 after that, and without a countdown."""
+
+    def is_time_up(self) -> bool:
+        """Has the countdown ended? Answered with yes once for each countdown."""
+
+    def collected(self, kind: str = "star") -> bool:
+        """Has the robot collected such a thing? Each one is answered with yes once.
+
+        On a real robot, and in a world without such things, nothing is collected.
+
+        Args:
+            kind: what it is, such as star, or anything.
+        """
+
+    def win_game(self) -> None:
+        """Win the game, which ends the programs of all its robots."""
+
+    def game_over(self) -> None:
+        """End the game without winning it, and the programs of all its robots."""
+
     def is_key_pressed(self, key: str = "space") -> bool:
         """Is this key of the keyboard held down?
 
@@ -1108,6 +1178,54 @@ class SimSpike(
 ):
     """The skills of `sim-spike`."""
 
+class SimLegoed(
+    OwnSkills,
+    _NeedsNothing,
+    _NeedsBase,
+    _NeedsBaseHeading,
+    _NeedsGroundSensors,
+    _NeedsJointMotor,
+    _NeedsPen,
+    _NeedsBlackLine,
+    _NeedsGroundLine,
+    _NeedsHeading,
+):
+    """The skills of `sim-legoed`."""
+
+class SimRoot(
+    OwnSkills,
+    _NeedsNothing,
+    _NeedsBase,
+    _NeedsBaseHeading,
+    _NeedsBumper,
+    _NeedsGroundSensors,
+    _NeedsPen,
+    _NeedsBlackLine,
+    _NeedsBrightness,
+    _NeedsGroundLine,
+    _NeedsHeading,
+    _NeedsObstacleFront,
+    _NeedsObstacleLeftOrObstacleFrontOrObstacleRight,
+):
+    """The skills of `sim-root`."""
+
+class SimCreate3(
+    OwnSkills,
+    _NeedsNothing,
+    _NeedsBase,
+    _NeedsBaseHeading,
+    _NeedsBumper,
+    _NeedsGroundSensors,
+    _NeedsPen,
+    _NeedsHeading,
+    _NeedsObstacleFront,
+    _NeedsObstacleFrontObstacleLeftObstacleRight,
+    _NeedsObstacleLeft,
+    _NeedsObstacleLeftOrObstacleFrontOrObstacleRight,
+    _NeedsObstacleRight,
+):
+    """The skills of `sim-create3`."""
+
 class Coppeliasim(
     OwnSkills,
     _NeedsNothing,
@@ -1157,6 +1275,22 @@ class Cozmo(
 ):
     """The skills of `cozmo`."""
 
+class Create3(
+    OwnSkills,
+    _NeedsNothing,
+    _NeedsBase,
+    _NeedsBaseHeading,
+    _NeedsBumper,
+    _NeedsGroundSensors,
+    _NeedsHeading,
+    _NeedsObstacleFront,
+    _NeedsObstacleFrontObstacleLeftObstacleRight,
+    _NeedsObstacleLeft,
+    _NeedsObstacleLeftOrObstacleFrontOrObstacleRight,
+    _NeedsObstacleRight,
+):
+    """The skills of `create3`."""
+
 class Ebo(
     OwnSkills,
     _NeedsNothing,
@@ -1193,6 +1327,20 @@ class Ev3(
 ):
     """The skills of `ev3`."""
 
+class Legoed(
+    OwnSkills,
+    _NeedsNothing,
+    _NeedsBase,
+    _NeedsBaseHeading,
+    _NeedsController,
+    _NeedsGroundSensors,
+    _NeedsJointMotor,
+    _NeedsBlackLine,
+    _NeedsGroundLine,
+    _NeedsHeading,
+):
+    """The skills of `legoed`."""
+
 class Rcis(
     OwnSkills,
     _NeedsNothing,
@@ -1213,6 +1361,23 @@ class Rcis(
     _NeedsRedLine,
 ):
     """The skills of `rcis`."""
+
+class Root(
+    OwnSkills,
+    _NeedsNothing,
+    _NeedsBase,
+    _NeedsBaseHeading,
+    _NeedsBumper,
+    _NeedsGroundSensors,
+    _NeedsPen,
+    _NeedsBlackLine,
+    _NeedsBrightness,
+    _NeedsGroundLine,
+    _NeedsHeading,
+    _NeedsObstacleFront,
+    _NeedsObstacleLeftOrObstacleFrontOrObstacleRight,
+):
+    """The skills of `root`."""
 
 class Spike(
     OwnSkills,

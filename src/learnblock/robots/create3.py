@@ -1,5 +1,6 @@
 """iRobot's Create 3, by Bluetooth."""
 
+from learnblock.client import skill_sets
 from learnblock.devices import DistanceSensors, GroundSensors
 from learnblock.robots.irobot import IRobot, messages
 from learnblock.robots.irobot.link import PacketLink
@@ -14,7 +15,7 @@ _SIDES = {"front": slice(2, 5), "left": slice(0, 2), "right": slice(5, 7)}
 _CLIFFS = {"left": 0x0C, "right": 0x03}
 
 
-class Robot(IRobot):
+class Robot(IRobot, skill_sets.Create3):
     """A Create 3."""
 
     model = "create3"

@@ -2,6 +2,7 @@
 
 from contextlib import suppress
 
+from learnblock.client import skill_sets
 from learnblock.devices import GroundSensors, LightSensor, Pen
 from learnblock.errors import LearnBlockError, RobotConnectionError
 from learnblock.robots.irobot import IRobot, messages
@@ -20,7 +21,7 @@ MARKER, LIFTING = 3.0, 1.0
 _SIDES = {"left": slice(6, 14), "central": slice(14, 18), "right": slice(18, 26)}
 
 
-class Robot(IRobot):
+class Robot(IRobot, skill_sets.Root):
     """A Root: the Pro has a colour strip and a cliff sensor, the Lite has neither."""
 
     model = "root"

@@ -86,6 +86,8 @@ def values_of(info):  # noqa: C901, PLR0911 - one for each type
             return st.dictionaries(values_of(key), values_of(value), max_size=3)
         case inspect.UnionType(types=types):
             return st.one_of(*map(values_of, types))
+        case inspect.LiteralType(values=choices):
+            return st.sampled_from(choices)
         case inspect.EnumType(cls=cls):
             return st.sampled_from(cls)
         case inspect.DataclassType(cls=cls) if cls is Phrase:

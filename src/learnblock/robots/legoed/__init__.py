@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from learnblock.client import Rights, RobotStatus
+from learnblock.client import Rights, RobotStatus, skill_sets
 from learnblock.devices import (
     Base,
     Controller,
@@ -31,7 +31,7 @@ __all__ = ["Robot", "Settings"]
 PRESSED = 30
 
 
-class Robot(RealRobot[Settings]):
+class Robot(RealRobot[Settings], skill_sets.Legoed):
     """A Double Motor with two wheels, and the devices with the same connection card."""
 
     settings_type = Settings
