@@ -15,6 +15,7 @@ from learnblock.new.robot import files_at_home, files_of_package, unkept
 from learnblock.new.robot_plan import named, plan_of, read_plan
 from learnblock.new.skill import skill_files
 from learnblock.server.catalog import welcome
+from learnblock.stubs.own import write_stubs
 from new_robots import DOCS, EVERYTHING, guide
 from places import ROOT
 from runs import EXAMPLES, run_example
@@ -57,6 +58,8 @@ def test_the_written_files_are_clean(home):
     assert tool("ruff", "check", *rules, ".", folder=home)[0] == 0
     assert tool("ruff", "format", "--check", *rules[:2], ".", folder=home)[0] == 0
     files = [str(path) for path in home.glob("*/*.py")]
+    # As `learnblock new` does: a type checker knows the new skill from them.
+    write_stubs(home)
     status, said = tool("mypy", "--strict", "--no-incremental", *files, folder=home)
     assert (status, said) == (0, "Success: no issues found in 8 source files\n")
 
