@@ -66,7 +66,9 @@ COMMANDS = {
     ),
     "new": CommandLocation("new", "new_group", "Create the files of a new robot, skill or world"),
     "open": CommandLocation(
-        "page", "open_command", "Open a program (.learnblock, .bt or .py) in the page"
+        "page",
+        "open_command",
+        "Open a program (.learnblock, .bt or .py), or a shared link, in the page",
     ),
     "perception": CommandLocation(
         "perception", "perception_group", "Show or change camera recognition"
