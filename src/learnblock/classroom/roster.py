@@ -21,6 +21,7 @@ from learnblock.errors import LearnBlockError
 from learnblock.project.files.lesson_folder import LessonName
 from learnblock.storage.files import save
 from learnblock.storage.home import home
+from learnblock.storage.learned_types import learned
 
 #: The most pupils of a class.
 MOST_PUPILS = 60
@@ -396,7 +397,7 @@ def read_class(folder: Path) -> ClassFile | None:
     except FileNotFoundError:
         return None
     try:
-        file = msgspec.json.decode(data, type=ClassFile)
+        file = msgspec.json.decode(data, type=learned(ClassFile))
     except (msgspec.MsgspecError, UnicodeError, RecursionError) as error:
         raise LearnBlockError("class-damaged", file=str(path), reason=str(error)) from error
     if file.version > _VERSION:

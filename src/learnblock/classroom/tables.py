@@ -23,6 +23,7 @@ from learnblock.lessons.grading.journal import opened_journal
 from learnblock.lessons.grading.output import PAGE, TABLE, write_results
 from learnblock.project.files.lesson_folder import LessonName, StepNumber
 from learnblock.server.http import static_files
+from learnblock.storage.learned_types import learned
 
 
 class WantedStep(msgspec.Struct, frozen=True):
@@ -79,7 +80,7 @@ class Tables:
             headers["content-disposition"] = f'attachment; filename="{name}"'
         language = request.query_params.get("language", ENGLISH)
         try:
-            wanted = msgspec.convert(dict(request.query_params), WantedStep, strict=False)
+            wanted = msgspec.convert(dict(request.query_params), learned(WantedStep), strict=False)
             content = await asyncio.to_thread(write, wanted)
         except (LearnBlockError, OSError, ValueError) as error:
             sentence = translate(phrase_of(error), _known(language))

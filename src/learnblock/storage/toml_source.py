@@ -26,6 +26,7 @@ from learnblock.errors import (
 )
 from learnblock.i18n import Phrase, Value
 from learnblock.storage.file_phrases import place, unknown_key
+from learnblock.storage.learned_types import learned
 from learnblock.storage.struct_types import (
     KeyPath,
     choices,
@@ -134,7 +135,7 @@ def examine(
         check: finds mistakes that the types of `struct` accept.
     """
     try:
-        described = msgspec.convert(document, struct)
+        described = msgspec.convert(document, learned(struct))
     except msgspec.ValidationError as refusal:
         return None, [_explain(refusal, document, inspect.type_info(struct))]
     return described, list(check(described))

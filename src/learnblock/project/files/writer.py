@@ -14,6 +14,7 @@ from filelock import FileLock, Timeout
 
 from learnblock.i18n import Phrase
 from learnblock.storage.files import save
+from learnblock.storage.learned_types import learned
 
 #: A larger file is not ours.
 _LARGEST = 10_000
@@ -151,7 +152,7 @@ class FolderClaim:
         """The server that has the right to write; None if unknown."""
         try:
             with self._description.open("rb") as file:
-                return msgspec.json.decode(file.read(_LARGEST), type=Owner)
+                return msgspec.json.decode(file.read(_LARGEST), type=learned(Owner))
         except (OSError, msgspec.MsgspecError):
             # It has just started, or this user may not read the folder.
             return None

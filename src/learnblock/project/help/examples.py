@@ -9,6 +9,7 @@ import msgspec
 
 from learnblock.blocks.schema.configuration import BlockConfiguration
 from learnblock.blocks.schema.loading import builtin
+from learnblock.storage.learned_types import learned
 
 _FOLDER = Path(__file__).parent
 #: Before the name of a skill in the names of blocks.
@@ -80,7 +81,9 @@ def example_name(block: str) -> str:
 
 @cache
 def _file() -> _File:
-    return msgspec.convert(tomllib.loads((_FOLDER / "examples.toml").read_text("utf-8")), _File)
+    return msgspec.convert(
+        tomllib.loads((_FOLDER / "examples.toml").read_text("utf-8")), learned(_File)
+    )
 
 
 def _of_skill(block: BlockConfiguration, file: _File) -> HelpExample:

@@ -19,6 +19,7 @@ from learnblock.running.batch import Batch
 from learnblock.running.job import Job, Options
 from learnblock.running.recorded_keys import RecordedKeys
 from learnblock.runtime.program import Program
+from learnblock.storage.learned_types import learned
 
 _FILE = Path(__file__).parent / "recorded" / "recordings.json"
 #: The most events that are kept: a loop has been understood by then.
@@ -74,7 +75,7 @@ class HelpRecording(msgspec.Struct, frozen=True, kw_only=True):
 @cache
 def recordings() -> Mapping[str, HelpRecording]:
     """The recordings of all built-in blocks, by the blocks' names in block sets."""
-    return msgspec.json.decode(_FILE.read_bytes(), type=dict[str, HelpRecording])
+    return msgspec.json.decode(_FILE.read_bytes(), type=learned(dict[str, HelpRecording]))
 
 
 def record(by_name: Mapping[str, HelpExample]) -> Iterator[tuple[str, HelpRecording]]:

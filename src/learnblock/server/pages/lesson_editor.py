@@ -20,6 +20,7 @@ from learnblock.lessons.teachers_part import SolvedStep, WrongProgram, teachers_
 from learnblock.server import catalog, messages
 from learnblock.server.pages.page import Handlers, Page
 from learnblock.server.sessions import lesson_view
+from learnblock.storage.learned_types import learned
 
 HANDLERS = Handlers()
 
@@ -175,7 +176,7 @@ def _examined_step(
 
 def _words(check: object) -> Phrase | None:
     try:
-        return describe(msgspec.convert(check, Check))
+        return describe(msgspec.convert(check, learned(Check)))
     except (msgspec.ValidationError, ValueError):
         return None
 
