@@ -119,14 +119,20 @@ def test_work_is_handed_out_handed_in_marked_and_handed_back(teacher, alice):
         assert hand_ins(page)[0]["back"]["mark"] == "9"
 
 
+def is_checked(marking):
+    """Whether the checks have run on all hand-ins of the step."""
+    marking.say("ReadHandIns", **PLACE)
+    return all(line.get("checked") for line in marking.hear("HandInList")["lines"])
+
+
 @pytest.mark.timeout(240)
 def test_a_hand_in_is_checked_and_its_run_is_seen_by_teacher_and_pupil(teacher, alice):
     pupil = page_of(alice).split("/")[-2]
     with teacher.socket(f"{CLASS}marking") as marking:
         marking.say("CheckHandIns", **PLACE)
-        marking.say("ReadHandIns", **PLACE)
-        while not all(line.get("checked") for line in marking.hear("HandInList")["lines"]):
-            pass
+        # As the page does: what has changed is told, and read again.
+        while not is_checked(marking):
+            marking.hear("HandInSteps")
     place = urlencode(PLACE)
     watched = (
         (teacher, f"{CLASS}p/hand-ins/ws?pupil={pupil}&{place}"),

@@ -8,6 +8,7 @@ The maker's own Python programs drive them, too:
 
 import threading
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from typing import Any
 
 from learnblock.emulators.gatt import GattServer
@@ -21,6 +22,8 @@ from learnblock.robots.legoed.nearby import OTHERS
 
 #: Seconds between two looks of the firmware at its motors.
 TICK = 0.01
+#: How often another row of free ports is looked for, when other programs take one of them.
+_TRIES = 20
 
 
 class Emulator:
@@ -68,16 +71,26 @@ class Emulator:
 
 
 def _served(devices: Sequence[DeviceFirmware], address: str, port: int) -> list[GattServer]:
-    """Serve each device at the port after that of the one before, or at a free one.
+    """Serve each device at the port after that of the one before, or else at a free one.
 
     Raises:
         OSError: the first port is not available.
     """
+    servers = _in_a_row(devices, address, port)
+    for _ in range(_TRIES if port == 0 else 0):
+        if len(servers) == len(devices):
+            break
+        for server in servers:
+            server.close()
+        servers = _in_a_row(devices, address, port)
+    # Their addresses are in the settings anyway; only the page looks at the next ports.
+    return servers + [GattServer(device, address, 0) for device in devices[len(servers) :]]
+
+
+def _in_a_row(devices: Sequence[DeviceFirmware], address: str, port: int) -> list[GattServer]:
+    """Serve the devices at ports that follow one another, up to the first that is taken."""
     servers = [GattServer(devices[0], address, port)]
-    for device in devices[1:]:
-        try:
+    with suppress(OSError, OverflowError):
+        for device in devices[1:]:
             servers.append(GattServer(device, address, servers[-1].port + 1))
-        except (OSError, OverflowError):
-            # Its address is in the settings anyway; only the page looks at the next ports.
-            servers.append(GattServer(device, address, 0))
     return servers
