@@ -2,8 +2,16 @@
 
 import re
 
+import pytest
+
 from learnblock.robots.sim_ebo import Robot
 from learnblock.robots.simulated.way import DrivenWay
+
+
+@pytest.fixture(autouse=True)
+def notebook(monkeypatch):
+    """No program is running, whatever earlier tests have left in `__main__`."""
+    monkeypatch.setattr("learnblock.robots.simulated.robot.main_program", lambda: None)
 
 
 def shown(robot) -> str:
