@@ -80,7 +80,7 @@ function NewProject({ draft, chooseWorld }: { draft: Draft; chooseWorld: () => v
             </Choice>
           ))}
         </Choices>
-        <button type="button" class="new-all-worlds" onClick={chooseWorld}>
+        <button type="button" class="more-link new-all-worlds" onClick={chooseWorld}>
           {t("page-gallery-all-worlds", { count: worlds.length })}
           <Icon name="next" />
         </button>
@@ -141,7 +141,7 @@ interface ChoiceProps<Value extends string> {
 function Choice<Value extends string>({ group, chosen, value, children }: ChoiceProps<Value>) {
   const isChosen = chosen.value === value;
   return (
-    <label class="new-choice">
+    <label class="new-choice choice-card">
       <input
         type="radio"
         class="hidden"
@@ -152,7 +152,7 @@ function Choice<Value extends string>({ group, chosen, value, children }: Choice
       />
       {children}
       {isChosen && (
-        <span class="new-check">
+        <span class="choice-tick">
           <Icon name="check" />
         </span>
       )}

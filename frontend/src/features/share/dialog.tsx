@@ -1,4 +1,4 @@
-/** Everything that takes the program elsewhere: a link, a file, a picture, a film, paper. */
+/** Everything that takes the program elsewhere: a link, a file, a picture, a film. */
 
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
@@ -125,7 +125,7 @@ interface TileProps {
   readonly onClick: () => void;
 }
 
-export function Tile({ icon, word, off, onClick }: TileProps) {
+function Tile({ icon, word, off, onClick }: TileProps) {
   return (
     <button type="button" class="share-tile" disabled={off} onClick={onClick}>
       <Icon name={icon} />

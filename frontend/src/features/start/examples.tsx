@@ -31,7 +31,7 @@ export function Examples() {
         <p class="dim start-hint">{t("page-start-examples-help")}</p>
         <button
           type="button"
-          class="start-all"
+          class="more-link start-all"
           aria-expanded={open.value}
           aria-controls="example-cards"
           onClick={() => (open.value = !open.value)}

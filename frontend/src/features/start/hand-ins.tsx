@@ -16,7 +16,7 @@ export function OwnHandIns() {
     <section class="start-card" aria-labelledby="start-hand-ins" data-region="hand-ins">
       <div class="start-head">
         <h2 id="start-hand-ins">{t("page-start-hand-ins")}</h2>
-        <a class="start-all" href="record">
+        <a class="more-link start-all" href="record">
           {t("page-record-own")}
           <Icon name="next" />
         </a>

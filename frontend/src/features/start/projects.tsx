@@ -38,7 +38,7 @@ export function Projects({ openFiles }: { openFiles: OpenFiles }) {
         ))}
       </ul>
       {entries.length > MOST && (
-        <button type="button" class="start-all" onClick={() => dialogs.show("open")}>
+        <button type="button" class="more-link start-all" onClick={() => dialogs.show("open")}>
           {t("page-start-all", { count: entries.length })}
           <Icon name="next" />
         </button>

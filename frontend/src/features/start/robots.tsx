@@ -60,12 +60,12 @@ function Robot({ robot }: { robot: RobotChoice }) {
   // A twin's card also represents the real robot.
   const chosen = preferred === robot.name || `sim-${preferred}` === robot.name;
   return (
-    <label class="start-robot">
+    <label class="start-robot choice-card">
       <input type="radio" name="robot" class="hidden" checked={chosen} onChange={() => prefer({ robot: robot.name })} />
       <RobotPicture robot={robot.name} />
       {plainTitle(robot)}
       {chosen && (
-        <span class="start-check">
+        <span class="choice-tick">
           <Icon name="check" />
         </span>
       )}

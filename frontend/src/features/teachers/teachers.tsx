@@ -51,7 +51,7 @@ function MyClasses() {
         <h2 id="teachers-classes">{t("page-teachers-classes")}</h2>
         <button
           type="button"
-          class="start-all"
+          class="more-link start-all"
           disabled={classes.busy.value !== ""}
           onClick={() => chooseFile(CLASS_FILE, (file) => void classes.takeIn(file))}
         >

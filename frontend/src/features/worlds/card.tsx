@@ -10,6 +10,9 @@ import { Icon } from "../../ui/icons";
 import { RobotPicture } from "../../ui/robots/picture";
 import { able, dots, goalOf, groupOf, reason } from "./guide";
 
+/** How many pictures of robots have room on a card. */
+const MOST_ROBOTS = 4;
+
 interface Props {
   readonly world: WorldChoice;
   /** Whether the project uses it. */
@@ -90,7 +93,7 @@ function Robots({ world, robots }: { world: WorldChoice; robots: readonly RobotC
   if (those.length === all.length) return <span>{t("page-gallery-all-robots")}</span>;
   return (
     <span class="world-robots">
-      {those.slice(0, 4).map((robot) => (
+      {those.slice(0, MOST_ROBOTS).map((robot) => (
         <RobotPicture key={robot.name} robot={robot.name} />
       ))}
       <span class="hidden">{those.map(plainTitle).join(", ")}</span>

@@ -55,6 +55,7 @@ export function WorldGallery({ used, robot: name, canEdit, close, use }: Props) 
   const shown = searched(project.worlds.value, words.value, robot, (world) => project.worldTitle(world));
   const isWhole = group.value === null && !words.value.trim();
   const own = shown.filter((one) => one.own);
+  const canMake = canEdit && isWhole;
   const keys = (event: KeyboardEvent) => {
     const all = [...(content.current?.querySelectorAll<HTMLElement>("[data-world], .make-world") ?? [])];
     const cards = all.filter((card) => card.checkVisibility());
@@ -82,8 +83,8 @@ export function WorldGallery({ used, robot: name, canEdit, close, use }: Props) 
         <p class="hidden" role="status">
           {t("page-gallery-count", { count: shown.length })}
         </p>
-        {(isWhole || (own.length > 0 && group.value === null)) && (
-          <OwnWorlds worlds={own} used={used} canEdit={canEdit && isWhole} use={use} />
+        {group.value === null && (own.length > 0 || canMake) && (
+          <OwnWorlds worlds={own} used={used} canEdit={canMake} use={use} />
         )}
         <div class={isWhole ? "world-groups" : "world-groups narrowed"}>
           {GROUPS.filter(([one]) => group.value === null || one === group.value).map(([one, icon]) => (
@@ -170,7 +171,7 @@ function Section({ group, icon, worlds, most, all, used, robot, use }: SectionPr
           {t(`page-gallery-group-${group}`)}
         </h3>
         {worlds.length >= most && (
-          <button type="button" class="world-all" onClick={all}>
+          <button type="button" class="more-link" onClick={all}>
             {t("page-gallery-all-of", { count: worlds.length })}
             <Icon name="next" />
           </button>

@@ -4,12 +4,13 @@ import { t, worldName } from "../../i18n";
 import { deviceWord, plainTitle } from "../../model/robots";
 import type { RobotChoice, WorldChoice } from "../../protocol/messages";
 import type { IconName } from "../../ui/icons";
+import { plain } from "../../ui/plain";
 
 export type Group = NonNullable<WorldChoice["group"]>;
 
 /** The groups in the order of the gallery. */
 export const GROUPS: readonly (readonly [Group, IconName])[] = [
-  ["games", "drive"],
+  ["games", "game"],
   ["drive", "move"],
   ["obstacles", "prop_cone"],
   ["lines", "trail"],
@@ -81,11 +82,6 @@ function order(world: WorldChoice, robot: RobotChoice | undefined): number {
 function filedUnder(world: WorldChoice): readonly string[] {
   const { difficulty } = world;
   return [t(`page-gallery-group-${groupOf(world)}`), difficulty ? t(`page-gallery-${difficulty}`) : ""];
-}
-
-/** Without accents and capitals. */
-function plain(text: string): string {
-  return text.normalize("NFD").replace(/\p{M}/gu, "").toLowerCase();
 }
 
 function capital(text: string): string {

@@ -3,7 +3,7 @@
 import { computed, effect, type ReadonlySignal, untracked } from "@preact/signals";
 import { language, t } from "../../i18n";
 import type { Context } from "../../model/context";
-import { hasGame, usesGame } from "../../model/games";
+import { hasGame } from "../../model/games";
 import type { OwnBlock } from "../../model/own-blocks";
 import type { Stage, ThemeName } from "../../model/preferences";
 import { preferences, theme } from "../../model/preferences";
@@ -17,6 +17,7 @@ import "./blocks.css";
 import { Cleanup } from "../../ui/cleanup";
 import type { BlockActions, OfferedRobot } from "./actions";
 import { BlockEditor } from "./editor";
+import { usesGame } from "./games";
 import type { Palette } from "./palette";
 import { fetchPalette, installPalette } from "./palette";
 import { prepare } from "./prepare";
@@ -307,8 +308,8 @@ class Blocks implements BlocksIsland {
     this.editor?.setReadOnly(readOnly);
   }
 
-  private showBlocks(set: BlockSet, _inGame: boolean): void {
-    this.editor?.whenStill(() => this.editor?.showBlocks(set));
+  private showBlocks(set: BlockSet, inGame: boolean): void {
+    this.editor?.whenStill(() => this.editor?.showBlocks(set, inGame));
   }
 
   private showCustomBlocks(): void {

@@ -74,7 +74,7 @@ export class BlockEditor {
     private readonly host: HTMLElement,
     private readonly palette: Palette,
     theme: ThemeName,
-    private readonly actions: BlockActions,
+    actions: BlockActions,
     compact: boolean,
     private readonly edited: () => void,
     /** Called when blocks have been drawn that were not. */
@@ -145,8 +145,8 @@ export class BlockEditor {
   }
 
   /** Show only the blocks of a set in the palette. */
-  showBlocks(set: BlockSet): void {
-    this.workspace.updateToolbox(toolboxOf(this.palette, set, this.actions.inGame()));
+  showBlocks(set: BlockSet, inGame: boolean): void {
+    this.workspace.updateToolbox(toolboxOf(this.palette, set, inGame));
     this.toolbox?.begin();
   }
 

@@ -2,7 +2,8 @@
 
 import { Group, Mesh, RingGeometry } from "three";
 import { friendly } from "../scenery/colours";
-import type { RobotValues, XY } from "../scenery/description";
+import type { RobotValues } from "../scenery/description";
+import { circle } from "../scenery/shadows";
 import { COAT, drum, Parts, roundedBox } from "../scenery/solids";
 import type { Look } from "./model";
 import { addWindows } from "./sensors";
@@ -31,7 +32,7 @@ export function create3(robot: RobotValues): Look {
     joints: {},
     lights: { Up: [ring] },
     face: null,
-    outline: circle(radius),
+    outline: circle(0, 0, radius, CORNERS),
   };
 }
 
@@ -43,11 +44,4 @@ function addFaceplate(parts: Parts, height: number): void {
     for (const y of [-60, -20, 20, 60]) parts.add(drum(4, 2, 0.5), BLACK, x, y, height - 1);
   }
   parts.add(roundedBox(16, 80, 4, 2), BLACK, -125, 0, height - 2);
-}
-
-function circle(radius: number): XY[] {
-  return Array.from({ length: CORNERS }, (_, corner): XY => {
-    const angle = (2 * Math.PI * corner) / CORNERS;
-    return [radius * Math.cos(angle), radius * Math.sin(angle)];
-  });
 }

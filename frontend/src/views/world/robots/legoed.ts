@@ -38,7 +38,7 @@ export function legoed(robot: RobotValues): Look {
   };
 }
 
-/** The Double Motor lies flat between the wheels, the Single Motor on it. */
+/** The flat Double Motor between the wheels, and the Single Motor on top of it. */
 function addMotor(parts: Parts, colour: string): void {
   parts.add(roundedBox(88, 56, 34, 8), WHITE, -4, 0, TOP - 17);
   parts.add(roundedBox(90, 58, 8, 4), colour, -4, 0, TOP - 18);

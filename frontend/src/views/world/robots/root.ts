@@ -55,7 +55,7 @@ function addFace(parts: Parts): void {
   for (const y of [20, -20]) parts.add(ball(5), EYE, 62, y, TOP - 10);
 }
 
-/** The marker stands in the middle. */
+/** The marker in the middle, upright. */
 function addMarker(parts: Parts): void {
   parts.add(drum(12, 4, 1.5), DARK, 0, 0, TOP + 1);
   parts.add(drum(7, 60, 1.5), BLUE, 0, 0, TOP + 24);

@@ -38,7 +38,7 @@ export function spike(robot: RobotValues): Look {
   };
 }
 
-/** The hub lies flat on the motors, with its matrix and its buttons on top. */
+/** The flat hub on top of the motors, its matrix and buttons facing up. */
 function addHub(parts: Parts, colour: string): void {
   parts.add(roundedBox(90, 58, 26, 6), WHITE, -4, 0, TOP - 13);
   parts.add(roundedBox(92, 60, 12, 4), colour, -4, 0, TOP - 26);
