@@ -2,9 +2,11 @@
 
 import { Icon } from "../icons";
 import cozmo from "./cozmo.webp";
+import create3 from "./create3.webp";
 import ebo from "./ebo.webp";
 import ev3 from "./ev3.webp";
 import legoed from "./legoed.webp";
+import root from "./root.webp";
 import spike from "./spike.webp";
 import thymio from "./thymio.webp";
 import "./picture.css";
@@ -12,9 +14,11 @@ import "./picture.css";
 /** By the robot's id without `sim-`; simulators show the robot in them. */
 const PICTURES: Readonly<Record<string, string>> = {
   cozmo,
+  create3,
   ebo,
   ev3,
   legoed,
+  root,
   spike,
   thymio,
   rcis: ebo,
