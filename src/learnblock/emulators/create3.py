@@ -17,7 +17,6 @@ class EmulatedCreate3(EmulatedRobot):
     firmware = "2.6"
     protocol = (1, 4)
     fastest = 306.0
-    lamp = "Up"
     battery = 15500, 80
 
     def __init__(self, twin: Twin) -> None:
@@ -59,13 +58,6 @@ class EmulatedCreate3(EmulatedRobot):
 
 
 class Emulator(IRobotEmulator):
-    """A Create 3.
+    """A Create 3."""
 
-    Args:
-        twin: the robot that it drives.
-        address: the local address on which it listens.
-        port: its port; a free one by default.
-    """
-
-    def __init__(self, twin: Twin, *, address: str = "127.0.0.1", port: int = 0) -> None:
-        super().__init__(EmulatedCreate3(twin), address, port)
+    robot_type = EmulatedCreate3

@@ -54,8 +54,6 @@ class EmulatedRobot:
     protocol: tuple[int, int]
     #: The fastest wheel, mm/s.
     fastest: float
-    #: Its lights.
-    lamp: str
     #: What its battery reports, mV and %.
     battery = 4000, 75
     #: The boards that it has.
@@ -78,7 +76,7 @@ class EmulatedRobot:
         self._lock = threading.RLock()
         self._notify: Notify | None = None
         self._events = 0
-        self._told: dict[tuple[int, int], bytes] = {}
+        self._reported: dict[tuple[int, int], bytes] = {}
         self._due: list[tuple[float, Packet]] = []
         self._drive: _Drive | None = None
         with twin.body() as body:
@@ -130,7 +128,7 @@ class EmulatedRobot:
     def connected(self, notify: Notify) -> None:
         with self._lock:
             self._notify = notify
-            self._told = self.sensed()
+            self._reported = self.sensed()
             self._reset_position(None)
 
     def heard(self, uuid: str) -> None:
@@ -190,7 +188,7 @@ class EmulatedRobot:
             self._stop(None)
             self._report(messages.BUTTON, b"")
 
-    # What it is told.
+    # Commands.
 
     def _take(self, packet: Packet) -> None:
         answer = self._answers.get(packet[:2])
@@ -248,7 +246,7 @@ class EmulatedRobot:
     def _show(self, packet: Packet) -> None:
         state, red, green, blue = packet.payload[:4]
         with self.twin.body() as body:
-            body.set_led(self.lamp, (red, green, blue) if state else (0, 0, 0))
+            body.set_led(messages.LAMP, (red, green, blue) if state else (0, 0, 0))
 
     def _play(self, packet: Packet) -> None:
         hertz, milliseconds = struct.unpack_from(">IH", packet.payload)
@@ -256,7 +254,7 @@ class EmulatedRobot:
             body.note("Speaker", "tone", hertz, milliseconds)
         self.answer_later(milliseconds / 1000, packet)
 
-    # What it says.
+    # Answers and events.
 
     def _live(self) -> None:
         while not self._closed.wait(TICK):
@@ -264,8 +262,8 @@ class EmulatedRobot:
                 self._follow()
                 self._finish()
                 for kind, payload in self.sensed().items():
-                    if self._told.get(kind) != payload:
-                        self._told[kind] = payload
+                    if self._reported.get(kind) != payload:
+                        self._reported[kind] = payload
                         self._report(kind, payload)
 
     def _wheels(self) -> tuple[float, float]:
@@ -305,17 +303,20 @@ class IRobotEmulator:
     """Serves an emulated robot.
 
     Args:
-        robot: the robot.
+        twin: the robot that it drives.
         address: the local address on which it listens.
-        port: its port; 0 takes a free one.
+        port: its port; a free one by default.
 
     Attributes:
         settings: the settings with which a client reaches it.
     """
 
-    def __init__(self, robot: EmulatedRobot, address: str, port: int) -> None:
-        self.robot = robot
-        self._server = GattServer(robot, address, port)
+    #: What it serves.
+    robot_type: type[EmulatedRobot]
+
+    def __init__(self, twin: Twin, *, address: str = "127.0.0.1", port: int = 0) -> None:
+        self.robot = self.robot_type(twin)
+        self._server = GattServer(self.robot, address, port)
         self.settings: Mapping[str, Any] = {"address": f"{address}:{self._server.port}"}
 
     def close(self) -> None:

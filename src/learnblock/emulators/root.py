@@ -34,7 +34,6 @@ class EmulatedRoot(EmulatedRobot):
     firmware = "2.1"
     protocol = (1, 3)
     fastest = 100.0
-    lamp = "Up"
     boards = frozenset({messages.MAIN_BOARD, messages.COLOUR_BOARD})
 
     def __init__(self, twin: Twin) -> None:
@@ -89,13 +88,6 @@ def _colour(level: float) -> int:
 
 
 class Emulator(IRobotEmulator):
-    """A Root.
+    """A Root."""
 
-    Args:
-        twin: the robot that it drives.
-        address: the local address on which it listens.
-        port: its port; a free one by default.
-    """
-
-    def __init__(self, twin: Twin, *, address: str = "127.0.0.1", port: int = 0) -> None:
-        super().__init__(EmulatedRoot(twin), address, port)
+    robot_type = EmulatedRoot

@@ -23,12 +23,7 @@ class Robot(IRobot, skill_sets.Create3):
     battery_range = (13.0, 16.8)
     motors = Drivetrain(track=233.0, maximum_speed=306.0, acceleration=900.0)
     is_root = False
-    lamp = "Up"
-
-    @classmethod
-    def device_names(cls) -> frozenset[str]:
-        kinds = "Base Bumper DistanceSensors GroundSensors Speaker"
-        return frozenset({*(f"{kind}:ROBOT" for kind in kinds.split()), "RGBLed:Up"})
+    kinds = ("DistanceSensors", "GroundSensors")
 
     @classmethod
     def abilities(cls) -> frozenset[str]:

@@ -29,14 +29,9 @@ class Robot(IRobot, skill_sets.Root):
     battery_range = (3.4, 4.2)
     motors = Drivetrain(track=103.0, maximum_speed=100.0)
     is_root = True
+    kinds = ("GroundSensors", "LightSensor", "Pen")
     #: Whether its marker is down.
     _is_drawing = False
-    lamp = "Up"
-
-    @classmethod
-    def device_names(cls) -> frozenset[str]:
-        kinds = "Base Bumper GroundSensors LightSensor Pen Speaker"
-        return frozenset({*(f"{kind}:ROBOT" for kind in kinds.split()), "RGBLed:Up"})
 
     @classmethod
     def abilities(cls) -> frozenset[str]:

@@ -2,9 +2,38 @@
 
 import math
 import threading
+from typing import Protocol
 
 from learnblock.devices import Pose
-from learnblock.wheels import Odometry, wheel_speeds
+from learnblock.wheels import Drivetrain, Odometry, wheel_speeds
+
+
+class WheelSettings(Protocol):
+    """The settings of a robot with such wheels, in mm and, for `full_speed`, degrees/s."""
+
+    @property
+    def wheel_radius(self) -> float: ...
+
+    @property
+    def track(self) -> float: ...
+
+    @property
+    def full_speed(self) -> float: ...
+
+
+def drivetrain_of(settings: WheelSettings) -> Drivetrain:
+    """What the two motors can do."""
+    fastest = math.radians(settings.full_speed) * settings.wheel_radius
+    return Drivetrain(settings.track, fastest)
+
+
+def reachable_speeds(settings: WheelSettings, adv: float, rot: float) -> tuple[float, float]:
+    """The wheels' speeds in degrees/s, both reduced alike if one would be too fast.
+
+    Robots limit each motor by itself, which would bend a curve.
+    """
+    speeds = drivetrain_of(settings).reachable(adv, rot)
+    return motor_speeds(*speeds, settings.wheel_radius, settings.track)
 
 
 def motor_speeds(adv: float, rot: float, radius: float, track: float) -> tuple[float, float]:

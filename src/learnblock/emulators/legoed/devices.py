@@ -45,7 +45,7 @@ class ColourSensor(DeviceFirmware):
 
 
 class HandController(DeviceFirmware):
-    """The Controller, which lies on the table.
+    """The Controller, at rest on a table.
 
     Attributes:
         levers: % of the left and the right lever, forward positive; a test moves them.

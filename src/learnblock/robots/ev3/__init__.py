@@ -1,6 +1,5 @@
 """LEGO's EV3: with ev3dev (LearnBlock's agent or rpyc) or with LEGO's own firmware."""
 
-import math
 from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from typing import Any
@@ -24,7 +23,7 @@ from learnblock.robots.ev3.link import BrickLink
 from learnblock.robots.ev3.settings import Settings
 from learnblock.robots.ev3.ways import open_link
 from learnblock.robots.real import RealRobot
-from learnblock.robots.wheel_counts import WheelCounts, motor_speeds
+from learnblock.robots.wheel_counts import WheelCounts, drivetrain_of, reachable_speeds
 from learnblock.wheels import Drivetrain
 
 __all__ = ["Robot", "Settings"]
@@ -88,8 +87,7 @@ class Robot(RealRobot[Settings], skill_sets.Ev3):
 
     @classmethod
     def drivetrain_for(cls, settings: Settings) -> Drivetrain:
-        fastest = math.radians(settings.full_speed) * settings.wheel_radius
-        return Drivetrain(settings.track, fastest)
+        return drivetrain_of(settings)
 
     @classmethod
     def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:
@@ -118,10 +116,7 @@ class Robot(RealRobot[Settings], skill_sets.Ev3):
         self._counts.follow(state.left, state.right)
 
     def _drive(self, adv: float, rot: float) -> None:
-        # The brick limits each motor by itself, which would bend a curve.
-        speeds = self.drivetrain_for(self.settings).reachable(adv, rot)
-        size = self.settings.wheel_radius, self.settings.track
-        self._send(Drive(*motor_speeds(*speeds, *size)))
+        self._send(Drive(*reachable_speeds(self.settings, adv, rot)))
 
     def _say(self, text: str) -> None:
         self._send(Say(text))

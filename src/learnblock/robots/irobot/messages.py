@@ -23,6 +23,8 @@ MAKER = 0x0600
 ROOT = b"RT"
 
 MAIN_BOARD, COLOUR_BOARD = 0xA5, 0xC6
+#: The key of the lights, which are on top.
+LAMP = "Up"
 #: What a colour sensor sees; all other values count as white.
 WHITE, BLACK, RED, GREEN, BLUE = range(5)
 #: How bright each is for a ground sensor, 0 to 100.

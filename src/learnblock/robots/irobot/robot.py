@@ -46,10 +46,15 @@ class IRobot(RealRobot[IRobotSettings]):
     motors: ClassVar[Drivetrain]
     #: Whether it is a Root.
     is_root: ClassVar[bool]
-    #: The key of its lights.
-    lamp: ClassVar[str]
+    #: The types of the devices that only it has.
+    kinds: ClassVar[tuple[str, ...]]
     _link: PacketLink | None = None
     _guardian: Guardian | None = None
+
+    @classmethod
+    def device_names(cls) -> frozenset[str]:
+        kinds = ("Base", "Bumper", "Speaker", *cls.kinds)
+        return frozenset({*(f"{kind}:ROBOT" for kind in kinds), f"RGBLed:{messages.LAMP}"})
 
     @classmethod
     def drivetrain_for(cls, settings: IRobotSettings) -> Drivetrain:  # noqa: ARG003 - always the same
@@ -95,7 +100,7 @@ class IRobot(RealRobot[IRobotSettings]):
         link.say(messages.RESET_POSITION)
         self.prepare(link)
         self.add(Bumper(self._bumped))
-        self.add(RGBLed(self._shine), self.lamp)
+        self.add(RGBLed(self._shine), messages.LAMP)
         self.add(Speaker(tone=self._play))
         # It must not drive without one.
         self._guardian.wait_for_standby(settings.patience)

@@ -1,6 +1,5 @@
 """LEGO Education's Double Motor, and what belongs to it, by Bluetooth."""
 
-import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
@@ -22,7 +21,7 @@ from learnblock.robots.legoed.messages import KitReport, Product
 from learnblock.robots.legoed.settings import Settings
 from learnblock.robots.legoed.yaw import YawCount
 from learnblock.robots.real import RealRobot
-from learnblock.robots.wheel_counts import WheelCounts, motor_speeds
+from learnblock.robots.wheel_counts import WheelCounts, drivetrain_of, reachable_speeds
 from learnblock.wheels import Drivetrain
 
 __all__ = ["Robot", "Settings"]
@@ -56,8 +55,7 @@ class Robot(RealRobot[Settings], skill_sets.Legoed):
 
     @classmethod
     def drivetrain_for(cls, settings: Settings) -> Drivetrain:
-        fastest = math.radians(settings.full_speed) * settings.wheel_radius
-        return Drivetrain(settings.track, fastest)
+        return drivetrain_of(settings)
 
     @classmethod
     def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:
@@ -105,10 +103,7 @@ class Robot(RealRobot[Settings], skill_sets.Legoed):
         return (left, right) if self.settings.front == "forward" else (-right, -left)
 
     def _drive(self, adv: float, rot: float) -> None:
-        # Each motor is limited by itself, which would bend a curve.
-        speeds = self.drivetrain_for(self.settings).reachable(adv, rot)
-        wheels = motor_speeds(*speeds, self.settings.wheel_radius, self.settings.track)
-        self._there.drive(*self._facing(*wheels))
+        self._there.drive(*self._facing(*reachable_speeds(self.settings, adv, rot)))
 
     def _pose(self) -> tuple[float, float, float]:
         self._there.base.latest()

@@ -27,7 +27,7 @@ class WorldPlay:
         return self._simulation.world.game.scores.result
 
     def standing(self) -> Tally:
-        """How the game stands for the robot."""
+        """The robot's score and lives, and the time that is left."""
         world = self._simulation.world
         return world.game.scores.standing(self._name, world.time)
 

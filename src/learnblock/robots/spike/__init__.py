@@ -1,7 +1,6 @@
 """LEGO's SPIKE Prime and Robot Inventor, with Pybricks' firmware, by Bluetooth."""
 
 import colorsys
-import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
@@ -26,7 +25,7 @@ from learnblock.robots.spike import lines, profile
 from learnblock.robots.spike.hub import Hub
 from learnblock.robots.spike.lines import HubState
 from learnblock.robots.spike.settings import Settings
-from learnblock.robots.wheel_counts import WheelCounts, motor_speeds
+from learnblock.robots.wheel_counts import WheelCounts, drivetrain_of, reachable_speeds
 from learnblock.wheels import Drivetrain
 
 __all__ = ["Robot", "Settings"]
@@ -58,8 +57,7 @@ class Robot(RealRobot[Settings], skill_sets.Spike):
 
     @classmethod
     def drivetrain_for(cls, settings: Settings) -> Drivetrain:
-        fastest = math.radians(settings.full_speed) * settings.wheel_radius
-        return Drivetrain(settings.track, fastest)
+        return drivetrain_of(settings)
 
     @classmethod
     def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:
@@ -99,9 +97,7 @@ class Robot(RealRobot[Settings], skill_sets.Spike):
         self._counts.follow(state.left, state.right)
 
     def _drive(self, adv: float, rot: float) -> None:
-        # The hub limits each motor by itself, which would bend a curve.
-        speeds = self.drivetrain_for(self.settings).reachable(adv, rot)
-        self._there.drive(*motor_speeds(*speeds, self.settings.wheel_radius, self.settings.track))
+        self._there.drive(*reachable_speeds(self.settings, adv, rot))
 
     def _pose(self) -> tuple[float, float, float]:
         self._there.latest()
