@@ -6,6 +6,7 @@ from importlib import import_module
 
 from learnblock.emulators import TWINS, Emulation, Twin, emulate
 from learnblock.robots import find, settings
+from learnblock.testing import Relay
 from twins_time import follow
 
 #: The timeout in seconds of a driver whose robot answers. A busy machine may stop an emulator for
@@ -42,6 +43,21 @@ def emulating(make, robot, world="empty", *, speed=1, start=None):
         emulation.settings = {**emulation.settings, "patience": LONG}
         emulation.emulator = emulators[0]
         yield emulation
+
+
+@contextmanager
+def on_a_link(emulation):
+    """Put a link that can fail before an emulator; yield emulation, relay and settings."""
+    host, _, port = emulation.settings["address"].rpartition(":")
+    with Relay((host, int(port))) as relay:
+        address = f"127.0.0.1:{relay.port}"
+        yield emulation, relay, {**emulation.settings, "address": address, "patience": 2.0}
+
+
+def unproven(certificate):
+    """Return what a robot that passes does not prove, for lack of the part."""
+    assert certificate.passed
+    return [finding.claim for finding in certificate.findings if finding.outcome != "holds"]
 
 
 @contextmanager

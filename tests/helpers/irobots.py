@@ -3,8 +3,7 @@
 from contextlib import contextmanager
 from importlib import import_module
 
-from emulated import emulating
-from learnblock.testing import Relay
+from emulated import emulating, on_a_link
 
 
 @contextmanager
@@ -19,8 +18,5 @@ def emulated(name, world="empty", *, speed=1):
 @contextmanager
 def relayed(name, **others):
     """Emulate a robot on a link that can fail; yield emulation, relay and settings."""
-    with emulated(name, **others) as emulation:
-        host, _, port = emulation.settings["address"].rpartition(":")
-        with Relay((host, int(port))) as relay:
-            settings = {**emulation.settings, "address": f"127.0.0.1:{relay.port}"}
-            yield emulation, relay, {**settings, "patience": 2.0}
+    with emulated(name, **others) as emulation, on_a_link(emulation) as linked:
+        yield linked
