@@ -6,13 +6,18 @@ import importlib
 import textwrap
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from inspect import Parameter
 
+from learnblock.client.signatures import parameters_of
 from learnblock.storage import skill_files
 
 _WIDTH = 100
 _INDENT = " " * 4
 #: Characters; stub files leave out longer defaults.
 _LONGEST_DEFAULT = 50
+_STARS = {Parameter.VAR_POSITIONAL: "*", Parameter.VAR_KEYWORD: "**"}
+#: After these, parameters can be given by name alone.
+_BEFORE_KEYWORDS = (Parameter.VAR_POSITIONAL, Parameter.KEYWORD_ONLY)
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,22 +130,17 @@ class _Writer:
 
     def parameters(self, arguments: ast.arguments) -> Iterator[str]:
         """All parameters except the robot."""
-        positional = [*arguments.posonlyargs, *arguments.args]
-        required = len(positional) - len(arguments.defaults)
-        for index, argument in enumerate(positional):
-            default = arguments.defaults[index - required] if index >= required else None
-            if index:
-                yield self._parameter(argument, default)
-            if index == len(arguments.posonlyargs) - 1:
+        before = None
+        for index, (argument, kind, default) in enumerate(parameters_of(arguments)):
+            if before is Parameter.POSITIONAL_ONLY is not kind:
                 yield "/"
-        if arguments.vararg:
-            yield f"*{self._parameter(arguments.vararg)}"
-        elif arguments.kwonlyargs:
-            yield "*"
-        for argument, default in zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True):
-            yield self._parameter(argument, default)
-        if arguments.kwarg:
-            yield f"**{self._parameter(arguments.kwarg)}"
+            if kind is Parameter.KEYWORD_ONLY and before not in _BEFORE_KEYWORDS:
+                yield "*"
+            if index or kind in _STARS:
+                yield _STARS.get(kind, "") + self._parameter(argument, default)
+            before = kind
+        if before is Parameter.POSITIONAL_ONLY:
+            yield "/"
 
     def hint(self, hint: ast.expr) -> str:
         """A hint without quotes, or `Any` if it has a name of the file's own."""
