@@ -146,7 +146,7 @@ class Scores:
             self._players[player] = _Counts(self._lives)
 
     def standing(self, player: str, time: float) -> Tally:
-        """How the game stands for a player."""
+        """A player's score and lives, and the time that is left."""
         counts = self._counts(player)
         left = None if self._ends_at is None else max(0.0, round(self._ends_at - time, _DECIMALS))
         return Tally(counts.score, counts.lives, left)

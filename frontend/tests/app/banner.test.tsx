@@ -22,7 +22,7 @@ function said({ role = "pupil" as string | null, state = "open", silent = false,
   return container.textContent ?? "";
 }
 
-test("a pupil is told that the class is lost, also if it only does not answer, and what is saved", () => {
+test("a pupil learns that the class cannot be reached, even if it merely stops answering, and what is saved", () => {
   expect(said({ silent: true })).toMatch(/class doesn't answer. Everything you have made is saved/);
 });
 

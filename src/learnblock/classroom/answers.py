@@ -50,9 +50,9 @@ def address_of(request: Request) -> str:
 
 
 def came_by_https(request: Request) -> bool:
-    """Whether a proxy says that the browser has come to it by HTTPS, perhaps past others.
+    """Whether the first of the proxies on the way says that the browser used HTTPS.
 
-    Whoever makes that up only keeps cookies back from HTTP.
+    A forged header does no harm: cookies are then not sent over HTTP.
     """
     first, _, _ = request.headers.get("x-forwarded-proto", "").partition(",")
     return first.strip().lower() == "https"

@@ -180,7 +180,7 @@ def _delete(folder: Path) -> None:
 
 
 def wanted_run(file: HandInFile, *, is_teacher: bool) -> HandInRun:
-    """What to run of a hand-in: in the world of the run that its reader is told about.
+    """The program of a hand-in, with the robot and the variant of the run that its reader sees.
 
     Raises:
         LearnBlockError: the lesson or the step is gone.

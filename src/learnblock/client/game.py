@@ -20,7 +20,7 @@ class Play(Protocol):
         """How the game ended; None while it goes on."""
 
     def standing(self) -> Tally:
-        """How the game stands for the player."""
+        """The player's score and lives, and the time that is left."""
 
     def change(self, change: Change, amount: float) -> None:
         """Do what the player's program has said."""
@@ -38,7 +38,7 @@ class OwnPlay:
 
     def __init__(self, time: Callable[[], float]) -> None:
         self._time = time
-        #: Is told what happens.
+        #: Receives the events of the game.
         self.witness: Witness | None = None
         self._scores = Scores()
 
@@ -48,7 +48,7 @@ class OwnPlay:
 
     @property
     def seen(self) -> Tally | None:
-        """How it stands, for those who only watch; None as long as the program counts nothing."""
+        """Score, lives and time for the page; None while the program has counted nothing."""
         return self._scores.standing(_ALONE, self._time()) if self._scores.in_use else None
 
     def standing(self) -> Tally:

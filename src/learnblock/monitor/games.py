@@ -13,7 +13,7 @@ _DECIMALS = 1
 
 
 def game_now(game: "WorldGame", time: float) -> GameNow | None:
-    """How a game stands at a time in s; None if nothing has to do with one."""
+    """The state of a game at a time in s; None if the world and its programs have no game."""
     scores = game.scores
     if not game.has_things and not game.has_rules and not scores.in_use:
         return None
@@ -33,7 +33,7 @@ def game_now(game: "WorldGame", time: float) -> GameNow | None:
 
 
 def own_game(game: Game) -> GameNow | None:
-    """How the game of a robot without a world stands; None as long as it counts nothing."""
+    """The state of the game of a robot without a world; None while it has counted nothing."""
     seen = game.play.seen if isinstance(game.play, OwnPlay) else None
     if seen is None:
         return None

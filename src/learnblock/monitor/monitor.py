@@ -193,7 +193,7 @@ class State(Struct, frozen=True):
             with a mass first, then cylinders, and what moves by itself.
         sensors: the readings of our robot.
         goals: the world's goals.
-        game: its game; None if nothing has to do with one.
+        game: its game; None if the world and its programs have none.
     """
 
     time: float

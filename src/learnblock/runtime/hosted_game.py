@@ -45,7 +45,7 @@ class HostedGame:
         self._supervision.note_call()
 
     def answer(self, _: messages.AskGame) -> None:
-        """Answer how the game stands."""
+        """Answer with score, lives and time."""
         with self._robot.world.exclusive:
             standing = self._play.standing()
         self._send(messages.Answer(standing))

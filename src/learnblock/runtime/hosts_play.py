@@ -25,7 +25,7 @@ class HostsPlay:
         self._instant: int | None = None
 
     def standing(self) -> Tally:
-        """How the game stands."""
+        """The player's score and lives, and the time that is left."""
         return Tally(*self._wire.ask(AskGame()))
 
     def change(self, change: Change, amount: float) -> None:

@@ -252,7 +252,7 @@ class ChangeGame(Message, frozen=True):
 
 
 class AskGame(Message, frozen=True):
-    """Request how the game stands; the answer is a `Tally`."""
+    """Request score, lives and time of the game; the answer is a `Tally`."""
 
 
 class CollectNews(Message, frozen=True):

@@ -49,7 +49,7 @@ class SharedScoreGoal(ScoreGoal):
 
 
 class CollectGoal(CountedGoal):
-    """CollectThings things of a kind.
+    """Collect things of a kind.
 
     Args:
         described: the goal.
