@@ -218,6 +218,11 @@ class Pupil:
         self.page.get_by_role("menuitem", name=MORE).click()
         self.page.get_by_role("dialog").get_by_role("button", name=command, exact=True).click()
 
+    def share(self, way):
+        """Share the project in one of the ways of the dialog."""
+        self.page.get_by_role("banner").get_by_role("button", name="Share").click()
+        self.dialog().get_by_role("button", name=re.compile(f"^{re.escape(way)}")).click()
+
     def open_example(self, title):
         """Open an example as a new project."""
         with self._another_project():

@@ -275,10 +275,7 @@ def test_a_project_is_downloaded_and_uploaded_again(pupil, tmp_path):
     pupil.choose("Robot", "Cozmo")
     wave(pupil)
     pupil.wait_until_saved()
-    files = [
-        download(pupil, f"Download {words}", tmp_path)
-        for words in ("project (.learnblock)", "Block-Text (.bt)", "Python (.py)")
-    ]
+    files = [download(pupil, way, tmp_path) for way in ("File", "Block-Text", "Python")]
     assert [file.suffix for file in files] == [".learnblock", ".bt", ".py"]
     assert files[1].read_text() == WAVE
     for file in files:
@@ -330,9 +327,11 @@ def saved(server, name):
     return "\n".join(json.loads(file.read_text())["blocktext"])
 
 
-def download(pupil, command, folder):
+def download(pupil, way, folder):
     with pupil.page.expect_download() as started:
-        pupil.project(command)
+        pupil.share(way)
+    # The dialog stays open for another way.
+    pupil.page.keyboard.press("Escape")
     file = folder / started.value.suggested_filename
     started.value.save_as(file)
     return file

@@ -28,17 +28,11 @@ def pupil(sit_down, server):
     return pupil
 
 
-def share(pupil, way):
-    """Share in one of the ways of the dialog."""
-    pupil.page.get_by_role("banner").get_by_role("button", name="Share").click()
-    pupil.page.get_by_role("dialog").get_by_role("button", name=way).click()
-
-
 def saved(pupil, command, tmp_path):
     """Choose a way of sharing; return the path of the file that it saves."""
     # A film is saved when its run has ended.
     with pupil.page.expect_download(timeout=LONGEST_RUN) as started:
-        share(pupil, command)
+        pupil.share(command)
     path = tmp_path / started.value.suggested_filename
     started.value.save_as(path)
     return path
@@ -73,7 +67,7 @@ def test_a_film_shows_the_run_from_its_start_to_its_end(pupil, tmp_path):
 
 def test_a_browser_that_cannot_film_says_so_and_the_run_is_not_started(pupil):
     pupil.page.evaluate(ONLY, "none")
-    share(pupil, "Film of a run")
+    pupil.share("Film of a run")
     pupil.expect_note("This browser can't make films.")
     expect(pupil.page.locator(".filming")).to_have_count(0)
     pupil.state("Ready")
@@ -91,7 +85,7 @@ def test_without_webm_the_film_is_an_mp4(pupil, tmp_path):
 def test_a_run_that_does_not_start_is_not_filmed(pupil):
     pupil.write("blocktext", "main:\n    unknown_word\nend\n")
     expect(pupil.page.locator("[role=tab] .count")).to_have_text("1")
-    share(pupil, "Film of a run")
+    pupil.share("Film of a run")
     pupil.expect_note("The program has an error")
     expect(pupil.page.locator(".filming")).to_have_count(0)
 
