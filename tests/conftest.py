@@ -17,8 +17,9 @@ TESTS = Path(__file__).parent
 # Modules of helpers that several tests import, such as `runs`.
 sys.path.insert(0, str(TESTS / "helpers"))
 
-# The tiers, limits and reruns of the tests, the runs that they share, and the time that they took.
-pytest_plugins = ("gate", "limits", "made_runs", "reruns", "spent")
+# The tiers, cores, limits and reruns of the tests, the runs that they share, and the time that they
+# took.
+pytest_plugins = ("gate", "cores", "limits", "made_runs", "reruns", "spent")
 
 # A busy machine takes longer for an example, which is no failure. The examples are new each time
 # also where `CI` is set, which Hypothesis takes as a wish for the same ones.
@@ -59,12 +60,13 @@ def pytest_configure(config):
 
 
 def pytest_xdist_auto_num_workers(config):
-    """One worker per core; none for a single file or test, which then starts at once."""
+    """One worker per core and one more; none for a single file or test, which starts at once.
+
+    The module ``cores`` says when the one more runs.
+    """
     if config.args != config.getini("testpaths"):
         return 0
-    # A third worker on two cores saves a tenth of the time, but tests with a wire then lose their
-    # real time: a driven Thymio missed the place of its twin in two of three tries.
-    return os.cpu_count() or 1
+    return (os.cpu_count() or 1) + 1
 
 
 @pytest.hookimpl(tryfirst=True)
