@@ -197,7 +197,7 @@ def test_an_export_has_a_pupils_hand_ins_and_a_deleted_pupil_leaves_none(room):
         with zipfile.ZipFile(io.BytesIO(packed.body)) as archive:
             assert name in archive.namelist()
         wall.say("RemovePupils", pupils=[uma.id])
-        while uma.id in wall.hear("Wall").get("pupils", [uma.id]):
+        while uma.id in wall.hear("Wall").get("pupils", ()):
             pass
     assert not [*room.folder.glob(f"**/{uma.id}*")]
 
