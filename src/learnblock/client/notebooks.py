@@ -30,6 +30,9 @@ class Notebook(Protocol):
 class InNotebook:
     """What a robot can do in a notebook only."""
 
+    #: What the notebook keeps of it.
+    membership: Any = None
+
     def show(self, *, after_each_cell: bool = True) -> None:
         """Show its world below the cell, with the way that the cell drove.
 

@@ -3,12 +3,13 @@
 import ast
 import builtins
 import sys
+import weakref
 from contextlib import suppress
+from dataclasses import dataclass
 from functools import cache
 from typing import Any
-from weakref import WeakKeyDictionary
 
-from learnblock.client import Client
+from learnblock.client import Client, endings
 from learnblock.devices import Base
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase, Value, translate
@@ -44,11 +45,9 @@ class NotebookSession:
         self._source = ""
         #: The number of the last cell that has ended, as its prompt shows it.
         self._number = 0
-        #: Robots that are still used, with their ways.
-        self._ways: WeakKeyDictionary[Client, CellWay] = WeakKeyDictionary()
-        #: Those that are shown after each cell that moves them.
-        self._shown: WeakKeyDictionary[Client, bool] = WeakKeyDictionary()
-        self._logs: WeakKeyDictionary[Client, RobotLog] = WeakKeyDictionary()
+        #: The robots in the order in which they were made. One that no name refers to any more,
+        #: as after its cell has run again, goes with its world.
+        self._members: list[weakref.ref[Client]] = []
         _let_notes_pass()
         shell.ast_transformers.append(self)
         shell.events.register("pre_run_cell", self._begin_cell)
@@ -65,31 +64,36 @@ class NotebookSession:
         """Take a robot in that has been connected; one with a new world says so."""
         if robot.lockstep and any(earlier.lockstep for earlier in self.robots()):
             _say("notebook-new-world", world=str(robot.conditions()["world"]))
-        self._ways[robot] = way = way_of(robot)
-        self._logs[robot] = RobotLog(robot, way)
+        way = way_of(robot)
+        robot.membership = _Membership(way, RobotLog(robot, way))
+        self._members.append(weakref.ref(robot, self._members.remove))
+        if isinstance(robot, SimulatedRobot):
+            # At the end of a kernel, nothing outside of it has to be stopped.
+            endings.forget(robot.stop)
 
     def show(self, robot: Client, *, after_each_cell: bool) -> None:
         """Show a robot after this cell, and after each cell that moves it, or no longer."""
-        if after_each_cell:
-            self._ways[robot].is_asked_for = True
-            self._shown[robot] = True
-        else:
-            self._shown.pop(robot, None)
+        membership = _membership(robot)
+        membership.is_shown = after_each_cell
+        membership.way.is_asked_for = after_each_cell
 
     def why(self, robot: Client, question: str) -> CellAnswer:
         """Answer a question about what a robot has done; without one, say what can be asked."""
-        return answer_about(self._logs[robot].recorded(self._cells), self._cells, question)
+        return answer_about(_membership(robot).log.recorded(self._cells), self._cells, question)
 
     def robots(self) -> list[Client]:
         """Those that are connected."""
-        return [robot for robot in [*self._ways] if not robot.stopped]
+        return [robot for robot in self._alive() if not robot.stopped]
+
+    def _alive(self) -> list[Client]:
+        return [robot for member in self._members if (robot := member())]
 
     # Called by IPython.
 
     def _begin_cell(self, cell: Any) -> None:
         self._source = self._shell.transform_cell(cell.raw_cell)
         for robot in self.robots():
-            self._ways[robot].begin_cell()
+            _membership(robot).way.begin_cell()
             if isinstance(robot, SimulatedRobot):
                 robot.take_time()
 
@@ -110,9 +114,30 @@ class NotebookSession:
             if isinstance(robot, SimulatedRobot):
                 # The kernel asks for the time, too, and its world would go on between cells.
                 robot.leave_time()
-        for robot in [*self._shown]:
-            if self._ways[robot].is_worth_showing():
-                self._publish(data=self._ways[robot].shown(), metadata={})
+        for robot in self._alive():
+            membership = _membership(robot)
+            if membership.is_shown and membership.way.is_worth_showing():
+                self._publish(data=membership.way.shown(), metadata={})
+
+
+@dataclass
+class _Membership:
+    """What a session keeps of a robot, as long as there is the robot.
+
+    Args:
+        way: its way.
+        log: what it has done.
+        is_shown: whether it is shown after each cell that moves it.
+    """
+
+    way: CellWay
+    log: RobotLog
+    is_shown: bool = False
+
+
+def _membership(robot: Client) -> _Membership:
+    membership: _Membership = robot.membership
+    return membership
 
 
 def _let_notes_pass() -> None:

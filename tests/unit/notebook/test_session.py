@@ -1,6 +1,7 @@
 """The robots of a kernel, with IPython's own shell."""
 
 import builtins
+import gc
 import re
 import sys
 import time
@@ -59,6 +60,13 @@ def test_a_second_robot_is_in_a_new_world_and_says_so(run, shell, capsys):
     first, second = shell.user_ns["first"], shell.user_ns["robot"]
     assert first.get_pose()[0] == pytest.approx(200, abs=10)
     assert second.time() == 0
+
+
+def test_a_robot_that_no_name_refers_to_goes_with_its_world(run, shell):
+    for _ in range(4):
+        run(f"{MADE}\nrobot.drive_distance(50)")
+    gc.collect()
+    assert len(session_of(shell).robots()) == 1
 
 
 def test_it_says_so_in_the_readers_language(run, capsys, monkeypatch):

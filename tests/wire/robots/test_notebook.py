@@ -69,6 +69,13 @@ def test_the_cell_that_connects_runs_again_and_takes_the_robot_over(driven):
     assert notebook.run("robot.turn(10)") == "ok"
 
 
+def test_it_says_why_it_turned(driven):
+    notebook, _ = driven
+    notebook.run("robot.turn(90)")
+    _, [answer] = notebook.outputs("robot.why('why did it turn right?')")
+    assert "line 1 of [2] says turn(90)." in answer["text/plain"]
+
+
 def test_the_way_of_a_cell_is_shown_without_a_world(driven):
     notebook, _ = driven
     _, [first] = notebook.outputs("robot.show()")
