@@ -91,7 +91,10 @@ class NotebookSession:
     # Called by IPython.
 
     def _begin_cell(self, cell: Any) -> None:
-        self._source = self._shell.transform_cell(cell.raw_cell)
+        self._source = ""
+        # IPython reports itself what is wrong with a cell.
+        with suppress(SyntaxError):
+            self._source = self._shell.transform_cell(cell.raw_cell)
         for robot in self.robots():
             _membership(robot).way.begin_cell()
             if isinstance(robot, SimulatedRobot):

@@ -80,7 +80,7 @@ class SimulatedWay(CellWay):
 
     @property
     def driven(self) -> DrivenWay:
-        driven: DrivenWay = self._robot.way
+        driven: DrivenWay = self._robot.driven_way
         return driven
 
     def mark(self) -> float:

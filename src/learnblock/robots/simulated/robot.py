@@ -94,7 +94,7 @@ class SimulatedRobot(Client):
         #: The name of the program that reports what the robot did.
         self._program: str | None = None
         #: What it has driven, where a person enters its commands, as in a notebook.
-        self.way = DrivenWay()
+        self.driven_way = DrivenWay()
         self.simulation = simulation or self.make_simulation(
             world=world, seed=seed, pace=pace, variant=variant
         )
@@ -228,7 +228,7 @@ class SimulatedRobot(Client):
             f"{body.title}: {world.description.name}",
             body.body,
             world.description,
-            (*self.way.since(since), (world.time, *self.where())),
+            (*self.driven_way.since(since), (world.time, *self.where())),
             tuple(stroke for stroke in world.drawing.strokes if stroke.robot == self.name),
         )
 
@@ -255,7 +255,7 @@ class SimulatedRobot(Client):
         self.take_time()
         self._program = main_program()
         if self._program is None and self.name not in self.simulation.witnesses:
-            self.observe(self.way)
+            self.observe(self.driven_way)
         if os.environ.get("LEARNBLOCK_TRACE"):
             self._end_trace = trace_main_program(self, Path(os.environ["LEARNBLOCK_TRACE"]))
 
