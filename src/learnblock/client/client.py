@@ -17,6 +17,7 @@ from learnblock.client.events import Events
 from learnblock.client.game import Game, OwnPlay
 from learnblock.client.keyboard import Keyboard
 from learnblock.client.mailbox import Mailbox
+from learnblock.client.notebooks import InNotebook
 from learnblock.client.observers import Observer, Witness
 from learnblock.client.operations import Operations
 from learnblock.client.readings import (
@@ -58,7 +59,7 @@ class ClientState(Enum):
     STOPPED = auto()
 
 
-class Client(Announced, Driver, Events):
+class Client(Announced, Driver, Events, InNotebook):
     """A robot as programs see it: its skills are methods, and its hardware is hidden.
 
     A new robot is a subclass that connects, disconnects and adds its devices:
@@ -135,6 +136,7 @@ class Client(Announced, Driver, Events):
         self._equipment: frozenset[str] | None = None
         self._attach(skills)
         self._connect()
+        self._join_notebook(is_hosted=skills is not None)
 
     def require_link(self) -> None:
         """Call `check_link`, and keep its error for observers of the robot.
@@ -309,9 +311,8 @@ class Client(Announced, Driver, Events):
 
     def __repr__(self) -> str:
         names = ", ".join(f"{type(device).__name__}:{key}" for key, device in self.devices())
-        return (
-            f"<{type(self).__module__}.{type(self).__name__} {self._state.name.lower()}: {names}>"
-        )
+        kind, state = type(self), self._state.name.lower()
+        return f"<{kind.__module__}.{kind.__name__} {state}: {names}>"
 
     def __dir__(self) -> Iterable[str]:
         # A program's process attaches only the skills that the program mentions.

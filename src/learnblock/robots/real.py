@@ -12,6 +12,7 @@ from typing import Any, ClassVar, Generic
 
 from learnblock.client import Client, Observer, Outcome, Rights
 from learnblock.client.clock import Clock
+from learnblock.client.notebooks import current_notebook
 from learnblock.devices import Base, Pose
 from learnblock.errors import LearnBlockError, MissingPackageError, NotWrittenError, SettingsError
 from learnblock.i18n import Phrase
@@ -74,6 +75,8 @@ class RealRobot(Client, Generic[SettingsT]):
     ) -> None:
         self.steady_clock = steady_clock
         self.settings: SettingsT = user_settings.load(self.name(), self.settings_type, settings)
+        if skills is None and (notebook := current_notebook()):
+            notebook.make_room(self)
         super().__init__(skills=skills, clock=clock, observer=observer)
 
     @classmethod

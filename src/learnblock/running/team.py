@@ -237,7 +237,7 @@ class TeamRun:
         return job.robot.load().hosted(arguments, {})
 
     def _make_recorder(self, robot: str, client: Client) -> Recorder:
-        more = {} if self.is_deterministic else {"deterministic": False}
+        more: dict[str, Any] = {} if self.is_deterministic else {"deterministic": False}
         job, trace = self.jobs[robot], self.trace
         if log := self._logs.get(robot):
             trace = MemberTrace(trace, log, self._team_log if _twin(job) else None)

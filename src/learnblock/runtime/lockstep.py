@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from functools import partial
 
 #: This many device accesses take one step, because reading takes time on every robot.
 #: Otherwise a loop that polls and never sleeps would stop the world's time forever.
@@ -39,6 +40,10 @@ class LockStepClock:
         self._accesses += 1
         if self._accesses >= ACCESSES_PER_STEP:
             self._advance(1)
+
+    def note_waits(self, noted: Callable[[Callable[[int], int], int], int]) -> None:
+        """Let `noted(wait, steps)` wait from now on, as `wait(steps)` did."""
+        self._wait = partial(noted, self._wait)
 
     def _advance(self, steps: int) -> None:
         self._accesses = 0

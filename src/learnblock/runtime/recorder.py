@@ -303,6 +303,8 @@ def record(
     program: str,
     trace: Trace,
     label: Mapping[str, str] | None = None,
+    *,
+    recorder_type: type[Recorder] = Recorder,
     **more: object,
 ) -> Recorder:
     """Begin the trace of a client's program.
@@ -312,10 +314,12 @@ def record(
         program: the program's identity.
         trace: the trace to write to.
         label: added to every line if a world has several robots.
+        recorder_type: what records it.
         more: what else the first line says about the run.
     """
     is_real = client.clock.instant is None
-    recorder = Recorder(trace, client.clock.time, client.where, label or {}, counts_turns=is_real)
+    where = client.where
+    recorder = recorder_type(trace, client.clock.time, where, label or {}, counts_turns=is_real)
     format_version = VERSION_WITH_TURNS if is_real else VERSION
     versions = {"learnblock": version(), "trace": format_version}
     if trace.log:

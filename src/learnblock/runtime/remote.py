@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Collection, Iterable
 from contextlib import suppress
-from functools import partial, wraps
+from functools import partial
 from typing import Any
 
 import msgspec
@@ -25,7 +25,7 @@ from learnblock.runtime.claims import is_need
 from learnblock.runtime.hosts_play import HostsPlay
 from learnblock.runtime.lines import without_line_events
 from learnblock.runtime.lockstep import LockStepClock
-from learnblock.runtime.log.events import QUESTIONS
+from learnblock.runtime.log.noted_calls import noted_function, noted_skill
 from learnblock.runtime.log.noting import Noting
 from learnblock.runtime.messages import (
     Collect,
@@ -115,7 +115,7 @@ class RemoteRobot(Client):
     def _method(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
         method = super()._method(name, function)
         if self._noting:
-            method = _noted_skill(self._noting, name, method)
+            method = noted_skill(self._noting, name, method)
         is_ours = function.__module__.startswith(our_skills.__name__)
         return without_line_events(method, _are_simple) if is_ours else method
 
@@ -175,18 +175,6 @@ class _Notes:
 def _is_harmless(device: str) -> bool:
     """Whether a program can go on without a device; a camera may only need a moment to see."""
     return is_decoration(device) or device.startswith("Detector:")
-
-
-def _noted_skill(noting: Noting, name: str, method: Callable[..., Any]) -> Callable[..., Any]:
-    @wraps(method)
-    def skill(*args: Any, **kwargs: Any) -> Any:
-        noting.skill(name, args, kwargs)
-        try:
-            return method(*args, **kwargs)
-        finally:
-            noting.skill_end(name)
-
-    return skill
 
 
 class _Letters:
@@ -304,7 +292,7 @@ def _device(wire: Wire, index: int, offer: DeviceOffer, noting: Noting | None) -
     if noting:
         device = f"{offer.type}:{offer.key}"
         functions = {
-            name: _noted_function(noting, device, name, function)
+            name: noted_function(noting, device, name, function)
             for name, function in functions.items()
         }
     if offer.type == "Base":
@@ -321,28 +309,6 @@ def _function(wire: Wire, index: int, kind: str, name: str) -> Function:
     if name == "read":
         return partial(_read, wire, index, _CONVERSIONS.get(kind, _unchanged))
     return partial(_command, wire, index, name)
-
-
-def _noted_function(
-    noting: Noting, device: str, name: str, function: Callable[..., Any]
-) -> Callable[..., Any]:
-    if name not in QUESTIONS:
-
-        def command(*args: Any) -> Any:
-            noting.command(device, name, args)
-            return function(*args)
-
-        return command
-    if device.startswith("Camera:") and name == "read":
-        # No pictures: a world shows them again.
-        return function
-
-    def question(*args: Any) -> Any:
-        value = function(*args)
-        noting.reading(device, value)
-        return value
-
-    return question
 
 
 def _command(wire: Wire, index: int, name: str, *args: Any) -> None:

@@ -39,7 +39,8 @@ def draw(recordings: Mapping[str, tuple[Client, Recorder]], path: Path, title: s
         drives=tuple(_drive(name if has_names else "", *twin) for name, twin in twins.items()),
         title=title,
     )
-    picture = draw_svg(scene).encode() if path.suffix == ".svg" else draw_png(scene)
+    is_svg = path.suffix == ".svg"
+    picture = draw_svg(scene, follows_theme=True).encode() if is_svg else draw_png(scene)
     path.write_bytes(picture)
 
 

@@ -23,7 +23,7 @@ from learnblock.robots.simulated.options import (
 )
 from learnblock.robots.simulated.play import WorldPlay
 from learnblock.robots.simulated.simulation import Simulation, WorldClock
-from learnblock.robots.simulated.way import DrivenWay
+from learnblock.robots.simulated.way import DrivenWay, draw_way
 from learnblock.robots.simulated.worlds import described_world, find_world
 from learnblock.runtime.lockstep import LockStepClock
 from learnblock.runtime.pacing import Pacing
@@ -94,7 +94,7 @@ class SimulatedRobot(Client):
         #: The name of the program that reports what the robot did.
         self._program: str | None = None
         #: What it has driven, where a person enters its commands, as in a notebook.
-        self._way = DrivenWay()
+        self.driven_way = DrivenWay()
         self.simulation = simulation or self.make_simulation(
             world=world, seed=seed, pace=pace, variant=variant
         )
@@ -196,17 +196,41 @@ class SimulatedRobot(Client):
     def disconnect(self) -> None:
         if self.name in self.simulation.world.robots:
             self.simulation.finish(self.name)
-        if self._restore_time:
-            self._restore_time()
-            if self._program:
-                report_main_program(self, self._program, self.simulation.time())
+        self.leave_time()
+        if self._program:
+            report_main_program(self, self._program, self.simulation.time())
         if self._end_trace:
             self._end_trace()
 
+    def take_time(self) -> None:
+        """Let the program's `time` be that of its world from now on."""
+        if self._restore_time is None:
+            self._restore_time = use_robot_time(self.clock)
+
+    def leave_time(self) -> None:
+        """Let the program's `time` be as without the robot, as between the cells of a notebook."""
+        if self._restore_time is not None:
+            self._restore_time()
+            self._restore_time = None
+
     def _repr_mimebundle_(self, **options: object) -> Mapping[str, str]:  # noqa: ARG002 - for all
         """What notebooks show of it: its world with the way that it has driven."""
-        picture = self._way.draw(self.body, self.simulation.world, self.name)
-        return {"text/plain": repr(self), "image/svg+xml": picture}
+        return {"text/plain": repr(self), "image/svg+xml": self.drawn_way()}
+
+    def drawn_way(self, since: float = 0.0) -> str:
+        """Its world with the way that it has driven, as SVG.
+
+        Args:
+            since: the time in s at which the way begins.
+        """
+        world, body = self.simulation.world, self.body.description
+        return draw_way(
+            f"{body.title}: {world.description.name}",
+            body.body,
+            world.description,
+            (*self.driven_way.since(since), (world.time, *self.where())),
+            tuple(stroke for stroke in world.drawing.strokes if stroke.robot == self.name),
+        )
 
     def _make_readings(self) -> Readings:
         if isinstance(self.clock, WorldClock):
@@ -228,10 +252,10 @@ class SimulatedRobot(Client):
     def _hold_the_program(self) -> None:
         """Tie the program's random numbers and time to the world, so that runs are reproducible."""
         random.seed(self.simulation.seed)
-        self._restore_time = use_robot_time(self.clock)
+        self.take_time()
         self._program = main_program()
-        if self._program is None:
-            self.observe(self._way)
+        if self._program is None and self.name not in self.simulation.witnesses:
+            self.observe(self.driven_way)
         if os.environ.get("LEARNBLOCK_TRACE"):
             self._end_trace = trace_main_program(self, Path(os.environ["LEARNBLOCK_TRACE"]))
 

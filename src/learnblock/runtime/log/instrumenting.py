@@ -74,18 +74,19 @@ class Instrumented:
 
 
 # Why: docs/decisions.md, "A log is made by an instrumented copy of the program"
-def instrument(source: str) -> Instrumented:
+def instrument(source: str, functions: Iterable[str] = ()) -> Instrumented:
     """Instrument a program.
 
     Args:
         source: its Python.
+        functions: the names of functions that are instrumented elsewhere, as in another cell.
 
     Raises:
         SyntaxError: it is not Python.
         RecursionError: it is nested too deeply.
     """
     tree = ast.parse(source)
-    work = _Instrumenting(source, tree)
+    work = _Instrumenting(source, tree, functions)
     tree.body = work.block(tree.body)
     return Instrumented(ast.fix_missing_locations(tree), tuple(work.nodes.numbered))
 
@@ -93,11 +94,10 @@ def instrument(source: str) -> Instrumented:
 class _Instrumenting(ast.NodeTransformer):
     """The instrumenting of one program."""
 
-    def __init__(self, source: str, tree: ast.Module) -> None:
+    def __init__(self, source: str, tree: ast.Module, functions: Iterable[str]) -> None:
         self.nodes = Numbering(source)
-        self._functions = {
-            node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)
-        }
+        own = {node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)}
+        self._functions = own.union(functions)
 
     def block(self, body: Iterable[ast.stmt]) -> list[ast.stmt]:
         """Instrument the statements of a block."""

@@ -12,6 +12,7 @@ import msgspec
 from learnblock.installation import version
 from learnblock.runtime.log.blocks import DETAIL, MAGIC, EventBlock, EventStream
 from learnblock.runtime.log.instrumenting import instrument
+from learnblock.runtime.log.nodes import Node
 from learnblock.runtime.log.noting import TICK
 from learnblock.runtime.program import Program
 
@@ -58,7 +59,7 @@ class RunLog:
         if path:
             self._file = path.open("wb")
             self._file.write(MAGIC)
-        self._add(EventBlock.of(EventStream.HEADER, 0, 0, _encode(_header(program))))
+        self._add(header(program, _nodes(program)))
 
     def noted(self, first: int, last: int, events: bytes) -> None:
         """Keep a batch of the program's events."""
@@ -300,19 +301,28 @@ class _Open:
         return block
 
 
-def _header(program: Program) -> dict[str, Any]:
-    lines = program.source_map.source_lines if program.source_map else None
-    try:
-        nodes = instrument(program.python).nodes
-    except (SyntaxError, ValueError, RecursionError):
-        # The run itself reports what is wrong with it.
-        nodes = ()
-    return {
+def header(program: Program, nodes: Sequence[Node]) -> EventBlock:
+    """The first block of a log, which says what program it is of.
+
+    Args:
+        program: the program.
+        nodes: the places in it that the log tells about.
+    """
+    contents = {
         "learnblock": version(),
         "name": program.name,
         "program": program.identity,
         "python": program.python,
         "written": program.written,
-        "lines": lines,
+        "lines": program.source_map.source_lines if program.source_map else None,
         "nodes": nodes,
     }
+    return EventBlock.of(EventStream.HEADER, 0, 0, _encode(contents))
+
+
+def _nodes(program: Program) -> Sequence[Node]:
+    try:
+        return instrument(program.python).nodes
+    except (SyntaxError, ValueError, RecursionError):
+        # The run itself reports what is wrong with it.
+        return ()

@@ -31,7 +31,7 @@ LONGEST_TURN = 500
 _encode = msgspec.msgpack.Encoder().encode
 #: Passes through: called with a number and a value, it returns the value. No function of Python's
 #: own is as fast, and the interpreter does not trace it.
-_THROUGH: Callable[..., Any] = {}.get
+THROUGH: Callable[..., Any] = {}.get
 _LISTS = frozenset({list, dict, set})
 #: Values that may have lists in them.
 _HOLDERS = _LISTS | {tuple}
@@ -388,7 +388,7 @@ class Noting:
     def _pass_through(self) -> None:
         self._events.append((Op.GAP,))
         self._passes_through = True
-        self._builtins.update(dict.fromkeys(names.NOTING, _THROUGH))
+        self._builtins.update(dict.fromkeys(names.NOTING, THROUGH))
 
     def _resume(self) -> None:
         self._passes_through = False

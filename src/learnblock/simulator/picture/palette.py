@@ -1,5 +1,7 @@
 """The colours of the page and the colours of time."""
 
+from types import MappingProxyType
+
 import numpy as np
 
 from learnblock.simulator.colours import RGB
@@ -11,6 +13,8 @@ INK: RGB = (45, 48, 56)
 PALE: RGB = (110, 114, 124)
 GREEN: RGB = (30, 142, 84)
 RED: RGB = (200, 48, 48)
+# The page and what is written on it, for readers with a dark theme.
+NIGHT = MappingProxyType({PAPER: (24, 27, 34), INK: (232, 234, 240), PALE: (164, 170, 184)})
 # Goals as in the page's world: orange until they are reached, with golden stars.
 ORANGE: RGB = (240, 140, 0)
 STAR: RGB = (255, 201, 51)

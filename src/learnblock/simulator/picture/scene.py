@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 from learnblock.simulator.drawing import PenStroke
 from learnblock.simulator.picture import goals, icons, marks, plan, svg, time_bar
 from learnblock.simulator.picture.labels import LabelSpace, Rectangle
-from learnblock.simulator.picture.palette import INK, PALE, PAPER
+from learnblock.simulator.picture.palette import INK, NIGHT, PALE, PAPER
 from learnblock.simulator.picture.svg import (
+    OnPage,
     Paint,
     Point,
     Polygon,
@@ -103,11 +104,17 @@ class PictureScene:
         )
 
 
-def draw_svg(scene: PictureScene) -> str:
-    """The scene as a self-contained SVG document 1200 pixels wide."""
+def draw_svg(scene: PictureScene, *, follows_theme: bool = False) -> str:
+    """The scene as a self-contained SVG document 1200 pixels wide.
+
+    Args:
+        scene: the scene.
+        follows_theme: whether the page is dark for readers with a dark theme; the world never is.
+    """
     view = _view(scene)
-    shapes = _layers(scene, view)
-    return svg.document(shapes, WIDTH, view.page_height, scene.title or scene.world.title)
+    shapes = _layers(scene, view) if follows_theme else map(svg.in_day, _layers(scene, view))
+    style = svg.night_style(NIGHT) if follows_theme else ""
+    return svg.document(shapes, WIDTH, view.page_height, scene.title or scene.world.title, style)
 
 
 def draw_png(scene: PictureScene) -> bytes:
@@ -123,8 +130,8 @@ def _view(scene: PictureScene) -> PictureView:
 
 def _layers(scene: PictureScene, view: PictureView) -> Iterator[Shape]:
     tracks = [Track.of(drive.path, view, scene.times) for drive in scene.moves]
-    yield Polygon(rectangle(0, 0, WIDTH, view.page_height), Paint(PAPER))
-    yield from _heading(scene)
+    yield OnPage(Polygon(rectangle(0, 0, WIDTH, view.page_height), Paint(PAPER)))
+    yield from map(OnPage, _heading(scene))
     yield from plan.drawn(scene.world, view, _outcomes(scene))
     for start in scene.world.start:
         if _starter(start, scene) is None:
@@ -138,9 +145,9 @@ def _layers(scene: PictureScene, view: PictureView) -> Iterator[Shape]:
     for drive in scene.moves:
         yield from icons.robot(drive.body, view, drive.path[-1][1:])
     if scene.shows_time:
-        yield from _time_bar(scene, view)
+        yield from map(OnPage, _time_bar(scene, view))
     yield from _labels(scene, view, tracks)
-    yield from _footer(scene, view)
+    yield from map(OnPage, _footer(scene, view))
 
 
 def _stroke(stroke: PenStroke, view: PictureView) -> Shape:

@@ -5,7 +5,7 @@ Positions are pixels from the upper left corner of the page, x to the right and 
 
 import base64
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
@@ -99,17 +99,50 @@ class SvgImage:
     pixels: NDArray[np.uint8]
 
 
-Shape = Polygon | Polyline | Circle | SvgText | SvgImage
+@dataclass(frozen=True, slots=True)
+class OnPage:
+    """A shape of the page around the world, which is dark for readers with a dark theme."""
+
+    shape: "Shape"
 
 
-def document(shapes: Iterable[Shape], width: float, height: float, title: str) -> str:
-    """The SVG document that shows `shapes`, later ones on top; it has no external references."""
+Shape = Polygon | Polyline | Circle | SvgText | SvgImage | OnPage
+
+
+def document(
+    shapes: Iterable[Shape], width: float, height: float, title: str, style: str = ""
+) -> str:
+    """The SVG document that shows `shapes`, later ones on top; it has no external references.
+
+    Args:
+        shapes: what it shows.
+        width: in pixels.
+        height: in pixels.
+        title: for those who cannot see it.
+        style: a style sheet, whose colours come before those of the shapes.
+    """
     head = (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{_number(width)}" '
         f'height="{_number(height)}" viewBox="0 0 {_number(width)} {_number(height)}" '
         f'role="img" font-family="{_FONT_FAMILY}">'
     )
-    return "\n".join([head, f"<title>{_escaped(title)}</title>", *map(element, shapes), "</svg>\n"])
+    parts = [head, f"<title>{_escaped(title)}</title>", *([style] if style else [])]
+    return "\n".join([*parts, *map(element, shapes), "</svg>\n"])
+
+
+def in_day(shape: Shape) -> Shape:
+    """The shape as it is for all readers."""
+    return shape.shape if isinstance(shape, OnPage) else shape
+
+
+def night_style(colours: Mapping[RGB, RGB]) -> str:
+    """A style sheet for readers with a dark theme: what replaces the colours of shapes `OnPage`."""
+    rules = [
+        f'.page [{what}="{_hex(day)}"]{{{what}:{_hex(night)}}}'
+        for day, night in colours.items()
+        for what in ("fill", "stroke")
+    ]
+    return f"<style>@media (prefers-color-scheme: dark){{{''.join(rules)}}}</style>"
 
 
 def png(svg: str) -> bytes:
@@ -157,6 +190,8 @@ def element(shape: Shape) -> str:
             return _text(shape)
         case SvgImage():
             return _image(shape)
+        case OnPage(inner):
+            return f'<g class="page">{element(inner)}</g>'
 
 
 def _paint(paint: Paint) -> str:

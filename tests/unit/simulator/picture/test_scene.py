@@ -1,4 +1,5 @@
 import math
+import re
 from xml.etree import ElementTree
 
 import cv2
@@ -74,6 +75,18 @@ def test_the_png_is_1200_pixels_wide():
 def test_the_same_scene_gives_the_same_bytes():
     assert draw_svg(scene()) == draw_svg(scene())
     assert draw_png(scene()) == draw_png(scene())
+
+
+def test_a_picture_that_follows_the_theme_is_the_same_one_and_dark_around_its_world():
+    themed = draw_svg(scene(), follows_theme=True)
+    style = re.search("<style>@media .prefers-color-scheme: dark.{(.*)}</style>\n", themed)
+    page = re.findall('<g class="page">(.*?)</g>', themed)
+    # The paper comes first, and what is written below last; nothing of the floor is among them.
+    assert 'fill="#fdfcf9"' in page[0]
+    assert "LearnBlock" in page[-1]
+    assert '.page [fill="#fdfcf9"]{fill:#181b22}' in style[1]
+    light = themed.replace(style[0], "").replace('<g class="page">', "").replace("</g>", "")
+    assert light == draw_svg(scene())
 
 
 def test_a_picture_is_self_contained():

@@ -1,4 +1,4 @@
-"""Block-Text in notebooks: ``%load_ext learnblock.notebook`` adds the magic ``%%blocktext``."""
+"""Block-Text in notebooks: what the magic ``%%blocktext`` runs."""
 
 import shlex
 import sys
@@ -7,10 +7,8 @@ from collections.abc import Sequence
 from contextlib import chdir, redirect_stderr, suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
 
 from learnblock import robots, running
-from learnblock.cli import main
 
 #: The name of a cell in messages, and that of the picture of its run.
 _CELL, _PICTURE = "cell.bt", "cell.svg"
@@ -29,11 +27,6 @@ class ProgramPicture:
         return "<picture of a run>"
 
 
-def load_ipython_extension(shell: Any) -> None:
-    """Add the magic to IPython, which calls this for ``%load_ext``."""
-    shell.register_magic_function(blocktext, "cell")
-
-
 def blocktext(line: str, cell: str) -> ProgramPicture | None:
     """Run a cell in Block-Text, and show its world with the way that the robot drove.
 
@@ -43,6 +36,8 @@ def blocktext(line: str, cell: str) -> ProgramPicture | None:
         line: the options of `learnblock run`.
         cell: the program.
     """
+    from learnblock.cli import main  # noqa: PLC0415 - a robot in a notebook needs none of it
+
     words = shlex.split(line)
     picture = ["--picture", _PICTURE] if _is_simulated(words) else []
     with TemporaryDirectory() as folder, chdir(folder):

@@ -4,7 +4,7 @@ import nbclient
 import nbformat
 import pytest
 
-from learnblock.notebook import blocktext
+from learnblock.notebook.program_cells import blocktext
 
 SQUARE = """\
 main:

@@ -1,0 +1,99 @@
+"""The cells of a kernel as one program, whose steps are noted."""
+
+import ast
+from bisect import bisect_right
+from dataclasses import dataclass
+
+from msgspec.structs import replace
+
+from learnblock.runtime.log.instrumenting import NOTING, instrument
+from learnblock.runtime.log.nodes import Kind, Node
+from learnblock.runtime.program import Program
+
+#: What the program of a kernel is called.
+_NAME = "notebook"
+
+
+@dataclass(frozen=True, slots=True)
+class _Cell:
+    """A cell that has run.
+
+    Args:
+        number: that of its prompt.
+        before: how many lines the cells before it have.
+    """
+
+    number: int
+    before: int
+
+
+class CellProgram:
+    """All cells that have run since a robot was made, in their order.
+
+    A cell that runs again is there again: it may be another one by now.
+    """
+
+    def __init__(self) -> None:
+        self.nodes: list[Node] = []
+        self._lines: list[str] = []
+        self._cells: list[_Cell] = []
+
+    def add(self, source: str, number: int) -> ast.Module:
+        """Add a cell, and return the same cell that also notes its steps.
+
+        Args:
+            source: its Python.
+            number: that of its prompt.
+
+        Raises:
+            SyntaxError: it is not Python.
+            ValueError: it has a null character.
+            RecursionError: it is nested too deeply.
+        """
+        functions = (node.name for node in self.nodes if node.kind is Kind.FUNCTION)
+        cell = instrument(source, functions)
+        nodes, lines = len(self.nodes), len(self._lines)
+        _renumber(cell.tree, nodes)
+        self._cells.append(_Cell(number, lines))
+        self.nodes += [_moved(node, nodes, lines) for node in cell.nodes]
+        self._lines += source.removesuffix("\n").split("\n")
+        return cell.tree
+
+    @property
+    def program(self) -> Program:
+        """The cells as one program."""
+        text = "\n".join([*self._lines, ""])
+        return Program(_NAME, text, text)
+
+    def place(self, line: int) -> tuple[int, int]:
+        """The number of the cell that a line of the program is in, and the line there."""
+        index = bisect_right([cell.before for cell in self._cells], line - 1) - 1
+        cell = self._cells[index]
+        return cell.number, line - cell.before
+
+
+def _renumber(tree: ast.Module, nodes: int) -> None:
+    """Put the numbers in the noting calls of a cell behind those of the cells before it."""
+    for call in ast.walk(tree):
+        match call:
+            case ast.Call(ast.Name(name), [ast.Constant(int(value)) as number, *_]) if (
+                name in NOTING
+            ):
+                number.value = value + nodes
+
+
+def _moved(node: Node, nodes: int, lines: int) -> Node:
+    """A node behind so many nodes and lines of other cells."""
+    return replace(
+        node,
+        line=node.line + lines,
+        end=node.end + lines,
+        last=node.last + nodes,
+        control=_behind(node.control, nodes),
+        function=_behind(node.function, nodes),
+        first=node.first + lines if node.first else 0,
+    )
+
+
+def _behind(number: int, nodes: int) -> int:
+    return number + nodes if number >= 0 else number

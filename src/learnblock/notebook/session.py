@@ -1,0 +1,172 @@
+"""The robots of a notebook's kernel, and what happens to them with its cells."""
+
+import ast
+import builtins
+import sys
+import weakref
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from learnblock.client import Client, endings
+from learnblock.devices import Base
+from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase, Value, translate
+from learnblock.i18n.reader import system_language
+from learnblock.notebook.answers import CellAnswer, answer_about
+from learnblock.notebook.cell_program import CellProgram
+from learnblock.notebook.robot_log import RobotLog
+from learnblock.notebook.ways import CellWay, name_of, way_of
+from learnblock.robots.real import RealRobot
+from learnblock.robots.simulated.robot import SimulatedRobot
+from learnblock.runtime.log.instrumenting import NOTING
+from learnblock.runtime.log.noting import THROUGH
+
+
+@cache
+def session_of(shell: Any) -> "NotebookSession":
+    """The session of IPython's shell."""
+    return NotebookSession(shell)
+
+
+class NotebookSession:
+    """The robots that were made in one kernel; see `learnblock.client.notebooks.Notebook`.
+
+    Args:
+        shell: IPython's shell, which tells when cells begin and end.
+    """
+
+    def __init__(self, shell: Any) -> None:
+        self._shell = shell
+        self._publish = shell.display_pub.publish
+        self._cells = CellProgram()
+        #: The Python of the present cell.
+        self._source = ""
+        #: The number of the last cell that has ended, as its prompt shows it.
+        self._number = 0
+        #: The robots in the order in which they were made. One that no name refers to any more,
+        #: as after its cell has run again, goes with its world.
+        self._members: list[weakref.ref[Client]] = []
+        _let_notes_pass()
+        shell.ast_transformers.append(self)
+        shell.events.register("pre_run_cell", self._begin_cell)
+        shell.events.register("post_run_cell", self._end_cell)
+
+    def make_room(self, robot: Client) -> None:
+        """Disconnect an earlier robot that is the same device as one that is about to connect."""
+        for earlier in self.robots():
+            if _is_same_device(earlier, robot):
+                earlier.stop()
+                _say("notebook-disconnected", robot=name_of(earlier))
+
+    def join(self, robot: Client) -> None:
+        """Take a robot in that has been connected; one with a new world says so."""
+        if robot.lockstep and any(earlier.lockstep for earlier in self.robots()):
+            _say("notebook-new-world", world=str(robot.conditions()["world"]))
+        way = way_of(robot)
+        robot.membership = _Membership(way, RobotLog(robot, way))
+        self._members.append(weakref.ref(robot, self._members.remove))
+        if isinstance(robot, SimulatedRobot):
+            # At the end of a kernel, nothing outside of it has to be stopped.
+            endings.forget(robot.stop)
+
+    def show(self, robot: Client, *, after_each_cell: bool) -> None:
+        """Show a robot after this cell, and after each cell that moves it, or no longer."""
+        membership = _membership(robot)
+        membership.is_shown = after_each_cell
+        membership.way.is_asked_for = after_each_cell
+
+    def why(self, robot: Client, question: str) -> CellAnswer:
+        """Answer a question about what a robot has done; without one, say what can be asked."""
+        return answer_about(_membership(robot).log.recorded(self._cells), self._cells, question)
+
+    def robots(self) -> list[Client]:
+        """Those that are connected."""
+        return [robot for robot in self._alive() if not robot.stopped]
+
+    def _alive(self) -> list[Client]:
+        return [robot for member in self._members if (robot := member())]
+
+    # Called by IPython.
+
+    def _begin_cell(self, cell: Any) -> None:
+        self._source = ""
+        # IPython reports itself what is wrong with a cell.
+        with suppress(SyntaxError):
+            self._source = self._shell.transform_cell(cell.raw_cell)
+        for robot in self.robots():
+            _membership(robot).way.begin_cell()
+            if isinstance(robot, SimulatedRobot):
+                robot.take_time()
+
+    def visit(self, tree: ast.Module) -> ast.Module:
+        """Let a cell note its steps; what a magic runs of it does not."""
+        try:
+            is_cell = ast.dump(ast.parse(self._source)) == ast.dump(tree)
+            return self._cells.add(self._source, self._number + 1) if is_cell else tree
+        except (SyntaxError, ValueError, RecursionError):
+            # With an await outside a function, for example.
+            return tree
+
+    def _end_cell(self, result: Any) -> None:
+        self._number = result.execution_count or self._number
+        for robot in self.robots():
+            if not result.success:
+                _stop_wheels(robot)
+            if isinstance(robot, SimulatedRobot):
+                # The kernel asks for the time, too, and its world would go on between cells.
+                robot.leave_time()
+        for robot in self._alive():
+            membership = _membership(robot)
+            if membership.is_shown and membership.way.is_worth_showing():
+                self._publish(data=membership.way.shown(), metadata={})
+
+
+@dataclass
+class _Membership:
+    """What a session keeps of a robot, as long as there is the robot.
+
+    Args:
+        way: its way.
+        log: what it has done.
+        is_shown: whether it is shown after each cell that moves it.
+    """
+
+    way: CellWay
+    log: RobotLog
+    is_shown: bool = False
+
+
+def _membership(robot: Client) -> _Membership:
+    membership: _Membership = robot.membership
+    return membership
+
+
+def _let_notes_pass() -> None:
+    """Let cells note their steps before there is a robot whose log takes them."""
+    for name in NOTING:
+        setattr(builtins, name, THROUGH)
+
+
+def _is_same_device(robot: Client, other: Client) -> bool:
+    """Whether two real robots are reached in the same way."""
+    return (
+        isinstance(robot, RealRobot)
+        and isinstance(other, RealRobot)
+        and type(robot) is type(other)
+        and robot.settings == other.settings
+    )
+
+
+def _stop_wheels(robot: Client) -> None:
+    """Let a robot stand whose cell was stopped or has failed; it stays connected."""
+    for _, device in robot.devices():
+        if isinstance(device, Base):
+            # Of a robot that is out of reach, the cell's own error tells that.
+            with suppress(LearnBlockError):
+                device.stop()
+
+
+def _say(code: str, **values: Value) -> None:
+    sys.stdout.write(f"{translate(Phrase(code, **values), system_language())}\n")
