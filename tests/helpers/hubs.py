@@ -89,7 +89,7 @@ class Hub:
             "room": room,
             "python": sys.executable,
         }
-        (folder / "homes").mkdir()
+        (folder / "homes").mkdir(exist_ok=True)
         shown, shown_class = shown_config()
         config = CONFIG.format(shown=shown, shown_class=shown_class, settings=repr(settings))
         (folder / "jupyterhub_config.py").write_text(config)

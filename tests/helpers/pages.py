@@ -85,10 +85,10 @@ class Server:
         return response
 
     @contextmanager
-    def visit(self, *, token=TOKEN, host="127.0.0.1", **options):
+    def visit(self, *, token=TOKEN, host="127.0.0.1", at="ws", **options):
         """A page with a websocket, which calls the server by the name `host`."""
         with connect(
-            f"ws://{host}:{self.port}/ws",
+            f"ws://{host}:{self.port}/{at}",
             sock=socket.create_connection(("127.0.0.1", self.port)),
             subprotocols=["learnblock", token],
             max_size=None,

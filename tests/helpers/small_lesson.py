@@ -97,17 +97,18 @@ FILES = {
 }
 
 
-def packed(**changed):
+def packed(*, pictures=None, **changed):
     """The lesson as a file; `changed` are the texts of `lesson.toml` to replace."""
     files = dict(FILES)
     for old, new in changed.items():
         files["lesson.toml"] = files["lesson.toml"].replace(old, new)
     encoded = {path: text.encode() for path, text in files.items()}
-    return pack(read_files(NAME, encoded))
+    more = {f"pictures/{name}": content for name, content in (pictures or {}).items()}
+    return pack(read_files(NAME, encoded | more))
 
 
-def put_in(home, **changed):
+def put_in(home, *, name=NAME, **changed):
     """Put the lesson among the user's own; `changed` as in `packed`."""
     folder = home / "lessons"
     folder.mkdir(parents=True, exist_ok=True)
-    (folder / f"{NAME}.lblesson").write_bytes(packed(**changed))
+    (folder / f"{name}.lblesson").write_bytes(packed(**changed))

@@ -60,9 +60,6 @@ export function Menu({ label, icon, children, groups, look, tabIndex, side = "le
     return open.value && list.current && root.current ? show(list.current, root.current, side) : undefined;
   }, [open.value]);
   useEffect(() => {
-    if (open.value) focusable(list.current)[0]?.focus();
-  }, [open.value]);
-  useEffect(() => {
     if (!open.value) return;
     toggled?.(true);
     return () => toggled?.(false);
@@ -214,6 +211,8 @@ function show(list: HTMLElement, button: HTMLElement, side: Side): () => void {
   const sizes = new ResizeObserver(follow);
   list.showPopover();
   follow();
+  // At once: later it would take the focus back from what is used next.
+  focusable(list)[0]?.focus();
   sizes.observe(list);
   window.addEventListener("resize", follow, { signal });
   window.addEventListener("scroll", follow, { signal, capture: true });

@@ -342,7 +342,9 @@ class _Door:
         if shown is None:
             return forbidden()
         pupil, is_teacher = shown
-        record = partial(record_of, self._room.roster, self._room.hand_ins, pupil)
+        room = self._room
+        kept = room.desk(pupil).lesson_works
+        record = partial(record_of, room.roster, room.hand_ins, pupil, kept=kept)
         return json_answer(await asyncio.to_thread(record, teaches=is_teacher))
 
     async def _upload(self, request: Request, desk: Desk, place: ServerAddress) -> Response:

@@ -11,6 +11,7 @@ from msgspec.structs import replace
 from learnblock.classroom import messages as ours
 from learnblock.classroom.hand_in_messages import ImproveHandIn, OwnHandIns, own_hand_in
 from learnblock.classroom.hand_ins import HandInShelf
+from learnblock.classroom.lesson_works import LessonWorkFile
 from learnblock.classroom.limits import OPEN_PAGES
 from learnblock.classroom.messages import InClass, Seat, Writing
 from learnblock.classroom.progress import Progress
@@ -77,6 +78,8 @@ class Desk:
         self.hints: list[str] = []
         self.pages: list[DeskPage] = []
         self.paces = Paces()
+        #: At a hub: where the work in lessons is kept that the pupil's server tells.
+        self.lesson_works: LessonWorkFile | None = None
         #: Whether the pupil's program is paused because the teacher speaks.
         self._rests = False
         self._opening = 0
@@ -219,10 +222,11 @@ class Desk:
         self.question = question.strip() if on else ""
         self.progress.raise_hand(on=on)
 
-    async def order(self, message: messages.Message) -> None:
-        """Send the pupil's server a message on behalf of the pupil's page, if one is open."""
+    async def order(self, *orders: messages.Message) -> None:
+        """Send the pupil's server messages on behalf of the pupil's page, if one is open."""
         for page in self.own_pages[:1]:
-            await page.order(message)
+            for message in orders:
+                await page.order(message)
 
     async def send_away(self) -> None:
         """Close all pages, since they may not be here any more."""

@@ -5,12 +5,13 @@ from pathlib import Path
 
 from learnblock.classroom.messages import LessonOffer
 from learnblock.classroom.pupil_folder import HOME
+from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.lessons import packing, reading
 from learnblock.lessons.archive import SUFFIX
 from learnblock.lessons.own import FOLDER
 from learnblock.server.catalog.lessons import find_own, lesson_choices, step_titles
-from learnblock.server.messages import LessonChoice
+from learnblock.server.messages import LARGEST_LESSON, GiveLesson, LessonChoice
 from learnblock.storage.files import save
 
 
@@ -27,11 +28,28 @@ def give_lesson(name: str, folders: Iterable[Path]) -> None:
         LearnBlockError: it can't be read.
         OSError: it can't be saved.
     """
-    content = packing.pack(reading.for_pupils(find_own(name)))
+    content = _packed(name)
     for folder in folders:
         lessons = folder / HOME / FOLDER
         lessons.mkdir(parents=True, exist_ok=True)
         save(lessons / f"{name}{SUFFIX}", content)
+
+
+def lesson_gift(name: str) -> GiveLesson:
+    """The message that puts one of the teacher's own lessons into a pupil's folder at a hub.
+
+    Raises:
+        LearnBlockError: it can't be read, or is too large for a message.
+    """
+    content = _packed(name)
+    if len(content) > LARGEST_LESSON:
+        raise LearnBlockError("class-lesson-too-large", limit=LARGEST_LESSON // 1000)
+    return GiveLesson(name, content)
+
+
+def _packed(name: str) -> bytes:
+    """One of the teacher's own lessons as a file, without the teacher's part."""
+    return packing.pack(reading.for_pupils(find_own(name)))
 
 
 def _offer(choice: LessonChoice) -> LessonOffer:

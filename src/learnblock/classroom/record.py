@@ -8,6 +8,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from learnblock.classroom.hand_ins import HandInFile, HandInShelf
+from learnblock.classroom.lesson_works import LessonWorkFile
 from learnblock.classroom.pupil_folder import PROJECTS
 from learnblock.classroom.roster import Pupil, Roster, names_of
 from learnblock.errors import LearnBlockError
@@ -15,7 +16,8 @@ from learnblock.lessons.lesson import Lesson, LessonText, Step
 from learnblock.lessons.opened import OpenLesson
 from learnblock.lessons.texts import plain
 from learnblock.project.files.folder import ProjectFolder
-from learnblock.project.files.lesson_folder import GOALS, PUZZLE, QUIZ, Progress
+from learnblock.project.files.lesson_folder import GOALS, PUZZLE, QUIZ
+from learnblock.project.files.lesson_work import LessonWork, lesson_works
 from learnblock.server.catalog import find_lesson, star_names
 
 
@@ -110,37 +112,30 @@ class PupilRecord(Struct, frozen=True, omit_defaults=True):
 
 
 @dataclass
-class _LessonWork:
+class _Shown:
     """What a pupil has done in a lesson, in all projects and hand-ins.
 
     Args:
-        at: when it was last worked on.
-        step: the farthest step that was reached.
-        stars: those earned, by the number of the step.
-        runs: how often a program was run.
-        hints: how many levels of hints were taken.
+        work: in all projects.
         hand_ins: by the number of the step.
     """
 
-    at: float = 0.0
-    step: int = 1
-    stars: dict[int, set[str]] = field(default_factory=dict)
-    runs: int = 0
-    hints: int = 0
+    work: LessonWork
     hand_ins: dict[int, HandInFile] = field(default_factory=dict)
 
-    def add(self, progress: Progress, at: float) -> None:
-        """Add what was done in a project."""
-        self.at = max(self.at, at)
-        self.step = max(self.step, progress.step)
-        for number, done in progress.steps.items():
-            self.stars.setdefault(int(number), set()).update(done.stars)
-            self.runs += done.runs
-            self.hints += done.hints
+    @property
+    def at(self) -> float:
+        """When it was last worked on."""
+        return max([self.work.at, *(file.at for file in self.hand_ins.values())])
+
+    @property
+    def step(self) -> int:
+        """The farthest step that was reached."""
+        return max([self.work.step, *self.hand_ins])
 
     def earned(self, number: int, step: Step) -> set[str]:
         """The stars that are earned in a step."""
-        return self.stars.get(number, set()).intersection(star_names(step))
+        return set(self.work.earned(number).intersection(star_names(step)))
 
     def needed(self, steps: Iterable[tuple[int, Step]]) -> tuple[int, int]:
         """How many of the stars that numbered steps ask for are earned, and how many there are."""
@@ -151,7 +146,14 @@ class _LessonWork:
         return sum(earned for earned, _ in counts), sum(asked for _, asked in counts)
 
 
-def record_of(roster: Roster, shelf: HandInShelf, pupil: Pupil, *, teaches: bool) -> PupilRecord:
+def record_of(
+    roster: Roster,
+    shelf: HandInShelf,
+    pupil: Pupil,
+    *,
+    teaches: bool,
+    kept: LessonWorkFile | None = None,
+) -> PupilRecord:
     """What a pupil has done in the class.
 
     Args:
@@ -159,8 +161,15 @@ def record_of(roster: Roster, shelf: HandInShelf, pupil: Pupil, *, teaches: bool
         shelf: its hand-ins.
         pupil: the pupil.
         teaches: whether the teacher asks.
+        kept: where the work in lessons is kept, if not in the pupil's projects.
     """
-    lessons = (_lesson(name, work) for name, work in _works(roster, shelf, pupil).items())
+    if kept:
+        works = kept.works() or ()
+    else:
+        folder = ProjectFolder(roster.folder_of(pupil) / PROJECTS, read_only=True)
+        works = lesson_works(folder)
+    shown = _with_hand_ins(works, shelf.of_pupil(pupil.id))
+    lessons = (_lesson(name, work) for name, work in shown.items())
     return PupilRecord(
         names_of(roster.pupils).get(pupil.id, pupil.name) if teaches else pupil.name,
         roster.title,
@@ -169,23 +178,16 @@ def record_of(roster: Roster, shelf: HandInShelf, pupil: Pupil, *, teaches: bool
     )
 
 
-def _works(roster: Roster, shelf: HandInShelf, pupil: Pupil) -> Mapping[str, _LessonWork]:
-    folder = ProjectFolder(roster.folder_of(pupil) / PROJECTS, read_only=True)
-    works: dict[str, _LessonWork] = {}
-    for entry in folder.entries():
-        progress = folder.lesson(entry.name).progress()
-        if progress:
-            work = works.setdefault(progress.lesson, _LessonWork())
-            work.add(progress, entry.changed)
-    for (lesson, step), file in shelf.of_pupil(pupil.id).items():
-        work = works.setdefault(lesson, _LessonWork())
-        work.at = max(work.at, file.at)
-        work.step = max(work.step, step)
-        work.hand_ins[step] = file
-    return works
+def _with_hand_ins(
+    works: Iterable[LessonWork], hand_ins: Mapping[tuple[str, int], HandInFile]
+) -> Mapping[str, _Shown]:
+    shown = {work.lesson: _Shown(work) for work in works}
+    for (lesson, step), file in hand_ins.items():
+        shown.setdefault(lesson, _Shown(LessonWork(lesson))).hand_ins[step] = file
+    return shown
 
 
-def _lesson(name: str, work: _LessonWork) -> RecordedLesson:
+def _lesson(name: str, work: _Shown) -> RecordedLesson:
     opened: OpenLesson | None = None
     # What was done in a lesson that is gone is still shown.
     with suppress(LearnBlockError, OSError):
@@ -197,8 +199,8 @@ def _lesson(name: str, work: _LessonWork) -> RecordedLesson:
         name,
         at=work.at,
         step=work.step,
-        runs=work.runs,
-        hints=work.hints,
+        runs=work.work.runs,
+        hints=work.work.hints,
         hand_ins=tuple(hand_ins),
     )
     if opened is None:
@@ -229,7 +231,7 @@ def _hand_in(file: HandInFile, steps: Sequence[Step]) -> RecordedHandIn:
     )
 
 
-def _aims(lesson: Lesson, work: _LessonWork) -> Iterator[RecordedAim]:
+def _aims(lesson: Lesson, work: _Shown) -> Iterator[RecordedAim]:
     by_aim = {evidence.aim: evidence for evidence in lesson.evidence}
     for number, aim in enumerate(lesson.aims, 1):
         evidence = by_aim.get(number)

@@ -37,9 +37,11 @@ _HEARTBEAT = 2.0
 _from_pupil = msgspec.json.Decoder(ours.FromPupil)
 _at_seat = msgspec.json.Decoder(messages.AtSeat)
 _work_given = msgspec.json.Decoder(messages.WorkGiven)
+_lesson_work = msgspec.json.Decoder(messages.LessonWorkRead)
 #: Our servers put the kind first.
 _AT_SEAT = f'{{"kind":"{messages.AtSeat.__name__}"'
 _WORK_GIVEN = f'{{"kind":"{messages.WorkGiven.__name__}"'
+_LESSON_WORK = f'{{"kind":"{messages.LessonWorkRead.__name__}"'
 _OURS = frozenset(kind.__name__ for kind in get_args(ours.FromPupil))
 
 
@@ -66,6 +68,8 @@ class Relay:
         self._paces = paces or (Paces() if is_teacher else desk.paces)
         self._outbox: asyncio.Queue[str] = asyncio.Queue(maxsize=100)
         self._server: ClientConnection | None = None
+        #: With how many successes of the pupil the work in lessons was asked for.
+        self._successes = -1
 
     @property
     def role(self) -> Role:
@@ -179,6 +183,20 @@ class Relay:
         except (LearnBlockError, OSError, ValueError) as error:
             self.tell(messages.Failed(phrase_of(error), messages.HandIn.__name__))
 
+    async def _see(self, now: messages.AtSeat) -> None:
+        """Note what the page works on; at a hub, ask for the work in lessons when it has grown."""
+        self._desk.see(self, now)
+        if self._desk.lesson_works and not self.is_teacher and now.successes != self._successes:
+            self._successes = now.successes
+            await self.order(messages.ReadLessonWork())
+
+    async def _keep_lesson_work(self, text: str) -> None:
+        """Keep what the pupil's server tells, which a pupil might have taken over."""
+        if self._desk.lesson_works:
+            with suppress(OSError, ValueError):
+                works = _lesson_work.decode(text).works
+                await asyncio.to_thread(self._desk.lesson_works.keep, works)
+
     def _refusal(self, kind: str) -> Phrase | None:
         if not may(self.role, kind):
             code = "class-only-look" if self.is_teacher else "class-not-yours"
@@ -192,9 +210,11 @@ class Relay:
                     await self._page.send_bytes(received)
                     continue
                 if received.startswith(_AT_SEAT):
-                    self._desk.see(self, _at_seat.decode(received))
+                    await self._see(_at_seat.decode(received))
                 elif received.startswith(_WORK_GIVEN):
                     await self._hand_in(received)
+                elif received.startswith(_LESSON_WORK):
+                    await self._keep_lesson_work(received)
                 else:
                     await self._page.send_text(received)
             await self._page.close(_BACK_SOON)

@@ -10,9 +10,10 @@ from learnblock.classroom.desk import Desk
 from learnblock.classroom.hand_in_messages import HandInRun
 from learnblock.classroom.hand_in_runs import HandInRuns, wanted_run
 from learnblock.classroom.hand_ins import HandInShelf
+from learnblock.classroom.lesson_works import LessonWorkFile
 from learnblock.classroom.marking import Marking
 from learnblock.classroom.messages import LessonOffer
-from learnblock.classroom.offers import give_lesson
+from learnblock.classroom.offers import give_lesson, lesson_gift
 from learnblock.classroom.pins import Picture
 from learnblock.classroom.pupil_folder import PROJECTS
 from learnblock.classroom.roster import Pupil, Roster
@@ -61,8 +62,8 @@ class Room:
         self.lesson = roster.lesson or ""
         #: When a lesson was handed out last, in seconds since 1970.
         self.began = 0.0
-        #: The lessons that were handed out to pupils who were not here, by their ids.
-        self._late: dict[str, messages.StartLesson] = {}
+        #: What opens lessons that were handed out to pupils who were not here, by their ids.
+        self._late: dict[str, tuple[messages.Message, ...]] = {}
         self.eyes_up = False
         self.projected: str | None = None
         #: The first names of new pupils whom the teacher has to let in.
@@ -154,34 +155,49 @@ class Room:
             OSError: it can't be given to the pupils.
         """
         receiving = tuple(self.roster.pupils if pupils is None else pupils)
-        await self._give(lesson.lesson, map(self.roster.folder_of, receiving))
+        orders = await self._handing_out(lesson, receiving)
         # What a few get besides is not the lesson of the class.
         if pupils is None or 2 * len(receiving) > len(self.roster.pupils):
             self.lesson, self.began = lesson.lesson, time.time()
-        self._late |= {pupil.id: lesson for pupil in receiving if not self.desk(pupil).own_pages}
+        self._late |= {pupil.id: orders for pupil in receiving if not self.desk(pupil).own_pages}
         for pupil in receiving:
             self.desk(pupil).hand_out(lesson.lesson)
-        await self.order(lesson, receiving)
+        await asyncio.gather(*(self.desk(pupil).order(*orders) for pupil in receiving))
 
-    async def first_lesson(self, pupil: Pupil) -> tuple[messages.StartLesson, ...]:
-        """The lesson with which a pupil begins; empty if there is none, or a project already.
+    async def first_lesson(self, pupil: Pupil) -> tuple[messages.Message, ...]:
+        """What opens the lesson with which a pupil begins; empty without one, or with a project.
 
         Raises:
             LearnBlockError: it is one of the teacher's own, and can't be read.
             OSError: it can't be given to the pupil.
         """
         if handed_out := self._late.pop(pupil.id, None):
-            return (handed_out,)
+            return handed_out
         lesson, project = self.roster.lesson, self.roster.project
         if lesson is None or await asyncio.to_thread(self._has_begun, pupil):
             return ()
-        await self._give(lesson, [self.roster.folder_of(pupil)])
-        return (messages.StartLesson(lesson, project or lesson),)
+        return await self._handing_out(messages.StartLesson(lesson, project or lesson), [pupil])
+
+    async def _handing_out(
+        self, start: messages.StartLesson, pupils: Iterable[Pupil]
+    ) -> tuple[messages.Message, ...]:
+        """Give pupils a lesson if it is the teacher's own; return what opens it on their servers.
+
+        At a hub their folders are elsewhere, so the lesson is part of what their servers are sent.
+        """
+        if not self.is_hubs:
+            await self._give(start.lesson, map(self.roster.folder_of, pupils))
+        elif self._is_own(start.lesson):
+            return await asyncio.to_thread(lesson_gift, start.lesson), start
+        return (start,)
 
     async def _give(self, lesson: str, folders: Iterable[Path]) -> None:
-        """Put a lesson into folders of servers if it is one of the teacher's own."""
-        if any(offer.own for offer in self.offers if offer.name == lesson):
+        """Put a lesson into folders of servers here if it is one of the teacher's own."""
+        if self._is_own(lesson):
             await asyncio.to_thread(give_lesson, lesson, folders)
+
+    def _is_own(self, lesson: str) -> bool:
+        return any(offer.own for offer in self.offers if offer.name == lesson)
 
     def left(self, pupil: Pupil) -> None:
         """Record that a page has gone; after the last one, the server is stopped with a delay."""
@@ -291,6 +307,8 @@ class Room:
             pupil, self.changed, self.hand_ins, self.roster.title, self.lesson
         )
         desk.eyes_up = self.eyes_up
+        if self.is_hubs:
+            desk.lesson_works = LessonWorkFile(self.roster.folder_of(pupil))
         return desk
 
     async def _end_later(self, pupil: Pupil) -> None:

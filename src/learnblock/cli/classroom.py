@@ -98,8 +98,7 @@ def _open(
             roster,
             writer,
             _announce,
-            # A pupil's server at a hub can't be given a lesson's files.
-            [offer for offer in offers if not (hub and offer.own)],
+            offers,
             host=host or EVERYWHERE,
             port=port,
             certificate=own_certificate(folder) if tls else None,

@@ -7,15 +7,21 @@ import httpx
 import pytest
 from starlette.requests import Request
 
+import small_lesson
 from learnblock.classroom.app import create_app
 from learnblock.classroom.badges import Badges, Visitors
 from learnblock.classroom.forward import Forwarder
 from learnblock.classroom.hub_class import HubLogin, HubService, HubUser
+from learnblock.classroom.lesson_works import LessonWorkFile
+from learnblock.classroom.messages import LessonOffer
+from learnblock.classroom.record import record_of
 from learnblock.classroom.room import Room
 from learnblock.classroom.roster import Roster
 from learnblock.classroom.servers import ServerAddress
 from learnblock.errors import LearnBlockError
-from learnblock.server.messages import AtSeat, HandIn, Work
+from learnblock.lessons.reading import unpack
+from learnblock.project.files.lesson_work import LessonWork
+from learnblock.server.messages import AtSeat, GiveLesson, HandIn, StartLesson, Work
 from learnblock.server.messages.base import Role
 
 ENVIRONMENT = {
@@ -109,6 +115,73 @@ def test_only_pages_at_the_step_without_a_hand_in_are_asked_for_their_work(tmp_p
     room.hand_ins.of_pupil = lambda pupil: handed_in if pupil == pupils[1].id else {}
     asyncio.run(room.gather("first", 2))
     assert orders == [(pupils[0].id, HandIn())]
+
+
+@pytest.fixture
+def own_lesson(tmp_path, monkeypatch):
+    """The name of a lesson of the teacher's own, in the folder of the service."""
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path / "home"))
+    small_lesson.put_in(tmp_path / "home")
+    return small_lesson.NAME
+
+
+def hub_room(tmp_path, lesson):
+    roster = Roster(tmp_path, "7b")
+    roster.admit("a" * 10, "ana")
+    offer = LessonOffer(lesson, "Mine", 1, 30, ("sim-ebo",), (), own=True)
+    return Room(roster, "http://a", [offer], servers=SimpleNamespace())
+
+
+@pytest.mark.parametrize("is_here", [True, False])
+def test_an_own_lesson_is_given_to_a_pupils_server_before_it_starts(tmp_path, own_lesson, is_here):
+    room = hub_room(tmp_path, own_lesson)
+    (ana,) = room.roster.pupils
+    orders = []
+    if is_here:
+        room.desk(ana).joined(Page(ana.id, orders))
+    asyncio.run(room.hand_out(StartLesson(own_lesson, "Mine")))
+    sent = [order for _, order in orders] or asyncio.run(room.first_lesson(ana))
+    given, started = sent
+    assert (given.lesson, started) == (own_lesson, StartLesson(own_lesson, "Mine"))
+    assert unpack(f"{own_lesson}.lblesson", given.content).teacher is None
+    assert not room.roster.folder_of(ana).exists()
+
+
+def test_a_class_at_a_hub_begins_with_an_own_lesson(tmp_path, own_lesson):
+    room = hub_room(tmp_path, own_lesson)
+    room.roster.prepare(own_lesson, "Mine", "basics")
+    first = asyncio.run(room.first_lesson(room.roster.pupils[0]))
+    assert [type(message) for message in first] == [GiveLesson, StartLesson]
+
+
+def test_the_teacher_hears_of_a_lesson_that_no_message_holds(tmp_path, own_lesson, monkeypatch):
+    monkeypatch.setattr("learnblock.classroom.offers.LARGEST_LESSON", 100)
+    with pytest.raises(LearnBlockError, match="too large"):
+        asyncio.run(hub_room(tmp_path, own_lesson).hand_out(StartLesson(own_lesson, "Mine")))
+
+
+def test_a_record_at_a_hub_has_what_the_pupils_server_tells_with_the_lessons_aims(
+    tmp_path, own_lesson
+):
+    room = hub_room(tmp_path, own_lesson)
+    (ana,) = room.roster.pupils
+    kept = room.desk(ana).lesson_works
+    kept.keep((LessonWork(own_lesson, 1000.0, 2, {"1": ("quiz",)}, runs=3, hints=1),))
+    record = record_of(room.roster, room.hand_ins, ana, teaches=True, kept=kept)
+    [lesson] = record.lessons
+    assert (lesson.title["es"], lesson.stars, lesson.runs, lesson.hints) == (
+        "Primer viaje",
+        1,
+        3,
+        1,
+    )
+    assert [aim.say for aim in lesson.aims] == ["Drive and stop"]
+
+
+def test_damaged_work_in_lessons_is_none(tmp_path):
+    kept = LessonWorkFile(tmp_path)
+    (tmp_path / "lessons.json").write_text('[{"lesson": "../evil"}]')
+    assert kept.works() is None
 
 
 class Page:

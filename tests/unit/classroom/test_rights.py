@@ -21,7 +21,7 @@ def test_as_many_messages_have_each_role_as_was_decided():
         "helper, pupil": 32,
         "pupil": 43,
         "helper, watcher": 1,
-        "": 29,
+        "": 31,
     }
 
 
@@ -41,6 +41,9 @@ def test_as_many_messages_have_each_role_as_was_decided():
         ("ReadHandIn", set()),
         ("WorkGiven", set()),
         ("AskToWrite", {Role.WATCHER, Role.HELPER}),
+        ("GiveLesson", set()),
+        ("ReadLessonWork", set()),
+        ("LessonWorkRead", set()),
         ("MakeRobot", set()),
         ("AllowNetwork", set()),
     ],

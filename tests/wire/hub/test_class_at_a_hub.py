@@ -9,6 +9,9 @@ import pytest
 from websockets.exceptions import ConnectionClosedError
 
 import hubs
+import small_lesson
+from learnblock.lessons.reading import unpack
+from learnblock.server.messages import LARGEST_LESSON
 from waiting import wait_for
 
 pytestmark = [
@@ -23,7 +26,15 @@ PLACE = {"lesson": "1-01-first-drive", "step": STEP}
 
 @pytest.fixture(scope="module")
 def hub(tmp_path_factory):
-    with hubs.running(tmp_path_factory.mktemp("hub"), hubs.proxy_command()) as running:
+    folder = tmp_path_factory.mktemp("hub")
+    # Lessons of the teacher's own, one of them as large as a message holds, with a picture that
+    # can't be packed smaller.
+    home = folder / "homes" / "class"
+    small_lesson.put_in(home)
+    small_lesson.put_in(
+        home, name="large", pictures={"large.png": os.urandom(LARGEST_LESSON - 9000)}
+    )
+    with hubs.running(folder, hubs.proxy_command()) as running:
         yield running
 
 
@@ -157,6 +168,39 @@ def test_a_program_in_an_open_page_is_collected(hub, teacher, bob):
         assert hand_ins(page)[0]["waits"]
     folder = hub.home("class") / "classes" / "7b" / "hand-ins"
     assert [*folder.rglob("*.json")]
+
+
+@pytest.mark.parametrize("own", ["small", "large"])
+def test_a_lesson_of_the_teachers_own_reaches_a_pupil(hub, teacher, alice, own):
+    with teacher.socket(f"{CLASS}wall") as wall, alice.socket(f"{page_of(alice)}ws") as page:
+        wall.say("HandOut", project="Mine", lesson=own)
+        page.hear("LessonShown", name=own)
+        page.say("AnswerQuiz", choices=[0])
+        page.hear("QuizJudged", right=True)
+    given = next(hub.home("alice").rglob(f"{own}.lblesson"))
+    assert unpack(given.name, given.read_bytes()).teacher is None
+
+
+@pytest.mark.certain
+def test_a_pupil_gives_no_lesson(alice):
+    with alice.socket(f"{page_of(alice)}ws") as page:
+        page.say("GiveLesson", lesson="small", content="")
+        assert page.hear("Failed")["message"]["code"] == "class-not-yours"
+
+
+def test_a_record_has_the_lessons_with_their_names_and_aims(teacher, alice):
+    def lesson():
+        record = teacher.client.get(f"{page_of(alice)}record.json").json()
+        lessons = (known for known in record.get("lessons", ()) if known["name"] == "small")
+        return next(lessons, None)
+
+    # A page that is opened tells what was done before.
+    with alice.socket(f"{page_of(alice)}ws") as page:
+        page.say("StartLesson", lesson="small", name="Mine")
+        page.hear("LessonShown", name="small")
+        wait_for(lambda: lesson() and lesson().get("stars") == 1, "the star", hubs.STARTING)
+    assert lesson()["title"]["es"] == "Primer viaje"
+    assert lesson()["aims"][0]["say"] == "Drive and stop"
 
 
 def test_the_class_goes_on_when_the_hub_has_started_it_again(hub, alice):

@@ -61,15 +61,13 @@ function focus(form: HTMLFormElement | null, place: Missing): void {
 
 /** The focus is where one types: at the beginning, at each question, and where something was wrong. */
 function useFocus(form: { current: HTMLFormElement | null }, joining: Joining, step: Signal<Step>): void {
-  useEffect(() => {
-    focus(form.current, joining.missing.peek() ?? "word");
-    void joining.tryWord();
-  }, []);
-  useEffect(() => {
+  useLayoutEffect(() => focus(form.current, joining.missing.peek() ?? "word"), []);
+  useEffect(() => void joining.tryWord(), []);
+  useLayoutEffect(() => {
     if (isNarrow.peek()) focus(form.current, step.value);
   }, [step.value]);
   const wrong = joining.wrong.value;
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (!wrong) return;
     step.value = wrong === "whether" ? "name" : wrong;
     focus(form.current, wrong);

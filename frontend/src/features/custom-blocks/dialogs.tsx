@@ -1,7 +1,7 @@
 /** The dialogs for custom blocks: the list, and the editor of one. */
 
 import { useSignal } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 
 import { say, t } from "../../i18n";
 import type { CustomBlockDialogName } from "../../model/dialogs";
@@ -109,7 +109,7 @@ function OutcomeLine() {
   const button = useRef<HTMLButtonElement>(null);
   const outcome = shelf.outcome.value;
   // The focused button disappeared with its row.
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (outcome?.action) button.current?.focus();
   }, [outcome]);
   const { sort = "done", message, word = "", values, action } = outcome ?? {};

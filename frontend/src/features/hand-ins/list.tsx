@@ -1,6 +1,6 @@
 /** The pupils of a step, grouped by what the teacher has to do. */
 
-import { useEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 
 import { t } from "../../i18n";
 import type { HandInLine, HandInList } from "../../protocol/classroom";
@@ -82,7 +82,7 @@ function Lines({ stream, lines }: { stream: HandInStream; lines: readonly HandIn
 function Line({ stream, line }: { stream: HandInStream; line: HandInLine }) {
   const isShown = stream.pupil.value === line.pupil;
   const row = useRef<HTMLButtonElement>(null);
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (isShown && stream.staysInList) row.current?.focus();
   }, [isShown, stream.focused.value]);
   return (

@@ -2,7 +2,7 @@
 
 import { type Signal, useSignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 
 import { language, t } from "../../i18n";
 import type { CheckSummary, NotedLine, ShownHandIn } from "../../protocol/classroom";
@@ -221,7 +221,7 @@ function Answer({ stream, shown, noted }: AnswerProps) {
   const note = useSignal(line.note ?? "");
   const mark = useSignal(line.mark ?? "");
   const field = useRef<HTMLTextAreaElement>(null);
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (!stream.staysInList) field.current?.focus({ preventScroll: true });
   }, [stream.focused.value]);
   const keep = () => {

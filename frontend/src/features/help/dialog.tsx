@@ -2,7 +2,7 @@
 
 import { useSignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 
 import { language, t } from "../../i18n";
 import { usePage } from "../../model/page";
@@ -208,7 +208,7 @@ interface ReadingProps {
 function Reading({ opened, search, back }: ReadingProps) {
   const button = useRef<HTMLButtonElement>(null);
   // The result that had the focus has gone.
-  useEffect(() => button.current?.focus(), []);
+  useLayoutEffect(() => button.current?.focus(), []);
   return (
     <div class="help-reading">
       <button type="button" class="button bordered" ref={button} onClick={back}>

@@ -1,6 +1,6 @@
 /** The editor of a lesson: its parts on the left, the chosen one beside them. */
 
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { say, t, translated } from "../../i18n";
 import { usePage } from "../../model/page";
 import { IconButton } from "../../ui/button";
@@ -108,7 +108,7 @@ function Summary() {
   const place = useRef<HTMLDivElement>(null);
   const problems = making.problemsAt([]);
   const hasSome = problems.length > 0;
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (hasSome) place.current?.focus();
   }, [hasSome]);
   if (!hasSome) return null;

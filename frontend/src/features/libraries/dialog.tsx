@@ -1,7 +1,7 @@
 /** The libraries dialog: the installed ones, files to import, and making a new one. */
 
 import { useSignal } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 
 import { say, t } from "../../i18n";
 import { usePage } from "../../model/page";
@@ -118,7 +118,7 @@ function Removal({ name, keep }: { name: string; keep: () => void }) {
   const { libraries } = usePage();
   const button = useRef<HTMLButtonElement>(null);
   // The focused button has disappeared.
-  useEffect(() => button.current?.focus(), []);
+  useLayoutEffect(() => button.current?.focus(), []);
   return (
     <li>
       <div class="row-main" role="alert">

@@ -1,7 +1,7 @@
 /** Makes a block of the program, or changes one: its name and its inputs, with pictures of it. */
 
 import { useSignalEffect } from "@preact/signals";
-import { useEffect, useId, useMemo, useRef } from "preact/hooks";
+import { useEffect, useId, useLayoutEffect, useMemo, useRef } from "preact/hooks";
 
 import { t } from "../../i18n";
 import type { MakeBlockDialogName } from "../../model/dialogs";
@@ -140,7 +140,7 @@ function Row({ making, input, place }: { making: Making; input: TypedInput; plac
   const { key, name, kind } = input;
   const fault = making.inputFaults.value.get(key);
   // A new one is named at once.
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (input.was === undefined) field.current?.focus();
   }, []);
   return (

@@ -1,7 +1,7 @@
 /** The dialog for making a robot from its description. */
 
 import type { RefObject } from "preact";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 
 import { say, t } from "../../i18n";
 import { usePage } from "../../model/page";
@@ -110,7 +110,7 @@ function Made() {
   };
   const button = useRef<HTMLButtonElement>(null);
   // The focused button disappeared with the description.
-  useEffect(() => button.current?.focus(), []);
+  useLayoutEffect(() => button.current?.focus(), []);
   return (
     <>
       <p role="status">{t("page-newrobot-made", { name })}</p>

@@ -1,6 +1,6 @@
 /** The page that opens first: continue, choose a robot, try examples, and find projects. */
 
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
@@ -18,11 +18,13 @@ import "./start.css";
 export function StartPage({ openFiles }: { openFiles: OpenFiles }) {
   const { project, classes, classNews } = usePage();
   const main = useRef<HTMLElement>(null);
+  useLayoutEffect(() => {
+    // The button that led here is gone.
+    if (project.entries.value) main.current?.focus();
+  }, []);
   useEffect(() => {
     project.list();
     preload();
-    // The button that led here is gone.
-    if (project.entries.value) main.current?.focus();
   }, []);
   return (
     <div class="start">

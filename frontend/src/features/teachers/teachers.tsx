@@ -1,6 +1,6 @@
 /** What the start page has for teachers: their classes, a new one, and what helps before and after a lesson. */
 
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 
 import { say, t } from "../../i18n";
 import { usePage } from "../../model/page";
@@ -15,12 +15,13 @@ import "./teachers.css";
 export function Teachers() {
   const { classes, lessons, blockSets } = usePage();
   const main = useRef<HTMLElement>(null);
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (!lessons.teaches.value) main.current?.focus();
-    else {
-      classes.list();
-      blockSets.list();
-    }
+  }, []);
+  useEffect(() => {
+    if (!lessons.teaches.value) return;
+    classes.list();
+    blockSets.list();
   }, []);
   return (
     <main ref={main} class="teachers" tabIndex={-1} aria-labelledby="teachers">

@@ -1,7 +1,7 @@
 /** A tour in which the user builds and runs something: a card says what to do, a ring shows where. */
 
 import { computed, effect, untracked, useSignal } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
@@ -38,7 +38,7 @@ function Steps() {
     announcer.say(t("page-tour-well-done"));
     go(at.peek() + 1);
   };
-  useEffect(() => {
+  useLayoutEffect(() => {
     views.show("blocks");
     card.current?.focus();
   }, []);

@@ -63,6 +63,7 @@ server-no-picture = There is no such picture.
 # $reason is a technical text in English.
 server-mistake = Something went wrong in LearnBlock: { $reason }
 server-no-project = No project is open. Open a project first.
+server-only-in-class = Only the server of a class can send this.
 server-no-class = This page is not in a class, so you can't hand in your work.
 server-too-deep = This is nested too deeply.
 server-message-too-long = A message of { $count } characters is too long.

@@ -50,6 +50,7 @@ server-no-picture = No hay ninguna imagen así.
 
 server-mistake = Algo ha fallado en LearnBlock: { $reason }
 server-no-project = No hay ningún proyecto abierto. Abre antes un proyecto.
+server-only-in-class = Esto solo puede enviarlo el servidor de una clase.
 server-no-class = Esta página no está en una clase, así que no puedes entregar tu trabajo.
 server-too-deep = Esto tiene demasiados niveles, unos dentro de otros.
 server-message-too-long = Un mensaje de { $count } caracteres es demasiado largo.

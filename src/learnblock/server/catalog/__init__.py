@@ -11,6 +11,7 @@ from learnblock.server.catalog.lessons import (
     free_lesson_name,
     lesson_choices,
     star_names,
+    take_lesson,
 )
 from learnblock.server.catalog.robots import robot_choices, runs_on
 from learnblock.server.catalog.worlds import check_world_name, usual_world, world_choices
@@ -32,6 +33,7 @@ __all__ = [
     "star_names",
     "suits",
     "tag_dictionary",
+    "take_lesson",
     "usual_world",
     "welcome",
     "world_choices",

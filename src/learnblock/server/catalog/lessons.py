@@ -96,6 +96,27 @@ def add_lesson(name: str, content: bytes) -> OpenLesson:
     return reading.open_lesson(folder / f"{name}{SUFFIX}")
 
 
+def take_lesson(name: str, content: bytes) -> None:
+    """Save a lesson that the user has got in a class, unless the user has made it.
+
+    Raises:
+        LearnBlockError: as `add_lesson`.
+        OSError: it can't be saved.
+    """
+    given = reading.unpack(f"{name}{SUFFIX}", content)
+    if not _is_made_here(name):
+        add_lesson(name, packing.pack(reading.for_pupils(given)))
+
+
+def _is_made_here(name: str) -> bool:
+    """Whether a lesson of this name has a teacher's part, which no pupil gets."""
+    try:
+        return find_own(name).teacher is not None
+    except (LearnBlockError, OSError):
+        # It is not there yet, or damaged, and then replaced.
+        return False
+
+
 def free_lesson_name(title: str) -> str:
     """A name for a new lesson of the user's, made of its title; no other lesson has it."""
     stem = _NOT_IN_NAMES.sub("-", unicodedata.normalize("NFC", title).lower()).strip("-")

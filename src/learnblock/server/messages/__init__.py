@@ -14,6 +14,7 @@ from typing import Any
 from learnblock.server.messages.base import *
 from learnblock.server.messages.block_sets import *
 from learnblock.server.messages.carrying import *
+from learnblock.server.messages.class_lessons import *
 from learnblock.server.messages.classes import *
 from learnblock.server.messages.connecting import *
 from learnblock.server.messages.containment import *

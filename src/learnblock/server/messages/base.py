@@ -123,6 +123,12 @@ class Computer(FromPage, frozen=True):
     roles: ClassVar = frozenset[Role]()
 
 
+class ForClass(FromPage, frozen=True):
+    """No page may send it, only the server of a class on behalf of a pupil's page."""
+
+    roles: ClassVar = frozenset[Role]()
+
+
 class Head(Struct, frozen=True):
     """What a refusal repeats of a message from a page, see `FromPage`."""
 

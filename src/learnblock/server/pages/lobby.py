@@ -15,6 +15,7 @@ from learnblock.server.catalog.classes import ClassShelf
 from learnblock.server.pages import (
     asking,
     block_sets,
+    class_lessons,
     connecting,
     containment,
     controlling,
@@ -47,6 +48,7 @@ HANDLERS = {
     **looking.HANDLERS,
     **kept.HANDLERS,
     **lessons.HANDLERS,
+    **class_lessons.HANDLERS,
     **lesson_editor.HANDLERS,
     **world_editing.HANDLERS,
     **block_sets.HANDLERS,

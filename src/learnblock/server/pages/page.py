@@ -150,6 +150,15 @@ class Page:
         if not self.is_local:
             raise LearnBlockError("server-lesson-only-here")
 
+    def require_class(self) -> None:
+        """Check that the page is one of a class, and its server the pupil's own.
+
+        Raises:
+            LearnBlockError: it is not.
+        """
+        if self._seat is None or not self.is_alone:
+            raise LearnBlockError("server-only-in-class")
+
     async def serve(self) -> None:
         """Serve the page; return once it has disconnected and all its messages are handled."""
         try:
