@@ -1,7 +1,7 @@
 """What becomes of each example on each robot, in the world in which its purpose is a goal.
 
-With `--wires` the robots are the seven real ones, each emulated at the other end of its wire, in
-real time: some 25 minutes. Words select robots and examples: `agnosticism.py --wires ev3 first/park
+With `--wires` the robots are the ten real ones, each emulated at the other end of its wire, in
+real time: some 40 minutes. Words select robots and examples: `agnosticism.py --wires ev3 first/park
 square`. With `--page` it also writes the table of the docs, or the columns of these robots.
 """
 
@@ -56,6 +56,8 @@ AT_ONCE = 6
 LOOK = 0.1
 #: Seconds for which a robot is watched after its program: to stop at a place is to stay there.
 STANDING = 5.0
+#: The folder of examples that play the game of a world.
+_GAMES = "games/"
 #: Kinds of goals that can't be judged by a robot's way.
 UNSEEN = {"avoid", "show"}
 #: What the name of such a goal ends with.
@@ -95,7 +97,8 @@ def outcome(name: str, robot: str) -> Outcome:
 
 
 def _goal(name: str, robot: str, missed: list[str]) -> str:
-    nobody_acts = name in HANDS and robot not in TWINS
+    # Nothing shakes a real robot here, and it does not play the game of a world.
+    nobody_acts = robot not in TWINS and (name in HANDS or name.startswith(_GAMES))
     if missed and (nobody_acts or all(goal.endswith(UNKNOWN) for goal in missed)):
         return NOT_JUDGED
     return MISSED if missed else REACHED

@@ -19,7 +19,9 @@ ROBOTS = {
     "cozmo": ("Cozmo", ["Test wheels", "Test face", "Beep"], "Ground in the middle"),
     "ev3": ("LEGO EV3", ["Test wheels", "Beep"], "Distance in front"),
     "ebo": ("EBO", ["Test wheels", "Test face"], "Distance in front"),
+    "create3": ("iRobot Create 3", ["Test wheels", "Test lamps", "Beep"], "Distance in front"),
     "legoed": ("LEGO Education", ["Test wheels", "Test lamps", "Beep"], "Ground in the middle"),
+    "root": ("iRobot Root", ["Test wheels", "Test lamps", "Beep"], "Ground in the middle"),
     "spike": ("LEGO SPIKE Prime", ["Test wheels", "Test lamps", "Beep"], "Distance in front"),
     "thymio": ("Thymio II", ["Test wheels", "Test face", "Beep"], "Distance in front"),
 }
@@ -27,7 +29,9 @@ NEEDS = {
     "cozmo": "pycozmo",
     "ev3": None,
     "ebo": None,
+    "create3": "bleak",
     "legoed": "bleak",
+    "root": "bleak",
     "spike": "bleak",
     "thymio": "thymiodirect",
 }

@@ -17,7 +17,18 @@ REACHED, MISSED = "reached", "missed"
 #: The goal can't be judged over a wire: it can't be seen there, or needs somebody's hands.
 NOT_JUDGED = "ran"
 #: The robots at the end of a wire, in the order of the table.
-REAL = ("cozmo", "thymio", "ebo", "ev3", "spike", "legoed", "rcis", "coppeliasim")
+REAL = (
+    "cozmo",
+    "thymio",
+    "ebo",
+    "ev3",
+    "spike",
+    "legoed",
+    "root",
+    "create3",
+    "rcis",
+    "coppeliasim",
+)
 
 
 def verdict(name: str, robot: str) -> Verdict:
