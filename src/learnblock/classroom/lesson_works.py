@@ -1,4 +1,4 @@
-"""A pupil's work in lessons at a hub, as the pupil's server has last told it.
+"""A pupil's work in lessons at a hub, as the pupil's server last reported it.
 
 There the class does not reach the pupil's projects, from which it is read elsewhere.
 """
