@@ -64,7 +64,7 @@ class InNotebook:
 def current_notebook() -> Notebook | None:
     """The notebook in whose kernel this program runs; None elsewhere."""
     ipython = sys.modules.get("IPython")
-    shell = ipython.get_ipython() if ipython else None
+    shell = getattr(ipython, "get_ipython", lambda: None)()
     if shell is None:
         return None
     # By its name, because it knows all of LearnBlock, and robots only know this protocol.
