@@ -74,6 +74,20 @@ test("the next one is the next of the list, and the last one stays", () => {
   expect(stream.pupil.value).toBe("a");
 });
 
+test("after one that is handed back comes the next without a mark, wherever the list has put it", () => {
+  stream.hear(steps(1));
+  stream.hear(list(line("a", "handed back"), line("b", "to mark"), line("c", "to check"), line("d", "to mark")));
+  stream.show("b");
+  // Its mark was kept when the field was left, so it is below the others already.
+  stream.hear(list(line("a", "handed back"), line("b", "marked"), line("c", "to check"), line("d", "to mark")));
+  for (const next of ["d", "c", "c"]) {
+    stream.moveOn();
+    const shown = stream.pupil.value;
+    expect(shown).toBe(next);
+    stream.hear(list(line("a", "handed back"), line("b", "marked"), line("c", "to check"), line("d", "handed back")));
+  }
+});
+
 test("the list of another step that arrives late is not shown", () => {
   stream.hear(steps(1));
   stream.hear({ kind: "HandInList", lesson: "other", step: 1, title: "", step_title: "", starts: 1 });

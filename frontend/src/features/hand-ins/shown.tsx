@@ -235,7 +235,7 @@ function Answer({ stream, shown, noted }: AnswerProps) {
     event.preventDefault();
     keep();
     stream.handBack([line.pupil]);
-    stream.move(1);
+    stream.moveOn();
   };
   const keys = (event: KeyboardEvent) => {
     if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) handBack(event);

@@ -85,6 +85,15 @@ export class HandInStream extends Channel<FromTeacher, ToTeacher> {
     if (next && next !== this.pupil.peek()) this.show(next, stay);
   }
 
+  /** Show the next hand-in without a mark: checked before unchecked, after this one in the class before the first. */
+  moveOn(): void {
+    const lines = this.list.peek()?.lines ?? [];
+    const at = lines.findIndex(({ pupil }) => pupil === this.pupil.peek());
+    const others = [...lines.slice(at + 1), ...lines.slice(0, Math.max(at, 0))];
+    const next = UNMARKED.map((wanted) => others.find(({ state }) => state === wanted)).find(Boolean);
+    if (next) this.show(next.pupil);
+  }
+
   collect(): void {
     this.act((place) => ({ kind: "CollectHandIns", ...place }));
   }
@@ -136,6 +145,8 @@ export const MOST_LINES = 1000;
 
 /** The groups of the list, by what the teacher has to do. */
 export const GROUPS = ["to check", "to mark", "marked", "handed back", "improving"] as const;
+
+const UNMARKED = ["to mark", "to check"] as const;
 
 /** The lines as the list shows them. */
 export function inOrder(lines: readonly HandInLine[]): readonly HandInLine[] {
