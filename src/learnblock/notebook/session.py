@@ -97,8 +97,10 @@ class NotebookSession:
             self._source = self._shell.transform_cell(cell.raw_cell)
         for robot in self.robots():
             _membership(robot).way.begin_cell()
-            if isinstance(robot, SimulatedRobot):
-                robot.take_time()
+        simulated = [robot for robot in self.robots() if isinstance(robot, SimulatedRobot)]
+        # The time is that of the last one; the others would be kept by it.
+        for robot in simulated[-1:]:
+            robot.take_time()
 
     def visit(self, tree: ast.Module) -> ast.Module:
         """Let a cell note its steps; what a magic runs of it does not."""
