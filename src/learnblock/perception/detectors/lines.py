@@ -1,7 +1,7 @@
 """Black, red and blue lines, by the colours of pixels in three parts of a frame.
 
-Lines are on the floor: what is inside of a tag or a face is none, and neither is a tag that the
-edge cuts.
+Lines are on the floor: what is inside of a tag or a face is none, and neither is a tag or a face
+that the edge cuts.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from learnblock.perception.detections import Face, Lines, LineView, Tag
+from learnblock.perception.detectors.cut_faces import CutSkin, cut_skin
 from learnblock.perception.detectors.cut_tags import cut_tags
 from learnblock.perception.frames import Frame, checked
 
@@ -40,6 +41,8 @@ BLOB = 10
 MARGIN = 1.15
 # The blurred rim of a tag, in pixels of a frame 240 high.
 BLURRED = 2
+# The rim of a patch of skin, where it is redder, in pixels of a frame 240 high.
+SKIN_RIM = 5
 # A head is larger than its face by these shares of the face: hair, ears, neck and shoulders.
 HEAD = (0.5, 0.5, 0.5, 0.9)
 
@@ -56,6 +59,9 @@ def look(sight: "Sight") -> Lines:
         if not _has_blob(masks, height):
             break
         _erase(masks, outlines(sight.detect(name)), height)
+    # There is no face without skin, part of which is as red as a line.
+    if "red" in masks and cv2.hasNonZero(masks["red"]):
+        _erase_skin(masks, list(cut_skin(sight.frame)), height)
     return _lines(masks, sight.frame)
 
 
@@ -162,6 +168,13 @@ def _erase(
             cv2.fillConvexPoly(mask, corners, 0)
             if rim:
                 cv2.polylines(mask, [corners], isClosed=True, color=0, thickness=thickness)
+
+
+def _erase_skin(masks: Masks, patches: Sequence[CutSkin], height: int) -> None:
+    """Erase faces; of other things that have the colour of skin, what is red."""
+    _erase(masks, (skin.outline for skin in patches if skin.is_face), height)
+    others = (skin.outline for skin in patches if not skin.is_face)
+    _erase({"red": masks["red"]}, others, height, SKIN_RIM)
 
 
 def _tag_outlines(tags: Sequence[Tag]) -> Iterator[NDArray[np.float64]]:
