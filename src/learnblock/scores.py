@@ -29,6 +29,7 @@ EventKind = Literal[
     "lives",
     "collected",
     "entered",
+    "left",
     "passed",
     "touched",
     "pressed",

@@ -71,8 +71,16 @@ TASKS = {
     "first/turn-away.bt": ("arena", 40),
     "flower.bt": ("flower", 200),
     "games/collector.bt": ("stars", 40),
+    "games/delivery.bt": ("delivery", 175),
+    "games/drawing.bt": ("drawing", 100),
+    "games/football.bt": ("penalty", 115),
+    "games/landing.bt": ("landing", 30),
     "games/maze.bt": ("maze-clock", 115),
+    "games/race.bt": ("race-track", 95),
+    "games/simon.bt": ("simon", 40),
     "games/stars.bt": ("stars", 85),
+    "games/sumo.bt": ("sumo-barrels", 115),
+    "games/tag.bt": ("tag", 85),
     "imitate.bt": ("faces", 50),
     "labyrinth.bt": ("labyrinth", 150),
     "line-ebo.bt": ("line", 145),
@@ -121,6 +129,17 @@ HANDS = {"first/caught.bt": [(1.0, "shake"), (10.0, "left"), (12.0, "level")]}
 
 #: Where a person steers the robot of an example with the arrow keys, mm.
 WAYS = {
+    "games/delivery.bt": [
+        *((500, 0), (-700, 0), (-700, 400), (500, 400), (0, 0), (-700, 0), (-700, -400)),
+        (500, -400),
+    ],
+    "games/drawing.bt": [
+        *((-250, -250), (250, -250), (250, 150), (0, 400), (-250, 150), (-250, -250)),
+    ],
+    "games/football.bt": [
+        *((800, 0), (400, -400), (-400, -400), (-500, 0), (800, 0)),
+    ],
+    "games/race.bt": [(600, -300), (600, 300), (-600, 300), (-600, -300)] * 2 + [(0, -300)],
     "games/maze.bt": [
         (-700, -300),
         (-700, 350),
@@ -131,7 +150,12 @@ WAYS = {
         (1000, -400),
     ],
     "games/stars.bt": [(-350, 0), (50, 0), (450, 0), (450, 400), (50, 400), (-350, 400)],
+    "games/sumo.bt": [(470, 0), (0, 0), (-235, 407), (0, 0), (-235, -407)],
+    "games/tag.bt": [(300, 0)],
 }
+#: The keys with which a person answers in an example, each after one more point.
+TUNE = ("left", "right", "up", "left")
+REPLIES = {"games/simon.bt": [key for end in range(1, 5) for key in TUNE[:end]]}
 #: mm and degrees within which a person takes a place as reached, and a direction as right.
 NEAR, STRAIGHT = 45, 8
 
@@ -206,12 +230,32 @@ class Pilot(Holder):
         return "up" if abs(off) < STRAIGHT else "right" if off > 0 else "left"
 
 
+class Replier(Holder):
+    """Presses one key again and again, and the next one when the twin of a run has one more point.
+
+    Args:
+        keys: the keys, in order.
+    """
+
+    def __init__(self, keys: Iterable[str]) -> None:
+        super().__init__(())
+        self._keys = list(keys)
+
+    def held_keys(self, time):
+        twin = self.session.client if self.session else None
+        points = twin.simulation.world.game.scores.standing(twin.name, time).score if twin else 0
+        # Each answer is a press, not a key that stays down.
+        return self._keys[int(points) :][:1] if int(time * 2) % 2 else []
+
+
 def person(name: str) -> Watcher:
     """Return who steers or handles the robot of an example, presses keys or answers, if needed."""
     if name in HANDS:
         return Holder(HANDS[name])
     if name in WAYS:
         return Pilot(WAYS[name])
+    if name in REPLIES:
+        return Replier(REPLIES[name])
     keys = (EXAMPLES / name).with_suffix(".jsonl")
     return Presser(read_keys(keys)) if keys.exists() else Answerer(ANSWERS.get(name, ()))
 

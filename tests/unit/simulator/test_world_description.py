@@ -45,6 +45,14 @@ EXPECTED = {
     "tags",
     "walls",
     "maze-clock",
+    "landing",
+    "drawing",
+    "simon",
+    "race-track",
+    "tag",
+    "delivery",
+    "penalty",
+    "sumo-barrels",
     "stars",
 }
 

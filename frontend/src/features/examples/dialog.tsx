@@ -13,7 +13,11 @@ export function ExamplesDialog() {
   return (
     <Dialog title={t("page-project-examples-title")} close={() => dialogs.close()} size="large">
       <p class="dim">{t("page-project-examples-help")}</p>
-      <Gallery examples={examples.filter((one) => !one.is_first)} />
+      <h3>{t("page-project-games")}</h3>
+      <p class="dim">{t("page-project-games-help")}</p>
+      <Gallery examples={examples.filter((one) => one.is_game)} />
+      <h3>{t("page-project-programs")}</h3>
+      <Gallery examples={examples.filter((one) => !one.is_first && !one.is_game)} />
       <h3>{t("page-project-first-programs")}</h3>
       <Gallery examples={examples.filter((one) => one.is_first)} />
     </Dialog>

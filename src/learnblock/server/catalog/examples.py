@@ -9,6 +9,8 @@ from learnblock.server.messages import ExampleChoice, Stage
 
 #: How the names of the first programs start; some have the name of an example.
 _FIRST_NAME = "first-"
+#: How the names of the games start, for the same reason.
+_GAME_NAME = "game-"
 #: A name, a title, a description, a robot, a world and a stage.
 _Row = tuple[str, str, str, str, str, Stage]
 
@@ -220,6 +222,91 @@ _FIRST: tuple[_Row, ...] = (
     ("pid", "Steer smoothly", "Follow the line with a control loop.", "sim-ev3", "line", "coder"),
 )
 
+#: The games, simplest first.
+_GAMES: tuple[_Row, ...] = (
+    (
+        "stars",
+        "Catch the stars",
+        "Catch six stars with the arrow keys, and mind the bugs.",
+        "sim-cozmo",
+        "stars",
+        "starter",
+    ),
+    (
+        "race",
+        "Race",
+        "Race twice around the wall, faster than the roller.",
+        "sim-ev3",
+        "race-track",
+        "starter",
+    ),
+    (
+        "drawing",
+        "Drawing by keys",
+        "Draw a house with the arrow keys and a pen.",
+        "sim-root",
+        "drawing",
+        "starter",
+    ),
+    (
+        "maze",
+        "Maze against the clock",
+        "Open the door and find the flag before the time is up.",
+        "sim-cozmo",
+        "maze-clock",
+        "starter",
+    ),
+    (
+        "sumo",
+        "Sumo with barrels",
+        "Push three barrels out of the ring.",
+        "sim-thymio",
+        "sumo-barrels",
+        "explorer",
+    ),
+    ("football", "Penalties", "Push the ball past the keeper.", "sim-cozmo", "penalty", "explorer"),
+    (
+        "delivery",
+        "Delivery",
+        "Push each parcel to the house of its colour.",
+        "sim-spike",
+        "delivery",
+        "explorer",
+    ),
+    (
+        "tag",
+        "Tag",
+        "Catch three ghosts, and keep away from the roller.",
+        "sim-legoed",
+        "tag",
+        "explorer",
+    ),
+    (
+        "simon",
+        "Simon says",
+        "Repeat the robot's tune, note by note.",
+        "sim-thymio",
+        "simon",
+        "explorer",
+    ),
+    (
+        "landing",
+        "Space landing",
+        "Land softly: gravity pulls, and the up key brakes.",
+        "sim-cozmo",
+        "landing",
+        "explorer",
+    ),
+    (
+        "collector",
+        "Collect by itself",
+        "The robot collects the stars without a key.",
+        "sim-cozmo",
+        "stars",
+        "explorer",
+    ),
+)
+
 #: The examples with several robots, each with its programs, and for each the kind of robot and how
 #: many run it.
 _TEAMS = (
@@ -271,7 +358,7 @@ _TEAMS = (
 @cache
 def example_choices() -> dict[str, ExampleChoice]:
     """The examples by name."""
-    chosen = (*_examples(), *_teams(), *_first_programs())
+    chosen = (*_games(), *_examples(), *_teams(), *_first_programs())
     return {choice.name: choice for choice in chosen}
 
 
@@ -286,8 +373,20 @@ def example_programs(name: str) -> tuple[tuple[str, str, int], ...]:
         team: tuple((f"several/{program}", robot, count) for program, robot, count in programs)
         for team, _, _, _, programs in _TEAMS
     }
-    file = f"first/{name.removeprefix(_FIRST_NAME)}" if chosen.is_first else name
-    return teams.get(name, ((file, chosen.robot, 1),))
+    return teams.get(name, ((_file_of(chosen), chosen.robot, 1),))
+
+
+def _file_of(chosen: ExampleChoice) -> str:
+    if chosen.is_game:
+        return f"games/{chosen.name.removeprefix(_GAME_NAME)}"
+    return f"first/{chosen.name.removeprefix(_FIRST_NAME)}" if chosen.is_first else chosen.name
+
+
+def _games() -> Iterator[ExampleChoice]:
+    for name, title, description, robot, world, stage in _GAMES:
+        yield ExampleChoice(
+            _GAME_NAME + name, title, description, robot, world, stage=stage, is_game=True
+        )
 
 
 def _first_programs() -> Iterator[ExampleChoice]:

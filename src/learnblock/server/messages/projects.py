@@ -223,6 +223,7 @@ class ExampleChoice(Struct, frozen=True, omit_defaults=True):
         robots: how many robots there are.
         stage: its level of difficulty.
         is_first: whether it is one of the first programs, which do one task each.
+        is_game: whether it is a game to play, and to change.
     """
 
     name: str
@@ -233,6 +234,7 @@ class ExampleChoice(Struct, frozen=True, omit_defaults=True):
     robots: int = 1
     stage: Stage = "starter"
     is_first: bool = False
+    is_game: bool = False
 
 
 class Welcome(ToPage, frozen=True):

@@ -24,6 +24,7 @@ CollectableKind = Literal[
 #: What becomes of the game: nothing, or it is won or lost.
 Verdict = Literal["no", "win", "lose"]
 TimeUp = Literal["lose", "win", "program"]
+ZoneMoment = Literal["entered", "left"]
 
 Points = Annotated[float, Meta(ge=-1000, le=1000)]
 Lives = Annotated[int, Meta(ge=-9, le=9)]
@@ -85,7 +86,7 @@ class Collectable(Moving, kw_only=True, frozen=True, forbid_unknown_fields=True)
 
 
 class Zone(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
-    """A round area on the floor that counts when the middle of a robot, or an object, enters it."""
+    """A round area on the floor that counts when a robot's middle, or an object, enters it."""
 
     x: Annotated[Place, X]
     y: Annotated[Place, Y]
@@ -94,8 +95,9 @@ class Zone(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     lives: Annotated[Lives, LIVES] = 0
     ends: Annotated[Verdict, Meta(description="whether it ends the game, won or lost")] = "no"
     again: Annotated[bool, Meta(description="whether it counts each time, not only once")] = True
+    when: Annotated[ZoneMoment, Meta(description="when it counts")] = "entered"
     object: (
-        Annotated[Name, Meta(description="the object that has to enter instead of a robot")] | None
+        Annotated[Name, Meta(description="the object that has to do so instead of a robot")] | None
     ) = None
     robot: (
         Annotated[

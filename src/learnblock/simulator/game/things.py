@@ -62,11 +62,11 @@ class GameEffects:
         )
         self.scores.keep(player, thing.kind)
 
-    def entered(self, player: str, zone: Zone) -> None:
-        """Count a zone that a player has entered; it may end the game."""
+    def crossed(self, player: str, zone: Zone) -> None:
+        """Count a zone that a player has entered or left; it may end the game."""
         lives = self._lives(player, zone.lives)
         self.scores.affect(
-            "entered", player, self.time, thing=zone.name, points=zone.score, lives=lives
+            zone.when, player, self.time, thing=zone.name, points=zone.score, lives=lives
         )
         if zone.ends != "no":
             self.scores.end(
@@ -155,30 +155,29 @@ class ZoneNow:
         self._done: set[str] = set()
 
     def look(self, players: Sequence[Contestant], effects: GameEffects) -> None:
-        """Count who has entered."""
+        """Count who has entered or left."""
         if self._thing is None:
             wanted = self.described.robot
             for player in players:
                 if wanted in (None, player.name):
-                    self._enter(player.name, player.name, player.pose, effects)
+                    self._cross(player.name, player.name, player.pose, effects)
         elif players:
             pose = self._thing.pose
             counted = self.described.robot or _nearest(players, pose).name
-            if self._enter("", counted, pose, effects) and self.described.returns:
+            if self._cross("", counted, pose, effects) and self.described.returns:
                 self._put_back(self._thing)
 
-    def _enter(self, who: str, player: str, pose: Pose, effects: GameEffects) -> bool:
-        """Note where a robot or the object is; return whether it has entered."""
-        was_inside, zone = who in self._inside, self.described
-        if math.hypot(pose.x - zone.x, pose.y - zone.y) > zone.radius:
-            self._inside.discard(who)
-            return False
-        self._inside.add(who)
-        if was_inside or who in self._done:
+    def _cross(self, who: str, player: str, pose: Pose, effects: GameEffects) -> bool:
+        """Note where a robot or the object is; return whether that counts."""
+        zone, was_inside = self.described, who in self._inside
+        is_inside = math.hypot(pose.x - zone.x, pose.y - zone.y) <= zone.radius
+        (self._inside.add if is_inside else self._inside.discard)(who)
+        counts = is_inside if zone.when == "entered" else not is_inside
+        if is_inside == was_inside or not counts or who in self._done:
             return False
         if not zone.again:
             self._done.add(who)
-        effects.entered(player, zone)
+        effects.crossed(player, zone)
         return True
 
     def _put_back(self, thing: Pushed) -> None:

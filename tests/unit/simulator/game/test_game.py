@@ -107,6 +107,20 @@ def test_a_zone_counts_each_time_that_a_robot_enters_it(play: Play) -> None:
     assert [event.score for event in match.happened("entered")] == [2, 4]
 
 
+def test_a_zone_may_count_when_a_robot_or_an_object_leaves_it(play: Play) -> None:
+    match = play(
+        '[[cylinder]]\nname = "barrel"\nx = 200\ny = 0\nradius = 30\nmass = 0.05\n'
+        '[[zone]]\nx = 0\ny = 0\nradius = 400\nobject = "barrel"\nwhen = "left"\nscore = 3\n'
+        '[[zone]]\nx = 0\ny = 0\nradius = 400\nwhen = "left"\nlives = -1\nname = "ring"\n'
+        "[game]\nlives = 2\n",
+        4,
+    )
+
+    left = [(event.thing, event.score, event.lives) for event in match.happened("left")]
+    assert left == [("zone", 3, None), ("ring", None, 1)]
+    assert not match.happened("entered")
+
+
 def test_a_zone_may_count_only_once_and_for_one_robot_only(play: Play) -> None:
     zone = "[[zone]]\nx = 300\ny = 0\nradius = 100\nscore = 2\nagain = false\n"
     match = play(zone + '[[zone]]\nrobot = "r1"\nx = 300\ny = 0\nscore = 9\n', 3)
