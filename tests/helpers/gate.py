@@ -80,6 +80,8 @@ def _listed_files():
     return {name.partition("::")[0] for name in listed()}
 
 
+# First: pytest-xdist adds the group of a test to its name.
+@pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config, items):
     if not config.stash[IS_GATE]:
         return
