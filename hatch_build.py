@@ -131,6 +131,7 @@ def page_sources(root: Path) -> list[Path]:
     frontend = root / "frontend"
     single = ["package.json", "package-lock.json", "tsconfig.json", "vite.config.ts"]
     single += ["index.html", "class.html", "hand-in-run.html"]
+    single += ["vite.standalone.config.ts", "standalone.html"]
     folders = [
         (frontend / "src", "*"),
         (frontend / "public", "*"),

@@ -10,6 +10,7 @@ const LAYERS = [
   "class.tsx",
   "hand-in-run.tsx",
   "main.tsx",
+  "standalone.ts",
   "app",
   "features",
   "views",

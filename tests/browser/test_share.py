@@ -1,5 +1,8 @@
 """A program is shared as a link that proves its run, and the world as a picture or a film."""
 
+import re
+from xml.etree import ElementTree
+
 import cv2
 import pytest
 from playwright.sync_api import expect
@@ -118,3 +121,51 @@ def test_a_link_opens_in_another_learnblock_whose_run_is_the_same(pupil, sit_dow
     other.choose("Speed", "Fastest")
     other.run_to_the_end()
     other.expect_note("The same run as the one that was shared.")
+
+
+def save_program(pupil, tmp_path, **choices):
+    """Save a picture of the program; return the path of its file."""
+    share(pupil, "Picture of the program")
+    dialog = pupil.dialog()
+    for label, value in choices.items():
+        dialog.get_by_label(label).select_option(value)
+    expect(dialog.get_by_role("img")).to_be_visible()
+    with pupil.page.expect_download() as started:
+        dialog.get_by_role("button", name="Save").click()
+    path = tmp_path / started.value.suggested_filename
+    started.value.save_as(path)
+    pupil.page.keyboard.press("Escape")
+    return path
+
+
+def test_pictures_of_the_program_need_nothing_else_and_leave_the_page_as_it_was(pupil, tmp_path):
+    spanish = save_program(pupil, tmp_path, Language="Español", Theme="Dark").read_text()
+    text = " ".join(ElementTree.fromstring(spanish).itertext()).replace("\xa0", " ")  # noqa: S314
+    for word in ("al pulsar Ejecutar", "function.turn(45)", "girar", "delante"):
+        assert word in text
+    assert set(re.findall(r'(?:href="|url\()([a-z]*):', spanish)) == {"data"}
+    picture = cv2.imread(str(save_program(pupil, tmp_path, Format="PNG")), cv2.IMREAD_UNCHANGED)
+    assert picture.shape[2] == 4
+    assert is_colourful(picture)
+    expect(pupil.blocks("lb_skill_drive_distance")).to_contain_text("forward")
+    expect(pupil.page.locator("html")).to_have_attribute("data-theme", "light")
+
+
+#: Opens no dialog of the browser.
+PRINTED = "() => { globalThis.print = () => {}; }"
+
+
+def test_a_program_is_printed_with_its_numbered_lines_beside_its_blocks(pupil):
+    pupil.page.evaluate(PRINTED)
+    share(pupil, "Print")
+    sheet = pupil.page.locator(".print-sheet")
+    sheet.wait_for(state="attached")
+    pupil.page.emulate_media(media="print")
+    expect(sheet.get_by_role("listitem")).to_have_text(
+        [line.rstrip() for line in DRIVING.splitlines()]
+    )
+    expect(sheet.locator("img")).not_to_have_count(0)
+    expect(sheet).to_contain_text(pupil.name_of_project())
+    expect(pupil.page.get_by_role("banner")).to_be_hidden()
+    pupil.page.evaluate("dispatchEvent(new Event('afterprint'))")
+    expect(sheet).to_have_count(0)

@@ -28,6 +28,7 @@ import { RunDialog } from "../features/runs/dialogs";
 import { SettingsDialog, ShortcutsDialog } from "../features/settings/dialogs";
 import { ShareDialog } from "../features/share/dialog";
 import { OpenLinkDialog } from "../features/share/open-link";
+import { ProgramPictureDialog } from "../features/share/picture";
 import { TagsDialog } from "../features/tags/dialog";
 import { GradingDialog } from "../features/teachers/topics";
 import { WorldGalleryDialog } from "../features/worlds/gallery";
@@ -49,6 +50,7 @@ const DIALOGS = {
   moreOfProject: MoreDialog,
   openLink: OpenLinkDialog,
   share: ShareDialog,
+  programPicture: ProgramPictureDialog,
   help: HelpDialog,
   shortcuts: ShortcutsDialog,
   settings: SettingsDialog,

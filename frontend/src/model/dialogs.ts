@@ -12,6 +12,7 @@ export type DialogName =
   | "moreOfProject"
   | "openLink"
   | "share"
+  | "programPicture"
   | "help"
   | "shortcuts"
   | "settings"

@@ -73,6 +73,9 @@ COMMANDS = {
     "perception": CommandLocation(
         "perception", "perception_group", "Show or change camera recognition"
     ),
+    "picture": CommandLocation(
+        "picture", "picture_command", "Draw a program's blocks as SVG or PNG"
+    ),
     "replay": CommandLocation(
         "replay", "replay_command", "Check a trace's poses and goals by repeating it"
     ),

@@ -6,6 +6,7 @@ import { usePage } from "../../model/page";
 import { type Preferences, prefer, preferences, THEMES } from "../../model/preferences";
 import { Dialog } from "../../ui/dialog";
 import { languageName } from "../../ui/language-name";
+import { SelectField } from "../../ui/select-field";
 import { keysOf, OTHER_KEYS, SHORTCUTS } from "../../ui/shortcuts";
 
 export function SettingsDialog() {
@@ -15,44 +16,22 @@ export function SettingsDialog() {
   const welcome = project.welcome.value;
   return (
     <Dialog title={t("page-settings-title")} close={() => dialogs.close()}>
-      <Choice label={t("page-bar-language")} value={language.value} choose={(code) => prefer({ language: code })}>
+      <SelectField label={t("page-bar-language")} value={language.value} choose={(code) => prefer({ language: code })}>
         {languages.map((code) => [code, languageName(code)])}
-      </Choice>
-      <Choice
+      </SelectField>
+      <SelectField
         label={t("page-bar-theme")}
         value={theme}
         choose={(name) => prefer({ theme: name as Preferences["theme"] })}
       >
         {THEMES.map((name) => [name, t(`page-settings-theme-${name}`)])}
-      </Choice>
+      </SelectField>
       <Check label={t("page-settings-sound")} on={isHeard(inClass)} set={(on) => prefer(hear(on, inClass))} />
       <Volume />
       <Check label={t("page-settings-audible")} on={audible} set={(on) => prefer({ audible: on })} />
       <Check label={t("page-settings-celebrate")} on={celebrate} set={(on) => prefer({ celebrate: on })} />
       {welcome && <p class="dim">{t("page-settings-about", { version: welcome.version, folder: welcome.folder })}</p>}
     </Dialog>
-  );
-}
-
-interface ChoiceProps {
-  readonly label: string;
-  readonly value: string;
-  readonly choose: (value: string) => void;
-  readonly children: readonly (readonly [string, string])[];
-}
-
-function Choice({ label, value, choose, children }: ChoiceProps) {
-  return (
-    <label class="field">
-      {label}
-      <select value={value} onChange={({ currentTarget }) => choose(currentTarget.value)}>
-        {children.map(([name, text]) => (
-          <option key={name} value={name}>
-            {text}
-          </option>
-        ))}
-      </select>
-    </label>
   );
 }
 

@@ -10,6 +10,7 @@ import type { ShareLink } from "../../protocol/messages";
 import { Dialog } from "../../ui/dialog";
 import { Icon, type IconName } from "../../ui/icons";
 import { fingerprint } from "./links";
+import { printProgram } from "./print";
 import { Snapshot } from "./snapshot";
 import "./dialog.css";
 
@@ -97,7 +98,8 @@ function Link({ answer: { link } }: { answer: ShareLink }) {
 }
 
 function Keeping() {
-  const { context, dialogs, project, share } = usePage();
+  const page = usePage();
+  const { context, dialogs, project, share } = page;
   const run = (action: () => void) => () => {
     dialogs.close();
     action();
@@ -110,6 +112,8 @@ function Keeping() {
         <Tile icon="download" word="file" onClick={() => project.export("learnblock")} />
         <Tile icon="blocktext" word="blocktext" onClick={() => project.export("bt")} />
         <Tile icon="python" word="python" onClick={() => project.export("py")} />
+        <Tile icon="blocks" word="program" onClick={() => dialogs.show("programPicture")} />
+        <Tile icon="print" word="print" onClick={run(() => void printProgram(page))} />
         <Tile icon="image" word="picture" onClick={run(() => void share.takePicture())} />
         <Tile icon="video" word="film" off={isRunning} onClick={run(() => share.film())} />
       </div>

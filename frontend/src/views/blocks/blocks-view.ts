@@ -13,6 +13,7 @@ import type { Zoom } from "../../model/views";
 import type { BlockSet, Workspace } from "../../protocol/messages";
 import type { Island } from "../../ui/island";
 import { room } from "../../ui/screen";
+import "./block-fields.css";
 import "./blocks.css";
 import { Cleanup } from "../../ui/cleanup";
 import type { BlockActions, OfferedRobot } from "./actions";

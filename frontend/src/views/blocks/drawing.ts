@@ -13,6 +13,7 @@ import { MEDIA } from "./media";
 import { fetchPalette, installPalette, type Palette } from "./palette";
 import { Sync } from "./sync";
 import { themeOf } from "./themes";
+import "./block-fields.css";
 import "./drawing.css";
 
 type State = Blockly.serialization.blocks.State;

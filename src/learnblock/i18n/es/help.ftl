@@ -295,6 +295,15 @@ help-perception-set-with-default = Vuelve al valor por defecto.
 help-perception-set-with-yes = No pregunta.
 help-perception-set-with-json = { help-blocks-with-json }
 
+help-picture =
+    Dibuja los bloques de un programa en SVG o PNG.
+
+    La imagen lleva dentro sus letras e iconos, y un SVG, el programa como texto alternativo.
+    La dibuja Chrome, Edge o Chromium, sin ventana y sin red.
+help-picture-with-to = Imagen, en .svg o .png  [por defecto: el nombre del programa con .svg]
+help-picture-with-language = Idioma de los bloques  [por defecto: el de la salida]
+help-picture-with-theme = Colores de la imagen.
+
 help-replay =
     Comprueba las posiciones y los objetivos de una traza repitiéndola.
 
