@@ -119,10 +119,10 @@ def test_a_link_opens_in_another_learnblock_whose_run_is_the_same(pupil, sit_dow
 
 def save_program(pupil, tmp_path, **choices):
     """Save a picture of the program; return the path of its file."""
-    share(pupil, "Picture of the program")
+    pupil.share("Picture of the program")
     dialog = pupil.dialog()
     for label, value in choices.items():
-        dialog.get_by_label(label, exact=True).select_option(value)
+        dialog.get_by_label(label).select_option(value)
     expect(dialog.get_by_role("img")).to_be_visible()
     with pupil.page.expect_download() as started:
         dialog.get_by_role("button", name="Save").click()
@@ -145,18 +145,16 @@ def test_pictures_of_the_program_need_nothing_else_and_leave_the_page_as_it_was(
     expect(pupil.page.locator("html")).to_have_attribute("data-theme", "light")
 
 
-#: What is on paper instead of opening the browser's dialog.
-PRINTED = """globalThis.print = () => {
-    globalThis.printed = document.querySelector(".print-sheet").innerText;
-}"""
+#: Opens no dialog of the browser.
+PRINTED = "() => { globalThis.print = () => {}; }"
 
 
 def test_a_program_is_printed_with_its_numbered_lines_beside_its_blocks(pupil):
     pupil.page.evaluate(PRINTED)
-    share(pupil, "Print")
-    pupil.page.wait_for_function("globalThis.printed")
-    pupil.page.emulate_media(media="print")
+    pupil.share("Print")
     sheet = pupil.page.locator(".print-sheet")
+    sheet.wait_for(state="attached")
+    pupil.page.emulate_media(media="print")
     expect(sheet.get_by_role("listitem")).to_have_text(
         [line.rstrip() for line in DRIVING.splitlines()]
     )
