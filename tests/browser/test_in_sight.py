@@ -97,6 +97,32 @@ def test_a_question_and_goals_are_in_sight_beside_program_robot_and_run(
     reader.pupil.picture(f"goals-{size}-{language}")
 
 
+#: The boxes of what the offer of the tour must not cover, and its own, in pixels.
+BESIDE_THE_OFFER = """() => {
+    const box = (one) => one.getBoundingClientRect();
+    const parts = [".world-pane", "#run", ".blocklyToolbox", ".blocklyBlockCanvas .blocklyPath"];
+    const offer = box(document.querySelector(".tour-offer"));
+    const covered = [...document.querySelectorAll(parts.join())].map(box).filter((part) =>
+        part.width > 0 && part.left < offer.right && part.right > offer.left
+        && part.top < offer.bottom && part.bottom > offer.top);
+    return { height: offer.height, bottom: innerHeight - offer.bottom, covered };
+}"""
+
+
+@pytest.mark.parametrize(("size", "language"), CASES)
+def test_the_offer_of_the_tour_covers_neither_world_nor_blocks_nor_run(
+    sit_down, server, size, language
+):
+    width, height = SIZES[size]
+    viewport = {"width": width, "height": height}
+    pupil = sit_down(server, tour=True, empty=True, flat=True, language=language, viewport=viewport)
+    expect(pupil.page.locator(".tour-offer")).to_be_visible()
+    offer = pupil.page.evaluate(BESIDE_THE_OFFER)
+    assert offer["height"] > 50
+    assert offer["bottom"] >= 0
+    assert offer["covered"] == []
+
+
 def test_the_output_is_closed_when_a_lesson_opens(own_server, sit_down):
     reader = Reader(sit_down, own_server, "laptop", "en")
     reader.page.evaluate(
