@@ -5,7 +5,8 @@ import re
 import pytest
 from playwright.sync_api import expect
 
-from browser.pupil import WORKSPACE
+from browser.pupil import FLAT, WORKSPACE
+from classes import opened
 from learnblock.lessons.reading import find_lesson
 
 SIZES = {"laptop": (1366, 768), "small": (1024, 768), "tablet": (820, 1180), "phone": (390, 844)}
@@ -97,6 +98,32 @@ def test_a_question_and_goals_are_in_sight_beside_program_robot_and_run(
     reader.pupil.picture(f"goals-{size}-{language}")
 
 
+#: The boxes of what the offer of the tour must not cover, and its own, in pixels.
+BESIDE_THE_OFFER = """() => {
+    const box = (one) => one.getBoundingClientRect();
+    const parts = [".world-pane", "#run", ".blocklyToolbox", ".blocklyBlockCanvas .blocklyPath"];
+    const offer = box(document.querySelector(".tour-offer"));
+    const covered = [...document.querySelectorAll(parts.join())].map(box).filter((part) =>
+        part.width > 0 && part.left < offer.right && part.right > offer.left
+        && part.top < offer.bottom && part.bottom > offer.top);
+    return { height: offer.height, bottom: innerHeight - offer.bottom, covered };
+}"""
+
+
+@pytest.mark.parametrize(("size", "language"), CASES)
+def test_the_offer_of_the_tour_covers_neither_world_nor_blocks_nor_run(
+    sit_down, server, size, language
+):
+    width, height = SIZES[size]
+    viewport = {"width": width, "height": height}
+    pupil = sit_down(server, tour=True, empty=True, flat=True, language=language, viewport=viewport)
+    expect(pupil.page.locator(".tour-offer")).to_be_visible()
+    offer = pupil.page.evaluate(BESIDE_THE_OFFER)
+    assert offer["height"] > 50
+    assert offer["bottom"] >= 0
+    assert offer["covered"] == []
+
+
 def test_the_output_is_closed_when_a_lesson_opens(own_server, sit_down):
     reader = Reader(sit_down, own_server, "laptop", "en")
     reader.page.evaluate(
@@ -119,3 +146,38 @@ def test_a_missed_goal_says_by_how_much_and_is_shown(own_server, sit_down):
     expect(missed).to_contain_text(re.compile(r"The first corner: \d+ mm short\."))
     missed.get_by_role("button", name=re.compile("^Show")).click()
     reader.pupil.picture("missed")
+
+
+#: Whether the page is no wider than the screen, and the notes of the class cover nothing.
+IN_CLASS = """() => {
+    const box = (one) => one.getBoundingClientRect();
+    const notes = [...document.querySelectorAll(".class-notes > *")].map(box);
+    const parts = [...document.querySelectorAll("#run .go, .blocklyToolbox, .bar button")];
+    const isCovered = (part) => notes.some((note) =>
+        box(part).left < note.right && box(part).right > note.left
+        && box(part).top < note.bottom && box(part).bottom > note.top);
+    const isWhole = document.documentElement.scrollWidth <= innerWidth;
+    return isWhole && notes.length > 0 && !parts.some(isCovered);
+}"""
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_hint_of_the_teacher_covers_neither_run_nor_the_groups(tmp_path, browser, language):
+    with opened(tmp_path / "teacher") as room, room.wall() as wall:
+        pupil = room.pupil("Maximiliano")
+        context = browser.new_context(locale=language)
+        context.add_init_script(FLAT)
+        name, _, value = pupil.cookie.partition("=")
+        context.add_cookies([{"name": name, "value": value, "url": room.address}])
+        page = context.new_page()
+        page.goto(f"{room.address}/{pupil.address}")
+        wall.say("HandOut", lesson="1-01-first-drive", project="First drive", step=2)
+        expect(page.locator(BLOCKS).first).to_be_visible(timeout=60_000)
+        page.locator(".pupil-chip button").click()
+        wall.say("SendHint", pupil=pupil.id, text="Look at the number in the block.")
+        expect(page.locator(".note.hint")).to_be_visible()
+        for width, height in SIZES.values():
+            page.set_viewport_size({"width": width, "height": height})
+            # The page follows the new size in its next frames.
+            page.wait_for_function(IN_CLASS)
+        context.close()

@@ -3,10 +3,12 @@
 import { t } from "../../i18n";
 import { type Page, usePage } from "../../model/page";
 import { prefer, preferences } from "../../model/preferences";
+import { isNarrow } from "../../ui/screen";
 import "./tour.css";
 
-/** Blocks of a program that end above the offer. */
+/** Blocks of a program that end above the offer, and on a phone. */
 const SHORT = 6;
+const SHORT_ON_PHONE = 2;
 
 export function TourOffer() {
   const page = usePage();
@@ -32,5 +34,5 @@ function isGuided({ classNews, lessons }: Page): boolean {
 
 /** Whether the offer would cover the program's last blocks. */
 function isLong({ context }: Page): boolean {
-  return context.program.state.value.places.length > SHORT;
+  return context.program.state.value.places.length > (isNarrow.value ? SHORT_ON_PHONE : SHORT);
 }
