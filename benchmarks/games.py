@@ -1,4 +1,4 @@
-"""A game with 30 things that move: the speed of its world alone and with a program; the aim is 20."""
+"""A game with 30 things that move: the speed of its world, alone and with a program."""
 
 import tempfile
 from pathlib import Path
@@ -9,6 +9,7 @@ from learnblock.running import Job, Options, ProgramRun
 from learnblock.runtime.inline import InlineWorker
 from learnblock.simulator import World, load_world
 
+#: Times real time, at least.
 AIM = 20
 THINGS = 30
 SECONDS = 60.0

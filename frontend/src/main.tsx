@@ -6,15 +6,18 @@ import { render } from "preact";
 import { App } from "./app/app";
 import { compose } from "./app/compose";
 import { listen } from "./app/shortcuts";
-import { language, startLanguage } from "./i18n";
+import { language, startLanguage, t } from "./i18n";
 import { isHeard } from "./model/loudness";
 import { type Page, PageProvider } from "./model/page";
 import { preferredLanguage, theme } from "./model/preferences";
 import { startFonts } from "./ui/fonts";
 
-async function sound({ context, classNews }: Page): Promise<void> {
+async function sound({ context, classNews, project, toasts }: Page): Promise<void> {
   const { startSound } = await import("./views/output/sound");
-  startSound(context, () => isHeard(classNews.now.value !== null));
+  const sayWhere = () => {
+    toasts.note(t("page-console-heard-here", { robot: project.robotTitle(context.running.robot.value) }));
+  };
+  startSound(context, () => isHeard(classNews.now.value !== null), sayWhere);
 }
 
 async function pictures(page: Page): Promise<void> {

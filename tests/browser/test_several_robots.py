@@ -47,7 +47,7 @@ def console(pupil):
 
 def test_the_sumo_example_runs_both_robots_in_one_world(own_server, sit_down):
     pupil = sit_down(own_server)
-    pupil.open_example("Sumo")
+    pupil.open_example("Sumo (2 robots)")
     expect(tab(pupil, "sumo")).to_have_attribute("aria-selected", "true")
     expect(tab(pupil, "bystander")).to_have_attribute("aria-selected", "false")
     pupil.sees("blocktext", "Look for the other robot")

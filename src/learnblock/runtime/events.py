@@ -21,6 +21,7 @@ class EventSender:
         self._watcher = watcher
         #: Whether the watcher wants to know the lines.
         self.shows_lines = type(watcher).line is not Watcher.line
+        self._shows_calls = type(watcher).called is not Watcher.called
 
     def steps(
         self, steps: Sequence[int | str | Called | Command], obey: Callable[[Command], object]
@@ -42,6 +43,8 @@ class EventSender:
                 recorder.note(step)  # type: ignore[arg-type] # as above
             if self.shows_lines and kind is int:
                 self._watcher.line(step)  # type: ignore[arg-type] # as above
+            elif self._shows_calls:
+                self._show_call(step)
         if recorder:
             # Together: only few commands leave a line between them.
             recorder.write_noted()
@@ -50,14 +53,22 @@ class EventSender:
         """Record the call of a skill."""
         if recorder := self._robot.active_recorder:
             recorder.called(message.skill, message.args, message.kwargs)
+        self._watcher.called(message.skill, message.args, message.kwargs)
 
     def missing(self, message: messages.Missing) -> None:
         """Record that a skill had no effect because the robot lacks a device."""
         if recorder := self._robot.active_recorder:
             recorder.missing(message.skill, message.device)
+        self._watcher.missing(message.skill, message.device)
 
     def printed(self, message: messages.Printed) -> None:
         """Record a print."""
         if recorder := self._robot.active_recorder:
             recorder.printed(message.text)
         self._watcher.printed(message.text)
+
+    def _show_call(self, step: int | str | Called | Command) -> None:
+        if isinstance(step, str):
+            self._watcher.called(step, (), {})
+        elif isinstance(step, Called):
+            self._watcher.called(step.skill, step.args, {})

@@ -1,6 +1,7 @@
 """Notifications of events in a run."""
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping, Sequence
+from typing import Any
 
 from learnblock.runtime.messages import Variables
 from learnblock.runtime.status import State
@@ -14,6 +15,12 @@ class Watcher:
 
     def line(self, number: int) -> None:
         """A line of the program's Python is about to run."""
+
+    def called(self, skill: str, args: Sequence[Any], kwargs: Mapping[str, Any]) -> None:
+        """The program has called a skill."""
+
+    def missing(self, skill: str, device: str) -> None:
+        """The skill that was called last had no effect: the robot lacks a device."""
 
     def input(self, prompt: str) -> str | None:  # noqa: ARG002 - subclasses need it
         """Return the line of input that the program is waiting for; None if there is no input."""

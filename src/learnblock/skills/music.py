@@ -41,12 +41,11 @@ def play_note(robot: "Client", note: str = "C4", beats: float = 1) -> None:
     Raises:
         UnknownNameError: there is no such note.
     """
-    seconds = _seconds(robot, beats)
-    hertz = _frequency(note)
+    hertz, milliseconds = tone_of(note, beats, robot.tempo)
     speaker = robot.device(Speaker)
-    if speaker is not None and not speaker.tone(hertz, round(1000 * seconds * _SOUNDING, 3)):
+    if speaker is not None and not speaker.tone(hertz, milliseconds):
         robot.note_missing("Speaker:tone")
-    robot.clock.sleep(seconds)
+    robot.clock.sleep(_seconds(beats, robot.tempo))
 
 
 def rest(robot: "Client", beats: float = 1) -> None:
@@ -55,7 +54,7 @@ def rest(robot: "Client", beats: float = 1) -> None:
     Args:
         beats: how long; `set_tempo` sets how long a beat is.
     """
-    robot.clock.sleep(_seconds(robot, beats))
+    robot.clock.sleep(_seconds(beats, robot.tempo))
 
 
 def set_tempo(robot: "Client", bpm: float = 120) -> None:
@@ -64,7 +63,27 @@ def set_tempo(robot: "Client", bpm: float = 120) -> None:
     Args:
         bpm: beats per minute, 20 to 500.
     """
-    robot.tempo = min(max(number("bpm", bpm), SLOWEST), FASTEST)
+    robot.tempo = tempo_of(bpm)
+
+
+def tempo_of(bpm: float) -> float:
+    """The tempo in beats per minute, within the limits."""
+    return min(max(number("bpm", bpm), SLOWEST), FASTEST)
+
+
+def tone_of(note: str, beats: float, tempo: float) -> tuple[float, float]:
+    """The hertz and milliseconds that are heard of a note.
+
+    Args:
+        note: its English name with the octave.
+        beats: how long.
+        tempo: in beats per minute.
+
+    Raises:
+        UnknownNameError: there is no such note.
+    """
+    seconds = _seconds(beats, tempo)
+    return _frequency(note), round(1000 * seconds * _SOUNDING, 3)
 
 
 def _frequency(note: str) -> float:
@@ -84,5 +103,5 @@ def _frequency(note: str) -> float:
     return float(round(440 * 2 ** ((semitones - _SEMITONES["A"]) / 12), 2))
 
 
-def _seconds(robot: "Client", beats: float) -> float:
-    return max(0.0, number("beats", beats)) * 60 / robot.tempo
+def _seconds(beats: float, tempo: float) -> float:
+    return max(0.0, number("beats", beats)) * 60 / tempo

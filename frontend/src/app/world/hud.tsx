@@ -27,11 +27,7 @@ export function Hud() {
       {others.map((player) => (
         <Player key={player.name} player={player} alone={false} />
       ))}
-      {game.won != null && (
-        <p class="hud-end" role="status">
-          {t(game.won ? "page-world-game-won" : "page-world-game-over")}
-        </p>
-      )}
+      {game.won != null && <p class="hud-end">{t(game.won ? "page-world-game-won" : "page-world-game-over")}</p>}
     </div>
   );
 }

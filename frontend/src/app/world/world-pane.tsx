@@ -12,6 +12,7 @@ import { preferences } from "../../model/preferences";
 import { IslandPlace } from "../../ui/island-place";
 import { Chips } from "./chips";
 import { EyeMenu } from "./eye-menu";
+import { GameEnd } from "./game-end";
 import { Goals } from "./goals";
 import { Hud } from "./hud";
 import { RunBar } from "./run-bar";
@@ -59,6 +60,7 @@ export function WorldPlace({ children }: { children: ComponentChildren }) {
       <IslandPlace load={() => loadWorld(page)} ready={(world) => (page.views.world.value = world)} />
       <div class="world-top">{children}</div>
       <Hud />
+      <GameEnd />
       <div class="world-bottom">
         <Said />
         <Hint />

@@ -46,11 +46,22 @@ class Loudspeaker {
   private readonly proximity = new Proximity(this.synthesizer);
   private readonly cleanup: Cleanup;
   private sentences = 0;
+  private hasSaidWhere = false;
 
-  constructor({ connection, running }: Context, isHeard: () => boolean) {
+  /**
+   * @param sayWhere says that the sounds of a robot without a loudspeaker are heard here.
+   */
+  constructor(
+    { connection, running }: Context,
+    isHeard: () => boolean,
+    private readonly sayWhere: () => void,
+  ) {
     this.cleanup = new Cleanup(
       connection.on("Sound", (sound) => isHeard() && this.receive(sound)),
-      connection.on("Opened", () => this.silence()),
+      connection.on("Opened", () => {
+        this.hasSaidWhere = false;
+        this.silence();
+      }),
       connection.on("TabOpened", () => this.silence()),
       connection.on("RunState", ({ state }) => state === "starting" && this.silence()),
       connection.on("Ended", ({ ended }) => ended === "stopped" && this.silence()),
@@ -69,7 +80,11 @@ class Loudspeaker {
     this.synthesizer.destroy();
   }
 
-  private receive({ device, action, values }: Sound): void {
+  private receive({ device, action, values, stand_in }: Sound): void {
+    if (stand_in && !this.hasSaidWhere) {
+      this.hasSaidWhere = true;
+      this.sayWhere();
+    }
     if (device === "MP3") this.player.obey(action, values);
     if (device !== "Speaker") return;
     if (action === "say") this.say(String(values[0]));
@@ -99,7 +114,11 @@ class Loudspeaker {
   }
 }
 
-/** Start playing the robot's sounds while it is to be heard. */
-export function startSound(context: Context, isHeard: () => boolean): { destroy(): void } {
-  return new Loudspeaker(context, isHeard);
+/**
+ * Start playing the robot's sounds while it is to be heard.
+ *
+ * @param sayWhere says, once for each project, that the sounds of a robot without a loudspeaker are heard here.
+ */
+export function startSound(context: Context, isHeard: () => boolean, sayWhere: () => void): { destroy(): void } {
+  return new Loudspeaker(context, isHeard, sayWhere);
 }

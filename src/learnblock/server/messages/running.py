@@ -326,11 +326,13 @@ class Sound(ToPage, frozen=True):
         device: such as ``Speaker``.
         action: such as ``say``.
         values: the values of the command.
+        stand_in: whether the robot has no loudspeaker, so that the page's takes its place.
     """
 
     device: str
     action: str
     values: tuple[Any, ...]
+    stand_in: bool = False
 
 
 class CameraFrame(ToPage, frozen=True):

@@ -321,6 +321,9 @@ class Player:
         if self._playing:
             self._keyboard.want(self, self._playing.run.program.keys)
 
+    def on_sound(self, sound: messages.Sound) -> None:
+        self.viewers.send(sound)
+
     def held_keys(self) -> Collection[str]:
         return self._keyboard.held(self)
 

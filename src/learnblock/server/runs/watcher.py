@@ -2,14 +2,16 @@
 
 import asyncio
 import threading
-from collections.abc import Callable, Collection
-from typing import Protocol
+from collections.abc import Callable, Collection, Mapping, Sequence
+from typing import Any, Protocol
 
 from learnblock.running import Report
 from learnblock.runtime.messages import Variables
 from learnblock.runtime.status import State
 from learnblock.runtime.watcher import Watcher
+from learnblock.server import messages
 from learnblock.server.runs.console import Voice
+from learnblock.server.runs.page_speaker import PageSpeaker
 
 
 class Listener(Protocol):
@@ -28,6 +30,8 @@ class Listener(Protocol):
     def on_input(self, prompt: str) -> None: ...
 
     def on_keys_wanted(self) -> None: ...
+
+    def on_sound(self, sound: messages.Sound) -> None: ...
 
     def held_keys(self) -> Collection[str]: ...
 
@@ -51,6 +55,7 @@ class RunWatcher(Watcher):
         #: The line of the program's Python that is running; 0 before the first.
         self.current_line = 0
         self._wants_keys = False
+        self._speaker = PageSpeaker(self._sound)
         self._input = threading.Condition()
         self._answer: str | None = None
         self._cancelled = False
@@ -65,6 +70,12 @@ class RunWatcher(Watcher):
 
     def line(self, number: int) -> None:
         self.current_line = number
+
+    def called(self, skill: str, args: Sequence[Any], kwargs: Mapping[str, Any]) -> None:
+        self._speaker.called(skill, args, kwargs)
+
+    def missing(self, skill: str, device: str) -> None:
+        self._speaker.missing(skill, device)
 
     def state(self, state: State) -> None:
         self._pass_on(self._listener.on_state, state)
@@ -97,6 +108,9 @@ class RunWatcher(Watcher):
             self._wants_keys = True
             self._pass_on(self._listener.on_keys_wanted)
         return self._listener.held_keys()
+
+    def _sound(self, sound: messages.Sound) -> None:
+        self._pass_on(self._listener.on_sound, sound)
 
     def ended(self, report: Report | Exception) -> None:
         """Report the end of the run."""

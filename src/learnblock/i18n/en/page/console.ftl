@@ -5,6 +5,7 @@ page-console-lines = Program output
 page-console-copy = Copy
 page-console-clear = Clear
 page-console-open = Show the whole output
+page-console-heard-here = { $robot } has no loudspeaker: you hear it on this computer.
 page-console-asks = The program asks:
 page-console-answer = Answer
 # $number counts the runs since the program was opened; $time is the time of day.

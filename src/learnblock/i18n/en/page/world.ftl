@@ -112,3 +112,7 @@ page-world-game-lives = Lives: { $lives }
 page-world-game-time = Time left: { $seconds } seconds
 page-world-game-won = You win
 page-world-game-over = Game over
+page-world-game-time-up = Time is up
+page-world-game-no-lives = No lives left
+page-world-game-again = Play again
+page-world-game-close = Close

@@ -5,6 +5,7 @@ page-console-lines = Salida del programa
 page-console-copy = Copiar
 page-console-clear = Vaciar
 page-console-open = Mostrar toda la salida
+page-console-heard-here = { $robot } no tiene altavoz: lo oyes en este ordenador.
 page-console-asks = El programa pregunta:
 page-console-answer = Responder
 # $number counts the runs since the program was opened; $time is the time of day.

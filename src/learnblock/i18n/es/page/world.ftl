@@ -111,3 +111,7 @@ page-world-game-lives = Vidas: { $lives }
 page-world-game-time = Tiempo que queda: { $seconds } segundos
 page-world-game-won = Has ganado
 page-world-game-over = Fin del juego
+page-world-game-time-up = Se acabó el tiempo
+page-world-game-no-lives = No quedan vidas
+page-world-game-again = Jugar otra vez
+page-world-game-close = Cerrar

@@ -1,0 +1,60 @@
+/** The end of a game, over the world: how it ended, the score, and another round. */
+
+import { useSignal } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+
+import { t } from "../../i18n";
+import { usePage } from "../../model/page";
+import type { GameNow, PlayerNow } from "../../protocol/messages";
+import { Icon } from "../../ui/icons";
+import "./game-end.css";
+
+/** Shown when a run has ended with its game; not while the user looks back. */
+export function GameEnd() {
+  const { running } = usePage().context;
+  const game = running.telemetry.value?.game;
+  const hasEnded = running.state.value.state === "ended" && !running.past.value;
+  return hasEnded && game?.won != null ? <EndCard game={game} /> : null;
+}
+
+function EndCard({ game }: { game: GameNow }) {
+  const { controls } = usePage();
+  const closed = useSignal(false);
+  const card = useRef<HTMLElement>(null);
+  useEffect(() => {
+    // Whoever has played goes on here by keyboard; a key that is still down presses no button.
+    const world = card.current?.closest(".region");
+    if (world?.contains(document.activeElement)) card.current?.focus();
+  }, []);
+  if (closed.value) return null;
+  return (
+    <section class="game-end" aria-labelledby="game-end" data-region="game-end" tabIndex={-1} ref={card}>
+      <div role="status">
+        <h3 id="game-end">{titleOf(game)}</h3>
+        {game.reason === "lives" && <p>{t("page-world-game-no-lives")}</p>}
+        {game.players.map((player) => (
+          <Result key={player.name} player={player} alone={game.players.length === 1} />
+        ))}
+      </div>
+      <p class="game-end-actions">
+        <button type="button" class="button filled" onClick={() => controls.run()}>
+          <Icon name="run" />
+          {t("page-world-game-again")}
+        </button>
+        <button type="button" class="button bordered" onClick={() => (closed.value = true)}>
+          {t("page-world-game-close")}
+        </button>
+      </p>
+    </section>
+  );
+}
+
+function Result({ player, alone }: { player: PlayerNow; alone: boolean }) {
+  const score = t("page-world-game-score", { score: player.score });
+  return <p class="game-end-score">{alone ? score : `${player.name}: ${score}`}</p>;
+}
+
+function titleOf({ won, reason }: GameNow): string {
+  if (won) return t("page-world-game-won");
+  return t(reason === "time" ? "page-world-game-time-up" : "page-world-game-over");
+}
