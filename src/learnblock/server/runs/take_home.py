@@ -17,8 +17,9 @@ from learnblock.server.runs.looking import Looking
 from learnblock.why.recorded import Recorded
 from learnblock.why.verification import complete_since
 
-#: Moments in every second of a short run, the most of a long one, and the most lines between two.
-RATE, MOST, LINES = 20, 1000, 3
+#: Moments in every second of a short run, the most of a long one, and the most lines between two:
+#: few enough for a file of 2 MB.
+RATE, MOST, LINES = 20, 600, 1
 #: The most moments at which it says what the robot is doing.
 MOST_NOW = 60
 
@@ -114,7 +115,7 @@ def _moments(looking: Looking, end: float) -> Iterator[messages.Past]:
 
 def _moments_of(looking: Looking, answers: Sequence[messages.WhyAnswer]) -> Iterator[messages.Past]:
     """The moments to which answers lead."""
-    sentences = [one for answer in answers for one in (*answer.sentences, *answer.more)]
+    sentences = [sentence for answer in answers for sentence in (*answer.sentences, *answer.more)]
     times = {sentence.time for sentence in sentences if sentence.time is not None}
     for time in sorted(times)[:MOST]:
         yield looking.past(messages.LookBack(time))
