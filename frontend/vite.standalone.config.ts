@@ -6,6 +6,9 @@ import { gzipSync } from "node:zlib";
 import type { Plugin } from "vite";
 import { defineConfig } from "vite";
 
+/** The licences of everything that it bundles, from the build of the page itself. */
+const NOTICES = "../src/learnblock/server/static/third-party-notices.md";
+
 /** Puts script and styles into the page, compressed, and leaves no other file. */
 const single: Plugin = {
   name: "single-file",
@@ -22,7 +25,8 @@ const single: Plugin = {
       const packed = (text: string) => gzipSync(text, { level: 9 }).toString("base64");
       const page = readFileSync("standalone.html", "utf-8")
         .replace("{styles}", () => packed(styles))
-        .replace("{code}", () => packed(code));
+        .replace("{code}", () => packed(code))
+        .replace("{licences}", () => packed(readFileSync(NOTICES, "utf-8")));
       this.emitFile({ type: "asset", fileName: "standalone.html", source: page });
     },
   },

@@ -50,12 +50,12 @@ interface Place {
   readonly drafts: Drafts;
   /** What the address of the connection says besides the path. */
   readonly query: string;
+  /** Instead of one to the server. */
+  readonly connection?: Connection;
 }
 
-export function compose({ drafts, query }: Place = { drafts: new BrowserDrafts(), query: "" }): Page {
-  const address = socketAddress();
-  address.search = query;
-  const connection = new Connection(address, takeToken());
+export function compose(place: Place = { drafts: new BrowserDrafts(), query: "" }): Page {
+  const { drafts, query, connection = connectionTo(query) } = place;
   const toasts = new Toasts();
   const dialogs = new Dialogs();
   const stores = makeStores(connection, toasts, dialogs);
@@ -68,6 +68,12 @@ export function compose({ drafts, query }: Place = { drafts: new BrowserDrafts()
   const page = { ...model, ...stores, lessons, lessonMaking, links, share: new Share(model) };
   connect(page);
   return page;
+}
+
+function connectionTo(query: string): Connection {
+  const address = socketAddress();
+  address.search = query;
+  return new Connection(address, takeToken());
 }
 
 /** Let a new connection and an opened project change the parts of the page, in this order. */

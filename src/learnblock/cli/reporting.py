@@ -124,6 +124,7 @@ def run_and_report(
     picture: Path | None,
     why: Path | None,
     as_json: bool,
+    page: Path | None = None,
     standby: Standby | None = None,
     **choices: Any,
 ) -> int:
@@ -135,6 +136,7 @@ def run_and_report(
         picture: the file for the drawing of the run.
         why: the file for its log.
         as_json: print the report as JSON.
+        page: the file for a page that shows the run.
         standby: the process for the program, if it has been started before.
         choices: the options of the run.
     """
@@ -142,13 +144,20 @@ def run_and_report(
         if program is None:
             return ExitCode.MISTAKES
         check_picture(picture)
-        log = _log(program.job.program, why) if why else None
-        return _run_prepared(program, trace, picture, log, standby, as_json=as_json)
+        log = _log(program.job.program, why) if why or page else None
+        code = _run_prepared(program, trace, picture, log, standby, as_json=as_json)
+        if page and log:
+            from learnblock.cli.take_home import write_page  # noqa: PLC0415 - slow to load
+
+            write_page(page, program.source, program.job.robot, log)
+        return code
 
 
-def _log(program: Program, path: Path) -> RunLog:
-    """A log in a file, or in a folder under the program's name."""
-    return RunLog(program, path / f"{Path(program.name).stem}.why" if path.is_dir() else path)
+def _log(program: Program, path: Path | None) -> RunLog:
+    """A log in memory, and in a file, or in a folder under the program's name."""
+    if path and path.is_dir():
+        path /= f"{Path(program.name).stem}.why"
+    return RunLog(program, path)
 
 
 def say_if_not_whole(log: RunLog) -> None:

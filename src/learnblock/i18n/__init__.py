@@ -16,6 +16,7 @@ from learnblock.i18n.phrase import (
     in_each_language,
     parts,
     translate,
+    with_languages,
 )
 from learnblock.i18n.words import ENGLISH, languages
 
@@ -29,4 +30,5 @@ __all__ = [
     "languages",
     "parts",
     "translate",
+    "with_languages",
 ]

@@ -29,6 +29,13 @@ class Multilingual(str):
         return text
 
 
+def with_languages(text: object) -> object:
+    """A text that is known in several languages, for the page to choose from."""
+    if isinstance(text, Multilingual):
+        return {"texts": dict(text.texts)}
+    raise NotImplementedError(type(text).__name__)
+
+
 # Why: docs/decisions.md, "Every message is a phrase"
 @dataclass(frozen=True, slots=True, init=False)
 class Phrase:

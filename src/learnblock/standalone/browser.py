@@ -42,13 +42,13 @@ _BUDGET, _PATIENCE = 60_000, 120
 _DONE = re.compile(r"<body[^>]* data-done=[^>]*>([A-Za-z0-9+/=]+)</body>")
 
 
-def file_made_by(page: str) -> bytes:
+def file_from(page: str) -> bytes:
     """Open a page, and return the file that it makes: in base64, all of its body.
 
     Raises:
         LearnBlockError: there is no browser that can, or it failed.
     """
-    browser = _found()
+    browser = _browser()
     with tempfile.TemporaryDirectory(prefix="learnblock-") as folder:
         path = Path(folder, "page.html")
         path.write_text(page, encoding="utf-8")
@@ -66,7 +66,7 @@ def file_made_by(page: str) -> bytes:
         raise LearnBlockError("picture-browser-failed", browser=browser) from error
 
 
-def _found() -> str:
+def _browser() -> str:
     for browser in _candidates():
         return browser
     raise LearnBlockError("picture-no-browser")

@@ -6,7 +6,7 @@ from learnblock import language
 from learnblock.blocks.known import all_configurations
 from learnblock.blocks.palette import palette
 from learnblock.language.tree.nodes import Program
-from learnblock.standalone.browser import file_made_by
+from learnblock.standalone.browser import file_from
 from learnblock.standalone.page import filled
 
 PictureType = Literal["svg", "png"]
@@ -35,4 +35,4 @@ def picture(program: Program, file_type: PictureType, words: str, theme: Theme) 
         "workspace": language.to_workspace(program, configurations).workspace,
         "text": language.format(program),
     }
-    return file_made_by(filled(content))
+    return file_from(filled(content))

@@ -28,7 +28,7 @@ def install(folder, script):
 
 def test_without_a_browser_the_page_is_named_as_another_way(programs):
     with pytest.raises(LearnBlockError) as caught:
-        browser.file_made_by(PAGE)
+        browser.file_from(PAGE)
     assert caught.value.phrase.code == "picture-no-browser"
 
 
@@ -37,7 +37,7 @@ def test_without_a_browser_the_page_is_named_as_another_way(programs):
 def test_a_browser_that_draws_nothing_is_named(programs, output):
     install(programs, f"print({output!r})")
     with pytest.raises(LearnBlockError) as caught:
-        browser.file_made_by(PAGE)
+        browser.file_from(PAGE)
     assert caught.value.phrase.values["browser"] == str(programs / "chromium")
 
 
@@ -45,4 +45,4 @@ def test_a_browser_that_draws_nothing_is_named(programs, output):
 def test_the_file_is_what_the_page_leaves_in_its_body(programs):
     file = base64.b64encode(b"a picture").decode()
     install(programs, f"print('''<body class=\"a\" data-done=\"\">{file}</body>''')")
-    assert browser.file_made_by(PAGE) == b"a picture"
+    assert browser.file_from(PAGE) == b"a picture"

@@ -1,7 +1,7 @@
 /** What is written into a page in one file. */
 
 import type { ThemeName } from "../../model/preferences";
-import type { Workspace } from "../../protocol/messages";
+import type { Drawing, Past, Place, Questions, Scene, Timeline, WhyAnswer, Workspace } from "../../protocol/messages";
 import type { Palette } from "../../views/blocks/palette";
 
 /** A picture of a program, which the page draws for the command line. */
@@ -15,4 +15,37 @@ export interface PictureContent {
   readonly text: string;
 }
 
-export type Content = PictureContent;
+/** A run, with every moment, question and answer that the page can show: see `server/runs/take_home.py`. */
+export interface RunContent extends Recording {
+  readonly kind: "run";
+  readonly language: string;
+  readonly title: string;
+  /** The robot's name, such as `sim-ebo`. */
+  readonly robot: string;
+  readonly palette: Palette;
+  readonly workspace: Workspace;
+  readonly blocktext: string;
+  readonly python: string;
+  readonly places: readonly Place[];
+  readonly scene: Scene;
+  readonly printed: string;
+}
+
+/** What a server would answer about the run. */
+export interface Recording {
+  readonly timeline: Timeline;
+  /** In order of time. */
+  readonly moments: readonly Moment[];
+  /** What was on the floor at the end. */
+  readonly drawing: Drawing | null;
+  readonly questions: Questions;
+  readonly answers: readonly WhyAnswer[];
+}
+
+export interface Moment {
+  readonly past: Past;
+  /** How many points of the drawing there were, if it is not in `past`. */
+  readonly drawn: number;
+}
+
+export type Content = PictureContent | RunContent;

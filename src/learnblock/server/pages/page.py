@@ -12,12 +12,12 @@ import msgspec
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from learnblock.errors import LearnBlockError, phrase_of, shortage
-from learnblock.i18n import Phrase
+from learnblock.i18n import Phrase, with_languages
 from learnblock.project.document.views import LONGEST_TEXT
 from learnblock.server import messages
 from learnblock.server.catalog.classes import ClassShelf
 from learnblock.server.pages.boxes import Inbox, Outbox, OutboxFullError
-from learnblock.server.pages.seat import PageSeat, with_languages
+from learnblock.server.pages.seat import PageSeat
 from learnblock.server.runs.player import Player
 from learnblock.server.runs.shown import ShownProgram
 from learnblock.server.sessions.lesson_trials import LessonTrial

@@ -7,7 +7,7 @@ from typing import Any
 import msgspec
 from msgspec.structs import replace
 
-from learnblock.i18n import Multilingual, Phrase
+from learnblock.i18n import Phrase, with_languages
 from learnblock.server import messages
 from learnblock.server.messages import MissedCheck, Words, Work
 
@@ -17,13 +17,6 @@ _STEP, _MOST_POINTS = 15.0, 400
 _PERIOD = 0.5
 #: Endings of a run that need no attention.
 _FINE = frozenset({"finished", "stopped", "replaced", ""})
-
-
-def with_languages(text: object) -> object:
-    """A text that is known in several languages, for the page to choose from."""
-    if isinstance(text, Multilingual):
-        return {"texts": dict(text.texts)}
-    raise NotImplementedError(type(text).__name__)
 
 
 class PageSeat:

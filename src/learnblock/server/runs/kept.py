@@ -52,17 +52,17 @@ def opened(run: KeptRun, data: bytes, now: Document) -> OpenedRun:
 
     log = verified(data)
     then, today = log.recorded.program, now.program(run.program)
-    blocks = [now.block_at(line) for line in _lines_now(then.python, today.python)]
+    blocks = [now.block_at(line) for line in lines_now(then.python, today.python)]
     shown = messages.RunShown(
         run,
         then.identity != today.identity,
         _remarks(run, log.recorded, has_world=log.has_world),
-        _printed(log.recorded),
+        printed(log.recorded),
     )
-    return OpenedRun(Looking(log, blocks), shown, _scene(log.recorded) if log.has_world else None)
+    return OpenedRun(Looking(log, blocks), shown, scene_of(log.recorded) if log.has_world else None)
 
 
-def _lines_now(then: str, now: str) -> Sequence[int]:
+def lines_now(then: str, now: str) -> Sequence[int]:
     """For each line of a program, where that line is now; 0 if it is gone."""
     old, new = then.split("\n"), now.split("\n")
     lines = [0] * len(old)
@@ -74,7 +74,7 @@ def _lines_now(then: str, now: str) -> Sequence[int]:
     return lines
 
 
-def _printed(recorded: "Recorded") -> str:
+def printed(recorded: "Recorded") -> str:
     """The output of the program, or its end."""
     lines = [f"{line['print']}\n" for line in recorded.lines if "print" in line]
     return "".join(lines)[-MOST_KEPT:]
@@ -88,7 +88,8 @@ def _remarks(run: KeptRun, recorded: "Recorded", *, has_world: bool) -> tuple[Ph
     return (Phrase("kept-real-robot", robot=run.robot),)
 
 
-def _scene(recorded: "Recorded") -> messages.Scene:
+def scene_of(recorded: "Recorded") -> messages.Scene:
+    """The world of a run."""
     from learnblock.monitor.world_monitor import WorldMonitor  # noqa: PLC0415 - slow to load
     from learnblock.why.world_again import WorldAgain  # noqa: PLC0415
 

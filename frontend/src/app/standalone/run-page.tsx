@@ -1,0 +1,163 @@
+/** A run to take home: its world, its program with the step that ran, its values, its output, and why. */
+
+import { type Signal, useSignal, useSignalEffect } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+
+import { DrawnBlocks } from "../../features/lessons/drawn-blocks";
+import { Why } from "../../features/why/why";
+import { t, translated } from "../../i18n";
+import { usePage } from "../../model/page";
+import { VIEWS } from "../../model/views";
+import type { View } from "../../protocol/messages";
+import { IconButton } from "../../ui/button";
+import { IslandPlace } from "../../ui/island-place";
+import { createVariables } from "../../views/output/variables";
+import { EyeMenu } from "../world/eye-menu";
+import { WorldPlace } from "../world/world-pane";
+import { Texts } from "./texts";
+import "../layout.css";
+import "../../features/lessons/lessons.css";
+import "./run-page.css";
+
+interface Props {
+  readonly title: string;
+  readonly robot: string;
+  readonly printed: string;
+}
+
+export function RunPage({ title, robot, printed }: Props) {
+  const { context } = usePage();
+  const scene = context.running.scene.value;
+  const world = scene ? translated(`page-catalog-world-${scene.name}`, scene.world.title ?? scene.name) : "";
+  const shown = translated(`page-catalog-robot-${robot}`, scene?.robots[0]?.[1].title ?? robot);
+  return (
+    <div class="take-home">
+      <header>
+        <h1>{title}</h1>
+        <p class="dim">{t("page-project-on-in", { robot: shown, world })}</p>
+        <p class="dim take-home-made">{t("page-take-home-made")}</p>
+      </header>
+      <main>
+        <section class="take-home-world world-pane" aria-label={t("page-shell-world")}>
+          <WorldPlace>
+            <EyeMenu />
+          </WorldPlace>
+          <Play />
+        </section>
+        <ProgramPane />
+        <Panels printed={printed} />
+      </main>
+    </div>
+  );
+}
+
+/** Plays the run in real time, from the moment that is shown or again from its start. */
+function Play() {
+  const { context, lookingBack } = usePage();
+  const plays = useSignal(false);
+  const end = context.running.timeline.value?.end ?? 0;
+  useSignalEffect(() => {
+    if (!plays.value) return undefined;
+    const start = lookingBack.time >= end - 0.05 ? 0 : lookingBack.time;
+    const began = performance.now();
+    let frame = 0;
+    const show = () => {
+      const time = start + (performance.now() - began) / 1000;
+      lookingBack.look(Math.min(time, end));
+      if (time >= end) plays.value = false;
+      else frame = requestAnimationFrame(show);
+    };
+    frame = requestAnimationFrame(show);
+    return () => cancelAnimationFrame(frame);
+  });
+  return (
+    <div class="take-home-play">
+      <IconButton
+        icon={plays.value ? "pause" : "run"}
+        word={plays.value ? "page-take-home-pause" : "page-take-home-play"}
+        look="go"
+        named
+        onClick={() => (plays.value = !plays.value)}
+      />
+    </div>
+  );
+}
+
+/** The program in one of its notations. */
+function ProgramPane() {
+  const { context, views } = usePage();
+  const view = useSignal<View>("blocks");
+  const revealed = useSignal<string | null>(null);
+  useEffect(() => follow(views, context, revealed), []);
+  const { workspace, blocktext } = context.program.state.value;
+  const marked = revealed.value ?? context.running.block.value;
+  return (
+    <section class="take-home-program" aria-label={t("page-take-home-program")}>
+      <div class="areas" role="group" aria-label={t("page-shell-shown")}>
+        {VIEWS.map((name) => (
+          <button key={name} type="button" aria-pressed={view.value === name} onClick={() => (view.value = name)}>
+            {t(`page-shell-${name}`)}
+          </button>
+        ))}
+      </div>
+      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: a keyboard user must be able to scroll it */}
+      <div class="take-home-notation" role="group" aria-label={t(`page-shell-${view.value}`)} tabIndex={0}>
+        {view.value === "blocks" ? (
+          <DrawnBlocks workspace={workspace} text={blocktext} marked={marked} />
+        ) : (
+          <Texts notation={view.value} marked={marked} />
+        )}
+      </div>
+    </section>
+  );
+}
+
+type Parts = ReturnType<typeof usePage>;
+
+/** Mark the blocks that answers name, until another moment is shown. */
+function follow(views: Parts["views"], context: Parts["context"], revealed: Signal<string | null>): () => void {
+  const dom = document.createElement("div");
+  const reveal = (block: string) => (revealed.value = block);
+  const describeStep = (block: string) => lineOf(context, block);
+  for (const name of VIEWS) views.put(name, { dom, reveal, describeStep, focus: () => {}, destroy: () => {} });
+  return context.running.past.subscribe(() => (revealed.value = null));
+}
+
+function lineOf({ program }: Parts["context"], block: string): string {
+  const { places, blocktext } = program.state.peek();
+  const [, line = 0] = places.find(([id]) => id === block) ?? [];
+  return (blocktext.split("\n")[line - 1] ?? "").trim();
+}
+
+const PANELS = ["why", "variables", "console"] as const;
+
+function Panels({ printed }: { printed: string }) {
+  const { context, askingWhy } = usePage();
+  const panel = useSignal<(typeof PANELS)[number]>("why");
+  useEffect(() => askingWhy.read(), []);
+  useSignalEffect(() => {
+    // A question that is asked in the world is answered here.
+    if (askingWhy.answer.value) panel.value = "why";
+  });
+  const count = context.running.printed.value ?? printed.length;
+  return (
+    <section class="take-home-panels" aria-labelledby="take-home-output">
+      <h2 id="take-home-output" class="hidden">
+        {t("page-shell-panel")}
+      </h2>
+      <div class="areas" role="group" aria-label={t("page-shell-panel")}>
+        {PANELS.map((name) => (
+          <button key={name} type="button" aria-pressed={panel.value === name} onClick={() => (panel.value = name)}>
+            {t(`page-shell-${name}`)}
+          </button>
+        ))}
+      </div>
+      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: a keyboard user must be able to scroll it */}
+      <div class="take-home-panel" role="group" aria-label={t(`page-shell-${panel.value}`)} tabIndex={0}>
+        {panel.value === "why" && <Why />}
+        {panel.value === "variables" && <IslandPlace load={async () => createVariables(context)} />}
+        {panel.value === "console" && <pre>{printed.slice(0, count) || t("page-take-home-nothing")}</pre>}
+      </div>
+    </section>
+  );
+}

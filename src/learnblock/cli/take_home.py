@@ -1,0 +1,34 @@
+"""Writes the page that shows a run without LearnBlock."""
+
+from pathlib import Path
+
+from learnblock import language
+from learnblock.blocks.known import all_configurations
+from learnblock.cli.language import language as words
+from learnblock.cli.report import print_row
+from learnblock.project.document.document import Document
+from learnblock.robots import RobotEntry
+from learnblock.running import Source
+from learnblock.runtime.log.keeping import RunLog
+from learnblock.server.runs.take_home import Titles, run_content
+from learnblock.standalone.page import filled
+from learnblock.storage.files import save
+
+
+def write_page(path: Path, source: Source, robot: RobotEntry, log: RunLog) -> None:
+    """Write the page of a run that has ended.
+
+    Raises:
+        LearnBlockError: the run was not in a world that can be shown.
+        OSError: the file can't be written.
+    """
+    titles = Titles(source.path.stem, robot.name, words())
+    content = run_content(log.blocks, _document(source, robot), titles)
+    save(path, filled(content).encode())
+    print_row("report-label-page", str(path))
+
+
+def _document(source: Source, robot: RobotEntry) -> Document:
+    text = language.format(source.tree) if source.is_python else source.text
+    python = source.text if source.is_python else None
+    return Document.from_text(text, robot.module, all_configurations(), python=python)

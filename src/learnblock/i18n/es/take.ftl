@@ -1,0 +1,3 @@
+# Páginas para llevar a casa, que muestran una ejecución sin LearnBlock.
+
+take-home-no-world = Una página para llevar a casa muestra un mundo simulado, y esta ejecución no lo tenía. Ejecuta el programa en un robot simulado.

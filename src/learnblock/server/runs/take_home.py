@@ -1,0 +1,158 @@
+"""A run as the content of a page in one file: all moments, questions and answers that it shows."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from msgspec.structs import replace
+
+from learnblock.blocks.known import all_configurations
+from learnblock.blocks.palette import palette
+from learnblock.errors import LearnBlockError
+from learnblock.project.document.document import Document
+from learnblock.runtime.log.blocks import EventBlock
+from learnblock.server import messages
+from learnblock.server.runs.kept import lines_now, printed, scene_of
+from learnblock.server.runs.looking import Looking
+from learnblock.why.recorded import Recorded
+from learnblock.why.verification import complete_since
+
+#: Moments in every second of a short run, the most of a long one, and the most lines between two:
+#: few enough for a file of 2 MB.
+RATE, MOST, LINES = 20, 600, 1
+#: The most moments at which it says what the robot is doing.
+MOST_NOW = 60
+
+
+@dataclass(frozen=True)
+class FinishedLog:
+    """The log of a run that has ended.
+
+    Args:
+        blocks: what it contains.
+    """
+
+    blocks: tuple[EventBlock, ...]
+
+    @property
+    def complete_since(self) -> int:
+        """The oldest detail that it has, in ticks."""
+        return complete_since(self.blocks)
+
+
+@dataclass(frozen=True)
+class Titles:
+    """What the page is called.
+
+    Args:
+        program: the name of the program.
+        robot: the name of its robot, such as ``sim-ebo``.
+        language: of the page, such as ``es``.
+    """
+
+    program: str
+    robot: str
+    language: str
+
+
+def run_content(log: Sequence[EventBlock], document: Document, titles: Titles) -> dict[str, Any]:
+    """The content of a page that shows a run: see `frontend/src/features/standalone/content.ts`.
+
+    Args:
+        log: of the run, in a simulated world.
+        document: the program.
+        titles: what the page is called.
+
+    Raises:
+        LearnBlockError: the run was not in a world that can be shown.
+    """
+    recorded = Recorded.of(log)
+    if "world" not in recorded.robot:
+        raise LearnBlockError("take-home-no-world")
+    then, today = recorded.program, document.program(titles.program)
+    blocks = [document.block_at(line) for line in lines_now(then.python, today.python)]
+    looking = Looking(FinishedLog(tuple(log)), blocks)
+    timeline = looking.timeline()
+    even = list(_moments(looking, timeline.end))
+    answers = list(_answers(looking, timeline, even))
+    all_moments = [*even, *_moments_of(looking, answers)]
+    all_moments.sort(key=lambda moment: (moment.time, moment.event))
+    moments, drawing = _without_drawings(all_moments)
+    return {
+        "kind": "run",
+        "language": titles.language,
+        "title": titles.program,
+        "robot": titles.robot,
+        "palette": palette(all_configurations(), titles.language),
+        "workspace": document.workspace,
+        "blocktext": document.blocktext,
+        "python": document.python,
+        "places": document.places,
+        "scene": scene_of(recorded),
+        "timeline": timeline,
+        "moments": moments,
+        "drawing": drawing,
+        "printed": printed(recorded),
+        "questions": looking.questions("", None),
+        "answers": answers,
+    }
+
+
+def _moments(looking: Looking, end: float) -> Iterator[messages.Past]:
+    """The run from its start to its end: at even times, and at lines between them."""
+    count = min(MOST, max(1, round(end * RATE)))
+    now = looking.past(messages.LookBack(0.0, -1))
+    yield now
+    for number in range(1, count + 1):
+        time = end * number / count
+        for _ in range(LINES):
+            line = looking.past(messages.LookBack(now.time, now.event, 1, "line"))
+            if not line.found or line.time >= time:
+                break
+            yield (now := line)
+        yield (now := looking.past(messages.LookBack(time)))
+
+
+def _moments_of(looking: Looking, answers: Sequence[messages.WhyAnswer]) -> Iterator[messages.Past]:
+    """The moments to which answers lead."""
+    sentences = [sentence for answer in answers for sentence in (*answer.sentences, *answer.more)]
+    times = {sentence.time for sentence in sentences if sentence.time is not None}
+    for time in sorted(times)[:MOST]:
+        yield looking.past(messages.LookBack(time))
+
+
+def _without_drawings(
+    moments: list[messages.Past],
+) -> tuple[list[dict[str, Any]], messages.Drawing | None]:
+    """The moments without what is drawn on the floor, and the last drawing.
+
+    A moment has the number of points of the last drawing that were there; a drawing that does not
+    begin like the last one stays in its moment.
+    """
+    last = moments[-1].drawing
+    points = _points(last)
+    short = []
+    for moment in moments:
+        drawn = _points(moment.drawing)
+        if drawn == points[: len(drawn)]:
+            short.append({"past": replace(moment, drawing=None), "drawn": len(drawn)})
+        else:
+            short.append({"past": moment, "drawn": 0})
+    return short, last
+
+
+def _points(drawing: messages.Drawing | None) -> list[Any]:
+    parts = drawing.parts if drawing else ()
+    return [(part.stroke, point) for part in parts for point in part.points]
+
+
+def _answers(
+    looking: Looking, timeline: messages.Timeline, moments: Sequence[messages.Past]
+) -> Iterator[messages.WhyAnswer]:
+    """The answers to all questions about the run, and what the robot does at some moments."""
+    for asked in looking.questions("", None).questions:
+        yield looking.answer(asked.question)
+    times = [moment.time for moment in moments]
+    some = times[:: 1 + len(times) // MOST_NOW]
+    for time in sorted({*some, *(mark.time for mark in timeline.marks[:MOST_NOW])}):
+        yield looking.answer(messages.WhyQuestion("now", "", time))

@@ -1,0 +1,60 @@
+"""A run in one file, opened from a disk by a browser without a network."""
+
+import subprocess
+import sys
+
+import pytest
+from playwright.sync_api import expect
+
+from places import ROOT
+
+LARGEST = 2_000_000
+SQUARE = ROOT / "examples" / "first" / "square.bt"
+
+
+@pytest.fixture(scope="module")
+def file(tmp_path_factory):
+    """A page that shows a run."""
+    path = tmp_path_factory.mktemp("home") / "square.html"
+    command = ["run", SQUARE, "--robot", "sim-ebo", "--world", "obstacles", "--page", path]
+    subprocess.run([sys.executable, "-m", "learnblock", *map(str, command)], check=True, timeout=60)
+    return path
+
+
+@pytest.fixture
+def page(browser, file):
+    context = browser.new_context(viewport={"width": 1366, "height": 768}, offline=True)
+    page = context.new_page()
+    page.errors, page.requests = [], []
+    page.on("pageerror", lambda error: page.errors.append(str(error)))
+    page.on("request", lambda request: page.requests.append(request.url.partition(":")[0]))
+    page.goto(file.as_uri())
+    yield page
+    assert page.errors == []
+    assert set(page.requests) <= {"file", "data", "blob"}
+    context.close()
+
+
+def test_a_run_is_looked_back_at_without_a_network(page, file):
+    assert file.stat().st_size < LARGEST
+    expect(page.locator(".take-home-world canvas")).to_be_visible()
+    expect(page.locator(".lbRunning")).to_contain_text("drive")
+    page.get_by_role("slider").press("End")
+    expect(page.locator(".timeline-time")).to_have_text("15.04 s")
+    page.get_by_role("button", name="Python").click()
+    expect(page.locator(".take-home-text")).to_contain_text("robot.turn(90)")
+    page.get_by_role("button", name="Why did the robot turn right on the spot at 2.14 s?").click()
+    expect(page.locator(".why-answer")).to_contain_text("turn")
+    page.get_by_role("button", name="See 2.14 s").click()
+    expect(page.locator(".timeline-time")).to_have_text("2.14 s")
+    expect(page.locator("[aria-current=step]")).to_contain_text("robot.turn(90)")
+
+
+@pytest.mark.parametrize("size", [(1366, 768), (820, 1180), (390, 844)], ids=str)
+def test_axe_finds_nothing_on_any_size(page, axe, size):
+    page.set_viewport_size({"width": size[0], "height": size[1]})
+    expect(page.locator(".take-home-world canvas")).to_be_visible()
+    # The page allows no script from elsewhere, but a debugger's.
+    page.evaluate(axe)
+    found = page.evaluate("async () => (await axe.run()).violations.map(({ id }) => id)")
+    assert found == []
