@@ -34,7 +34,7 @@ def test_the_root_is_the_page(server, built):
 def test_without_a_built_page_instructions_to_build_it_are_shown(server):
     response = server.get(f"/?token={TOKEN}")
     assert response.status == 503
-    assert b"npx vite build" in response.body
+    assert b"npm run build" in response.body
 
 
 def test_hashed_files_are_cached_permanently(server, built):

@@ -1,7 +1,7 @@
 /** The end of a game, over the world: how it ended, the score, and another round. */
 
 import { useSignal } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
@@ -21,7 +21,7 @@ function EndCard({ game }: { game: GameNow }) {
   const { controls } = usePage();
   const closed = useSignal(false);
   const card = useRef<HTMLElement>(null);
-  useEffect(() => {
+  useLayoutEffect(() => {
     // Whoever has played goes on here by keyboard; a key that is still down presses no button.
     const world = card.current?.closest(".region");
     if (world?.contains(document.activeElement)) card.current?.focus();

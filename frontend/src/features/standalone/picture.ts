@@ -1,8 +1,9 @@
 /** Draws a picture for the command line, which reads it from the document. */
 
 import { inBase64 } from "../../ui/files";
-import { svgPixels, svgText } from "../../ui/picture-file";
+import { svgCanvas, svgText } from "../../ui/picture-file";
 import { givePalette, prepareBlockly } from "../../views/blocks/palette";
+import type { PortablePicture } from "../../views/blocks/portable-svg";
 import { drawProgram } from "../../views/blocks/program-picture";
 import type { PictureContent } from "./content";
 
@@ -11,9 +12,17 @@ export async function writePicture(content: PictureContent): Promise<void> {
   givePalette(content.palette);
   prepareBlockly();
   const choices = { language: content.language, theme: content.theme, text: content.text, only: null };
-  const { svg, width, height } = await drawProgram(content.workspace, choices);
-  const isSvg = content.type === "svg";
-  const file = isSvg ? new Blob([svgText(svg)]) : await svgPixels(svg, width, height);
-  document.body.replaceChildren(await inBase64(new File([file], "picture")));
+  const picture = await drawProgram(content.workspace, choices);
+  document.body.replaceChildren(await (content.type === "svg" ? svgFile(picture) : pngFile(picture)));
   document.body.dataset.done = "";
+}
+
+function svgFile({ svg }: PortablePicture): Promise<string> {
+  return inBase64(new File([svgText(svg)], "picture"));
+}
+
+/** At once, since the browser's own time, which is not ours, would not wait for `toBlob`. */
+async function pngFile({ svg, width, height }: PortablePicture): Promise<string> {
+  const canvas = await svgCanvas(svg, width, height);
+  return canvas.toDataURL("image/png").split(",")[1]!;
 }

@@ -18,7 +18,7 @@ _YEAR = "public, max-age=31536000, immutable"
 
 _BUILD = """<pre>cd frontend
 npm ci --omit=peer
-npx vite build</pre>
+npm run build</pre>
 """
 
 
