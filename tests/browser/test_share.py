@@ -68,6 +68,18 @@ def test_a_film_shows_the_run_from_its_start_to_its_end(pupil, tmp_path):
     expect(pupil.page.locator(".filming")).to_have_count(0)
 
 
+def test_a_page_to_take_home_shows_the_run_without_learnblock(pupil, browser, tmp_path):
+    pupil.choose("Speed", "Fastest")
+    pupil.run_to_the_end()
+    path = saved(pupil, "Page to take home", tmp_path)
+    context = browser.new_context(offline=True)
+    page = context.new_page()
+    page.goto(path.as_uri())
+    expect(page.locator(".take-home-world canvas")).to_be_visible()
+    expect(page.locator(".lbRunning")).to_contain_text("drive")
+    context.close()
+
+
 def test_a_browser_that_cannot_film_says_so_and_the_run_is_not_started(pupil):
     pupil.page.evaluate(ONLY, "none")
     pupil.share("Film of a run")

@@ -68,6 +68,7 @@ LIMITS: tuple[Limit, ...] = (
     Limit("projects whose programs run", f"{MOST_RUNS}", "pupil", _REFUSED),
     Limit("started runs", _pace(PACES["Run"]), "pupil", _REFUSED),
     Limit("checks of a lesson's step", _pace(PACES["CheckStep"]), "pupil", _REFUSED),
+    Limit("pages to take home", _pace(PACES["ExportRun"]), "pupil", _REFUSED),
     Limit("hand-ins", _pace(PACES["HandIn"]), "pupil", _REFUSED),
     Limit("steps handed in", f"{MOST_HAND_INS}", "pupil", _REFUSED),
     Limit("tries of a custom block", _pace(PACES["TryCustomBlock"]), "pupil", _REFUSED),

@@ -210,6 +210,8 @@ def _scan(kinds: list[Any], seconds: float) -> tuple[list[Row], list[Row]]:
     rows: list[Row] = []
     problems: list[Row] = []
     looks = [(kind.name(), OwnThread(partial(_look, kind, seconds))) for kind in kinds]
+    for _, look in looks:
+        look.start()
     for name, look in looks:
         try:
             robots = look.result(seconds + _LATE)

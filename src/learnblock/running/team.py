@@ -121,7 +121,8 @@ class TeamRun:
         try:
             for host in self._hosts:
                 # One by one: what has begun must end, even if there is no thread for the next.
-                threads += [OwnThread(host.run)]
+                threads.append(OwnThread(host.run))
+                threads[-1].start()
             for thread in threads:
                 thread.result()
         finally:

@@ -46,7 +46,7 @@ def test_a_description_may_name_every_device(read):
             r"rover.toml:2:1: .*'title' is .*letters, digits, spaces",
         ),
         ('title = "', f'title = "{"x" * 80}', "text of 0 to 60 characters"),
-        ('world = "tags"', 'world = "tag"', r"rover.toml:3:1: .* no world 'tag'. Did you mean"),
+        ('world = "tags"', 'world = "tagz"', r"rover.toml:3:1: .* no world 'tagz'. Did you mean"),
         ("[gyroscope]", '[gyroscope]\nkey = "X"', "must be Z_AXIS, not X"),
         ('slot = "Rear"', 'slot = "a\\"b"', r"wrong-key The slot 'a\"b' is not a word"),
         ('slot = "Rear"', 'slot = "$name"', r"wrong-key The slot '\$name' is not a word"),

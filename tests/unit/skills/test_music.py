@@ -3,8 +3,8 @@
 import pytest
 
 from learnblock.devices import Speaker
+from learnblock.devices.notes import NOTES
 from learnblock.errors import UnknownNameError
-from learnblock.skills.music import NOTES
 from learnblock.testing import FakeRobot
 
 

@@ -116,6 +116,7 @@ function Keeping() {
         <Tile icon="print" word="print" onClick={run(() => void printProgram(page))} />
         <Tile icon="image" word="picture" onClick={run(() => void share.takePicture())} />
         <Tile icon="video" word="film" off={isRunning} onClick={run(() => share.film())} />
+        <Tile icon="home" word="run" off={isRunning} onClick={run(() => share.exportRun())} />
       </div>
     </>
   );

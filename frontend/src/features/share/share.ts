@@ -1,11 +1,11 @@
-/** A picture or a short film of the world, to show to others; both are made in the browser. */
+/** What shows the world to others: a picture or a short film, which the browser makes, and a run as a page. */
 
 import { signal } from "@preact/signals";
 
-import { t } from "../../i18n";
+import { language, t } from "../../i18n";
 import type { Page } from "../../model/page";
 import { Cleanup } from "../../ui/cleanup";
-import { saveFile } from "../../ui/files";
+import { bytesOf, saveFile } from "../../ui/files";
 import { Film, filmFormat } from "./film";
 import { drawWorld, fillSky, newBrush, type Quality } from "./frame";
 
@@ -22,7 +22,17 @@ const CAPTION = { height: 56, font: '800 26px "Nunito Variable", sans-serif', in
 export class Share {
   readonly isFilming = signal(false);
 
-  constructor(private readonly page: Pick<Page, "context" | "controls" | "project" | "toasts" | "views">) {}
+  constructor(private readonly page: Pick<Page, "context" | "controls" | "project" | "toasts" | "views">) {
+    page.context.connection.on("RunExported", ({ filename, content }) =>
+      saveFile(filename, bytesOf(content), "text/html"),
+    );
+  }
+
+  /** Save the last run as a page that needs no LearnBlock. */
+  exportRun(): void {
+    this.page.toasts.note(t("page-share-run-making"));
+    this.page.context.connection.send({ kind: "ExportRun", language: language.peek() });
+  }
 
   /** Save a picture of the world as it is now, with the name of the project. */
   async takePicture(): Promise<void> {

@@ -45,7 +45,7 @@ def give_up(rights: Rights) -> None:
 
 
 class OwnThread(Generic[Result]):
-    """A thread that calls a function, and may give up its rights; it has begun.
+    """A thread that calls a function, and may give up its rights, once it is started.
 
     No one has to wait for it: if it hangs in a driver, this process can end nevertheless.
 
@@ -62,7 +62,14 @@ class OwnThread(Generic[Result]):
             name="host",
             daemon=True,
         )
+
+    def start(self) -> None:
+        """Start it; if this is interrupted, the function may be called nevertheless."""
         self._thread.start()
+
+    def forestall(self) -> bool:
+        """Keep the function from being called; return whether that was in time."""
+        return self._done.cancel()
 
     def result(self, seconds: float | None = None) -> Result:
         """Wait for the function, and return its result.
@@ -84,7 +91,7 @@ def end_threads(threads: Iterable[OwnThread[Any]], measures: Iterable[Measure]) 
     Raises:
         LearnBlockError: one has not ended, and is left behind.
     """
-    running = list(threads)
+    running = [thread for thread in threads if not thread.forestall()]
 
     def ended(seconds: float) -> bool:
         deadline = monotonic() + seconds
@@ -115,6 +122,7 @@ def in_own_thread(
         return function()
     thread = OwnThread(function)
     try:
+        thread.start()
         result = thread.result(seconds)
     except BaseException:
         # The function has failed or takes too long, or this thread was interrupted.
@@ -125,6 +133,8 @@ def in_own_thread(
 
 
 def _fulfil(done: "Future[Result]", function: Callable[[], Result]) -> None:
+    if not done.set_running_or_notify_cancel():
+        return
     try:
         done.set_result(function())
     except BaseException as error:  # noqa: BLE001 - raised again in the waiting thread

@@ -6,7 +6,7 @@ from msgspec import Meta
 
 from learnblock.i18n import Phrase
 from learnblock.project.files.share_link import LONGEST_INPUT
-from learnblock.server.messages.base import Look, Own, ToPage
+from learnblock.server.messages.base import Look, Name, Own, Pace, ToPage
 
 # From the page.
 
@@ -15,6 +15,19 @@ class MakeLink(Look, frozen=True):
     """Ask for a link that holds the open project; the reply is `ShareLink`."""
 
     answer: ClassVar = "ShareLink"
+
+
+class ExportRun(Look, frozen=True):
+    """Ask for the run that is shown as a page in one file; the reply is `RunExported`.
+
+    Args:
+        language: of that page.
+    """
+
+    # All questions about the run are answered for it.
+    pace: ClassVar = Pace(minute=6, burst=3)
+
+    language: Name = "en"
 
 
 class OpenLink(Own, frozen=True):
@@ -46,6 +59,13 @@ class ShareLink(ToPage, frozen=True):
     trace_sha256: str = ""
     seconds: float = 0.0
     problem: Phrase | None = None
+
+
+class RunExported(ToPage, frozen=True):
+    """A run as a page in one file."""
+
+    filename: str
+    content: bytes
 
 
 class RunCompared(ToPage, frozen=True):

@@ -6,6 +6,8 @@ from learnblock.i18n import Phrase
 from learnblock.project.files.share_link import LinkError, SharedProject, link_of, read_link
 from learnblock.server import messages
 from learnblock.server.pages.page import Handlers, Page
+from learnblock.server.runs.take_home import Titles, run_content
+from learnblock.standalone.page import filled
 
 HANDLERS = Handlers()
 
@@ -25,6 +27,19 @@ async def _make_link(page: Page, message: messages.MakeLink) -> None:
         page.send(messages.ShareLink(message.request, link, problem=last))
         return
     page.send(messages.ShareLink(message.request, link, last.trace_sha256, last.seconds))
+
+
+@HANDLERS.add
+async def _export_run(page: Page, message: messages.ExportRun) -> None:
+    looking = page.player.shown_run.require_looking()
+    page.session.runs.require_rest()
+    part, name = page.part, page.session.name
+    titles = Titles(name, part.robot.name, message.language)
+
+    def write() -> bytes:
+        return filled(run_content(looking.log.blocks, part.document, titles)).encode()
+
+    page.send(messages.RunExported(f"{name}.html", await to_thread.run_sync(write)))
 
 
 @HANDLERS.add

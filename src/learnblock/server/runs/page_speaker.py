@@ -4,6 +4,7 @@ import inspect
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
+from learnblock.devices import notes
 from learnblock.errors import LearnBlockError
 from learnblock.server import messages
 from learnblock.skills import music, speaker
@@ -60,12 +61,12 @@ class PageSpeaker:
     def _sound(self, skill: str, values: tuple[Any, ...]) -> tuple[str, tuple[Any, ...]]:
         if skill == "play_note":
             note, beats = values
-            return "tone", music.tone_of(note, beats, self._tempo)
+            return "tone", notes.tone_of(note, beats, self._tempo)
         return _ACTIONS[skill], values
 
     def _set_tempo(self, bpm: Any) -> None:
         try:
-            self._tempo = music.tempo_of(bpm)
+            self._tempo = notes.tempo_of(bpm)
         except LearnBlockError:
             # The program fails because of it.
             return

@@ -64,12 +64,14 @@ def run_content(log: Sequence[EventBlock], document: Document, titles: Titles) -
         titles: what the page is called.
 
     Raises:
-        LearnBlockError: the run was not in a world that can be shown.
+        LearnBlockError: the run was not in a world that can be shown, or of another program.
     """
     recorded = Recorded.of(log)
     if "world" not in recorded.robot:
         raise LearnBlockError("take-home-no-world")
     then, today = recorded.program, document.program(titles.program)
+    if then.identity != today.identity:
+        raise LearnBlockError("take-home-changed")
     blocks = [document.block_at(line) for line in lines_now(then.python, today.python)]
     looking = Looking(FinishedLog(tuple(log)), blocks)
     timeline = looking.timeline()

@@ -18,7 +18,7 @@ from learnblock.client import Rights
 from learnblock.errors import LearnBlockError, RobotConnectionError
 from learnblock.i18n import Phrase
 from learnblock.runtime.containment import landlock, seccomp
-from learnblock.runtime.containment.driver import give_up, in_own_thread
+from learnblock.runtime.containment.driver import OwnThread, end_threads, give_up, in_own_thread
 from learnblock.runtime.escalation import Measure
 from learnblock.runtime.limits import Limits
 from tempted import CONNECTING, COPYING, STARTING, WRITING, tempt
@@ -227,6 +227,15 @@ def test_a_signal_stops_the_thread_that_is_waited_for():
     finally:
         signal.signal(signal.SIGALRM, before)
     assert finished == [True]
+
+
+def test_what_ends_before_it_has_begun_is_never_called():
+    called = []
+    thread = OwnThread(lambda: called.append(True))
+    end_threads([thread], [])
+    thread.start()
+    assert thread.ends_within(SECONDS)
+    assert called == []
 
 
 def test_a_thread_that_does_not_end_is_left_behind():

@@ -1,5 +1,10 @@
 """Messages between page and server about links: what a link proves, and what differs."""
 
+import base64
+import gzip
+import json
+import re
+
 import pytest
 
 from learnblock.project.files.share_link import read_link
@@ -149,3 +154,26 @@ def test_a_damaged_link_is_refused_and_opens_nothing(page):
     assert "damaged or cut off" in english(page.hear("Failed")["message"])
     page.say("ListProjects")
     assert page.hear("Projects")["projects"] == []
+
+
+def test_the_last_run_is_exported_as_a_page_in_its_language(page):
+    imported(page)
+    run(page)
+    page.say("ExportRun", language="es")
+    exported = page.hear("RunExported")
+    assert exported["filename"] == "square.html"
+    html = base64.b64decode(exported["content"]).decode()
+    packed = re.search('id="content">([^<]*)', html)[1]
+    content = json.loads(gzip.decompress(base64.b64decode(packed)))
+    assert (content["language"], content["blocktext"]) == ("es", PROGRAM)
+    assert content["timeline"]["end"] > 1
+
+
+def test_a_run_of_another_program_is_not_exported(page):
+    imported(page)
+    page.say("ExportRun")
+    assert "nothing to look back at" in english(page.hear("Failed")["message"]).lower()
+    run(page)
+    page.type(FARTHER)
+    page.say("ExportRun")
+    assert "has changed since this run" in english(page.hear("Failed")["message"])
