@@ -64,5 +64,5 @@ def test_a_teacher_who_looks_changes_nothing_that_is_saved():
 
 
 def test_what_costs_most_has_a_pace_of_its_own():
-    assert {"Run", "CheckStep", "TryCustomBlock", "HandIn"} == set(PACES)
+    assert {"Run", "CheckStep", "TryCustomBlock", "HandIn", "ExportRun"} == set(PACES)
     assert set(PACES) <= set(RIGHTS)
