@@ -82,6 +82,15 @@ def pytest_collection_modifyitems(items):
             item.add_marker(pytest.mark.xdist_group(str(item.path.relative_to(TESTS))))
 
 
+#: Letters or bytes of a value in the name of a test.
+LONGEST_NAME = 60
+
+
+def pytest_make_parametrize_id(val, argname):
+    """Name a long value by its parameter: a name is sent for each test, and a zip has its time."""
+    return argname if isinstance(val, str | bytes) and len(val) > LONGEST_NAME else None
+
+
 def pytest_collection_finish():
     # As a server does too: otherwise each collection of garbage, as after a run, looks at all tests
     # that there are, which takes a third of a second and holds up every thread.
