@@ -51,6 +51,7 @@ def test_a_game_is_made_from_an_empty_project_and_won(sit_down, server):
     expect(end).to_be_focused()
     pupil.page.keyboard.up("Space")
     expect(end.get_by_text("Score: 1")).to_be_visible()
+    expect(pupil.page.get_by_text("Goal not reached")).to_have_count(0)
     pupil.picture("a game is won")
     end.get_by_role("button", name="Play again").click()
     expect(end).to_be_hidden()

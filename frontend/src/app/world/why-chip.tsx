@@ -10,9 +10,11 @@ const NEAR = 0.005;
 
 export function WhyChip() {
   const { context, askingWhy } = usePage();
-  const { past, ended, timeline } = context.running;
+  const { past, ended, telemetry, timeline } = context.running;
   if (!askingWhy.isPossible) return null;
-  const missed = past.value ? undefined : ended.value?.goals?.find(({ state }) => state !== "reached");
+  // A game that the program has won is won, whatever else its world asks for.
+  const asksForMore = !past.value && !telemetry.value?.game?.won;
+  const missed = asksForMore ? ended.value?.goals?.find(({ state }) => state !== "reached") : undefined;
   if (missed) {
     return <Chip look="missed" words={t("page-why-goal-missed")} ask={() => askingWhy.aboutGoal(missed)} />;
   }
