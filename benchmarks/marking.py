@@ -10,8 +10,6 @@ average typist (Card, Moran and Newell 1980); reading and thinking are not in it
 results is compared with that of `learnblock grade`, byte for byte.
 """
 
-import os
-import subprocess
 import sys
 import tempfile
 from dataclasses import dataclass
@@ -24,7 +22,7 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "helpers"))
 from _browser import SIZE, TIMEOUT, chromium
 from playwright.sync_api import Locator, Page, expect
 
-from classes import Class, opened
+from classes import Class, graded, hand_in, opened
 
 LESSON, STEP = "1-01-first-drive", 2
 PLACE = f"lesson={LESSON}&step={STEP}"
@@ -80,16 +78,10 @@ class Hands:
         return self.clicks * CLICK + self.keys * KEY + self.moves * MOVE
 
 
-def hand_in(room: Class, number: int) -> None:
+def join_and_hand_in(room: Class, number: int) -> None:
     """Join as a pupil, and hand in a program."""
     with room.pupil(f"Pupil {number}").page() as page:
-        page.say("StartLesson", lesson=LESSON, name="First drive", step=STEP)
-        while page.hear("LessonShown").get("step") != STEP:
-            pass
-        page.type(PROGRAMS[number % len(PROGRAMS)])
-        page.say("HandIn")
-        while not page.hear("OwnHandIns").get("hand_ins"):
-            pass
+        hand_in(page, LESSON, STEP, PROGRAMS[number % len(PROGRAMS)])
 
 
 def check(hands: Hands, pupils: int) -> None:
@@ -127,21 +119,11 @@ def mark(hands: Hands, pupils: int, *, by_mouse: bool) -> None:
             expect(answer.locator("bdi")).not_to_have_text(shown, timeout=TIMEOUT)
 
 
-def graded(room: Class) -> bytes:
-    """The table that the command line writes of what was handed in."""
-    with tempfile.TemporaryDirectory() as out:
-        command = [sys.executable, "-m", "learnblock", "grade", "--class", room.name]
-        options = ["--lesson", LESSON, "--step", str(STEP), "--only-handed-in", "--out", out]
-        environment = {**os.environ, "LEARNBLOCK_HOME": str(room.home)}
-        subprocess.run([*command, *options], env=environment, check=True, capture_output=True)
-        return Path(out, "results.csv").read_bytes()
-
-
 def measure(room: Class, page: Page, pupils: int, *, by_mouse: bool) -> None:
     """Print what one way takes, and whether both tables are the same."""
     begun = perf_counter()
     for number in range(1, pupils + 1):
-        hand_in(room, number)
+        join_and_hand_in(room, number)
     handed_in = perf_counter()
     hands = Hands(page)
     page.goto(f"{room.address}/teacher?key={room.key}")
@@ -160,7 +142,8 @@ def measure(room: Class, page: Page, pupils: int, *, by_mouse: bool) -> None:
         f"  the teacher's hands: {hands.clicks} clicks, {hands.keys} keys,"
         f" {hands.seconds / 60:.1f} min"
     )
-    is_same = table == graded(room)
+    with tempfile.TemporaryDirectory() as out:
+        is_same = table == graded(room, LESSON, STEP, out)
     print(
         f"  results.csv, {len(table)} bytes, is {'' if is_same else 'NOT '}that of learnblock grade"
     )

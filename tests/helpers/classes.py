@@ -10,6 +10,7 @@ import subprocess
 import sys
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from pathlib import Path
 
 from websockets.sync.client import connect
 
@@ -183,3 +184,30 @@ def opened(home, *options, **others):
     finally:
         if room.process.poll() is None:
             room.close()
+
+
+def hand_in(page, lesson, step, text=None):
+    """Hand in a step of a lesson, with a program of the pupil's own."""
+    page.say("StartLesson", lesson=lesson, name="First drive", step=step)
+    while page.hear("LessonShown").get("step") != step:
+        pass
+    if text:
+        page.type(text)
+    page.say("HandIn")
+    while not page.hear("OwnHandIns").get("hand_ins"):
+        pass
+    return page.last["OwnHandIns"]["hand_ins"]
+
+
+def graded(room, lesson, step, out):
+    """The table that the command line writes of what was handed in."""
+    command = [sys.executable, "-m", "learnblock", "grade", "--class", room.name]
+    options = ["--lesson", lesson, "--step", str(step), "--only-handed-in", "--out", str(out)]
+    subprocess.run(
+        [*command, *options],
+        env={**os.environ, "LEARNBLOCK_HOME": str(room.home)},
+        cwd=room.home,
+        check=True,
+        capture_output=True,
+    )
+    return (Path(out) / "results.csv").read_bytes()

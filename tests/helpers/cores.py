@@ -29,7 +29,7 @@ class Cores:
 
     @contextlib.contextmanager
     def taken(self, *, real_time: bool, seconds: float = -1) -> Iterator[None]:
-        """Wait until a test may run, at most so long, and keep its place while it does."""
+        """Wait until a test may run, at most so many seconds, and keep its place while it does."""
         with contextlib.ExitStack() as places:
             if real_time or not self._is_extra:
                 places.enter_context(self._core.acquire(timeout=seconds))

@@ -78,7 +78,7 @@ class Desk:
         self.hints: list[str] = []
         self.pages: list[DeskPage] = []
         self.paces = Paces()
-        #: At a hub: where the work in lessons is kept that the pupil's server tells.
+        #: At a hub: the work in lessons, as the pupil's server has reported it.
         self.lesson_works: LessonWorkFile | None = None
         #: Whether the pupil's program is paused because the teacher speaks.
         self._rests = False

@@ -169,7 +169,7 @@ def record_of(
         folder = ProjectFolder(roster.folder_of(pupil) / PROJECTS, read_only=True)
         works = lesson_works(folder)
     shown = _with_hand_ins(works, shelf.of_pupil(pupil.id))
-    lessons = (_lesson(name, work) for name, work in shown.items())
+    lessons = (_lesson(name, lesson) for name, lesson in shown.items())
     return PupilRecord(
         names_of(roster.pupils).get(pupil.id, pupil.name) if teaches else pupil.name,
         roster.title,
@@ -187,34 +187,34 @@ def _with_hand_ins(
     return shown
 
 
-def _lesson(name: str, work: _Shown) -> RecordedLesson:
+def _lesson(name: str, shown: _Shown) -> RecordedLesson:
     opened: OpenLesson | None = None
     # What was done in a lesson that is gone is still shown.
     with suppress(LearnBlockError, OSError):
         opened = find_lesson(name)
     steps = opened.lesson.step if opened else ()
-    hand_ins = (_hand_in(file, steps) for _, file in sorted(work.hand_ins.items()))
+    hand_ins = (_hand_in(file, steps) for _, file in sorted(shown.hand_ins.items()))
     recorded = RecordedLesson(
         name,
         name,
-        at=work.at,
-        step=work.step,
-        runs=work.work.runs,
-        hints=work.work.hints,
+        at=shown.at,
+        step=shown.step,
+        runs=shown.work.runs,
+        hints=shown.work.hints,
         hand_ins=tuple(hand_ins),
     )
     if opened is None:
         return recorded
-    earned, needed = work.needed(enumerate(steps, 1))
+    earned, needed = shown.needed(enumerate(steps, 1))
     return replace(
         recorded,
         title=plain(opened.lesson.title),
         picture=opened.lesson.picture or "",
         steps=len(steps),
-        stars=sum(len(work.earned(number, step)) for number, step in enumerate(steps, 1)),
+        stars=sum(len(shown.earned(number, step)) for number, step in enumerate(steps, 1)),
         all_stars=sum(len(list(star_names(step))) for step in steps),
         done=0 < needed == earned,
-        aims=tuple(_aims(opened.lesson, work)),
+        aims=tuple(_aims(opened.lesson, shown)),
     )
 
 
@@ -231,7 +231,7 @@ def _hand_in(file: HandInFile, steps: Sequence[Step]) -> RecordedHandIn:
     )
 
 
-def _aims(lesson: Lesson, work: _Shown) -> Iterator[RecordedAim]:
+def _aims(lesson: Lesson, shown: _Shown) -> Iterator[RecordedAim]:
     by_aim = {evidence.aim: evidence for evidence in lesson.evidence}
     for number, aim in enumerate(lesson.aims, 1):
         evidence = by_aim.get(number)
@@ -240,7 +240,7 @@ def _aims(lesson: Lesson, work: _Shown) -> Iterator[RecordedAim]:
             for place, step in enumerate(lesson.step, 1)
             if evidence is None or place in evidence.steps
         ]
-        earned, needed = work.needed(steps)
+        earned, needed = shown.needed(steps)
         standards = evidence.standards if evidence else ()
         yield RecordedAim(plain(aim), 0 < needed == earned, earned, needed, standards)
 

@@ -68,7 +68,7 @@ class Relay:
         self._paces = paces or (Paces() if is_teacher else desk.paces)
         self._outbox: asyncio.Queue[str] = asyncio.Queue(maxsize=100)
         self._server: ClientConnection | None = None
-        #: With how many successes of the pupil the work in lessons was asked for.
+        #: The pupil's count of successes when the work in lessons was last asked for.
         self._successes = -1
 
     @property
@@ -191,7 +191,7 @@ class Relay:
             await self.order(messages.ReadLessonWork())
 
     async def _keep_lesson_work(self, text: str) -> None:
-        """Keep what the pupil's server tells, which a pupil might have taken over."""
+        """Keep what the pupil's server reports; the pupil may control that server."""
         if self._desk.lesson_works:
             with suppress(OSError, ValueError):
                 works = _lesson_work.decode(text).works

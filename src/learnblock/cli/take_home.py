@@ -23,7 +23,7 @@ def write_page(path: Path, source: Source, robot: RobotEntry, log: RunLog) -> No
         OSError: the file can't be written.
     """
     titles = Titles(source.path.stem, robot.name, words())
-    content = run_content(log.blocks, _document(source, robot), titles)
+    content = run_content(log, _document(source, robot), titles)
     save(path, filled(content).encode())
     print_row("report-label-page", str(path))
 

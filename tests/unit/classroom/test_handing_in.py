@@ -3,15 +3,12 @@
 import asyncio
 import csv
 import io
-import os
-import subprocess
-import sys
 import zipfile
 
 import pytest
 
+import classes
 import small_lesson
-from classes import opened
 from learnblock.classroom.checking import Checking, runs_folder
 from learnblock.classroom.hand_ins import HandInShelf
 from learnblock.classroom.roster import Roster
@@ -45,15 +42,7 @@ def joined(room, name):
 
 def hand_in(page, text=None):
     """Hand in a step, with a program of the pupil's own."""
-    page.say("StartLesson", lesson=LESSON, name="First drive", step=STEP)
-    while page.hear("LessonShown").get("step") != STEP:
-        pass
-    if text:
-        page.type(text)
-    page.say("HandIn")
-    while not page.hear("OwnHandIns").get("hand_ins"):
-        pass
-    return page.last["OwnHandIns"]["hand_ins"]
+    return classes.hand_in(page, LESSON, STEP, text)
 
 
 def listed(wall):
@@ -71,25 +60,11 @@ def checked(wall):
     assert not wall.last["HandInSteps"].get("failure")
 
 
-def graded(room, out):
-    """The table that the command line writes of what was handed in."""
-    command = [sys.executable, "-m", "learnblock", "grade", "--class", room.name]
-    options = ["--lesson", LESSON, "--step", str(STEP), "--only-handed-in", "--out", str(out)]
-    subprocess.run(
-        [*command, *options],
-        env={**os.environ, "LEARNBLOCK_HOME": str(room.home)},
-        cwd=room.home,
-        check=True,
-        capture_output=True,
-    )
-    return (out / "results.csv").read_bytes()
-
-
 @pytest.fixture(scope="module")
 def room(tmp_path_factory):
     home = tmp_path_factory.mktemp("teacher")
     small_lesson.put_in(home)
-    with opened(home) as room:
+    with classes.opened(home) as room:
         yield room
 
 
@@ -112,7 +87,7 @@ def test_what_is_handed_in_is_checked_marked_and_handed_back(room, tmp_path):
         assert (lines["Ana"]["stars"], lines["Leo"].get("stars", 0)) == (3, 0)
         assert lines["Leo"]["missed"]
         table = room.ask(f"/results.csv?{QUERY}", cookie=cookie).body
-        assert table == graded(room, tmp_path / "out")
+        assert table == classes.graded(room, LESSON, STEP, tmp_path / "out")
         page_of_all = room.ask(f"/results.html?{QUERY}&language=es", cookie=cookie)
         assert "Leo" in page_of_all.body.decode()
 
@@ -204,7 +179,7 @@ def test_an_export_has_a_pupils_hand_ins_and_a_deleted_pupil_leaves_none(room):
 
 def test_what_is_handed_in_is_there_after_a_kill(tmp_path):
     small_lesson.put_in(tmp_path)
-    with opened(tmp_path) as room:
+    with classes.opened(tmp_path) as room:
         ana = joined(room, "Ana")
         with ana.page() as page, room.wall() as wall:
             hand_in(page)

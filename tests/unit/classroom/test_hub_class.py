@@ -118,10 +118,9 @@ def test_only_pages_at_the_step_without_a_hand_in_are_asked_for_their_work(tmp_p
 
 
 @pytest.fixture
-def own_lesson(tmp_path, monkeypatch):
+def own_lesson(own_home):
     """The name of a lesson of the teacher's own, in the folder of the service."""
-    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path / "home"))
-    small_lesson.put_in(tmp_path / "home")
+    small_lesson.put_in(own_home)
     return small_lesson.NAME
 
 

@@ -141,7 +141,7 @@ def test_a_hand_in_is_checked_and_its_run_is_seen_by_teacher_and_pupil(teacher, 
     pupil = page_of(alice).split("/")[-2]
     with teacher.socket(f"{CLASS}marking") as marking:
         marking.say("CheckHandIns", **PLACE)
-        # As the page does: what has changed is told, and read again.
+        # Like the page, read the list again at each notice of a change.
         while not is_checked(marking):
             marking.hear("HandInSteps")
     place = urlencode(PLACE)

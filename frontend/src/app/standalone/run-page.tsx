@@ -83,6 +83,25 @@ function Play() {
   );
 }
 
+interface AreasProps<Name extends string> {
+  readonly label: string;
+  readonly names: readonly Name[];
+  readonly shown: Signal<Name>;
+}
+
+/** Buttons that choose which of several areas is shown. */
+function Areas<Name extends string>({ label, names, shown }: AreasProps<Name>) {
+  return (
+    <div class="areas" role="group" aria-label={label}>
+      {names.map((name) => (
+        <button key={name} type="button" aria-pressed={shown.value === name} onClick={() => (shown.value = name)}>
+          {t(`page-shell-${name}`)}
+        </button>
+      ))}
+    </div>
+  );
+}
+
 /** The program in one of its notations. */
 function ProgramPane() {
   const { context, views } = usePage();
@@ -93,13 +112,7 @@ function ProgramPane() {
   const marked = revealed.value ?? context.running.block.value;
   return (
     <section class="take-home-program" aria-label={t("page-take-home-program")}>
-      <div class="areas" role="group" aria-label={t("page-shell-shown")}>
-        {VIEWS.map((name) => (
-          <button key={name} type="button" aria-pressed={view.value === name} onClick={() => (view.value = name)}>
-            {t(`page-shell-${name}`)}
-          </button>
-        ))}
-      </div>
+      <Areas label={t("page-shell-shown")} names={VIEWS} shown={view} />
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: a keyboard user must be able to scroll it */}
       <div class="take-home-notation" role="group" aria-label={t(`page-shell-${view.value}`)} tabIndex={0}>
         {view.value === "blocks" ? (
@@ -145,13 +158,7 @@ function Panels({ printed }: { printed: string }) {
       <h2 id="take-home-output" class="hidden">
         {t("page-shell-panel")}
       </h2>
-      <div class="areas" role="group" aria-label={t("page-shell-panel")}>
-        {PANELS.map((name) => (
-          <button key={name} type="button" aria-pressed={panel.value === name} onClick={() => (panel.value = name)}>
-            {t(`page-shell-${name}`)}
-          </button>
-        ))}
-      </div>
+      <Areas label={t("page-shell-panel")} names={PANELS} shown={panel} />
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: a keyboard user must be able to scroll it */}
       <div class="take-home-panel" role="group" aria-label={t(`page-shell-${panel.value}`)} tabIndex={0}>
         {panel.value === "why" && <Why />}

@@ -1,4 +1,4 @@
-/** Shows a recorded run with the page's own parts, which find the recording where a server would be. */
+/** Shows a recorded run with the page's own parts; the recording answers them as a server would. */
 
 import { effect } from "@preact/signals";
 import { render } from "preact";

@@ -22,7 +22,7 @@ function EndCard({ game }: { game: GameNow }) {
   const closed = useSignal(false);
   const card = useRef<HTMLElement>(null);
   useLayoutEffect(() => {
-    // Whoever has played goes on here by keyboard; a key that is still down presses no button.
+    // A player goes on here by keyboard, but a key that is still held down must press no button.
     const world = card.current?.closest(".region");
     if (world?.contains(document.activeElement)) card.current?.focus();
   }, []);

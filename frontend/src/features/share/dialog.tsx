@@ -1,4 +1,4 @@
-/** Everything that takes the program elsewhere: a link, a file, a picture, a film. */
+/** Everything that takes the program elsewhere: a link, a file, a picture, a film, paper. */
 
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";

@@ -14,6 +14,7 @@ import { svgAddress, svgPixels, svgText } from "../../ui/picture-file";
 import { SelectField } from "../../ui/select-field";
 import type { PortablePicture } from "../../views/blocks/portable-svg";
 import type { PictureChoices } from "../../views/blocks/program-picture";
+import { loadDrawing } from "./draw-program";
 
 const TYPES = ["svg", "png"] as const;
 type Choices = Omit<PictureChoices, "text">;
@@ -84,11 +85,7 @@ function usePicture({ context }: Page, choices: Signal<Choices>): Signal<Portabl
 
 /** Draw the program of the page. */
 async function draw({ program }: Page["context"], choices: Choices): Promise<PortablePicture> {
-  const [{ drawProgram }, { prepare }] = await Promise.all([
-    import("../../views/blocks/program-picture"),
-    import("../../views/blocks/prepare"),
-  ]);
-  prepare();
+  const drawProgram = await loadDrawing();
   const state = program.state.peek();
   return drawProgram(state.workspace, { ...choices, text: textOf(state, choices.only) });
 }

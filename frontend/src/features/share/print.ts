@@ -4,6 +4,7 @@ import { language, t } from "../../i18n";
 import type { Page } from "../../model/page";
 import { svgAddress } from "../../ui/picture-file";
 import type { PortablePicture } from "../../views/blocks/portable-svg";
+import { loadDrawing } from "./draw-program";
 import { bands, linesOfStacks } from "./print-layout";
 import "./print.css";
 
@@ -38,12 +39,7 @@ function head({ context, project }: Page): HTMLElement {
 }
 
 async function rows({ context }: Page): Promise<HTMLElement[]> {
-  const [{ drawProgram }, { prepare }, { slice }] = await Promise.all([
-    import("../../views/blocks/program-picture"),
-    import("../../views/blocks/prepare"),
-    import("../../views/blocks/portable-svg"),
-  ]);
-  prepare();
+  const [drawProgram, { slice }] = await Promise.all([loadDrawing(), import("../../views/blocks/portable-svg")]);
   const { workspace, blocktext, places } = context.program.state.peek();
   const choices = { language: language.peek(), theme: "light", text: "", only: null } as const;
   const drawn: HTMLElement[] = [];

@@ -1,4 +1,4 @@
-/** In the place of the connection to a server: what was recorded answers at once. */
+/** Takes the place of the connection to a server: the recording answers at once. */
 
 import { Connection } from "../../protocol/connection";
 import type { FromPage, ToPage } from "../../protocol/messages";

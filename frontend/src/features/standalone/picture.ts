@@ -21,7 +21,7 @@ function svgFile({ svg }: PortablePicture): Promise<string> {
   return inBase64(new File([svgText(svg)], "picture"));
 }
 
-/** At once, since the browser's own time, which is not ours, would not wait for `toBlob`. */
+/** Without `toBlob`, for which the virtual time of a browser without a window does not wait. */
 async function pngFile({ svg, width, height }: PortablePicture): Promise<string> {
   const canvas = await svgCanvas(svg, width, height);
   return canvas.toDataURL("image/png").split(",")[1]!;

@@ -30,8 +30,10 @@ export class RecordedRun {
     const index = indexAt(moments, time, event);
     const here = moments[index]!;
     if (!step) return { ...this.pastOf(here), time: Math.min(time, this.recording.timeline.end) };
-    const wanted = to === "mark" ? this.markFrom(here.past.time, step, subject) : null;
-    if (to === "mark") return wanted === null ? notFound(this.pastOf(here)) : this.pastOf(moments[wanted]!);
+    if (to === "mark") {
+      const marked = this.markFrom(here.past.time, step, subject);
+      return marked === null ? notFound(this.pastOf(here)) : this.pastOf(moments[marked]!);
+    }
     for (let next = index + step; next in moments; next += step) {
       if (isWanted(moments[next - step]!.past, moments[next]!.past, step, to, subject))
         return this.pastOf(moments[next]!);

@@ -67,7 +67,7 @@ function drawNow(program: Workspace, { theme: name, text, only }: PictureChoices
   }
 }
 
-/** Draw a program of any size, and what the view of the blocks would leave away until it is in sight. */
+/** Draw a program of any size, and what the view of the blocks would leave out until it is in sight. */
 function drawAll(workspace: Blockly.WorkspaceSvg, program: Workspace): void {
   const sync = new Sync(workspace, workspace.connectionChecker as Checker);
   sync.show(program);

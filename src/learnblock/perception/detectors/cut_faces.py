@@ -1,4 +1,4 @@
-"""Faces that the edge of the frame cuts: no face is found there, but they are no line.
+"""Faces that the edge of the frame cuts: not recognised as faces, but not taken for a line either.
 
 What is left of a face is a patch of skin at the edge, with eyes, a mouth or an ear in it. Without
 any of these it may be another thing of this colour, but no red line is as pale as skin.

@@ -6,8 +6,6 @@ from learnblock.i18n import Phrase
 from learnblock.project.files.share_link import LinkError, SharedProject, link_of, read_link
 from learnblock.server import messages
 from learnblock.server.pages.page import Handlers, Page
-from learnblock.server.runs.take_home import Titles, run_content
-from learnblock.standalone.page import filled
 
 HANDLERS = Handlers()
 
@@ -34,10 +32,13 @@ async def _export_run(page: Page, message: messages.ExportRun) -> None:
     looking = page.player.shown_run.require_looking()
     page.session.runs.require_rest()
     part, name = page.part, page.session.name
-    titles = Titles(name, part.robot.name, message.language)
 
     def write() -> bytes:
-        return filled(run_content(looking.log.blocks, part.document, titles)).encode()
+        from learnblock.server.runs.take_home import Titles, run_content  # noqa: PLC0415 - the page opens before
+        from learnblock.standalone.page import filled  # noqa: PLC0415 - as above
+
+        titles = Titles(name, part.robot.name, message.language)
+        return filled(run_content(looking.log, part.document, titles)).encode()
 
     page.send(messages.RunExported(f"{name}.html", await to_thread.run_sync(write)))
 

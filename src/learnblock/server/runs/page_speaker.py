@@ -22,7 +22,7 @@ _ACTIONS = {"say_Text": "say", "play_audio": "play", "play_frequency": "tone"}
 class PageSpeaker:
     """Plays on the page what a robot without a loudspeaker would have played.
 
-    The real or simulated robot and the trace of the run do not notice it.
+    Neither the robot nor the trace of the run is affected.
 
     Args:
         play: receives each sound.

@@ -10,34 +10,16 @@ from learnblock.blocks.known import all_configurations
 from learnblock.blocks.palette import palette
 from learnblock.errors import LearnBlockError
 from learnblock.project.document.document import Document
-from learnblock.runtime.log.blocks import EventBlock
 from learnblock.server import messages
 from learnblock.server.runs.kept import lines_now, printed, scene_of
-from learnblock.server.runs.looking import Looking
+from learnblock.server.runs.looking import Log, Looking
 from learnblock.why.recorded import Recorded
-from learnblock.why.verification import complete_since
 
 #: Moments in every second of a short run, the most of a long one, and the most lines between two:
 #: few enough for a file of 2 MB.
 RATE, MOST, LINES = 20, 600, 1
 #: The most moments at which it says what the robot is doing.
 MOST_NOW = 60
-
-
-@dataclass(frozen=True)
-class FinishedLog:
-    """The log of a run that has ended.
-
-    Args:
-        blocks: what it contains.
-    """
-
-    blocks: tuple[EventBlock, ...]
-
-    @property
-    def complete_since(self) -> int:
-        """The oldest detail that it has, in ticks."""
-        return complete_since(self.blocks)
 
 
 @dataclass(frozen=True)
@@ -55,25 +37,25 @@ class Titles:
     language: str
 
 
-def run_content(log: Sequence[EventBlock], document: Document, titles: Titles) -> dict[str, Any]:
+def run_content(log: Log, document: Document, titles: Titles) -> dict[str, Any]:
     """The content of a page that shows a run: see `frontend/src/features/standalone/content.ts`.
 
     Args:
-        log: of the run, in a simulated world.
+        log: of the run, which was in a simulated world and has ended.
         document: the program.
         titles: what the page is called.
 
     Raises:
         LearnBlockError: the run was not in a world that can be shown, or of another program.
     """
-    recorded = Recorded.of(log)
+    recorded = Recorded.of(log.blocks)
     if "world" not in recorded.robot:
         raise LearnBlockError("take-home-no-world")
     then, today = recorded.program, document.program(titles.program)
     if then.identity != today.identity:
         raise LearnBlockError("take-home-changed")
     blocks = [document.block_at(line) for line in lines_now(then.python, today.python)]
-    looking = Looking(FinishedLog(tuple(log)), blocks)
+    looking = Looking(log, blocks)
     timeline = looking.timeline()
     even = list(_moments(looking, timeline.end))
     answers = list(_answers(looking, timeline, even))

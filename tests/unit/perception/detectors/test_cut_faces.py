@@ -4,13 +4,12 @@ import pytest
 from learnblock.perception.detectors.cut_faces import cut_skin
 from learnblock.perception.detectors.lines import detect_lines
 from learnblock.perception.sight import Sight
-from learnblock.simulator.camera import CameraModel, CameraPose, Surface, render
-from learnblock.simulator.textures import EMOTIONS, FloorLine, face, floor
+from learnblock.simulator.camera import Surface
+from learnblock.simulator.textures import EMOTIONS, FloorLine, face
+from photographs import STEPS, photograph, upright
 
-RED, GROUND, WALL = (200, 20, 20), (235, 235, 225), (190, 170, 140)
+RED, WALL = (200, 20, 20), (190, 170, 140)
 COLOURS = ("black", "red", "blue")
-#: A face moves in 21 steps across the whole picture.
-STEPS = np.linspace(-220, 220, 21)
 
 
 def flat(colour, west, east, bottom=0.0, top=0.0):
@@ -19,21 +18,14 @@ def flat(colour, west, east, bottom=0.0, top=0.0):
     return Surface(np.array(corners, float), np.full((4, 4, 3), colour, np.uint8))
 
 
-def photograph(things=(), lines=(), *, tilt, scale=1):
-    corners = [(-1000, 1000, 0), (1000, 1000, 0), (1000, -1000, 0), (-1000, -1000, 0)]
-    ground = Surface(np.array(corners, float), floor((2000, 2000), GROUND, lines))
-    model = CameraModel(320 * scale, 240 * scale, 290 * scale)
-    noise = (np.random.default_rng(1), 2.0)
-    pose = CameraPose(-300, 0, 100, 0, tilt)
-    return render([*things, flat(WALL, 500, 500, 0, 1500), ground], model, pose, noise=noise)
+def in_a_room(things=(), lines=(), *, tilt):
+    """A picture with a wall behind the floor."""
+    return photograph([*things, flat(WALL, 500, 500, 0, 1500)], lines, tilt=tilt)
 
 
 def portrait(step, size, x, y, bottom):
-    """A face that stands at (x, y); each step has another person and emotion."""
-    left, right, top = y + size / 2, y - size / 2, bottom + size
-    corners = [(x, left, top), (x, right, top), (x, right, bottom), (x, left, bottom)]
-    picture = face(EMOTIONS[step % len(EMOTIONS)], 400, 1000 + step)
-    return Surface(np.array(corners, float), picture)
+    """A face at (x, y); the person and the emotion change with each step."""
+    return upright(face(EMOTIONS[step % len(EMOTIONS)], 400, 1000 + step), size, x, y, bottom)
 
 
 #: By pose: the face at a step, the tilt of the camera, in how many of 21 pictures plain counting
@@ -53,7 +45,7 @@ def has_line(lines):
 @pytest.mark.parametrize("pose", POSES)
 def test_a_face_is_no_line_wherever_the_edge_of_the_picture_cuts_it(pose):
     thing, tilt, plain, left = POSES[pose]
-    frames = [photograph([thing(n, y)], tilt=tilt) for n, y in enumerate(STEPS)]
+    frames = [in_a_room([thing(n, y)], tilt=tilt) for n, y in enumerate(STEPS)]
     assert sum(has_line(detect_lines(frame)) for frame in frames) == plain
     assert sum(has_line(Sight(frame).detect("lines")) for frame in frames) <= left
 
@@ -70,7 +62,7 @@ def test_a_face_is_no_line_wherever_the_edge_of_the_picture_cuts_it(pose):
 @pytest.mark.parametrize("width", [10, 25, 40])
 @pytest.mark.parametrize("tilt", [-15, -30])
 def test_a_red_line_is_no_cut_face(points, width, tilt):
-    frame = photograph(lines=[FloorLine(points, width, RED)], tilt=tilt)
+    frame = in_a_room(lines=[FloorLine(points, width, RED)], tilt=tilt)
     assert detect_lines(frame).red.is_there
     assert Sight(frame).detect("lines") == detect_lines(frame)
 
@@ -79,6 +71,6 @@ def test_a_thing_of_the_colour_of_skin_hides_no_black_line():
     box = flat((228, 184, 152), -60, -60, 0, 60)
     box.corners[:, 1] = [-40, -900, -900, -40]
     line = FloorLine([(-900, 40), (900, 40)], 15, (0, 0, 0))
-    frame = photograph([box], [line], tilt=-30)
+    frame = in_a_room([box], [line], tilt=-30)
     assert [skin.is_face for skin in cut_skin(frame)] == [False]
     assert Sight(frame).detect("lines").black == detect_lines(frame).black

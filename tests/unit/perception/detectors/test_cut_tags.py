@@ -5,27 +5,16 @@ from learnblock.perception.detectors.cut_tags import cut_tags
 from learnblock.perception.detectors.lines import BLACK as DARKEST
 from learnblock.perception.detectors.lines import detect_lines
 from learnblock.perception.sight import Sight
-from learnblock.simulator.camera import CameraModel, CameraPose, Surface, render
-from learnblock.simulator.textures import FloorLine, floor, tag
+from learnblock.simulator.camera import Surface
+from learnblock.simulator.textures import FloorLine, tag
+from photographs import STEPS, photograph, upright
 
-BLACK, GROUND = (0, 0, 0), (235, 235, 225)
-#: A tag moves in 21 steps across the whole picture.
-STEPS = np.linspace(-220, 220, 21)
-
-
-def photograph(things=(), lines=(), *, tilt, scale=1):
-    corners = [(-1000, 1000, 0), (1000, 1000, 0), (1000, -1000, 0), (-1000, -1000, 0)]
-    ground = Surface(np.array(corners, float), floor((2000, 2000), GROUND, lines))
-    model = CameraModel(320 * scale, 240 * scale, 290 * scale)
-    noise = (np.random.default_rng(1), 2.0)
-    return render([*things, ground], model, CameraPose(-300, 0, 100, 0, tilt), noise=noise)
+BLACK = (0, 0, 0)
 
 
 def standing(number, size, x, y, bottom):
-    """A tag that stands at (x, y) and faces the camera in the west."""
-    left, right, top = y + size / 2, y - size / 2, bottom + size
-    corners = [(x, left, top), (x, right, top), (x, right, bottom), (x, left, bottom)]
-    return Surface(np.array(corners, float), tag(number))
+    """A tag that stands at (x, y)."""
+    return upright(tag(number), size, x, y, bottom)
 
 
 def lying(number, size, x, y):

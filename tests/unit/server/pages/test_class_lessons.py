@@ -15,12 +15,6 @@ from pages import serving
 pytestmark = pytest.mark.realtime
 
 
-@pytest.fixture(autouse=True)
-def home(tmp_path, monkeypatch):
-    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path / "home"))
-    return tmp_path / "home"
-
-
 @pytest.fixture
 def pupil(projects):
     """A pupil's own server, as in a class."""
@@ -57,10 +51,10 @@ def test_a_lesson_that_is_given_can_be_begun(seat):
     assert begin(seat)["steps"]
 
 
-def test_nothing_that_only_the_teacher_has_is_kept(seat, home):
+def test_nothing_that_only_the_teacher_has_is_kept(seat, own_home):
     give(seat, small_lesson.packed())
     begin(seat)
-    (given,) = (home / "lessons").iterdir()
+    (given,) = (own_home / "lessons").iterdir()
     assert unpack(given.name, given.read_bytes()).teacher is None
 
 
@@ -86,11 +80,11 @@ HOSTILE = {
 
 @pytest.mark.certain
 @pytest.mark.parametrize("kind", HOSTILE)
-def test_what_is_no_lesson_is_refused_and_leaves_no_file(seat, home, kind):
+def test_what_is_no_lesson_is_refused_and_leaves_no_file(seat, own_home, kind):
     content, name = HOSTILE[kind]
     give(seat, content, name)
     assert seat.hear("Failed")["refused"] == "GiveLesson"
-    assert not [path for path in home.rglob("*") if path.is_file()]
+    assert not [path for path in own_home.rglob("*") if path.is_file()]
 
 
 @pytest.mark.certain
@@ -106,9 +100,9 @@ def test_a_lesson_larger_than_a_message_is_refused(seat):
     assert seat.hear("Failed")["message"]["code"] == "server-message-unknown"
 
 
-def test_a_lesson_that_the_user_has_made_is_not_replaced(seat, home):
-    small_lesson.put_in(home)
-    (own,) = (home / "lessons").iterdir()
+def test_a_lesson_that_the_user_has_made_is_not_replaced(seat, own_home):
+    small_lesson.put_in(own_home)
+    (own,) = (own_home / "lessons").iterdir()
     given = small_lesson.packed(**{"minutes = 10": "minutes = 12"})
     give(seat, given)
     begin(seat)

@@ -30,7 +30,7 @@ def content(tmp_path_factory):
     log = RunLog(program)
     ProgramRun(Job(program, robot, Options("empty")), log=log).run()
     document = Document.from_text(DRAWING, robot.module, all_configurations())
-    return run_content(log.blocks, document, Titles("drawing", "sim-ebo", "en"))
+    return run_content(log, document, Titles("drawing", "sim-ebo", "en"))
 
 
 def test_its_moments_go_from_the_start_to_the_end_and_have_the_world(content):
