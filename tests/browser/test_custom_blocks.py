@@ -296,8 +296,7 @@ def test_a_block_can_be_created_with_the_keyboard_alone(pupil):
 
 def test_the_dialogs_are_in_spanish(sit_down, workshop):
     pupil = sit_down(workshop, language="es")
-    pupil.page.locator("header .project-name").click()
-    pupil.page.get_by_role("menuitem", name="Mis bloques…").click()
+    pupil.project("Mis bloques…")
     pupil.picture("list")
     pupil.dialog().get_by_role("button", name="Bloque nuevo").click()
     code = pupil.dialog().get_by_role("textbox", name="Python")

@@ -7,6 +7,7 @@ from functools import cache
 import pytest
 from playwright.sync_api import expect
 
+from browser.pupil import MORE
 from learnblock.language.tree.builtins import BUILTINS, TEMPLATES
 from places import ROOT
 
@@ -52,6 +53,7 @@ NAMES = re.compile(
 )
 #: Names shown on the blocks that call these functions.
 FUNCTIONS = {*BUILTINS, *(name for name, _ in TEMPLATES), "world ="}
+#: Each dialog by its menu, or by the dialog *More…* of a project, and the number of its command.
 DIALOGS = {
     "new": ("project", 0),
     "open": ("project", 1),
@@ -59,10 +61,14 @@ DIALOGS = {
     "rename": ("project", 3),
     "save as": ("project", 4),
     "history": ("project", 5),
-    "block sets": ("project", 9),
-    "tag names": ("project", 12),
-    "make a lesson": ("project", 13),
-    "delete": ("project", 16),
+    "more": ("project", 7),
+    "delete": ("project", 8),
+    "block sets": ("rare", 0),
+    "my blocks": ("rare", 1),
+    "libraries": ("rare", 2),
+    "tag names": ("rare", 3),
+    "make a lesson": ("rare", 4),
+    "open a link": ("rare", 5),
     "help": ("more", 0),
     "shortcuts": ("more", 2),
     "other device": ("more", 3),
@@ -200,8 +206,12 @@ def choose_language(pupil, language):
 
 def dialog(pupil, menu, number):
     """Open a dialog, return its texts, and close it."""
-    pupil.page.locator(MENUS[menu]).first.click()
-    pupil.page.get_by_role("menuitem").nth(number).click()
+    if menu == "rare":
+        pupil.project(MORE)
+        pupil.dialog().locator(".rows button").nth(number).click()
+    else:
+        pupil.page.locator(MENUS[menu]).first.click()
+        pupil.page.get_by_role("menuitem").nth(number).click()
     expect(pupil.dialog()).to_be_visible()
     found = visible_texts(pupil, "dialog")
     pupil.page.keyboard.press("Escape")
@@ -227,7 +237,7 @@ def world_editor(pupil):
 
 def palette(pupil):
     """Return the texts of the blocks in each category, by its number."""
-    rows = pupil.page.locator(".blocklyToolboxCategory:has(.lbGroupIcon)")
+    rows = pupil.page.locator(".blocklyToolboxCategory:has(.lbGroupIcon):visible")
     found = {}
     for number, row in enumerate(rows.all()):
         row.click()

@@ -186,9 +186,9 @@ def test_a_lesson_of_ours_is_copied_and_changed(teacher):
 def test_a_page_that_may_be_on_another_computer_offers_nothing_of_the_teachers(tmp_path, sit_down):
     behind_a_proxy = Server(tmp_path, "--allow-host=school.example")
     pupil = sit_down(behind_a_proxy, empty=True)
-    pupil.page.locator("header .project-name").click()
-    expect(pupil.page.get_by_role("menuitem", name="Tag names").first).to_be_visible()
-    expect(pupil.page.get_by_role("menuitem", name="Make a lesson of")).to_have_count(0)
+    pupil.project("More…")
+    expect(pupil.dialog().get_by_role("button", name="Tag names")).to_be_visible()
+    expect(pupil.dialog().get_by_role("button", name="Make a lesson of")).to_have_count(0)
     show_the_first_lessons(pupil)
     expect(card(pupil, "A square with a loop")).to_have_count(1)
     expect(pupil.page.get_by_role("button", name="More for A square with")).to_have_count(0)

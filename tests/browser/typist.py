@@ -82,7 +82,7 @@ class Typist:
         self.press("Enter")
         expect(self._page.get_by_role("menuitem", name="New…", exact=True)).to_be_focused()
         self.press("Enter")
-        expect(self._page.get_by_role("textbox", name="Name")).to_be_focused()
+        expect(self._page.get_by_role("button", name="Start", exact=True)).to_be_focused()
         self.press("Enter")
         expect(self._page.locator("header .project-name")).not_to_have_text(before)
         expect(self._page.locator(BLOCKS)).to_have_count(1)
