@@ -89,6 +89,7 @@ def ask(installed, folder, *arguments):
     return done.stdout
 
 
+@pytest.mark.timeout(180)  # pip installs the wheel into a new environment
 def test_a_wheel_installed_by_pip_lists_and_tries_its_lessons_and_grades_by_them(
     installed, tmp_path
 ):

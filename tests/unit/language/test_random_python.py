@@ -16,7 +16,7 @@ from python_scores import meaning
 from random_python import modules
 
 many = settings(
-    max_examples=examples(2000, gate=12), deadline=None, suppress_health_check=list(HealthCheck)
+    max_examples=examples(800, gate=12), deadline=None, suppress_health_check=list(HealthCheck)
 )
 
 
