@@ -91,6 +91,33 @@ def test_every_kind_of_goal_is_added_saved_and_counted(own_server, sit_down):
     pupil.picture("tasks")
 
 
+def test_a_game_is_built_from_its_things_saved_and_won(own_server, sit_down):
+    pupil = sit_down(own_server, empty=True)
+    pupil.press("Edit world")
+    editor = pupil.dialog()
+    editor.get_by_label("Game: lives").fill("2")
+    editor.get_by_label("Game: time in seconds").fill("20")
+    show_plan(editor)
+    for name, right, up in (("Star", 60, 0), ("Bug", 60, 120), ("Moving obstacle", -160, 120)):
+        pupil.put_in_world(name, right, up)
+    editor.get_by_role("button", name="Things to collect", exact=True).click()
+    editor.get_by_label("Kind").select_option("Star")
+    pupil.picture("plan")
+    editor.get_by_role("button", name="3D").click()
+    pupil.picture("room")
+    save(pupil, "Star hunt")
+    [file] = own_server.home.rglob("Star hunt.toml")
+    world = tomllib.loads(file.read_text("utf-8"))
+    star, bug = world["collectable"]
+    assert (star["kind"], star["score"], bug["kind"], bug["lives"]) == ("star", 1, "bug", -1)
+    assert world["game"] == {"lives": 2, "countdown": 20}
+    pupil.write("blocktext", "main:\n    function.drive_distance(600)\nend\n")
+    pupil.choose("Speed", "Fastest")
+    pupil.press("Run")
+    expect(pupil.page.get_by_role("heading", name="You win")).to_be_visible()
+    pupil.picture("won")
+
+
 def test_an_invalid_value_of_a_world_is_reported_at_its_field(pupil):
     pupil.press("Edit world")
     editor = pupil.dialog()

@@ -1,16 +1,15 @@
 import { expect, test } from "vitest";
 import { bodiesOf, chainOf } from "../../src/features/world-editor/bodies";
+import { created, missing, ofKind } from "../../src/features/world-editor/creating";
 import { boundsOf, defaultsOf, fieldsOf } from "../../src/features/world-editor/fields";
 import { handlesOf } from "../../src/features/world-editor/handles";
 import { hull } from "../../src/features/world-editor/hull";
 import { GROUPS, wordOf } from "../../src/features/world-editor/offers";
 import {
   added,
-  created,
   duplicated,
   emptied,
   enlarged,
-  missing,
   moved,
   removed,
   replaced,
@@ -24,15 +23,23 @@ import type { Colour, WorldValues, XY } from "../../src/views/world/scenery/desc
 import { wrapped } from "../../src/views/world/scenery/geometry";
 import { emptyWorld } from "../worlds";
 
-/** A world with a line and a tag, so that every sort can be made. */
+/** A world with all that others name, so that every sort can be made. */
 function furnished(): WorldValues {
-  const [withLine] = added(emptyWorld(), "line", created(emptyWorld(), "line", [0, 0]));
-  return added(withLine, "tag", created(withLine, "tag", [0, 0]))[0];
+  const needed = ["line", "tag", "door", "collectable", "gate"] as const;
+  return needed.reduce((world, sort) => added(world, sort, created(world, sort, [0, 0]))[0], emptyWorld());
 }
 
-test("goals need the line or tag that they name", () => {
-  expect(missing(emptyWorld(), "follow")).toBe("line");
-  expect(missing(emptyWorld(), "visit")).toBe("tag");
+test.each([
+  ["follow", "line"],
+  ["visit", "tag"],
+  ["switch", "door"],
+  ["collect", "collectable"],
+  ["gates", "gate"],
+] as const)("a %s needs a %s in the world", (sort, needed) => {
+  expect(missing(emptyWorld(), sort)).toBe(needed);
+});
+
+test("a world that has all that others name lacks nothing", () => {
   expect(SORTS.filter((sort) => missing(furnished(), sort))).toEqual([]);
 });
 
@@ -54,6 +61,18 @@ test("a thing that moves there and back is where it was", () => {
     const away = replaced(there, ref, moved(there, ref, 120, -80) as Thing);
     expect(moved(away, ref, -120, 80)).toEqual(thingAt(there, ref));
   }
+});
+
+test("what moves by itself takes its way along", () => {
+  const bug = { ...created(emptyWorld(), "collectable", [0, 0]), path: [[100, 0]] };
+  const [there, ref] = added(emptyWorld(), "collectable", bug);
+  expect(moved(there, ref, 50, -20)).toMatchObject({ x: 50, y: -20, path: [[150, -20]] });
+});
+
+test("a bug takes a life, and a star gives a point", () => {
+  const thing = created(emptyWorld(), "collectable", [0, 0]);
+  expect(ofKind(thing, "bug")).toMatchObject({ kind: "bug", score: 0, lives: -1 });
+  expect(ofKind(thing, "star")).toMatchObject({ kind: "star", score: 1, lives: 0 });
 });
 
 test("a thing stays on the floor", () => {
@@ -115,10 +134,11 @@ test("everything that can be in a world is offered once", () => {
   const offers = Object.values(GROUPS).flat();
   expect(new Set(offers.map(({ sort }) => sort))).toEqual(new Set(SORTS));
   expect(new Set(offers.map(wordOf)).size).toBe(offers.length);
-  const kinds = fieldsOf("prop").find(({ key }) => key === "kind")?.shape;
-  expect(new Set(offers.flatMap(({ kind }) => kind ?? []))).toEqual(
-    new Set(kinds?.kind === "choice" ? kinds.options : []),
-  );
+  const kinds = (["prop", "collectable"] as const).flatMap((sort) => {
+    const shape = fieldsOf(sort).find(({ key }) => key === "kind")?.shape;
+    return shape?.kind === "choice" ? shape.options : [];
+  });
+  expect(new Set(offers.flatMap(({ kind }) => kind ?? []))).toEqual(new Set(kinds));
 });
 
 test.each(SORTS)("a %s can be pointed at in 3D", (sort) => {

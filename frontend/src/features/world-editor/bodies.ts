@@ -29,6 +29,10 @@ const THINNEST = 40;
 /** Of the robot at a start, and of what has no size of its own. */
 const ROBOT = { radius: 90, height: 110 };
 const SIGN = 50;
+/** Of the posts of a gate. */
+const GATE_HEIGHT = 160;
+/** The radii of a thing to collect up to its top: it floats. */
+const FLOATING = 2.5;
 /** Of the shade of a lamp. */
 const SHADE = { radius: 50, height: 70 };
 
@@ -43,12 +47,18 @@ export function bodiesOf(world: WorldValues, { sort, index }: Ref): Body[] {
     case "wall":
       return wallBodies(thing as unknown as WallValues);
     case "box":
+    case "door":
       return [standing(rectangle(pose, Number(thing.length), Number(thing.width)), Number(thing.height))];
     case "cylinder":
+    case "mover":
       return [standing(circle(pose.x, pose.y, Number(thing.radius)), Number(thing.height))];
     case "tag":
     case "face":
       return [standing(rectangle(pose, THINNEST, Number(thing.size)), Number(thing.z) + Number(thing.size) / 2)];
+    case "gate":
+      return [standing(rectangle(pose, THINNEST, Number(thing.width)), GATE_HEIGHT)];
+    case "collectable":
+      return [standing(circle(pose.x, pose.y, Number(thing.radius)), FLOATING * Number(thing.radius))];
     case "light":
       return [
         { outline: circle(pose.x, pose.y, SHADE.radius), bottom: Number(thing.z), top: Number(thing.z) + SHADE.height },

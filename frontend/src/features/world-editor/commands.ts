@@ -2,8 +2,9 @@
 
 import { key, type Ref, thingAt } from "../../views/world/plan/sorts";
 import type { XY } from "../../views/world/scenery/description";
+import { created, ofKind } from "./creating";
 import type { Offer } from "./offers";
-import { added, allowedPlace, created, duplicated, enlarged, GRID, moved, removed, replaced, turned } from "./things";
+import { added, allowedPlace, duplicated, enlarged, GRID, moved, removed, replaced, turned } from "./things";
 import type { WorldEdit } from "./world-edit";
 
 /** The factor by which a button or key enlarges. */
@@ -20,7 +21,7 @@ export class Commands {
     const world = this.draft.world.peek();
     if (!world) return null;
     const thing = created(world, sort, allowedPlace(world, sort, place));
-    const [changed, ref] = added(world, sort, kind ? { ...thing, kind } : thing);
+    const [changed, ref] = added(world, sort, ofKind(thing, kind));
     this.draft.change(changed, "", ref);
     return ref;
   }

@@ -4,7 +4,7 @@ import { boundsIn, defaultsIn, type Field, fieldsIn, type Table } from "../../ui
 import type { Sort, Thing } from "../../views/world/plan/sorts";
 import schema from "./schema.json";
 
-const TABLES: Readonly<Record<Sort | "world" | "floor" | "part" | "vary", keyof typeof schema>> = {
+const TABLES: Readonly<Record<Sort | "world" | "floor" | "game" | "part" | "vary", keyof typeof schema>> = {
   line: "Line",
   wall: "Wall",
   box: "Box",
@@ -21,8 +21,18 @@ const TABLES: Readonly<Record<Sort | "world" | "floor" | "part" | "vary", keyof 
   stop: "Stop",
   show: "Show",
   avoid: "Avoid",
+  collect: "CollectThings",
+  gates: "Gates",
+  score: "Score",
+  zone: "Zone",
+  switch: "Switch",
+  gate: "RaceGate",
+  door: "Door",
+  mover: "Mover",
+  collectable: "Collectable",
   world: "WorldFile",
   floor: "Floor",
+  game: "GameRules",
   part: "Part",
   vary: "Vary",
 };

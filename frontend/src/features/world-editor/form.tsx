@@ -70,15 +70,20 @@ function ValueField({ table, field, value, take, world, of }: ValueProps) {
     const colours = { value: written(value as Colour), take: (chosen: string) => take(colourIn(chosen)) };
     return <FormField {...common} {...colours} shape={{ kind: "colour" }} swatches={swatchesFor(world, of)} />;
   }
-  const words = (option: string) => t(`page-${shape.kind === "numbers" ? "editor-part" : "world"}-${key}-${option}`);
+  const words = (option: string) =>
+    t(`page-${shape.kind === "numbers" ? "editor-part" : "world"}-${key.replaceAll("_", "-")}-${option}`);
   return <FormField {...({ ...common, shape, value, words, known: known(world, key) } as FieldProps)} />;
 }
 
 /** The names that a key can refer to. */
-function known({ line, box, goal }: WorldValues, key: string): string[] {
-  const named: readonly { readonly name: string }[] =
-    key === "line" ? line : key === "object" ? box : key === "after" ? Object.values(goal).flat() : [];
-  return [...new Set(named.map(({ name }) => name))];
+function known({ line, box, door, goal }: WorldValues, key: string): string[] {
+  const named: Readonly<Record<string, readonly { readonly name: string }[]>> = {
+    line,
+    door,
+    object: box,
+    after: Object.values(goal).flat(),
+  };
+  return [...new Set((named[key] ?? []).map(({ name }) => name))];
 }
 
 /** The label of a key: the table's own, or the shared one. */

@@ -68,11 +68,18 @@ function sizes(sort: Sort, thing: Thing, pose: Pose): Handle[] {
   });
   switch (sort) {
     case "box":
+    case "door":
       return [size("length", near(pose.heading + 180), 2), size("width", near(pose.heading + 90), 2)];
     case "cylinder":
     case "reach":
     case "stop":
+    case "zone":
+    case "switch":
+    case "mover":
+    case "collectable":
       return [size("radius", 0, 1)];
+    case "gate":
+      return [size("width", near(pose.heading + 90), 2)];
     case "show":
       return thing.radius === null ? [] : [size("radius", 0, 1)];
     case "prop":

@@ -1,12 +1,12 @@
 /** What the palette offers, in groups. */
 
 import type { Sort } from "../../views/world/plan/sorts";
-import type { PropKind } from "../../views/world/scenery/description";
+import type { CollectableKind, PropKind } from "../../views/world/scenery/description";
 
-/** A sort of object; of decoration, its kind. */
+/** A sort of object; of decoration and of what is collected, its kind. */
 export interface Offer {
   readonly sort: Sort;
-  readonly kind?: PropKind;
+  readonly kind?: PropKind | CollectableKind;
 }
 
 const KINDS: readonly PropKind[] = [
@@ -25,6 +25,19 @@ const KINDS: readonly PropKind[] = [
   "rocket",
 ];
 
+const COLLECTABLES: readonly CollectableKind[] = [
+  "star",
+  "coin",
+  "gem",
+  "heart",
+  "cherry",
+  "battery",
+  "key",
+  "flag",
+  "bug",
+  "ghost",
+];
+
 /** In the order in which worlds are usually built. */
 export const GROUPS: Readonly<Record<string, readonly Offer[]>> = {
   build: [{ sort: "wall" }, { sort: "box" }, { sort: "cylinder" }],
@@ -38,6 +51,17 @@ export const GROUPS: Readonly<Record<string, readonly Offer[]>> = {
     { sort: "visit" },
     { sort: "show" },
     { sort: "avoid" },
+  ],
+  game: [
+    ...COLLECTABLES.map((kind) => ({ sort: "collectable" as const, kind })),
+    { sort: "zone" },
+    { sort: "gate" },
+    { sort: "mover" },
+    { sort: "door" },
+    { sort: "switch" },
+    { sort: "score" },
+    { sort: "collect" },
+    { sort: "gates" },
   ],
   around: KINDS.map((kind) => ({ sort: "prop", kind })),
 };

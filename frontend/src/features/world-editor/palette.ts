@@ -11,9 +11,9 @@ import type { WorldValues } from "../../views/world/scenery/description";
 import { colourOf, legible } from "../../views/world/scenery/floor-colours";
 import { paletteOf } from "../../views/world/scenery/palette";
 import { type Carried, carries } from "./carrying";
+import { missing } from "./creating";
 import { GROUPS, isSameOffer, type Offer, wordOf } from "./offers";
 import { PIXELS, Portraits } from "./portraits";
-import { missing } from "./things";
 import type { WorldEdit } from "./world-edit";
 
 const PICTURES: Readonly<Record<Sort, string>> = {
@@ -32,11 +32,20 @@ const PICTURES: Readonly<Record<Sort, string>> = {
   tour: "M5 19a2 2 0 1 0 .1 0M7 17l4-6M12 10a2 2 0 1 0-.1 0M14 9l4 6M19 19a2 2 0 1 0-.1 0",
   stop: "M8 3h8l5 5v8l-5 5H8l-5-5V8zM9 9h6v6H9z",
   show: "M12 4a8 8 0 1 0 0 16 8 8 0 0 0 0-16M9 10v.5M15 10v.5M8.500 14h7",
+  collect: "M12 3l2.500 6 6.500.500-5 4 1.600 6.500-5.600-3.500L6.400 20 8 13.500l-5-4 6.500-.500z",
+  gates: "M4 20V6h16v14M4 10h16M9 20v-6h6v6",
+  score: "M4 6h16v12H4zM8 10v4M12 10v4h3M15 10h-3",
+  zone: "M12 6c5 0 9 2.500 9 6s-4 6-9 6-9-2.500-9-6 4-6 9-6",
+  switch: "M12 9c4 0 7 1.500 7 3.500S16 16 12 16s-7-1.500-7-3.500S8 9 12 9M12 5v4",
+  gate: "M5 20V5h14v15M5 9h14",
+  door: "M6 20V4h12v16zM14 12v1",
+  mover: "M12 5a7 7 0 1 0 .1 0M9 10v1M15 10v1",
+  collectable: "M12 3l2.500 6 6.500.500-5 4 1.600 6.500-5.600-3.500L6.400 20 8 13.500l-5-4 6.500-.500z",
   avoid: "M14 9h7v7h-7zM3 20c9 0 1-14 9-15M10 3l3 2-2 3",
 };
 
 /** Goals that are nothing in the world: their sign is their picture. */
-const SIGNS: ReadonlySet<Sort> = new Set(["show", "avoid"]);
+const SIGNS: ReadonlySet<Sort> = new Set(["show", "avoid", "collect", "gates", "score"]);
 
 export class ThingPalette implements Island {
   readonly dom = document.createElement("div");

@@ -6,14 +6,16 @@ import { theme } from "../../model/preferences";
 import { goalMarks, Signs, startMark } from "../../views/world/marks";
 import type { WorldValues } from "../../views/world/scenery/description";
 import { paintedLines } from "../../views/world/scenery/floor";
+import { GameThings, mover } from "../../views/world/scenery/games";
 import { cornersOf } from "../../views/world/scenery/geometry";
 import { Light } from "../../views/world/scenery/light";
 import { type Palette, paletteOf } from "../../views/world/scenery/palette";
 import { Pictures } from "../../views/world/scenery/pictures";
 import { namedProps } from "../../views/world/scenery/props";
 import { things } from "../../views/world/scenery/things";
+import { created, missing, ofKind } from "./creating";
 import type { Offer } from "./offers";
-import { added, created, emptied, missing } from "./things";
+import { added, emptied } from "./things";
 
 /** The side of a picture, pixels. */
 export const PIXELS = 128;
@@ -111,7 +113,7 @@ export class Portraits {
     if (needed) [world] = added(world, needed, created(world, needed, [0, 0]));
     const thing = created(world, sort, [0, 0]);
     const turned = sort === "tag" || sort === "face" ? { ...thing, heading: FRONT } : thing;
-    [world] = added(world, sort, kind ? { ...turned, kind } : turned);
+    [world] = added(world, sort, ofKind(turned, kind));
     return this.model(world, palette);
   }
 
@@ -123,7 +125,8 @@ export class Portraits {
       goal.show("open");
       goal.face(FROM.x, FROM.y);
     }
-    const marks = [...world.start.map(startMark), ...goals.map(({ object }) => object)];
+    const played = [new GameThings(world).object, ...world.mover.map(mover)];
+    const marks = [...world.start.map(startMark), ...goals.map(({ object }) => object), ...played];
     return new Group().add(fixed, ...pushed, namedProps(world, 0), paintedLines(world, lines), ...marks);
   }
 }

@@ -8,7 +8,7 @@ import { Tick } from "../../ui/form/inputs";
 import type { Field } from "../../ui/form/schema";
 import type { Island } from "../../ui/island";
 import { allThings, key, type Ref, thingAt } from "../../views/world/plan/sorts";
-import type { VaryValues, WorldValues } from "../../views/world/scenery/description";
+import type { GameValues, VaryValues, WorldValues } from "../../views/world/scenery/description";
 import { defaultsOf, type TableName } from "./fields";
 import { type Section, SectionFields } from "./form";
 import { replaced } from "./things";
@@ -34,6 +34,16 @@ const MAIN: Readonly<Partial<Record<TableName, readonly string[]>>> = {
   stop: ["name", "seconds"],
   show: ["name", "emotion"],
   avoid: ["name"],
+  game: ["lives", "countdown"],
+  collect: ["name", "kind"],
+  gates: ["name", "laps"],
+  score: ["name", "points"],
+  zone: ["score", "ends", "colour"],
+  switch: ["door", "seconds"],
+  gate: ["score"],
+  door: ["name", "colour"],
+  mover: ["wander", "speed", "lives", "colour"],
+  collectable: ["kind", "score", "lives"],
 };
 
 function isMain({ table }: Section, { key }: Field): boolean {
@@ -126,15 +136,18 @@ function sectionsOfThing(draft: WorldEdit, world: WorldValues, ref: Ref): Sectio
 
 function sectionsOfWorld(draft: WorldEdit, world: WorldValues): Section[] {
   const { theme, ambient_light, sensor_noise, floor } = world;
+  const game = world.game ?? (defaultsOf("game") as unknown as GameValues);
   const vary = world.vary ?? (defaultsOf("vary") as unknown as VaryValues);
   const change = (name: string, changed: Partial<WorldValues>) =>
     draft.change({ ...world, ...changed }, `field world ${name}`);
   const take = (name: string, value: unknown) => change(name, { [name]: value });
   const takeFloor = (name: string, value: unknown) => change(`floor ${name}`, { floor: { ...floor, [name]: value } });
+  const takeGame = (name: string, value: unknown) => change(`game ${name}`, { game: { ...game, [name]: value } });
   const takeVary = (name: string, value: unknown) => change(`vary ${name}`, { vary: { ...vary, [name]: value } });
   return [
     { table: "world", values: { theme, ambient_light, sensor_noise }, take },
     { table: "floor", values: { ...floor }, take: takeFloor },
+    { table: "game", values: { ...game }, take: takeGame },
     { table: "vary", values: { ...vary }, take: takeVary },
   ];
 }

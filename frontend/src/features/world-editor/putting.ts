@@ -2,15 +2,15 @@
 
 import { signal } from "@preact/signals";
 
-import type { Sort } from "../../views/world/plan/sorts";
+import { PLACELESS, type Sort } from "../../views/world/plan/sorts";
 import type { XY } from "../../views/world/scenery/description";
 import type { Offer } from "./offers";
 
 /** Goals without a place of their own are added at once. */
-const PLACELESS: ReadonlySet<Sort> = new Set(["follow", "visit", "avoid"]);
+const AT_ONCE: ReadonlySet<Sort> = new Set(["follow", "visit", ...PLACELESS]);
 
 export function hasPlace({ sort }: Offer): boolean {
-  return !PLACELESS.has(sort);
+  return !AT_ONCE.has(sort);
 }
 
 export class Putting {

@@ -1,9 +1,19 @@
 /** The objects of a world, handled in the same way for all sorts. */
 
-import { isGoal, listOf, type Ref, SORTS, type Sort, type Thing, thingAt } from "../../views/world/plan/sorts";
+import {
+  besideFloor,
+  isGoal,
+  listOf,
+  type Ref,
+  SORTS,
+  type Sort,
+  type Thing,
+  thingAt,
+} from "../../views/world/plan/sorts";
 import type { LineValues, WorldValues, XY } from "../../views/world/scenery/description";
 import { between, cornersOf, radians, wrapped } from "../../views/world/scenery/geometry";
-import { boundsOf, defaultsOf } from "./fields";
+import { freeTag } from "./creating";
+import { boundsOf } from "./fields";
 
 /** Objects that may be outside the floor. */
 const FREE: readonly Sort[] = ["wall", "line", "prop", "reach", "tour", "stop", "show"];
@@ -32,12 +42,12 @@ function varied(world: WorldValues): WorldValues {
   return { ...world, vary: { ...vary, thing: vary.thing.filter(({ name }) => names.has(name)) } };
 }
 
-/** The world without objects. */
+/** The world without objects, and without the rules of a game. */
 export function emptied(world: WorldValues): WorldValues {
   const none = (sorts: readonly Sort[]) => Object.fromEntries(sorts.map((sort) => [sort, []]));
   const lists = none(SORTS.filter((sort) => !isGoal(sort)));
   const goal = none(SORTS.filter(isGoal)) as unknown as WorldValues["goal"];
-  return { ...world, ...lists, goal, vary: null };
+  return { ...world, ...lists, goal, game: null, vary: null };
 }
 
 /** The world with one object replaced by another. */
@@ -67,67 +77,6 @@ export function removed(world: WorldValues, ref: Ref): WorldValues {
 export function added(world: WorldValues, sort: Sort, thing: Thing): [WorldValues, Ref] {
   const list = listOf(world, sort);
   return [withList(world, sort, [...list, withName(world, sort, thing)]), { sort, index: list.length }];
-}
-
-/** A new object of a sort at a position, with default values. */
-export function created(world: WorldValues, sort: Sort, [x, y]: XY): Thing {
-  const placed = { ...defaultsOf(sort), x, y };
-  switch (sort) {
-    case "wall":
-      return {
-        ...defaultsOf(sort),
-        points: [
-          [x - 200, y],
-          [x + 200, y],
-        ],
-      };
-    case "line":
-      return {
-        ...defaultsOf(sort),
-        points: [
-          [x - 300, y],
-          [x + 300, y],
-        ],
-      };
-    case "tour":
-      return {
-        ...defaultsOf(sort),
-        points: [
-          [x - 200, y],
-          [x + 200, y],
-        ],
-      };
-    case "prop":
-      return { ...placed, kind: "tree" };
-    case "show":
-      return { ...placed, emotion: "joy" };
-    case "avoid":
-      return defaultsOf(sort);
-    case "follow":
-      return { ...defaultsOf(sort), line: world.line[0]?.name };
-    case "visit":
-      return { ...defaultsOf(sort), id: world.tag[0]?.id };
-    case "tag":
-      return { ...placed, heading: 180, id: freeTag(world) };
-    case "face":
-      return { ...placed, heading: 180, emotion: "joy" };
-    default:
-      return placed;
-  }
-}
-
-/** The sort that a new object needs and the world lacks; null if it can be created. */
-export function missing(world: WorldValues, sort: Sort): Sort | null {
-  if (sort === "follow" && !world.line.length) return "line";
-  if (sort === "visit" && !world.tag.length) return "tag";
-  return null;
-}
-
-function freeTag(world: WorldValues): number {
-  const taken = new Set(world.tag.map(({ id }) => id));
-  let id = 1;
-  while (taken.has(id)) id++;
-  return id;
 }
 
 /** Lines, starts and goals are referred to by name, so names are unique. */
@@ -164,14 +113,15 @@ export function moved(world: WorldValues, ref: Ref, dx: number, dy: number): Thi
   const thing = thingAt(world, ref);
   if (!thing) return null;
   const shift = ([x, y]: XY): XY => allowedPlace(world, ref.sort, [x + dx, y + dy]);
-  if (ref.sort === "line" && hasPath(thing)) {
+  if (hasPath(thing)) {
     const [x, y, heading] = (thing as unknown as LineValues).start;
     return { ...thing, start: [...shift([x, y]), heading] };
   }
   if ("points" in thing) return { ...thing, points: (thing.points as XY[]).map(shift) };
   if (!("x" in thing)) return thing;
   const [x, y] = shift([Number(thing.x), Number(thing.y)]);
-  return { ...thing, x, y };
+  // What moves by itself takes its way along.
+  return "path" in thing ? { ...thing, x, y, path: (thing.path as XY[]).map(shift) } : { ...thing, x, y };
 }
 
 /** An object turned clockwise by degrees; unchanged if its sort has no heading. */
@@ -196,6 +146,12 @@ const SIZES: Readonly<Partial<Record<Sort, readonly string[]>>> = {
   tour: ["radius"],
   stop: ["radius"],
   show: ["radius"],
+  zone: ["radius"],
+  switch: ["radius"],
+  gate: ["width"],
+  door: ["length", "height"],
+  mover: ["radius", "height"],
+  collectable: ["radius"],
 };
 /** Sizes below this are multiples of a usual size, not millimetres. */
 const MULTIPLES = 10;
@@ -239,8 +195,9 @@ export function middleOf(points: readonly XY[]): XY {
   return [sum[0] / points.length, sum[1] / points.length];
 }
 
+/** Whether it is a line that is described by a start and segments instead of corners. */
 export function hasPath(thing: Thing): boolean {
-  return Array.isArray(thing.path) && thing.path.length > 0;
+  return "start" in thing && Array.isArray(thing.path) && thing.path.length > 0;
 }
 
 /** The position of an object, for its description and for the plan. */
@@ -253,7 +210,7 @@ export function placeOf(world: WorldValues, { sort, index }: Ref): XY {
     const tag = world.tag.find(({ id }) => id === thing.id);
     return tag ? [tag.x, tag.y] : [0, 0];
   }
-  if (sort === "avoid") return [0, world.floor.size[1] / 2];
+  if (!("x" in thing || "points" in thing)) return besideFloor(world, sort);
   if (sort === "wall" || sort === "tour") return middleOf(thing.points as XY[]);
   return [Number(thing.x), Number(thing.y)];
 }

@@ -18,7 +18,7 @@ export function nameOf(world: WorldValues, { sort, index }: Ref): string {
 /** The detail that distinguishes it from others of its sort. */
 function ownNameOf(sort: Sort, thing: Thing): string {
   if (sort === "face") return t(`page-world-emotion-${String(thing.emotion)}`);
-  if (sort === "prop") return t(`page-world-kind-${String(thing.kind)}`);
+  if (sort === "prop" || sort === "collectable") return t(`page-world-kind-${String(thing.kind)}`);
   if (sort === "tag" || sort === "visit") return t("page-editor-number", { number: Number(thing.id) });
   return thing.name === undefined || thing.name === defaultsOf(sort).name ? "" : String(thing.name);
 }

@@ -97,6 +97,7 @@ function shapeOf(schema: Schema): Shape | null {
   if (schema.discriminator) return { kind: "union", tag: schema.discriminator.propertyName };
   const [value, other] = alternatives(schema).filter(({ type }) => type !== "null");
   if (!value) return null;
+  if (value.enum && other?.enum) return { kind: "choice", options: [...value.enum, ...other.enum] };
   // One of the names, or red, green and blue.
   if (value.enum && other) return { kind: "colour" };
   if (value.enum) return { kind: "choice", options: value.enum };

@@ -3,6 +3,8 @@
 import { Color } from "three";
 import { expect, test } from "vitest";
 
+import { created } from "../../../src/features/world-editor/creating";
+import { added } from "../../../src/features/world-editor/things";
 import { theme } from "../../../src/model/preferences";
 import { planOf } from "../../../src/views/world/plan/plan";
 import { dimmed, friendly, isDark, lightnessOf } from "../../../src/views/world/scenery/colours";
@@ -32,6 +34,11 @@ test.each(["playground", "night", "garden"] as const)(
 test("a floor with a colour of its own has it in the plan, too", () => {
   const world = { ...emptyWorld(), floor: { ...emptyWorld().floor, colour: "red" as const } };
   expect(floorColours(world)[0]).toBe(friendly("red"));
+});
+
+test.each(["zone", "switch", "gate", "door", "mover", "collectable"] as const)("a %s is in the plan", (sort) => {
+  const [world] = added(emptyWorld(), sort, created(emptyWorld(), sort, [100, 50]));
+  expect(planOf(world).length).toBeGreaterThan(planOf(emptyWorld()).length);
 });
 
 test("the lightness and the dimming of colours are those of three, which the plan does without", () => {

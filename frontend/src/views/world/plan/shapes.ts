@@ -23,13 +23,13 @@ import type {
   WorldValues,
   XY,
 } from "../scenery/description";
-import { cornersOf, type Pose } from "../scenery/geometry";
+import { cornersOf } from "../scenery/geometry";
 import { paletteOf, wallColour } from "../scenery/palette";
-import { listOf, type Ref } from "./sorts";
+import { gameShapesOf } from "./game-shapes";
+import { posed, rectangle, type Shapes } from "./posed";
+import { besideFloor, listOf, type Ref } from "./sorts";
 import { chain, svg } from "./svg";
 import "./shapes.css";
-
-type Shapes = SVGElement[];
 
 /** The shapes of an object. */
 export function shapesOf(world: WorldValues, { sort, index }: Ref): Shapes {
@@ -67,13 +67,13 @@ export function shapesOf(world: WorldValues, { sort, index }: Ref): Shapes {
     case "show":
       return show(thing);
     case "avoid":
-      return [flag([0, world.floor.size[1] / 2 - 60])];
+    case "collect":
+    case "gates":
+    case "score":
+      return [flag(besideFloor(world, sort))];
+    default:
+      return gameShapesOf(sort, thing);
   }
-}
-
-/** Objects with a pose, drawn facing east. */
-function posed({ x, y, heading }: Pose, ...shapes: Shapes): SVGElement {
-  return svg("g", { transform: `translate(${x} ${-y}) rotate(${heading})` }, ...shapes);
 }
 
 function line(values: LineValues): Shapes {
@@ -99,9 +99,8 @@ function wall({ points, thickness }: WallValues, colour: string): Shapes {
   ];
 }
 
-function box({ length, width, colour, mass }: BoxValues): SVGElement {
-  const place = { x: -length / 2, y: -width / 2, width: length, height: width };
-  return svg("rect", { ...place, class: mass === null ? "solid" : "solid pushed", fill: friendly(colour) });
+function box(values: BoxValues): SVGElement {
+  return rectangle(values, values.mass === null ? "solid" : "solid pushed");
 }
 
 function cylinder({ x, y, radius, colour, mass }: CylinderValues): Shapes {

@@ -1,6 +1,6 @@
 /** The sorts of objects in a world, and each object by its sort and number. */
 
-import type { WorldValues } from "../scenery/description";
+import type { WorldValues, XY } from "../scenery/description";
 
 /** In the order in which they are painted and reached by Tab. */
 export const SORTS = [
@@ -12,6 +12,11 @@ export const SORTS = [
   "stop",
   "show",
   "avoid",
+  "collect",
+  "gates",
+  "score",
+  "zone",
+  "switch",
   "start",
   "wall",
   "box",
@@ -20,6 +25,10 @@ export const SORTS = [
   "tag",
   "face",
   "light",
+  "gate",
+  "door",
+  "mover",
+  "collectable",
 ] as const;
 export type Sort = (typeof SORTS)[number];
 
@@ -32,9 +41,19 @@ export interface Ref {
   readonly index: number;
 }
 
-/** The goals of games are written by hand: the editor has no form for them. */
-type GoalSort = Extract<keyof WorldValues["goal"], Sort>;
-const GOALS: readonly Sort[] = ["reach", "follow", "visit", "tour", "stop", "show", "avoid"] satisfies GoalSort[];
+type GoalSort = keyof WorldValues["goal"];
+const GOALS: readonly Sort[] = [
+  "reach",
+  "follow",
+  "visit",
+  "tour",
+  "stop",
+  "show",
+  "avoid",
+  "collect",
+  "gates",
+  "score",
+] satisfies GoalSort[];
 
 export function isGoal(sort: Sort): sort is GoalSort {
   return GOALS.includes(sort);
@@ -50,6 +69,17 @@ export function same(a: Ref | null, b: Ref | null): boolean {
 
 export function listOf(world: WorldValues, sort: Sort): readonly Thing[] {
   return (isGoal(sort) ? world.goal[sort] : world[sort]) as unknown as readonly Thing[];
+}
+
+/** Goals without a place, shown beside each other at the north edge of the floor. */
+export const PLACELESS: readonly Sort[] = ["avoid", "collect", "gates", "score"];
+/** mm between two of them, and from the edge. */
+const BESIDE = 130;
+const INSIDE = 60;
+
+/** Where the sign of a goal without a place is. */
+export function besideFloor(world: WorldValues, sort: Sort): XY {
+  return [BESIDE * PLACELESS.indexOf(sort), world.floor.size[1] / 2 - INSIDE];
 }
 
 export function thingAt(world: WorldValues, { sort, index }: Ref): Thing | undefined {

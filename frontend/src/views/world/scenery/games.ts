@@ -13,13 +13,12 @@ import {
 
 import type { Collectable, Door, Mover, RaceGate } from "../../../protocol/world";
 import { friendly } from "./colours";
-import type { WorldValues, XY } from "./description";
+import type { CollectableKind, WorldValues, XY } from "./description";
+import { COLLECTABLE_COLOURS as COLOURS, PLATE } from "./game-colours";
 import { radians } from "./geometry";
 import { circle, rectangle, shadows } from "./shadows";
 import { ball, drum, Parts, roundedBox } from "./solids";
 import { SHINE, star } from "./star";
-
-type CollectableKind = Collectable["kind"];
 
 /** Degrees a second that collectables turn. */
 const TURNING = 90;
@@ -28,7 +27,6 @@ const FLOATING = 1.5;
 const SOFT = 8;
 const POST = 10;
 const POST_HEIGHT = 160;
-const PLATE = "#8257e6";
 
 /** What moves or changes in a game at one moment. */
 export interface GameMoment {
@@ -41,38 +39,38 @@ export interface GameMoment {
 
 /** Parts of a thing with a radius of 1 mm: its solids, with their colours. */
 const SHAPES: Readonly<Record<Exclude<CollectableKind, "star">, (r: number) => Parts>> = {
-  coin: (r) => new Parts().add(drum(r, r * 0.25, r * 0.1).rotateX(Math.PI / 2), "#ffc531"),
-  gem: (r) => new Parts().add(new OctahedronGeometry(r), "#a855f7"),
+  coin: (r) => new Parts().add(drum(r, r * 0.25, r * 0.1).rotateX(Math.PI / 2), COLOURS.coin),
+  gem: (r) => new Parts().add(new OctahedronGeometry(r), COLOURS.gem),
   heart: (r) =>
     new Parts()
-      .add(ball(r * 0.55), "#ef4468", -r * 0.4, 0, r * 0.25)
-      .add(ball(r * 0.55), "#ef4468", r * 0.4, 0, r * 0.25)
-      .add(new OctahedronGeometry(r * 0.85), "#ef4468", 0, 0, -r * 0.15),
+      .add(ball(r * 0.55), COLOURS.heart, -r * 0.4, 0, r * 0.25)
+      .add(ball(r * 0.55), COLOURS.heart, r * 0.4, 0, r * 0.25)
+      .add(new OctahedronGeometry(r * 0.85), COLOURS.heart, 0, 0, -r * 0.15),
   cherry: (r) =>
-    new Parts().add(ball(r * 0.9), "#e23d3d").add(roundedBox(r * 0.15, r * 0.15, r * 0.5), "#5b4636", 0, 0, r),
+    new Parts().add(ball(r * 0.9), COLOURS.cherry).add(roundedBox(r * 0.15, r * 0.15, r * 0.5), "#5b4636", 0, 0, r),
   battery: (r) =>
     new Parts()
-      .add(drum(r * 0.55, r * 1.6, r * 0.1), "#22a85b")
+      .add(drum(r * 0.55, r * 1.6, r * 0.1), COLOURS.battery)
       .add(drum(r * 0.25, r * 0.3, r * 0.05), "#c9ced8", 0, 0, r * 0.95),
   key: (r) =>
     new Parts()
-      .add(drum(r * 0.5, r * 0.25, r * 0.08).rotateX(Math.PI / 2), "#ffc531", 0, 0, r * 0.5)
-      .add(roundedBox(r * 0.22, r * 0.22, r * 1.3), "#ffc531", 0, 0, -r * 0.4)
-      .add(roundedBox(r * 0.5, r * 0.2, r * 0.2), "#ffc531", r * 0.25, 0, -r * 0.8),
+      .add(drum(r * 0.5, r * 0.25, r * 0.08).rotateX(Math.PI / 2), COLOURS.key, 0, 0, r * 0.5)
+      .add(roundedBox(r * 0.22, r * 0.22, r * 1.3), COLOURS.key, 0, 0, -r * 0.4)
+      .add(roundedBox(r * 0.5, r * 0.2, r * 0.2), COLOURS.key, r * 0.25, 0, -r * 0.8),
   flag: (r) =>
     new Parts()
       .add(roundedBox(r * 0.14, r * 0.14, r * 2), "#e8ecf5")
-      .add(roundedBox(r * 1.1, r * 0.1, r * 0.7), "#2f6fed", r * 0.6, 0, r * 0.6),
+      .add(roundedBox(r * 1.1, r * 0.1, r * 0.7), COLOURS.flag, r * 0.6, 0, r * 0.6),
   bug: (r) =>
     new Parts()
-      .add(ball(r * 0.9), "#d92d2d", 0, 0, -r * 0.3)
+      .add(ball(r * 0.9), COLOURS.bug, 0, 0, -r * 0.3)
       .add(ball(r * 0.45), "#26211f", r * 0.8, 0, -r * 0.4)
       .add(ball(r * 0.22), "#26211f", 0, r * 0.5, r * 0.3)
       .add(ball(r * 0.22), "#26211f", -r * 0.2, -r * 0.5, r * 0.3),
   ghost: (r) =>
     new Parts()
-      .add(ball(r * 0.75), "#eef2ff", 0, 0, r * 0.3)
-      .add(drum(r * 0.75, r * 1.1, r * 0.1), "#eef2ff", 0, 0, -r * 0.3)
+      .add(ball(r * 0.75), COLOURS.ghost, 0, 0, r * 0.3)
+      .add(drum(r * 0.75, r * 1.1, r * 0.1), COLOURS.ghost, 0, 0, -r * 0.3)
       .add(ball(r * 0.16), "#1d2433", r * 0.65, r * 0.28, r * 0.4)
       .add(ball(r * 0.16), "#1d2433", r * 0.65, -r * 0.28, r * 0.4),
 };
