@@ -13,6 +13,16 @@ STRIP_Y = [42.8 - 2.76 * i for i in range(messages.COLOURS)]
 #: What counts as white and as black, of 100; between them it is the colour of nearest brightness.
 LIGHT, DARK = 55.0, 18.0
 NEAREST = {messages.RED: 32.0, messages.GREEN: 42.0, messages.BLUE: 28.0}
+#: What a sensor of the strip counts in the dark, what white adds under each of its lights, and its
+#: greatest count, as which it measures 3300 mV.
+DARKNESS, MOST, MILLIVOLTS = 150, 4095, 3300
+ADDED = {
+    messages.UNLIT: 0,
+    messages.RED_LIT: 800,
+    messages.GREEN_LIT: 600,
+    messages.BLUE_LIT: 400,
+    messages.ALL_LIT: 1800,
+}
 #: mm in front of the wheels of the cliff sensor, and seconds that the marker takes.
 CLIFF, MARKER = 55.0, 0.3
 DOWN = 1
@@ -42,7 +52,7 @@ class EmulatedRoot(EmulatedRobot):
         super().__init__(twin)
 
     def more_answers(self) -> dict[tuple[int, int], Answer]:
-        return {(2, 0): self._move_marker, (13, 1): self._light}
+        return {(2, 0): self._move_marker, (4, 1): self._strip, (13, 1): self._light}
 
     def position(self) -> bytes:
         x, y, heading = self.odometry.pose
@@ -72,6 +82,16 @@ class EmulatedRoot(EmulatedRobot):
         with self.twin.body() as body:
             body.pen.set(position == DOWN)
         self.answer_later(MARKER, packet, bytes((position,)))
+
+    def _strip(self, packet: Packet) -> bytes:
+        """How much light a bank of the strip sees."""
+        bank, lighting, is_voltage = packet.payload[:3]
+        with self.twin.body() as body:
+            levels = [body.brightness_at(STRIP, y) for y in STRIP_Y[8 * bank :][:8]]
+        added = ADDED.get(lighting, 0)
+        counts = [DARKNESS + level / 100 * added for level in levels]
+        scale = MILLIVOLTS / MOST if is_voltage else 1
+        return struct.pack(f">{len(counts)}H", *(round(count * scale) for count in counts))
 
     def _light(self, _: Packet) -> bytes:
         with self.twin.body() as body:

@@ -5,7 +5,7 @@ from contextlib import suppress
 from learnblock.client import skill_sets
 from learnblock.devices import GroundSensors, LightSensor, Pen
 from learnblock.errors import LearnBlockError, RobotConnectionError
-from learnblock.robots.irobot import IRobot, messages
+from learnblock.robots.irobot import IRobot, messages, strip
 from learnblock.robots.irobot.link import PacketLink
 from learnblock.robots.irobot.packets import Packet
 from learnblock.wheels import Drivetrain
@@ -46,8 +46,8 @@ class Robot(IRobot, skill_sets.Root):
 
     def prepare(self, link: PacketLink) -> None:
         self._is_at_edge = False
-        # It says what it sees only when that changes; it measures itself against a white floor.
-        self._colours = [messages.WHITE] * messages.COLOURS
+        #: What its strip sees; empty until that changes or is asked for.
+        self._colours: list[int] = []
         version = messages.protocol(link.ask(messages.versions(messages.MAIN_BOARD)))
         is_placed = version >= _KNOWS_ITS_POSE
         questions = (messages.POSITION, messages.LIGHT) if is_placed else (messages.LIGHT,)
@@ -73,6 +73,10 @@ class Robot(IRobot, skill_sets.Root):
 
     def _ground(self) -> dict[str, float | None]:
         self._there.check()
+        if not self._colours:
+            seen = strip.first_look(self._there)
+            # What it has reported meanwhile is newer.
+            self._colours = self._colours or seen
         return {side: self._brightness(sensors) for side, sensors in _SIDES.items()}
 
     def _brightness(self, sensors: slice) -> float:

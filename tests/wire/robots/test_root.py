@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from emulated import unproven
+from emulated import LONG, settle, unproven
 from irobot_sdk import packets_of, run_sdk
 from irobots import emulated, relayed
 from learnblock.devices import Base, Bumper, GroundSensors, LightSensor, Pen, RGBLed, Speaker
@@ -15,6 +15,7 @@ from learnblock.robots.irobot import messages
 from learnblock.robots.irobot.packets import Packet
 from learnblock.robots.root import Robot
 from learnblock.testing import Fault, check_robot
+from runs import run_example
 from twins import let_pass, pose, stands_after, strokes, x_of
 from twins_time import follow
 from waiting import wait_for
@@ -30,6 +31,8 @@ def root(settings, **others):
 def test_a_root_conforms(monkeypatch):
     with relayed("root", speed=SPEED) as (emulation, relay, settings):
         follow(emulation.twin, monkeypatch)
+        # Ten times that of a radio; each of some twenty messages waits until it is confirmed.
+        relay.delay = 0.15
         certificate = check_robot(lambda: root(settings), relay=relay)
     assert unproven(certificate) == [
         "its accelerometer shows 1 g upwards at rest",
@@ -57,6 +60,32 @@ def test_its_strip_sees_a_line_come_from_one_side():
         wait_for(lambda: _noted(readings, ground.read())["right"] < 50, "the line on its right")
         wait_for(lambda: _noted(readings, ground.read())["left"] < 50, "the line on its left")
     assert all(0 <= value <= 100 for reading in readings for value in reading.values())
+
+
+def test_a_line_where_it_begins_is_seen_before_it_moves():
+    with emulated("root", "line") as emulation, root(emulation.settings) as robot:
+        seen = robot.device(GroundSensors).read()
+        assert pose(emulation.twin)[0] == emulation.twin.path[0][1][0]
+        with emulation.twin.body() as body:
+            real = body.ground()
+    # As bright as the floor, or dark.
+    assert {side: value < 50 for side, value in seen.items()} == {
+        side: value < 50 for side, value in real.items()
+    }
+    assert seen["central"] == 0
+
+
+def test_the_papers_program_follows_a_line(monkeypatch):
+    with emulated("root", "line", speed=SPEED) as emulation:
+        follow(emulation.twin, monkeypatch)
+        settle("root", {**emulation.settings, "patience": LONG})
+        report = run_example("line-ebo.bt", "root", seconds=20).report
+        path = emulation.twin.path
+        line = emulation.twin._simulation.world.description.line[0].polyline()
+    assert (report.error, report.ended) == (None, "time limit")
+    # Past the first curve's begin, 424 mm from its start.
+    assert math.dist(path[0][1][:2], path[-1][1][:2]) > 500
+    assert max(line.nearest(x, y)[0] for _, (x, y, _) in path) < 40
 
 
 def _noted(readings, reading):
@@ -205,6 +234,7 @@ def test_our_packets_are_those_of_irobots_own_program():
         "set_marker_up()": messages.marker(down=False),
         "get_light_values()": messages.LIGHT,
         "get_battery_level()": messages.BATTERY,
+        "get_color_section(2, 4, 0)": messages.strip_levels(2, messages.ALL_LIT),
         "get_versions(0xC6)": messages.versions(messages.COLOUR_BOARD),
         "stop()": messages.STOP,
     }
@@ -251,9 +281,15 @@ def test_the_events_of_the_emulated_root_are_those_that_irobots_own_program_read
         said = run_sdk("Root", emulation.settings["address"], SDK_EVENTS)
     assert len(said["colours"]) == messages.COLOURS
     assert set(said["colours"]) == {messages.WHITE, messages.BLACK}
+    darkest, brightest = min(said["lit"]), max(said["lit"])
+    assert len(said["lit"]) == messages.COLOURS
+    assert darkest < brightest / 4
+    assert max(said["unlit"]) < brightest / 10
 
 
 SDK_EVENTS = """
+said["lit"] = await robot.get_color_values(4, 1)
+said["unlit"] = await robot.get_color_values(0, 1)
 await robot.set_wheel_speeds(0, 5)
 for _ in range(400):
     await asyncio.sleep(0.02)

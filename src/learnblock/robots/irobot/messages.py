@@ -30,6 +30,9 @@ WHITE, BLACK, RED, GREEN, BLUE = range(5)
 #: How bright each is for a ground sensor, 0 to 100.
 BRIGHTNESS = {BLACK: 0.0, RED: 30.0, GREEN: 40.0, BLUE: 25.0}
 COLOURS = 32
+#: The strip answers how much light it sees in this number of parts, with one of its own lights.
+BANKS = 4
+UNLIT, RED_LIT, GREEN_LIT, BLUE_LIT, ALL_LIT = range(5)
 #: The bits of a bumper's event.
 BUMPERS = 0xC0
 #: What a proximity sensor reports of a white wall: at the bumper, each mm further away less by this
@@ -84,6 +87,11 @@ def note(hertz: float, milliseconds: float) -> RobotMessage:
     """Play a tone."""
     lasting = min(max(round(milliseconds), 0), LONGEST_TONE)
     return RobotMessage(5, 0, struct.pack(">IH", max(round(hertz), 0), lasting))
+
+
+def strip_levels(bank: int, lighting: int) -> RobotMessage:
+    """Ask a bank of eight colour sensors how much light each sees, of 4095."""
+    return RobotMessage(4, 1, bytes((bank, lighting, 0)))
 
 
 def versions(board: int) -> RobotMessage:
@@ -149,6 +157,11 @@ def intensity(distance: float) -> int:
 def colours(payload: bytes) -> list[int]:
     """What each of Root's 32 colour sensors sees, from left to right."""
     return [half for byte in payload for half in (byte >> 4, byte & 0x0F)]
+
+
+def levels(payload: bytes) -> tuple[int, ...]:
+    """How much light each of eight colour sensors sees, from left to right."""
+    return struct.unpack(">8H", payload)
 
 
 def brightness_of(colour: int) -> float:
