@@ -129,7 +129,8 @@ def test_a_robot_is_found_connected_and_used_with_a_click_each(pupil, reach, own
     reach(name)
     title, tests, sensor = ROBOTS[name]
     open_dialog(pupil)
-    expect(pupil.dialog()).to_contain_text("Found near you: 1")
+    # Another program on this computer may emulate a robot as well.
+    expect(pupil.dialog()).to_contain_text(re.compile(r"Found near you: [1-9]"))
     connect(pupil, title)
     for test in tests:
         expect(button(pupil, test)).to_be_visible()
