@@ -73,7 +73,7 @@ def test_an_exercise_contains_its_own_set_and_keeps_it(pupil, own_server, tmp_pa
     file.write_text(EXERCISE, "utf-8")
     pupil.upload(file)
     pupil.expect_project("exercise")
-    expect(pupil.page.locator(".shown-blocks")).to_have_text("Blocks: On Tuesday")
+    expect(pupil.page.locator(".shown-blocks")).to_have_accessible_name("Blocks: On Tuesday")
     expect_groups(pupil, "Events", "Control")
     expect(pupil.blocks("lb_skill_turn_back")).to_be_visible()
     open_dialog(pupil)
@@ -132,7 +132,7 @@ def test_two_pages_of_a_project_show_the_same_blocks(pupil):
     first, second = pupil.page, pupil.open(pupil.page.url)
     show(pupil, "Events")
     pupil.page = second
-    expect(second.locator(".shown-blocks")).to_have_text("Blocks: Events")
+    expect(second.locator(".shown-blocks")).to_have_accessible_name("Blocks: Events")
     pupil.page = first
 
 
@@ -145,7 +145,7 @@ def show(pupil, title):
     open_dialog(pupil)
     pupil.dialog().get_by_role("radio", name=title).check()
     pupil.dialog().get_by_role("button", name="Show these blocks").click()
-    expect(pupil.page.locator(".shown-blocks")).to_have_text(f"Blocks: {title}")
+    expect(pupil.page.locator(".shown-blocks")).to_have_accessible_name(f"Blocks: {title}")
 
 
 def expect_groups(pupil, *names):

@@ -98,6 +98,25 @@ def test_a_question_and_goals_are_in_sight_beside_program_robot_and_run(
     reader.pupil.picture(f"goals-{size}-{language}")
 
 
+#: Whether the button of the block set shows its whole title, or only its icon.
+WHOLE_TITLE = """() => {
+    const title = document.querySelector(".shown-blocks span");
+    const isShown = getComputedStyle(title).position !== "absolute";
+    return isShown ? title.scrollWidth <= title.clientWidth : "icon";
+}"""
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_title_of_a_lessons_blocks_is_whole_or_an_icon(own_server, sit_down, language):
+    reader = Reader(sit_down, own_server, "laptop", language, flat=True)
+    reader.open("1-01-first-drive")
+    assert reader.page.evaluate(WHOLE_TITLE) is True
+    width, height = SIZES["small"]
+    reader.page.set_viewport_size({"width": width, "height": height})
+    reader.page.wait_for_function(f"() => ({WHOLE_TITLE})() === 'icon'")
+    expect(reader.page.locator(".shown-blocks svg")).to_be_in_viewport(ratio=1)
+
+
 #: The boxes of what the offer of the tour must not cover, and its own, in pixels.
 BESIDE_THE_OFFER = """() => {
     const box = (one) => one.getBoundingClientRect();

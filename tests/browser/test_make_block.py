@@ -50,6 +50,15 @@ def test_a_block_is_made_with_its_inputs_and_undone_in_one_step(sit_down, server
     expect(pupil.blocks("procedures_defnoreturn")).to_have_count(0)
 
 
+def test_a_new_block_has_the_focus_before_the_next_frame(sit_down, server):
+    pupil = sit_down(server, stage="starter", empty=True, flat=True)
+    open_dialog(pupil)
+    pupil.page.keyboard.type("dance")
+    pupil.page.evaluate("globalThis.requestAnimationFrame = () => 0")
+    pupil.page.keyboard.press("Enter")
+    expect(pupil.blocks("procedures_defnoreturn").locator("> :focus")).to_be_visible()
+
+
 @pytest.mark.parametrize(("stage", "python"), [("explorer", "x = 0"), ("starter", "global x")])
 def test_variables_of_a_new_block_are_its_own_from_explorer_on(sit_down, server, stage, python):
     pupil = sit_down(server, stage=stage, empty=True, flat=True)

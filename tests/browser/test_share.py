@@ -133,6 +133,7 @@ def save_program(pupil, tmp_path, **choices):
     """Save a picture of the program; return the path of its file."""
     pupil.share("Picture of the program")
     dialog = pupil.dialog()
+    expect(dialog.get_by_label("Format")).to_be_focused()
     for label, value in choices.items():
         dialog.get_by_label(label).select_option(value)
     expect(dialog.get_by_role("img")).to_be_visible()

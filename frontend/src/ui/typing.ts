@@ -7,6 +7,8 @@ const FIELDS = [
   "textarea",
   "[contenteditable=true]",
 ].join();
+/** What may be chosen for the focus instead of a field. */
+const CHOSEN = "button[autofocus], select[autofocus]";
 /** What finds its own entries by their letters. */
 const SPELT = "select, dialog, [role=menu], [role=listbox], [role=grid]";
 /** Buttons that open nothing: the focus stays on them. */
@@ -27,8 +29,9 @@ export function takesKeys(element: EventTarget | null): boolean {
  * comes some time after. What the user has focused or typed meanwhile comes first. Call the result to stop.
  */
 export function followTyping(part: HTMLElement): () => void {
-  // On a touch screen the keyboard would cover half of it: there only `autofocus` chooses a field, or anywhere a button.
-  const isChosen = matchMedia("(pointer: coarse)").matches || part.querySelector("button[autofocus]") !== null;
+  // On a touch screen the keyboard would cover half of it: there only `autofocus` chooses a field, or anywhere what is
+  // not typed into.
+  const isChosen = matchMedia("(pointer: coarse)").matches || part.querySelector(CHOSEN) !== null;
   let known: ReadonlySet<Element> | null = isChosen ? null : new Set();
   const fields = () => [...part.querySelectorAll<HTMLElement>(FIELDS)];
   const look = () => {

@@ -42,6 +42,11 @@ test("a field that comes later has the focus", async () => {
   expect(document.activeElement).toBe(field);
 });
 
+test.each(["button", "select"])("a %s that is chosen for the focus comes before the first field", (name) => {
+  const part = open(`<${name} autofocus></${name}><textarea></textarea>`);
+  expect(document.activeElement).not.toBe(part.querySelector("textarea"));
+});
+
 test("what the user does comes first", async () => {
   const part = open("<button></button>");
   part.querySelector("button")!.focus();

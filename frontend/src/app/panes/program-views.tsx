@@ -112,9 +112,18 @@ function ZoomButtons() {
 function ShownBlocks() {
   const { dialogs, blockSets } = usePage();
   if (!blockSets.hidesSome.value) return null;
+  const title = titleOf(blockSets.shown.value);
+  const name = t("page-sets-button", { title });
   return (
-    <button type="button" class="button shown-blocks" onClick={() => dialogs.show("blockSets")}>
-      {t("page-sets-button", { title: titleOf(blockSets.shown.value) })}
+    <button
+      type="button"
+      class="button shown-blocks"
+      title={name}
+      aria-label={name}
+      onClick={() => dialogs.show("blockSets")}
+    >
+      <Icon name="blocks" />
+      <span aria-hidden="true">{title}</span>
     </button>
   );
 }

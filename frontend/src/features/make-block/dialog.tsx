@@ -1,7 +1,7 @@
 /** Makes a block of the program, or changes one: its name and its inputs, with pictures of it. */
 
 import { useSignalEffect } from "@preact/signals";
-import { useEffect, useId, useLayoutEffect, useMemo, useRef } from "preact/hooks";
+import { useId, useLayoutEffect, useMemo, useRef } from "preact/hooks";
 
 import { t } from "../../i18n";
 import type { MakeBlockDialogName } from "../../model/dialogs";
@@ -30,8 +30,8 @@ export function MakeBlockDialog({ of: { makeBlock: definition } }: { of: MakeBlo
     const own = definition ? views.ownBlock(definition) : null;
     return new Making(own ?? EMPTY, takenNames(context.program.state.peek().workspace, definition));
   }, []);
-  // The dialog returns the focus first.
-  useEffect(() => () => void requestAnimationFrame(() => made.current && views.enterBlock(made.current)), []);
+  // The dialog returns the focus first, but a letter typed after Enter is already for the block.
+  useLayoutEffect(() => () => queueMicrotask(() => made.current && views.enterBlock(made.current)), []);
   const close = () => dialogs.close();
   const submit = (event: SubmitEvent) => {
     event.preventDefault();

@@ -41,6 +41,7 @@ export function ProgramPictureDialog() {
       <form class="share-picture" onSubmit={save}>
         <div class="share-picture-choices">
           <SelectField
+            autofocus
             label={t("page-share-program-format")}
             value={type.value}
             choose={(value) => (type.value = value as (typeof TYPES)[number])}
