@@ -68,6 +68,7 @@ def test_ones_own_worlds_come_first_with_a_picture(sit_down, own_server):
 def test_a_new_project_begins_with_enter_in_the_world_of_last_time(sit_down, own_server):
     pupil = sit_down(own_server, reduced_motion="reduce", empty=True, flat=True)
     pupil.project("New…")
+    expect(pupil.dialog()).not_to_contain_text("As last time")
     pupil.dialog().get_by_role("button", name=re.compile("All .* worlds")).click()
     pupil.dialog().get_by_role("searchbox").fill("labyrinth")
     pupil.dialog().get_by_role("button", name="Labyrinth").click()
@@ -76,6 +77,7 @@ def test_a_new_project_begins_with_enter_in_the_world_of_last_time(sit_down, own
     expect(pupil.page.locator("header .project-name")).to_have_text("Labyrinth")
     pupil.expect_chosen("World", "Labyrinth")
     pupil.project("New…")
+    expect(pupil.dialog()).to_contain_text("As last time")
     expect(pupil.dialog().get_by_role("button", name="Start")).to_be_focused()
     pupil.page.keyboard.press("Enter")
     expect(pupil.page.locator("header .project-name")).to_have_text("Labyrinth 2")

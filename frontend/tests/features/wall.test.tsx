@@ -1,6 +1,6 @@
 // @vitest-environment happy-dom
 
-import { fireEvent, render, screen, waitFor, within } from "@testing-library/preact";
+import { act, fireEvent, render, screen, waitFor, within } from "@testing-library/preact";
 import { expect, test } from "vitest";
 
 import { ClassStream } from "../../src/features/class-page/stream";
@@ -64,6 +64,14 @@ test("the teacher lets more pupils in, or not", () => {
     { kind: "AnswerKnocking", on: true },
     { kind: "AnswerKnocking", on: false },
   ]);
+});
+
+test("the teacher reads whom a lesson has not reached", () => {
+  const stream = open(["Ana", "Leo", "Mia"]);
+  expect(screen.queryByText(/did not reach/)).toBeNull();
+  const lacking = [...stream.seats.value].map(([id, seat]) => [id, { ...seat, lacks_lesson: id !== "p1" }] as const);
+  act(() => (stream.seats.value = new Map(lacking)));
+  screen.getByText(/The lesson did not reach Ana and Mia\. Hand it out/);
 });
 
 test("nothing is asked while no pupil waits", () => {

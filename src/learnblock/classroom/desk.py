@@ -82,6 +82,8 @@ class Desk:
         self.lesson_works: LessonWorkFile | None = None
         #: Whether the pupil's program is paused because the teacher speaks.
         self._rests = False
+        #: Whether the pupil's server has refused the lesson that was handed out last.
+        self._lacks_lesson = False
         self._opening = 0
         self._uploading = False
         self._changed = changed
@@ -100,7 +102,7 @@ class Desk:
             writing=self.writing,
         )
         file = self._shelf.of_pupil(self.pupil.id).get((seat.lesson_name, seat.step))
-        return replace(seat, hand_in=file.state) if file else seat
+        return replace(seat, hand_in=file.state if file else "", lacks_lesson=self._lacks_lesson)
 
     @contextmanager
     def opening(self) -> Iterator[None]:
@@ -198,7 +200,13 @@ class Desk:
     def hand_out(self, lesson: str) -> None:
         """A lesson has been handed out to the pupil."""
         self._lesson = lesson
+        self._lacks_lesson = False
         self.tell()
+
+    def lesson_refused(self) -> None:
+        """The pupil's server has refused a lesson of the teacher's own; the wall says so."""
+        self._lacks_lesson = True
+        self._changed()
 
     async def rest(self, *, eyes_up: bool) -> None:
         """Pause or resume the pupil's pages and program."""

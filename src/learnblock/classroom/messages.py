@@ -246,6 +246,7 @@ class Seat(Work, frozen=True, omit_defaults=True, kw_only=True):
         waits: seconds for which the hand has been raised.
         question: what the pupil needs help with.
         hand_in: what is to be done with the pupil's hand-in in the open step; empty without one.
+        lacks_lesson: whether the pupil's server has refused the lesson that was handed out last.
         scene: changes with the world, which `Plan` has.
         kept: how many numbers of the way the wall knows already; `way` has the others.
         quiet: seconds since the pupil last did something.
@@ -263,6 +264,7 @@ class Seat(Work, frozen=True, omit_defaults=True, kw_only=True):
     waits: int = 0
     question: str = ""
     hand_in: State | Literal[""] = ""
+    lacks_lesson: bool = False
     scene: int = 0
     kept: int = 0
     quiet: int = 0

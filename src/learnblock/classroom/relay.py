@@ -12,6 +12,7 @@ from websockets.exceptions import ConnectionClosed
 
 from learnblock.classroom import messages as ours
 from learnblock.classroom.desk import Desk
+from learnblock.classroom.gift import Gift
 from learnblock.classroom.limits import WEIGHT
 from learnblock.classroom.quota import Paces
 from learnblock.classroom.rights import may
@@ -68,6 +69,7 @@ class Relay:
         self._paces = paces or (Paces() if is_teacher else desk.paces)
         self._outbox: asyncio.Queue[str] = asyncio.Queue(maxsize=100)
         self._server: ClientConnection | None = None
+        self._gift = Gift(desk.lesson_refused)
         #: The pupil's count of successes when the work in lessons was last asked for.
         self._successes = -1
 
@@ -85,6 +87,7 @@ class Relay:
 
     async def order(self, message: messages.Message) -> None:
         """Send the pupil's server a message on behalf of this page."""
+        self._gift.note(message)
         if self._server:
             with suppress(ConnectionClosed):
                 await self._server.send(msgspec.json.encode(message).decode())
@@ -215,7 +218,7 @@ class Relay:
                     await self._hand_in(received)
                 elif received.startswith(_LESSON_WORK):
                     await self._keep_lesson_work(received)
-                else:
+                elif not self._gift.takes(received):
                     await self._page.send_text(received)
             await self._page.close(_BACK_SOON)
 

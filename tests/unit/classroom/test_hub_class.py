@@ -159,6 +159,16 @@ def test_the_teacher_hears_of_a_lesson_that_no_message_holds(tmp_path, own_lesso
         asyncio.run(hub_room(tmp_path, own_lesson).hand_out(StartLesson(own_lesson, "Mine")))
 
 
+def test_the_wall_shows_who_lacks_a_lesson_until_it_is_handed_out_again(tmp_path, own_lesson):
+    room = hub_room(tmp_path, own_lesson)
+    (ana,) = room.roster.pupils
+    desk = room.desk(ana)
+    desk.lesson_refused()
+    assert desk.seat().lacks_lesson
+    asyncio.run(room.hand_out(StartLesson(own_lesson, "Mine")))
+    assert not desk.seat().lacks_lesson
+
+
 def test_a_record_at_a_hub_has_what_the_pupils_server_tells_with_the_lessons_aims(
     tmp_path, own_lesson
 ):

@@ -4,7 +4,7 @@ import { type Signal, useSignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { useEffect, useMemo, useRef } from "preact/hooks";
 
-import { t } from "../../i18n";
+import { language, t } from "../../i18n";
 import type { LessonOffer, Seat, Wall } from "../../protocol/classroom";
 import { Dialog } from "../../ui/dialog";
 import { Logo } from "../start/logo";
@@ -58,6 +58,7 @@ function OpenWall({ stream, wall }: { stream: ClassStream; wall: Wall }) {
       </header>
       <main>
         <Problem isLost={stream.state.value === "lost"} problem={stream.refused.value} />
+        <LackingLesson seats={joined} />
         <Knocking stream={stream} wall={wall} />
         {joined.length > 0 ? (
           <Pupils {...{ stream, wall, drawing, hint, handOut, remove }} seats={joined} openSide={show("side")} />
@@ -188,6 +189,17 @@ function Help({ seats }: { seats: readonly Seat[] }) {
   return (
     <p class="hidden" role="status">
       {newest && t("page-class-asks", { name: newest.name ?? "" })}
+    </p>
+  );
+}
+
+/** The pupils at a hub whose servers have refused a lesson of the teacher's own. */
+function LackingLesson({ seats }: { seats: readonly Seat[] }) {
+  const lacking = seats.filter(({ lacks_lesson }) => lacks_lesson);
+  const names = new Intl.ListFormat(language.value).format(lacking.map(({ name = "" }) => name));
+  return (
+    <p role="alert" class={lacking.length ? "class-problem" : "hidden"}>
+      {lacking.length > 0 && t("page-class-lacks-lesson", { names })}
     </p>
   );
 }

@@ -71,7 +71,7 @@ function NewProject({ draft, chooseWorld }: { draft: Draft; chooseWorld: () => v
     <form class="new-project" onSubmit={submit}>
       <Preview world={worlds.find(({ name }) => name === world.value)} robot={project.robotTitle(robot.value)} />
       <div class="new-choices">
-        <p class="dim">{t("page-project-new-help")}</p>
+        <p class="dim">{t(preferences.value.world ? "page-project-new-help-again" : "page-project-new-help")}</p>
         <Choices legend={t("page-bar-robot")} look="robots">
           {offered(project, robot.value).map(({ name }) => (
             <Choice key={name} group="new-robot" chosen={robot} value={name}>

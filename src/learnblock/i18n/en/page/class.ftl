@@ -87,6 +87,8 @@ page-class-knocking = { $count } { $count ->
         [one] pupil has
        *[other] pupils have
     } joined. Waiting for you: { $names }
+# $names are first names, as a list.
+page-class-lacks-lesson = The lesson did not reach { $names }. Hand it out to them again; if that does not help, stop their servers at the hub first.
 # $count is a number.
 page-class-let-in = Let up to { $count } more join
 page-class-let-in-not = Don't let them in

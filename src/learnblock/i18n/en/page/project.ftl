@@ -3,7 +3,8 @@
 page-project-menu = Project
 page-project-new = New…
 page-project-new-title = New project
-page-project-new-help = As last time. Change what you like, or just press Start.
+page-project-new-help = Change what you like, or just press Start.
+page-project-new-help-again = As last time. Change what you like, or just press Start.
 page-project-new-now = Start
 page-project-new-starter = the first blocks
 page-project-new-explorer = + step by step

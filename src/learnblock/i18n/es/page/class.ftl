@@ -79,6 +79,7 @@ page-class-renew-pin = Dibujos nuevos
 page-class-export = Descargar el trabajo
 page-class-remove = Eliminar
 page-class-knocking = Ya han entrado { $count }. Te esperan: { $names }
+page-class-lacks-lesson = La lección no llegó a { $names }. Repártesela otra vez; si no funciona, detén antes su servidor en el hub.
 page-class-let-in = Dejar entrar hasta { $count } más
 page-class-let-in-not = No dejar entrar
 page-class-remove-several = Eliminar varias personas…

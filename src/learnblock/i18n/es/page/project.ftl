@@ -3,7 +3,8 @@
 page-project-menu = Proyecto
 page-project-new = Nuevo…
 page-project-new-title = Proyecto nuevo
-page-project-new-help = Como la última vez. Cambia lo que quieras o pulsa Empezar.
+page-project-new-help = Cambia lo que quieras o pulsa Empezar.
+page-project-new-help-again = Como la última vez. Cambia lo que quieras o pulsa Empezar.
 page-project-new-now = Empezar
 page-project-new-starter = los primeros bloques
 page-project-new-explorer = + paso a paso
