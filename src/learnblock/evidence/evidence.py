@@ -140,6 +140,11 @@ class Evidence:
         return self._of("game")
 
     @cached_property
+    def keys(self) -> Sequence[tuple[float, Sequence[str]]]:
+        """The keys that the program found held, each time that they were others than before."""
+        return [(moment.time, line["keys"]) for moment, line in self._of("keys")]
+
+    @cached_property
     def lines_run(self) -> frozenset[int]:
         """The lines of the program's Python that ran."""
         return frozenset(about["line"] for about in self.trace.steps() if self._fits("line", about))
@@ -230,6 +235,10 @@ def _is_named(value: object) -> bool:
     return isinstance(value, str)
 
 
+def _is_names(value: object) -> bool:
+    return isinstance(value, list | tuple) and all(map(_is_named, value))
+
+
 def _is_text(arguments: object) -> bool:
     return isinstance(arguments, list) and bool(arguments) and isinstance(arguments[0], str)
 
@@ -241,6 +250,7 @@ _SHAPES: Mapping[str, Callable[[object], bool]] = {
     "device": _is_named,
     "game": _is_named,
     "goal": _is_named,
+    "keys": _is_names,
     "line": lambda value: isinstance(value, int),
     "pose": _is_pose,
     "print": _is_named,

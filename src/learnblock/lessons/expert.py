@@ -214,6 +214,8 @@ def _plain(evidence: Evidence) -> dict[str, Any]:
         "says": _pairs(evidence.says),
         "sends": _pairs(evidence.sends),
         "collisions": _pairs(evidence.collisions),
+        "keys": evidence.keys,
+        "game": [{"t": moment.time, **line} for moment, line in evidence.game],
     }
 
 

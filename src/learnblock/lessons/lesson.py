@@ -16,6 +16,7 @@ from typing import Annotated, Literal
 from msgspec import Meta, Struct
 
 from learnblock.lessons.checks import Check, Name
+from learnblock.lessons.key_presses import KeyPress
 from learnblock.lessons.texts import Markdown, Title
 
 #: The version of the format that is written; files of older versions are read.
@@ -137,6 +138,7 @@ class Step(Table, frozen=True, kw_only=True):
             those of the step before.
         variants: how many variants of the world the checks are made in, besides the world as it is.
         partners: other robots in its world.
+        keys: the keys that are pressed when the checks are made without a person.
         seconds: the most seconds of a run, of the robot's time.
         check: the checks.
         hint: the teacher's hints, in the order in which they are tried.
@@ -153,6 +155,7 @@ class Step(Table, frozen=True, kw_only=True):
     blocks: Name | Annotated[tuple[Name, ...], Meta(max_length=200)] | None = None
     variants: Annotated[int, Meta(ge=0, le=100)] = 0
     partners: Annotated[tuple[Partner, ...], Meta(max_length=9)] = ()
+    keys: Annotated[tuple[KeyPress, ...], Meta(max_length=100)] = ()
     seconds: Annotated[float, Meta(ge=1, le=600)] = 60.0
     check: Annotated[tuple[Check, ...], Meta(max_length=12)] = ()
     hint: Annotated[tuple[HintRule, ...], Meta(max_length=30)] = ()

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from threading import Lock
 
@@ -14,6 +14,7 @@ from learnblock.evidence.evidence import Evidence, evidence_of
 from learnblock.evidence.trace_lines import TraceLines
 from learnblock.lessons.expert import Experts, expert_processes
 from learnblock.lessons.judging import Verdict, judge
+from learnblock.lessons.key_presses import recorded_keys
 from learnblock.lessons.lesson import Partner
 from learnblock.lessons.opened import OWN_ROBOT, OpenLesson
 from learnblock.running import Options, Source
@@ -21,6 +22,7 @@ from learnblock.running.batch import Batch
 from learnblock.running.job import Job
 from learnblock.running.result import RunResult
 from learnblock.running.team import TeamRun
+from learnblock.running.warm import Prints
 from learnblock.runtime.ending import How
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.process import ProcessWorker, Worker
@@ -213,7 +215,8 @@ class StepRuns:
     def job(self, attempt: Attempt) -> Job:
         """The run of an attempt."""
         job = self._job_of(self.source, attempt.robot, attempt)
-        return replace(job, program=replace(job.program, tags=self.tags))
+        keys = recorded_keys(self.opened.step(self.step).keys)
+        return replace(job, program=replace(job.program, tags=self.tags), keys=keys)
 
     def _job_of(self, source: Source, name: str, attempt: Attempt) -> Job:
         robot = known_robots.find(name)
@@ -254,10 +257,16 @@ class StepRuns:
             if self.switch.is_stopped:
                 return
             lines = TraceLines()
-            run = TeamRun(self._team(attempt), lines=lines, worker=self.worker)
+            team = self._team(attempt)
+            run = TeamRun(team, lines=lines, worker=self.worker, watch=partial(_watcher, team))
             with self.switch.ends(run.stop):
                 reports = run.run().robots
             own = reports[OWN_ROBOT]
             if own.ended == How.STOPPED:
                 return
             yield attempt, RunResult(own, lines=lines, robot=OWN_ROBOT, team=reports)
+
+
+def _watcher(team: Mapping[str, Job], robot: str) -> Prints:
+    """What presses the keys of a robot of a team."""
+    return Prints(team[robot].keys)

@@ -8,6 +8,7 @@ from msgspec.structs import replace
 
 from learnblock.errors import LearnBlockError
 from learnblock.lessons.archive import received_files
+from learnblock.lessons.key_presses import recorded_keys
 from learnblock.lessons.texts import plain
 from learnblock.project.files.lesson_folder import Progress
 from learnblock.server import catalog, messages
@@ -126,8 +127,10 @@ async def _hand_in(page: Page, _: messages.HandIn) -> None:
 @HANDLERS.add
 async def _show_variant(page: Page, message: messages.ShowVariant) -> None:
     with page.sessions.starting(page.session):
-        await _coach(page).show_variant(message.robot, message.variant)
-        await page.session.runs.run(page.session.parts.first.players[0], paused=False)
+        coach = _coach(page)
+        await coach.show_variant(message.robot, message.variant)
+        player = page.session.parts.first.players[0]
+        await page.session.runs.run(player, paused=False, keys=recorded_keys(coach.step.keys))
 
 
 @HANDLERS.add

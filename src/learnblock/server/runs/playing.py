@@ -242,7 +242,7 @@ def prepared(
         lines: takes the lines of the trace; None for nothing.
         paused: pause before the first line.
     """
-    watcher = RunWatcher(listener)
+    watcher = RunWatcher(listener, job.keys)
     log = RunLog(job.program)
     run = ProgramRun(
         job,

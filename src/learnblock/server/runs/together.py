@@ -132,11 +132,7 @@ class MemberRun:
 
 
 class MemberWatcher(RunWatcher):
-    """Watches one program of a run of several, which may end before the others.
-
-    Args:
-        listener: receives the events.
-    """
+    """Watches one program of a run of several, which may end before the others."""
 
     #: The program's part of the run.
     run: MemberRun
@@ -167,6 +163,10 @@ class Participant:
     breakpoints: tuple[str, ...] = ()
     paused: bool = False
 
+    def watcher(self) -> MemberWatcher:
+        """Watches its part of the run."""
+        return MemberWatcher(self.player, self.job.keys)
+
     def looking(self, log: RunLog) -> Looking:
         """Looks back at the run of this robot."""
         return looking_at(self.played, log)
@@ -188,7 +188,7 @@ async def play_together(participants: Sequence[Participant], lines: LineSink | N
     """
     from learnblock.running.team import TeamRun  # noqa: PLC0415 - as above
 
-    watchers = {participant.name: MemberWatcher(participant.player) for participant in participants}
+    watchers = {participant.name: participant.watcher() for participant in participants}
     debuggers = {participant.name: participant.debugger() for participant in participants}
     jobs = {participant.name: participant.job for participant in participants}
     logs = {name: RunLog(job.program) for name, job in jobs.items()}

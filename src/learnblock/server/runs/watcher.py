@@ -6,6 +6,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Any, Protocol
 
 from learnblock.running import Report
+from learnblock.running.recorded_keys import RecordedKeys
 from learnblock.runtime.messages import Variables
 from learnblock.runtime.status import State
 from learnblock.runtime.watcher import Watcher
@@ -47,10 +48,12 @@ class RunWatcher(Watcher):
 
     Args:
         listener: receives the events, in the event loop that is running now.
+        keys: the keys that are pressed during the run, instead of those of the pages.
     """
 
-    def __init__(self, listener: Listener) -> None:
+    def __init__(self, listener: Listener, keys: RecordedKeys | None = None) -> None:
         self._listener = listener
+        self._keys = keys
         self._loop = asyncio.get_running_loop()
         #: The line of the program's Python that is running; 0 before the first.
         self.current_line = 0
@@ -101,9 +104,10 @@ class RunWatcher(Watcher):
             self._input.notify_all()
 
     def held_keys(self, time: float) -> Collection[str]:
-        del time
         if self._is_detached:
             return ()
+        if self._keys:
+            return self._keys.held(time)
         if not self._wants_keys:
             self._wants_keys = True
             self._pass_on(self._listener.on_keys_wanted)

@@ -14,6 +14,7 @@ from learnblock.project.files.history import PastRun
 from learnblock.robots import RobotEntry
 from learnblock.running import Options, may_use_network
 from learnblock.running.job import Job
+from learnblock.running.recorded_keys import RecordedKeys
 from learnblock.runtime.trace_sinks import LineSink
 from learnblock.server import messages
 from learnblock.server.runs.function_call import FunctionCall
@@ -137,12 +138,13 @@ class Runs:
             # A robot that was added has to be as fast as the others: they share the world's time.
             player.set_speed(self._speed)
 
-    async def run(self, player: Player, *, paused: bool) -> None:
+    async def run(self, player: Player, *, paused: bool, keys: RecordedKeys | None = None) -> None:
         """Run all programs from the start, and save a version of the project.
 
         Args:
             player: the one that is paused.
             paused: whether to pause before its first line.
+            keys: the keys that are pressed for the first robot, instead of those of the pages.
 
         Raises:
             LearnBlockError: a program has errors.
@@ -157,7 +159,8 @@ class Runs:
         lines = None
         if coach := self._project.coach:
             lines, seconds = coach.watch()
-            jobs[0] = replace(jobs[0], options=replace(jobs[0].options, seconds=seconds))
+            options = replace(jobs[0].options, seconds=seconds)
+            jobs[0] = replace(jobs[0], options=options, keys=keys)
         try:
             await self._start(jobs, lines, player if paused else None)
         except Exception:
