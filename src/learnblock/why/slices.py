@@ -1,7 +1,7 @@
 """The causes of an event: the data that it used, and the conditions that let it happen."""
 
 import re
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from collections import defaultdict
 from collections.abc import Iterator
 
@@ -12,6 +12,8 @@ from learnblock.why.scopes import globals_by_line
 
 #: Nodes before the statement or condition, which are not part of it.
 _STATEMENTS = frozenset({Op.CONDITION, Op.WRITE, Op.TURN, Op.ENTER, Op.JUMP, Op.RESULT})
+#: Nodes whose events may leave a loop.
+_LEAVING = frozenset({Kind.BREAK, Kind.RETURN})
 #: A statement such as ``x += 1``.
 _CHANGES = re.compile(r"\w+\s*(?:\+|-|\*{1,2}|/{1,2}|%)=")
 #: The number of events before a condition that are searched for its operands.
@@ -36,11 +38,15 @@ class Slices:
         self.of_camera: list[int] = []
         #: The commands to the wheels.
         self.of_base = list(movements(history))
+        #: Every `break` and `return` that ran.
+        self._jumps: list[int] = []
         for index, event in enumerate(history.events):
             if event[0] == Op.WRITE and event[3]:
                 self._of_list[event[3]].append(index)
             elif event[0] == Op.COMMAND and event[1] == "JointMotor:CAMERA" and event[3]:
                 self.of_camera.append(index)
+            elif event[0] in (Op.JUMP, Op.RETURN) and history.node(index).kind in _LEAVING:
+                self._jumps.append(index)
 
     # Data.
 
@@ -234,15 +240,10 @@ class Slices:
 
     def jump_from(self, loop: int, after: int, before: int) -> int:
         """The `break` or `return` that left a loop between two events; -1 if it was none."""
-        history = self.history
-        for index in range(before - 1, after, -1):
-            if history.op(index) in (Op.JUMP, Op.RETURN):
-                node = history.node(index)
-                if node.kind in (Kind.BREAK, Kind.RETURN) and self.is_inside(
-                    history.number(index), loop
-                ):
-                    return index
-        return -1
+        jumps, history = self._jumps, self.history
+        between = jumps[bisect_right(jumps, after) : bisect_left(jumps, before)]
+        leaving = (jump for jump in between[::-1] if self.is_inside(history.number(jump), loop))
+        return next(leaving, -1)
 
     def jumps_past(self, number: int, after: int, before: int) -> Iterator[int]:
         """The jumps between two events that left the loops around a statement."""
