@@ -1,11 +1,13 @@
 """A run in one file, opened from a disk by a browser without a network."""
 
+import re
 import subprocess
 import sys
 
 import pytest
 from playwright.sync_api import expect
 
+from learnblock.notebook.cell_pages import framed
 from places import ROOT
 
 LARGEST = 2_000_000
@@ -58,3 +60,24 @@ def test_axe_finds_nothing_on_any_size(page, axe, size):
     page.evaluate(axe)
     found = page.evaluate("async () => (await axe.run()).violations.map(({ id }) => id)")
     assert found == []
+
+
+def in_a_page(_):
+    """The frame in the docs."""
+    docs = (ROOT / "docs" / "page.md").read_text("utf-8")
+    return re.search(r"^<iframe .*</iframe>$", docs, re.MULTILINE)[0]
+
+
+def in_a_notebook(file):
+    return framed(file.read_text("utf-8"), "A square")
+
+
+@pytest.mark.parametrize("frame_of", [in_a_page, in_a_notebook])
+def test_it_works_in_a_frame_that_may_only_run_scripts(page, file, frame_of):
+    host = file.with_name("host.html")
+    host.write_text(frame_of(file), "utf-8")
+    page.goto(host.as_uri())
+    frame = page.frame_locator("iframe")
+    expect(frame.locator(".take-home-world canvas")).to_be_visible()
+    frame.get_by_role("slider").press("End")
+    expect(frame.locator(".timeline-time")).to_have_text("15.04 s")

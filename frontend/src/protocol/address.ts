@@ -3,7 +3,8 @@
 import { inBrowser } from "../ui/storage";
 import { socketAt } from "./channel";
 
-const base = new URL(".", location.href);
+// The frame of a notebook has no address of its own, but its page has.
+const base = new URL(".", document.baseURI);
 /** Several servers may share one origin, behind a proxy. */
 const TOKEN = inBrowser(`learnblock.token:${base.pathname}`);
 

@@ -10,8 +10,7 @@ from learnblock.project.document.document import Document
 from learnblock.robots import RobotEntry
 from learnblock.running import Source
 from learnblock.runtime.log.keeping import RunLog
-from learnblock.server.runs.take_home import Titles, run_content
-from learnblock.standalone.page import filled
+from learnblock.server.runs.take_home import Titles, run_page
 from learnblock.storage.files import save
 
 
@@ -19,12 +18,12 @@ def write_page(path: Path, source: Source, robot: RobotEntry, log: RunLog) -> No
     """Write the page of a run that has ended.
 
     Raises:
-        LearnBlockError: the run was not in a world that can be shown.
+        LearnBlockError: the run was not in a world that can be shown, or is too large.
         OSError: the file can't be written.
     """
     titles = Titles(source.path.stem, robot.name, words())
-    content = run_content(log, _document(source, robot), titles)
-    save(path, filled(content).encode())
+    page = run_page(log, _document(source, robot), titles)
+    save(path, page.encode())
     print_row("report-label-page", str(path))
 
 

@@ -2,6 +2,7 @@
 
 import builtins
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
 from types import MethodType
 
@@ -11,6 +12,7 @@ from learnblock.notebook.cell_program import CellProgram
 from learnblock.notebook.ways import CellWay
 from learnblock.robots.simulated.way import DrivenWay
 from learnblock.runtime.lockstep import LockStepClock
+from learnblock.runtime.log.blocks import EventBlock
 from learnblock.runtime.log.keeping import RunLog, header
 from learnblock.runtime.log.noted_calls import noted_function, noted_skill
 from learnblock.runtime.log.noting import Noting
@@ -21,6 +23,19 @@ from learnblock.why import Recorded
 
 #: The file of a kernel's code: each cell has another one, so variables are known as they were set.
 _NO_FILE = ""
+
+
+@dataclass(frozen=True)
+class KeptLog:
+    """A log that does not go on.
+
+    Args:
+        blocks: what it has, oldest first.
+        complete_since: the oldest detail that it still has, in ticks.
+    """
+
+    blocks: tuple[EventBlock, ...]
+    complete_since: int
 
 
 class RobotLog:
@@ -47,14 +62,23 @@ class RobotLog:
         self._noting.use_clock(robot.clock)
 
     def recorded(self, cells: CellProgram) -> Recorded:
-        """The log so far.
+        """What has happened so far.
+
+        Args:
+            cells: the cells that have run.
+        """
+        return Recorded.of(self.kept(cells).blocks)
+
+    def kept(self, cells: CellProgram) -> KeptLog:
+        """The log so far, as that of a program.
 
         Args:
             cells: the cells that have run.
         """
         self._noting.flush()
         # The log's own first block knows no program.
-        return Recorded.of([header(cells.program, cells.nodes), *self._log.blocks[1:]])
+        blocks = header(cells.program, cells.nodes), *self._log.blocks[1:]
+        return KeptLog(blocks, self._log.complete_since)
 
 
 class _KernelRecorder(Recorder):

@@ -7,7 +7,7 @@ import weakref
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from learnblock.client import Client, endings
 from learnblock.devices import Base
@@ -17,11 +17,14 @@ from learnblock.i18n.reader import system_language
 from learnblock.notebook.answers import CellAnswer, answer_about
 from learnblock.notebook.cell_program import CellProgram
 from learnblock.notebook.robot_log import RobotLog
-from learnblock.notebook.ways import CellWay, name_of, way_of
+from learnblock.notebook.ways import CellWay, SimulatedWay, name_of, way_of
 from learnblock.robots.real import RealRobot
 from learnblock.robots.simulated.robot import SimulatedRobot
 from learnblock.runtime.log.instrumenting import NOTING
 from learnblock.runtime.log.noting import THROUGH
+
+if TYPE_CHECKING:
+    from learnblock.notebook.cell_pages import ShownCells
 
 
 @cache
@@ -39,7 +42,6 @@ class NotebookSession:
 
     def __init__(self, shell: Any) -> None:
         self._shell = shell
-        self._publish = shell.display_pub.publish
         self._cells = CellProgram()
         #: The Python of the present cell.
         self._source = ""
@@ -122,7 +124,17 @@ class NotebookSession:
         for robot in self._alive():
             membership = _membership(robot)
             if membership.is_shown and membership.way.is_worth_showing():
-                self._publish(data=membership.way.shown(), metadata={})
+                self._show(membership)
+
+    def _show(self, membership: "_Membership") -> None:
+        # Only who shows a robot needs what makes pages.
+        from learnblock.notebook.cell_pages import ShownCells, cell_page  # noqa: PLC0415
+
+        way, cells = membership.way, self._cells
+        membership.shown = membership.shown or ShownCells(self._shell.display_pub.publish)
+        is_simulated = isinstance(way, SimulatedWay)
+        page = cell_page(membership.log, cells, self._number, *way.span) if is_simulated else ""
+        membership.shown.show(way.shown(), page)
 
 
 @dataclass
@@ -133,11 +145,13 @@ class _Membership:
         way: its way.
         log: what it has done.
         is_shown: whether it is shown after each cell that moves it.
+        shown: the cells that have shown it, once there is one.
     """
 
     way: CellWay
     log: RobotLog
     is_shown: bool = False
+    shown: "ShownCells | None" = None
 
 
 def _membership(robot: Client) -> _Membership:

@@ -53,6 +53,11 @@ class CellWay(ABC):
         return self.is_asked_for or self.driven.moves_after(self._began)
 
     @property
+    def span(self) -> tuple[float, float]:
+        """The times in s at which the present cell began, and now."""
+        return self._began, self.mark()
+
+    @property
     @abstractmethod
     def driven(self) -> DrivenWay:
         """Where the robot has been."""

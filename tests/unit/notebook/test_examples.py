@@ -6,6 +6,7 @@ import nbclient
 import nbformat
 import pytest
 
+from page_files import content_in_frame
 from places import ROOT
 
 NOTEBOOKS = ROOT / "examples" / "notebooks"
@@ -55,6 +56,10 @@ def test_it_is_stored_without_its_outputs(name):
 def test_the_square_is_shown_side_by_side_and_explained(executed):
     _, made, side, sides, pose, why = executed("square.ipynb")
     assert all(len(shown(outputs)) == 1 for outputs in (made, side, sides))
+    # The run of the last cell that moved it, which tells the cells before it from that one.
+    [page] = shown(sides, "text/html")
+    assert content_in_frame(page)["timeline"]["begin"] > 2
+    assert shown(side, "text/html") == []
     driven = re.search(r"([\d.]+) m in", shown(sides)[0])
     assert float(driven[1]) == pytest.approx(0.6, abs=0.03)
     [ended] = shown(pose, "text/plain")

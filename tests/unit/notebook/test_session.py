@@ -12,9 +12,11 @@ from traitlets.config import Config
 
 from learnblock.devices import Base
 from learnblock.errors import LearnBlockError
+from learnblock.notebook.cell_pages import LONGEST
 from learnblock.notebook.session import session_of
 from learnblock.robots.sim_ebo import Robot
 from learnblock.runtime.log.instrumenting import NOTING
+from page_files import content_in_frame
 from places import ROOT
 
 MADE = "from learnblock.robots.sim_ebo import Robot\nrobot = Robot(world='empty')"
@@ -44,7 +46,7 @@ def run(shell):
     def run(cell):
         shell.display_pub.outputs.clear()
         shell.run_cell(cell, store_history=True)
-        return [output["data"] for output in shell.display_pub.outputs]
+        return [output["data"] for output in shell.display_pub.outputs if not output["update"]]
 
     return run
 
@@ -88,6 +90,33 @@ def test_a_robot_that_is_asked_to_is_shown_after_each_cell_that_moves_it(run):
     assert "0.00 m in" in turned["image/svg+xml"]
     run("robot.show(after_each_cell=False)")
     assert run("robot.drive_distance(200)") == []
+
+
+@pytest.mark.slow
+def test_the_last_cell_has_its_run_as_a_page_and_the_ones_before_it_their_picture(run, shell):
+    run(MADE)
+    run("def drive():\n    robot.drive_distance(100)\nrobot.show()\ndrive()")
+    [first] = run("drive()\nbegan = robot.time()")
+    [second] = run("robot.turn(90)")
+    [update, _] = shell.display_pub.outputs
+    assert update["update"]
+    assert update["data"] == {kind: first[kind] for kind in ("text/plain", "image/svg+xml")}
+    content = content_in_frame(second["text/html"])
+    assert content["title"] == "Cell [4]"
+    begin = content["timeline"]["begin"]
+    assert begin == pytest.approx(shell.user_ns["began"], abs=0.01)
+    assert sum(moment["past"]["time"] >= begin for moment in content["moments"]) > 20
+    asked = [asked["question"].get("time") for asked in content["questions"]["questions"]]
+    assert asked
+    assert all(time is None or time >= begin for time in asked)
+
+
+def test_a_robot_that_has_run_for_long_is_shown_by_its_picture(run):
+    run(f"{MADE}\nrobot.show()")
+    [early] = run("robot.turn(90)")
+    assert "text/html" in early
+    [late] = run(f"robot.sleep({LONGEST})\nrobot.turn(90)")
+    assert set(late) == {"text/plain", "image/svg+xml"}
 
 
 def test_the_time_is_that_of_the_world_only_in_cells(run, shell):

@@ -55,10 +55,10 @@ export function RunPage({ title, robot, printed }: Props) {
 function Play() {
   const { context, lookingBack } = usePage();
   const plays = useSignal(false);
-  const end = context.running.timeline.value?.end ?? 0;
+  const { begin = 0, end = 0 } = context.running.timeline.value ?? {};
   useSignalEffect(() => {
     if (!plays.value) return undefined;
-    const start = lookingBack.time >= end - 0.05 ? 0 : lookingBack.time;
+    const start = lookingBack.time >= end - 0.05 ? begin : lookingBack.time;
     const began = performance.now();
     let frame = 0;
     const show = () => {

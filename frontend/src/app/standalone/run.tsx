@@ -32,7 +32,7 @@ export function showRun(content: RunContent, root: HTMLElement): void {
     // There is no present to go back to: a run that is over ends with its last moment.
     if (!context.running.past.value) lookingBack.look(timeline.end);
   });
-  lookingBack.look(0);
+  lookingBack.look(timeline.begin ?? 0);
   render(
     <PageProvider value={page}>
       <RunPage title={title} robot={robot} printed={printed} />

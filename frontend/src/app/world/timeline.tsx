@@ -9,7 +9,7 @@ import { useSignalEffect } from "@preact/signals";
 import { t } from "../../i18n";
 import { STEPS } from "../../model/looking-back";
 import { type Page, usePage } from "../../model/page";
-import type { TimeMark } from "../../protocol/messages";
+import type { Timeline as Recorded, TimeMark } from "../../protocol/messages";
 import { IconButton } from "../../ui/button";
 import { Menu, type MenuGroup } from "../../ui/menu";
 import "../../ui/slider.css";
@@ -24,18 +24,17 @@ export function Timeline() {
   const page = usePage();
   useGrowth(page);
   const timeline = page.context.running.timeline.value;
-  return (
-    <div class="timeline-place">{timeline?.end ? <Bar end={timeline.end} marks={timeline.marks ?? []} /> : null}</div>
-  );
+  return <div class="timeline-place">{timeline?.end ? <Bar timeline={timeline} /> : null}</div>;
 }
 
-function Bar({ end, marks }: { end: number; marks: readonly TimeMark[] }) {
+function Bar({ timeline: { begin = 0, end, marks = [] } }: { timeline: Recorded }) {
   const page = usePage();
   const { context, lookingBack } = page;
   const { running } = context;
   const past = running.past.value;
   const time = Math.min(past?.time ?? end, end);
   const step = lookingBack.stepTo.value;
+  const shareOf = (moment: number) => (moment - begin) / Math.max(end - begin, STEP);
   return (
     <div class="timeline" role="group" aria-label={t("page-timeline-title")}>
       <IconButton icon="markBefore" word="page-timeline-mark-before" onClick={() => lookingBack.toMark(-1)} />
@@ -43,19 +42,19 @@ function Bar({ end, marks }: { end: number; marks: readonly TimeMark[] }) {
       <div class="timeline-bar">
         <div class="timeline-marks" aria-hidden="true">
           {marks.map((mark) => (
-            <MarkTick key={`${mark.time} ${mark.sort} ${mark.text}`} mark={mark} end={end} />
+            <MarkTick key={`${mark.time} ${mark.sort} ${mark.text}`} mark={mark} share={shareOf(mark.time)} />
           ))}
         </div>
         <input
           class="slider"
           type="range"
-          min={0}
+          min={begin}
           max={end}
           step={STEP}
           value={time}
           aria-label={t("page-timeline-time")}
           aria-valuetext={valueText(time, marks)}
-          style={{ "--share": time / end }}
+          style={{ "--share": shareOf(time) }}
           aria-keyshortcuts="Shift+ArrowLeft Shift+ArrowRight Control+ArrowLeft Control+ArrowRight Escape"
           onInput={({ currentTarget }) => lookingBack.look(Number(currentTarget.value))}
           onKeyDown={(event) => travel(event, page)}
@@ -119,7 +118,7 @@ function travel(event: KeyboardEvent, { lookingBack, context }: Page): void {
   event.preventDefault();
 }
 
-function MarkTick({ mark, end }: { mark: TimeMark; end: number }) {
+function MarkTick({ mark, share }: { mark: TimeMark; share: number }) {
   const { askingWhy } = usePage();
   return (
     // For keyboards, the question about the mark of the moment is on the world.
@@ -127,7 +126,7 @@ function MarkTick({ mark, end }: { mark: TimeMark; end: number }) {
       type="button"
       tabIndex={-1}
       class={`timeline-mark ${mark.sort}`}
-      style={{ "--share": mark.time / end }}
+      style={{ "--share": share }}
       title={t("page-why-mark", { what: describeMark(mark) })}
       onClick={() => askingWhy.aboutMark(mark)}
     />

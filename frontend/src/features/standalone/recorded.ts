@@ -59,7 +59,8 @@ export class RecordedRun {
 
   /** Long runs have answers about fewer moments. */
   private get spacing(): number {
-    return Math.max(NEAR, this.recording.timeline.end / 20);
+    const { begin = 0, end } = this.recording.timeline;
+    return Math.max(NEAR, (end - begin) / 20);
   }
 
   private markFrom(time: number, step: number, sort: string): number | null {

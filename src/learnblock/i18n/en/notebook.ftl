@@ -10,3 +10,5 @@ notebook-disconnected = The earlier connection to '{ $robot }' was closed, since
 notebook-line = { $line } of [{ $cell }]
 # The first cell with a robot has run before LearnBlock could note its steps.
 notebook-not-noted = LearnBlock notes what cells do from the one after the first Robot() on. To ask about that one too, run '%load_ext learnblock.notebook' in a cell before it.
+# The title of a page that shows the run of a cell. $cell is its number.
+notebook-cell = Cell [{ $cell }]

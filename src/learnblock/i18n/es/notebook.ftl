@@ -10,3 +10,5 @@ notebook-disconnected = Se ha cerrado la conexión anterior con '{ $robot }', po
 notebook-line = { $line } de [{ $cell }]
 # La primera celda con un robot se ha ejecutado antes de que LearnBlock pudiera anotar sus pasos.
 notebook-not-noted = LearnBlock anota lo que hacen las celdas a partir de la siguiente al primer Robot(). Para preguntar también por esa, ejecuta '%load_ext learnblock.notebook' en una celda anterior.
+# El título de una página que muestra la ejecución de una celda. $cell es su número.
+notebook-cell = Celda [{ $cell }]

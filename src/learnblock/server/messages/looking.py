@@ -233,6 +233,7 @@ class Timeline(ToPage, frozen=True):
         marks: what stands out, in order; the last ones if there are too many.
         way: where the robot was, if that is known: the time in s, mm east and mm north.
         missed: the first goal that it has missed, once it has ended; None if that has no place.
+        begin: the time in s from which on it is shown.
     """
 
     end: float
@@ -241,6 +242,7 @@ class Timeline(ToPage, frozen=True):
     marks: tuple[TimeMark, ...] = ()
     way: tuple[tuple[float, float, float], ...] = ()
     missed: MissedGoal | None = None
+    begin: float = 0.0
 
 
 class ValueThere(Struct, frozen=True):

@@ -34,11 +34,10 @@ async def _export_run(page: Page, message: messages.ExportRun) -> None:
     part, name = page.part, page.session.name
 
     def write() -> bytes:
-        from learnblock.server.runs.take_home import Titles, run_content  # noqa: PLC0415 - the page opens before
-        from learnblock.standalone.page import filled  # noqa: PLC0415 - as above
+        from learnblock.server.runs.take_home import Titles, run_page  # noqa: PLC0415 - the page opens before
 
         titles = Titles(name, part.robot.name, message.language)
-        return filled(run_content(looking.log, part.document, titles)).encode()
+        return run_page(looking.log, part.document, titles).encode()
 
     page.send(messages.RunExported(f"{name}.html", await to_thread.run_sync(write)))
 

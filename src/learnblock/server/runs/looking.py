@@ -82,10 +82,24 @@ class Looking:
                 _missed(reading.history.recorded),
             )
 
+    def wait_until_prepared(self) -> None:
+        """Wait until going back in the world is fast."""
+        if self._preparing:
+            self._preparing.join()
+
     def past(self, request: messages.LookBack) -> messages.Past:
         """The run at a place, or at the one before or after it."""
         with self._turn():
             return self._now(request.time).past(request)
+
+    def reached(self, request: messages.LookBack) -> tuple[float, int] | None:
+        """The time in s and the event to which a request leads; None if there is no such place.
+
+        Much faster than `past`, since the world need not be run up to there.
+        """
+        with self._turn():
+            place = self._now(request.time).reached(request)
+        return place and (round(place[0] * TICK, 3), place[1])
 
     def picture(self, time: float) -> "Picture | None":
         """What the robot's camera saw at a time in s; None if that is not known."""

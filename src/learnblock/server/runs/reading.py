@@ -90,8 +90,7 @@ class Reading:
 
     def past(self, asked: messages.LookBack) -> messages.Past:
         """The run at a place, or at the one before or after it."""
-        place = self._place(asked)
-        reached = self._go(asked, place) if asked.step else place
+        place, reached = self._place(asked), self.reached(asked)
         tick, event = reached or place
         time = min(asked.time, self.history.end) if reached == place else round(tick * TICK, 3)
         moment = self.moments.at(time, event)
@@ -109,6 +108,11 @@ class Reading:
             moment.printed,
             *self._world_at(time),
         )
+
+    def reached(self, asked: messages.LookBack) -> Place | None:
+        """The place to which a request leads; None if there is none. The world stays as it is."""
+        place = self._place(asked)
+        return self._go(asked, place) if asked.step else place
 
     def last_values(self) -> tuple[messages.ValueThere, ...]:
         """The values next to the lines after the last event."""

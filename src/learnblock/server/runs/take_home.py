@@ -13,6 +13,7 @@ from learnblock.project.document.document import Document
 from learnblock.server import messages
 from learnblock.server.runs.kept import lines_now, printed, scene_of
 from learnblock.server.runs.looking import Log, Looking
+from learnblock.standalone.page import filled
 from learnblock.why.recorded import Recorded
 
 #: Moments in every second of a short run, the most of a long one, and the most lines between two:
@@ -20,6 +21,9 @@ from learnblock.why.recorded import Recorded
 RATE, MOST, LINES = 20, 600, 1
 #: The most moments at which it says what the robot is doing.
 MOST_NOW = 60
+
+#: The most bytes of a page, and the fewest moments with which it still shows a run.
+LARGEST, FEWEST = 2_000_000, 20
 
 
 @dataclass(frozen=True)
@@ -37,13 +41,36 @@ class Titles:
     language: str
 
 
-def run_content(log: Log, document: Document, titles: Titles) -> dict[str, Any]:
+def run_page(log: Log, document: Document, titles: Titles, begin: float = 0.0) -> str:
+    """The page that shows a run, with fewer moments if it would be too large.
+
+    Args:
+        log: of the run, which was in a simulated world and has ended.
+        document: the program.
+        titles: what the page is called.
+        begin: the time in s from which on the run is shown.
+
+    Raises:
+        LearnBlockError: the run was not in a world that can be shown, was of another program, or
+            is too large.
+    """
+    content = run_content(log, document, titles, begin)
+    while len(page := filled(content)) > LARGEST:
+        moments = content["moments"]
+        if len(moments) < FEWEST:
+            raise LearnBlockError("take-home-too-large", most=LARGEST // 1_000_000)
+        content["moments"] = [*moments[:-1:2], moments[-1]]
+    return page
+
+
+def run_content(log: Log, document: Document, titles: Titles, begin: float = 0.0) -> dict[str, Any]:
     """The content of a page that shows a run: see `frontend/src/features/standalone/content.ts`.
 
     Args:
         log: of the run, which was in a simulated world and has ended.
         document: the program.
         titles: what the page is called.
+        begin: the time in s from which on the run is shown.
 
     Raises:
         LearnBlockError: the run was not in a world that can be shown, or of another program.
@@ -56,9 +83,11 @@ def run_content(log: Log, document: Document, titles: Titles) -> dict[str, Any]:
         raise LearnBlockError("take-home-changed")
     blocks = [document.block_at(line) for line in lines_now(then.python, today.python)]
     looking = Looking(log, blocks)
-    timeline = looking.timeline()
-    even = list(_moments(looking, timeline.end))
-    answers = list(_answers(looking, timeline, even))
+    timeline = _from(begin, looking.timeline())
+    looking.wait_until_prepared()
+    even = [looking.past(request) for request in _requests(looking, timeline)]
+    questions = _questions(looking, begin)
+    answers = list(_answers(looking, questions, timeline, even))
     all_moments = [*even, *_moments_of(looking, answers)]
     all_moments.sort(key=lambda moment: (moment.time, moment.event))
     moments, drawing = _without_drawings(all_moments)
@@ -77,24 +106,33 @@ def run_content(log: Log, document: Document, titles: Titles) -> dict[str, Any]:
         "moments": moments,
         "drawing": drawing,
         "printed": printed(recorded),
-        "questions": looking.questions("", None),
+        "questions": questions,
         "answers": answers,
     }
 
 
-def _moments(looking: Looking, end: float) -> Iterator[messages.Past]:
-    """The run from its start to its end: at even times, and at lines between them."""
-    count = min(MOST, max(1, round(end * RATE)))
-    now = looking.past(messages.LookBack(0.0, -1))
+def _from(begin: float, timeline: messages.Timeline) -> messages.Timeline:
+    """The part of a timeline from a time in s on."""
+    marks = tuple(mark for mark in timeline.marks if mark.time >= begin)
+    way = tuple(point for point in timeline.way if point[0] >= begin)
+    return replace(timeline, begin=begin, marks=marks, way=way)
+
+
+def _requests(looking: Looking, timeline: messages.Timeline) -> Iterator[messages.LookBack]:
+    """The moments to show, in order: at even times, and at lines between them."""
+    begin, length = timeline.begin, timeline.end - timeline.begin
+    count = min(MOST, max(1, round(length * RATE)))
+    now = messages.LookBack(begin, None if begin else -1)
     yield now
     for number in range(1, count + 1):
-        time = end * number / count
+        time = begin + length * number / count
         for _ in range(LINES):
-            line = looking.past(messages.LookBack(now.time, now.event, 1, "line"))
-            if not line.found or line.time >= time:
+            # Only asked for: a world that has run beyond the next even time would begin again.
+            line = looking.reached(replace(now, step=1, to="line"))
+            if line is None or line[0] >= time:
                 break
-            yield (now := line)
-        yield (now := looking.past(messages.LookBack(time)))
+            yield (now := messages.LookBack(*line))
+        yield (now := messages.LookBack(time))
 
 
 def _moments_of(looking: Looking, answers: Sequence[messages.WhyAnswer]) -> Iterator[messages.Past]:
@@ -130,11 +168,22 @@ def _points(drawing: messages.Drawing | None) -> list[Any]:
     return [(part.stroke, point) for part in parts for point in part.points]
 
 
+def _questions(looking: Looking, begin: float) -> messages.Questions:
+    """What can be asked about the run from a time in s on."""
+    asked = looking.questions("", None)
+    times = ((question, question.question.time) for question in asked.questions)
+    shown = tuple(question for question, time in times if time is None or time >= begin)
+    return replace(asked, questions=shown)
+
+
 def _answers(
-    looking: Looking, timeline: messages.Timeline, moments: Sequence[messages.Past]
+    looking: Looking,
+    questions: messages.Questions,
+    timeline: messages.Timeline,
+    moments: Sequence[messages.Past],
 ) -> Iterator[messages.WhyAnswer]:
-    """The answers to all questions about the run, and what the robot does at some moments."""
-    for asked in looking.questions("", None).questions:
+    """The answers to questions about the run, and what the robot does at some moments."""
+    for asked in questions.questions:
         yield looking.answer(asked.question)
     times = [moment.time for moment in moments]
     some = times[:: 1 + len(times) // MOST_NOW]

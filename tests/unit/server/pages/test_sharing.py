@@ -1,13 +1,11 @@
 """Messages between page and server about links: what a link proves, and what differs."""
 
 import base64
-import gzip
-import json
-import re
 
 import pytest
 
 from learnblock.project.files.share_link import read_link
+from page_files import content_of
 from pages import english, serving
 
 PROGRAM = "main:\n    function.drive_distance(100)\nend\n"
@@ -162,9 +160,7 @@ def test_the_last_run_is_exported_as_a_page_in_its_language(page):
     page.say("ExportRun", language="es")
     exported = page.hear("RunExported")
     assert exported["filename"] == "square.html"
-    html = base64.b64decode(exported["content"]).decode()
-    packed = re.search('id="content">([^<]*)', html)[1]
-    content = json.loads(gzip.decompress(base64.b64decode(packed)))
+    content = content_of(base64.b64decode(exported["content"]).decode())
     assert (content["language"], content["blocktext"]) == ("es", PROGRAM)
     assert content["timeline"]["end"] > 1
 
