@@ -6,6 +6,7 @@ const KEPT = new Map<string, string>();
 async function at(href: string) {
   vi.resetModules();
   vi.stubGlobal("location", new URL(href));
+  vi.stubGlobal("document", { baseURI: href });
   vi.stubGlobal("localStorage", { getItem: (key: string) => KEPT.get(key) ?? null });
   return await import("../../src/protocol/address");
 }
