@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from msgspec.structs import replace
 
+from learnblock.notebook.cell_source import CellPart
 from learnblock.runtime.log.instrumenting import NOTING, instrument
 from learnblock.runtime.log.nodes import Kind, Node
 from learnblock.runtime.program import Program
@@ -21,10 +22,12 @@ class _Cell:
     Args:
         number: that of its prompt.
         before: how many lines the cells before it have.
+        above: how many lines of the cell are not of the program, such as that of a magic.
     """
 
     number: int
     before: int
+    above: int
 
 
 class CellProgram:
@@ -38,12 +41,12 @@ class CellProgram:
         self._lines: list[str] = []
         self._cells: list[_Cell] = []
 
-    def add(self, source: str, number: int) -> ast.Module:
-        """Add a cell, and return the same cell that also notes its steps.
+    def add(self, part: CellPart, number: int) -> ast.Module:
+        """Add what a cell runs, and return the same that also notes its steps.
 
         Args:
-            source: its Python.
-            number: that of its prompt.
+            part: its Python.
+            number: that of the cell's prompt.
 
         Raises:
             SyntaxError: it is not Python.
@@ -51,12 +54,12 @@ class CellProgram:
             RecursionError: it is nested too deeply.
         """
         functions = (node.name for node in self.nodes if node.kind is Kind.FUNCTION)
-        cell = instrument(source, functions)
+        cell = instrument(part.source, functions)
         nodes, lines = len(self.nodes), len(self._lines)
         _renumber(cell.tree, nodes)
-        self._cells.append(_Cell(number, lines))
+        self._cells.append(_Cell(number, lines, part.above))
         self.nodes += [_moved(node, nodes, lines) for node in cell.nodes]
-        self._lines += source.removesuffix("\n").split("\n")
+        self._lines += part.source.removesuffix("\n").split("\n")
         return cell.tree
 
     @property
@@ -69,7 +72,7 @@ class CellProgram:
         """The number of the cell that a line of the program is in, and the line there."""
         index = bisect_right([cell.before for cell in self._cells], line - 1) - 1
         cell = self._cells[index]
-        return cell.number, line - cell.before
+        return cell.number, line - cell.before + cell.above
 
 
 def _renumber(tree: ast.Module, nodes: int) -> None:

@@ -16,6 +16,7 @@ from learnblock.i18n import Phrase, Value, translate
 from learnblock.i18n.reader import system_language
 from learnblock.notebook.answers import CellAnswer, answer_about
 from learnblock.notebook.cell_program import CellProgram
+from learnblock.notebook.cell_source import CellPart, cell_parts
 from learnblock.notebook.robot_log import RobotLog
 from learnblock.notebook.ways import CellWay, SimulatedWay, name_of, way_of
 from learnblock.robots.real import RealRobot
@@ -43,8 +44,10 @@ class NotebookSession:
     def __init__(self, shell: Any) -> None:
         self._shell = shell
         self._cells = CellProgram()
-        #: The Python of the present cell.
-        self._source = ""
+        #: The present cells as they were typed: a magic may run one inside another.
+        self._running: list[str] = []
+        #: What the innermost of them may run.
+        self._parts: list[CellPart] = []
         #: The number of the last cell that has ended, as its prompt shows it.
         self._number = 0
         #: The robots in the order in which they were made. One that no name refers to any more,
@@ -93,10 +96,9 @@ class NotebookSession:
     # Called by IPython.
 
     def _begin_cell(self, cell: Any) -> None:
-        self._source = ""
-        # IPython reports itself what is wrong with a cell.
-        with suppress(SyntaxError):
-            self._source = self._shell.transform_cell(cell.raw_cell)
+        self._enter(cell.raw_cell)
+        if len(self._running) > 1:
+            return
         for robot in self.robots():
             _membership(robot).way.begin_cell()
         simulated = [robot for robot in self.robots() if isinstance(robot, SimulatedRobot)]
@@ -104,20 +106,38 @@ class NotebookSession:
         for robot in simulated[-1:]:
             robot.take_time()
 
+    def _enter(self, cell: str) -> None:
+        self._running.append(cell)
+        # A cell inside another one is its last lines.
+        above = self._running[0].rstrip().count("\n") - cell.rstrip().count("\n")
+        self._parts = []
+        # IPython reports itself what is wrong with a cell.
+        with suppress(SyntaxError):
+            self._parts = list(cell_parts(cell, self._shell.transform_cell, max(above, 0)))
+
     def visit(self, tree: ast.Module) -> ast.Module:
-        """Let a cell note its steps; what a magic runs of it does not."""
+        """Let a cell note its steps, and what a magic runs of it."""
         try:
-            is_cell = ast.dump(ast.parse(self._source)) == ast.dump(tree)
-            return self._cells.add(self._source, self._number + 1) if is_cell else tree
+            dumped = ast.dump(tree)
+            for part in self._parts:
+                if ast.dump(ast.parse(part.source)) == dumped:
+                    return self._cells.add(part, self._number + 1)
         except (SyntaxError, ValueError, RecursionError):
             # With an await outside a function, for example.
-            return tree
+            pass
+        return tree
 
     def _end_cell(self, result: Any) -> None:
+        # The cell that makes the first robot has begun before there was a session.
+        if self._running:
+            self._running.pop()
+        if not result.success:
+            for robot in self.robots():
+                _stop_wheels(robot)
+        if self._running:
+            return
         self._number = result.execution_count or self._number
         for robot in self.robots():
-            if not result.success:
-                _stop_wheels(robot)
             if isinstance(robot, SimulatedRobot):
                 # The kernel asks for the time, too, and its world would go on between cells.
                 robot.leave_time()

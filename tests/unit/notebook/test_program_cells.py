@@ -58,10 +58,12 @@ robot
 @pytest.mark.exhaustive
 @pytest.mark.timeout(180)  # A kernel takes its time to start beside other tests.
 def test_it_works_in_a_real_kernel():
-    cells = ["%load_ext learnblock.notebook", f"%%blocktext --world square\n{SQUARE}", ROBOT]
+    python = [ROBOT, "%%time\nrobot.drive_distance(-50)", 'robot.why("why did it drive backwards")']
+    cells = ["%load_ext learnblock.notebook", f"%%blocktext --world square\n{SQUARE}", *python]
     notebook = nbformat.v4.new_notebook(cells=list(map(nbformat.v4.new_code_cell, cells)))
     nbclient.NotebookClient(notebook, timeout=120, kernel_name="python3").execute()
-    _, blocktext_cell, python_cell = (cell.outputs for cell in notebook.cells)
+    _, blocktext_cell, python_cell, _, answer = (cell.outputs for cell in notebook.cells)
+    assert "line 2 of [4] says drive_distance(-50)" in answer[-1].data["text/plain"]
     printed = [output for output in blocktext_cell if output.output_type == "stream"]
     assert {"stdout"} == {output.name for output in printed}
     assert "hello" in "".join(output.text for output in printed)

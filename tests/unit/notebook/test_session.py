@@ -128,8 +128,10 @@ def test_the_time_is_that_of_the_world_only_in_cells(run, shell):
     assert shell.user_ns["robot"].clock.time() == began
 
 
-def test_a_stopped_or_failed_cell_stops_the_wheels(run, shell):
-    run(f"{MADE}\nrobot.move_straight(50)\nraise KeyboardInterrupt")
+@pytest.mark.parametrize("magic", ["", "%%capture\n", "%%time\n"])
+def test_a_stopped_or_failed_cell_stops_the_wheels(run, shell, magic):
+    run(MADE)
+    run(f"{magic}robot.move_straight(50)\nraise KeyboardInterrupt")
     robot = shell.user_ns["robot"]
     before = robot.get_pose()
     run("robot.sleep(1)")
@@ -194,6 +196,39 @@ def test_the_cell_that_makes_the_first_robot_is_noted_once_the_extension_is_load
     assert "line 3 of [2] says drive_distance(-50)" in shell.user_ns["answer"]
 
 
+@pytest.mark.parametrize(
+    ("cell", "line"),
+    [
+        ("%%time\nx = 1\nrobot.drive_distance(-50)", 3),
+        ("%%time\n\nrobot.drive_distance(-50)", 3),
+        ("%%capture\nrobot.drive_distance(-50)", 2),
+        ("%%time\n%%capture printed\nx = 1\nrobot.drive_distance(-50)\n", 4),
+        ("\n\nx = 1\nrobot.drive_distance(-50)", 4),
+        ("x = 1\n%time robot.drive_distance(-50)", 2),
+    ],
+)
+def test_what_runs_of_a_cell_is_noted_at_its_line(run, shell, cell, line):
+    run(MADE)
+    run(cell)
+    run("robot.drive_distance(30)\nanswer = robot.why('why did it drive backwards')")
+    assert f"line {line} of [2] says drive_distance(-50)" in shell.user_ns["answer"]
+
+
+def test_a_cell_that_a_magic_runs_shows_the_robot_once(run):
+    run(MADE)
+    run("robot.show()")
+    for cell in ("%%capture\nrobot.drive_distance(50)", "%%time\nrobot.drive_distance(50)"):
+        (shown,) = run(cell)
+        assert "0.05 m in" in shown["image/svg+xml"]
+
+
+def test_a_magic_that_measures_is_not_disturbed(run, shell):
+    run(MADE)
+    run("%%timeit -n 1 -r 1\nrobot.drive_distance(-50)")
+    run("answer = robot.why('why did it drive backwards')")
+    assert "of [2]" not in shell.user_ns["answer"]
+
+
 def test_cells_give_what_they_gave_without_being_noted(run, shell):
     run(MADE)
     run("squares = [n * n for n in range(4)]\nif squares[2] == 4:\n    is_four = True")
@@ -201,6 +236,8 @@ def test_cells_give_what_they_gave_without_being_noted(run, shell):
     assert shell.user_ns["is_four"]
     # A magic runs a part of a cell, and an await has no tree outside a function.
     run("%time twice = 2 * 21")
+    run("%%time\nthrice = 3 * 21\nthrice")
+    assert shell.user_ns["_"] == 63
     run("import asyncio\nawait asyncio.sleep(0)\nawaited = 1")
     assert [shell.user_ns["twice"], shell.user_ns["awaited"]] == [42, 1]
 
