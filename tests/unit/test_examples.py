@@ -166,15 +166,31 @@ def test_the_page_of_examples_names_each_with_a_robot_that_can_run_it():
         assert world == TASKS[name][0]
 
 
+def elsewhere(name, robot):
+    """A program whose trace only a run of everything compares between versions of Python."""
+    return pytest.param(name, robot, marks=pytest.mark.exhaustive)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("version", VERSIONS)
-@pytest.mark.parametrize("name", ["line-states.bt", "tags.bt", "watch-out.bt"])
-def test_another_version_of_python_leaves_the_same_trace(made, name, version, tmp_path):
+@pytest.mark.parametrize(
+    ("name", "robot"),
+    [
+        ("line-states.bt", "sim-ebo"),
+        ("tags.bt", "sim-ebo"),
+        ("watch-out.bt", "sim-thymio"),
+        elsewhere("line-thymio.bt", "sim-legoed"),
+        elsewhere("flower.bt", "sim-root"),
+        elsewhere("labyrinth.bt", "sim-create3"),
+        elsewhere("games/collector.bt", "sim-spike"),
+    ],
+)
+def test_another_version_of_python_leaves_the_same_trace(made, name, robot, version, tmp_path):
     python = with_learnblock(version)
     if python is None:
         pytest.skip(f"`scripts/bench hashes` has not installed LearnBlock for Python {version}")
-    robot = able_twin(name)
-    options = {"world": WORLDS.get(name, "empty"), "seconds": 4}
+    world = TASKS[name][0] if name.startswith("games/") else WORLDS.get(name, "empty")
+    options = {"world": world, "seconds": 4}
     trace = tmp_path / "trace.jsonl"
     command = [python, "-m", "learnblock", "run", EXAMPLES / name, "--robot", robot]
     given = ["--for", "4", "--world", options["world"], "--trace", trace]
