@@ -15,14 +15,17 @@ import "./teachers.css";
 export function Teachers() {
   const { classes, lessons, blockSets } = usePage();
   const main = useRef<HTMLElement>(null);
+  const teaches = lessons.teaches.value;
   useLayoutEffect(() => {
-    if (!lessons.teaches.value) main.current?.focus();
+    if (!teaches) main.current?.focus();
   }, []);
+  // A teacher may be quicker than the connection, which says whether the user teaches.
   useEffect(() => {
-    if (!lessons.teaches.value) return;
+    if (!teaches) return;
     classes.list();
     blockSets.list();
-  }, []);
+    lessons.list();
+  }, [teaches]);
   return (
     <main ref={main} class="teachers" tabIndex={-1} aria-labelledby="teachers">
       <header>
@@ -30,10 +33,10 @@ export function Teachers() {
         <p class="dim">{t("page-teachers-about")}</p>
       </header>
       <div class="teachers-main">
-        {lessons.teaches.value ? <MyClasses /> : <p class="dim">{t("page-teachers-elsewhere")}</p>}
+        {teaches ? <MyClasses /> : <p class="dim">{t("page-teachers-elsewhere")}</p>}
         <Topics />
       </div>
-      {lessons.teaches.value && (
+      {teaches && (
         <div class="teachers-side">
           <StartClass />
           <Kept />
