@@ -80,7 +80,7 @@ export default defineConfig(({ mode }) => {
     },
     server: {
       // The words of all messages are beside the Python code that sends them; the help searches the docs.
-      fs: { allow: [".", "../docs", "../src/learnblock/i18n"] },
+      fs: { allow: [".", "../docs", "../src/learnblock/i18n", "../src/learnblock/devices"] },
       proxy: {
         "/ws": { ...own, ws: true },
         "/palette": own,

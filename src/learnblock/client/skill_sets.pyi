@@ -373,10 +373,10 @@ class _NeedsNothing:
         """
 
     def play_audio(self, audio: str = "Do") -> None:
-        """Start one of the robot's sounds; the program continues meanwhile.
+        """Start a sound; the program continues meanwhile.
 
         Args:
-            audio: the sound's name.
+            audio: a sound effect, such as coin, a note, such as Do, or one of the robot's own sounds.
         """
 
     def play_frequency(self, frequency: float, time: float) -> None:

@@ -20,10 +20,10 @@ def say_Text(robot: "Client", text: str) -> None:
 
 
 def play_audio(robot: "Client", audio: str = "Do") -> None:
-    """Start one of the robot's sounds; the program continues meanwhile.
+    """Start a sound; the program continues meanwhile.
 
     Args:
-        audio: the sound's name.
+        audio: a sound effect, such as coin, a note, such as Do, or one of the robot's own sounds.
     """
     speaker = robot.device(Speaker)
     if speaker is not None and not speaker.play(audio):

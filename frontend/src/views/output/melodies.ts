@@ -1,6 +1,10 @@
 /** Tunes for named sounds and for a music player's songs. */
 
+import effects from "../../../../src/learnblock/devices/effects.json";
 import type { Tone } from "./synthesizer";
+
+/** The tones of effects, as Hz and ms, by their names: those that robots play, too. */
+const EFFECTS: Readonly<Record<string, readonly number[][]>> = effects;
 
 /** Semitones above C, by the names of notes. */
 const NOTES: Record<string, number> = {
@@ -42,10 +46,21 @@ function tune(seed: number, notes: number, seconds: number, volume: number): Ton
   });
 }
 
-/** A note by its name, such as Do; any other name has its own short tune. */
+function effect(tones: readonly number[][], volume: number): Tone[] {
+  let delay = 0;
+  return tones.map(([hertz = 0, milliseconds = 0]) => {
+    const tone = { hertz, seconds: milliseconds / 1000, volume, delay };
+    delay += tone.seconds;
+    return tone;
+  });
+}
+
+/** A note by its name, such as Do, or an effect, such as coin; any other name has its own short tune. */
 export function soundNamed(name: string, volume: number): Tone[] {
   const note = NOTES[name.trim().toLowerCase()];
   if (note !== undefined) return [{ hertz: pitch(note), seconds: 2 * NOTE_SECONDS, volume }];
+  const tones = Object.hasOwn(EFFECTS, name) ? EFFECTS[name] : undefined;
+  if (tones) return effect(tones, volume);
   return tune(numberOf(name), 4, NOTE_SECONDS / 2, volume);
 }
 

@@ -1,4 +1,4 @@
-"""Cozmo's sounds: tones, notes, the user's files, and speech by espeak-ng."""
+"""Cozmo's sounds: tones, notes, effects, the user's files, and speech by espeak-ng."""
 
 import shutil
 import subprocess
@@ -11,6 +11,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from learnblock.devices.effects import EFFECTS
 from learnblock.errors import DeviceValueError, LearnBlockError, nearest
 from learnblock.storage.home import home
 
@@ -46,7 +47,7 @@ def tone(hertz: float, seconds: float) -> Samples:
 
 
 def named(name: str) -> Samples:
-    """A note, such as ``Do``, or a file in the folder ``sounds`` of the user's folder.
+    """A note, such as ``Do``, an effect, such as ``coin``, or a file in the user's ``sounds``.
 
     Raises:
         DeviceValueError: there is no such sound, or the file cannot be played.
@@ -57,7 +58,9 @@ def named(name: str) -> Samples:
     files = {path.stem: path for path in sorted(folder.glob("*.wav"))}
     if name in files:
         return read(files[name])
-    suggestion = nearest(name, [*NOTES, *files])
+    if name in EFFECTS:
+        return joined([tone(hertz, milliseconds / 1000) for hertz, milliseconds in EFFECTS[name]])
+    suggestion = nearest(name, [*NOTES, *EFFECTS, *files])
     if suggestion is None:
         raise DeviceValueError("cozmo-unknown-sound", name=name, folder=str(folder))
     raise DeviceValueError("cozmo-unknown-sound-like", name=name, suggestion=suggestion)

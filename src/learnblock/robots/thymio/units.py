@@ -34,6 +34,21 @@ SOUNDS: Mapping[str, int] = {
     "friendly": 6,
     "detected": 7,
 }
+#: The built-in sound that is played for an effect: it can't play several tones in a row.
+EFFECT_SOUNDS: Mapping[str, str] = {
+    "pop": "arrow",
+    "coin": "friendly",
+    "jump": "arrow",
+    "boing": "freefall",
+    "laser": "detected",
+    "crash": "collision",
+    "magic": "friendly",
+    "alarm": "detected",
+    "bell": "center",
+    "power up": "startup",
+    "win": "friendly",
+    "lose": "shutdown",
+}
 #: (a distance sensor's reading, mm to a white wall in front of it): the medians of twelve readings
 #: in the playground, which vary by half a percent. There, nothing is seen beyond 140 mm; the last
 #: line continues the curve for real robots, which see further.
@@ -130,14 +145,15 @@ def tone(hertz: float, milliseconds: float) -> tuple[int, int]:
 
 
 def sound(name: str) -> int:
-    """The number of one of the robot's sounds.
+    """The number of one of the robot's sounds, or of the one that is nearest to an effect.
 
     Raises:
         DeviceValueError: the robot has no such sound.
     """
+    name = EFFECT_SOUNDS.get(name, name)
     if name in SOUNDS:
         return SOUNDS[name]
-    suggestion = nearest(name, SOUNDS)
+    suggestion = nearest(name, [*SOUNDS, *EFFECT_SOUNDS])
     if suggestion is None:
         raise DeviceValueError("thymio-unknown-sound", name=name, known=tuple(SOUNDS))
     raise DeviceValueError("thymio-unknown-sound-like", name=name, suggestion=suggestion)
