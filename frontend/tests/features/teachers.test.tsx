@@ -23,7 +23,9 @@ function openEarly() {
 test("a teacher who is quicker than the connection gets lessons and block sets all the same", () => {
   const { listed, teaches } = openEarly();
   expect(listed).toEqual([]);
-  act(() => (teaches.value = true));
+  act(() => {
+    teaches.value = true;
+  });
   screen.getByLabelText("First lesson");
   expect(listed).toEqual(["block sets", "lessons"]);
 });

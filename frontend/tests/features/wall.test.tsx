@@ -70,7 +70,9 @@ test("the teacher reads whom a lesson has not reached", () => {
   const stream = open(["Ana", "Leo", "Mia"]);
   expect(screen.queryByText(/did not reach/)).toBeNull();
   const lacking = [...stream.seats.value].map(([id, seat]) => [id, { ...seat, lacks_lesson: id !== "p1" }] as const);
-  act(() => (stream.seats.value = new Map(lacking)));
+  act(() => {
+    stream.seats.value = new Map(lacking);
+  });
   screen.getByText(/The lesson did not reach Ana and Mia\. Hand it out/);
 });
 
