@@ -5,6 +5,7 @@ from collections.abc import Callable
 from contextlib import redirect_stdout
 from pathlib import Path
 from types import FrameType
+from typing import Any
 
 from learnblock.client import Client
 from learnblock.errors import LearnBlockError
@@ -58,7 +59,15 @@ def main_program() -> str | None:
     main = sys.modules["__main__"]
     file = getattr(main, "__file__", None)
     # What ``python -m`` runs, such as tests, has a spec.
-    return Path(file).name if file and main.__spec__ is None else None
+    if not file or main.__spec__ is not None or _runs_in_marimo():
+        return None
+    return Path(file).name
+
+
+def _runs_in_marimo() -> bool:
+    """Whether a cell of marimo's notebooks runs: their main module has a file, too."""
+    marimo: Any = sys.modules.get("marimo")
+    return bool(getattr(marimo, "running_in_notebook", bool)())
 
 
 def report_main_program(client: Client, name: str, seconds: float) -> None:

@@ -2,10 +2,12 @@ import json
 import re
 import subprocess
 import sys
+from types import ModuleType, SimpleNamespace
 
 import pytest
 
 from learnblock.runtime.process import ThreadWorker
+from learnblock.runtime.standalone import main_program
 
 # A simulated robot small enough for a test, as a module next to the program.
 TINY = """
@@ -112,3 +114,14 @@ def test_a_program_ended_in_the_middle_of_a_wait_says_how_long_it_has_run(tmp_pa
     assert float(seconds) > 0.1
     # It needs an eighth of a second to speed up.
     assert int(driven) == pytest.approx(100 * (float(seconds) - 0.0625), abs=3)
+
+
+@pytest.mark.parametrize("in_marimo", [False, True])
+def test_a_notebook_of_marimo_is_no_program_although_it_has_a_file(monkeypatch, in_marimo):
+    main = ModuleType("__main__")
+    main.__file__, main.__spec__ = "square.py", None
+    monkeypatch.setitem(sys.modules, "__main__", main)
+    assert main_program() == "square.py"
+    marimo = SimpleNamespace(running_in_notebook=lambda: in_marimo)
+    monkeypatch.setitem(sys.modules, "marimo", marimo)
+    assert main_program() == (None if in_marimo else "square.py")
