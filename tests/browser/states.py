@@ -13,6 +13,12 @@ from places import ROOT
 
 WORDS = ROOT / "src/learnblock/i18n"
 WAITS = "main:\n    x = 1\n    function.sleep(600)\nend\n"
+GAME = """main:
+    function.change_score(3)
+    function.drive_distance(400)
+    function.win_game()
+end
+"""
 ASKS = 'main:\n    x = input("Ready?")\nend\n'
 WRONG = "main:\n    while\nend\n"
 FAILS = "main:\n    x = 1 / 0\nend\n"
@@ -420,6 +426,19 @@ def looking_back(visitor):
     yield "why, answer"
 
 
+def game(visitor):
+    """The end of a game, and the replay of its last seconds."""
+    visitor.runs(GAME)
+    again = visitor.page.get_by_role("region", name=visitor.says("page-world-game-won"))
+    expect(again).to_be_visible()
+    yield "end of a game"
+    visitor.press("page-world-game-watch", again)
+    expect(visitor.button("page-world-replay-stop")).to_be_focused()
+    yield "replay of a game"
+    visitor.press("page-world-replay-stop")
+    expect(again).to_be_visible()
+
+
 def robots(visitor):
     """Several robots: adding, naming and counting them."""
     visitor.command("page-bar-robot", "page-tabs-add-menu")
@@ -552,7 +571,7 @@ PAGE_DIALOGS = {
 #: The walks of what Starter does not show.
 EXPLORED = (looking_back,)
 #: The walks for which the page draws the world; the others are about what lies over it.
-BESIDE_THE_WORLD = (views, menus, runs, looking_back, extras)
+BESIDE_THE_WORLD = (views, menus, runs, looking_back, game, extras)
 #: The walks of the working page.
 WALKS = (
     views,
@@ -567,6 +586,7 @@ WALKS = (
     runs,
     mistakes,
     looking_back,
+    game,
     robots,
     extras,
 )

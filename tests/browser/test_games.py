@@ -2,6 +2,8 @@
 
 from playwright.sync_api import expect
 
+#: Bytes that a film of some seconds has at least.
+FILM = 20_000
 STARS = """when forward = function.is_key_pressed("up"):
     function.drive_distance(50, 150)
 end
@@ -56,3 +58,32 @@ def test_a_game_is_made_from_an_empty_project_and_won(sit_down, server):
     end.get_by_role("button", name="Play again").click()
     expect(end).to_be_hidden()
     expect(pupil.page.get_by_role("img", name="Score: 0")).to_be_visible()
+
+
+ROUND = """main:
+    function.change_score(3)
+    function.turn(720)
+    function.drive_distance(300)
+    function.win_game()
+end
+"""
+
+
+def test_the_end_of_a_game_is_watched_again_and_saved_as_a_film(sit_down, server):
+    pupil = sit_down(server, reduced_motion="reduce", empty=True)
+    pupil.choose("Speed", "Fastest")
+    pupil.write("blocktext", ROUND)
+    pupil.press("Run")
+    end = pupil.page.get_by_role("region", name="You win")
+    end.get_by_role("button", name="Watch again").click()
+    replay = pupil.page.get_by_role("region", name="Replay")
+    expect(replay.get_by_text("The last 10 seconds")).to_be_visible()
+    expect(pupil.page.locator(".status .state").first).to_contain_text("Looking back")
+    expect(end).to_be_hidden()
+    pupil.picture("a game is watched again")
+    with pupil.page.expect_download(timeout=60_000) as started:
+        replay.get_by_role("button", name="Save as film").click()
+    assert started.value.path().stat().st_size > FILM
+    # Then it is as before, and the keyboard is at its end.
+    expect(replay).to_be_hidden()
+    expect(end).to_be_focused()

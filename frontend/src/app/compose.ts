@@ -11,6 +11,7 @@ import { Lessons } from "../features/lessons/lessons";
 import { LessonMaking } from "../features/lessons/making";
 import { Libraries } from "../features/libraries/libraries";
 import { RobotMaker } from "../features/new-robot/robot-maker";
+import { Replay } from "../features/replay/replay";
 import { RobotSettings } from "../features/robot-settings/robot-settings";
 import { Links } from "../features/share/links";
 import { Share } from "../features/share/share";
@@ -65,7 +66,9 @@ export function compose(place: Place = { drafts: new BrowserDrafts(), query: "" 
   const lessonMaking = new LessonMaking(connection, { program: context.program, dialogs, toasts, lessons });
   stores.handIns.follow(context.program.state, lessons.shown);
   const links = new Links(connection, model.project, toasts);
-  const page = { ...model, ...stores, lessons, lessonMaking, links, share: new Share(model) };
+  const share = new Share(model);
+  const replay = new Replay({ ...model, share });
+  const page = { ...model, ...stores, lessons, lessonMaking, links, share, replay };
   connect(page);
   return page;
 }

@@ -23,6 +23,8 @@ export class LookingBack {
   /** The marks that the buttons go to; empty for all. */
   readonly markSort = signal<TimeMark["sort"] | "">("");
   private asked = false;
+  /** Whether the answer to what was asked is not wanted any more. */
+  private leaves = false;
   /** What to ask for next; a step starts at the moment that is shown by then. */
   private waiting: (() => Asked)[] = [];
 
@@ -45,7 +47,7 @@ export class LookingBack {
 
   /** A connection that broke gives no answer any more. */
   reset(): void {
-    this.asked = false;
+    this.asked = this.leaves = false;
     this.waiting = [];
   }
 
@@ -61,6 +63,13 @@ export class LookingBack {
     this.waiting = [];
     const place: Asked = { time: Math.max(0, time) };
     this.ask(() => (event === undefined ? place : { ...place, event: event - 1, step: 1, to: "line" }));
+  }
+
+  /** Show the present again, also if another moment is still on its way. */
+  leave(): void {
+    this.waiting = [];
+    this.leaves = this.asked;
+    if (this.running.past.peek()) this.running.leavePast();
   }
 
   /** Go to the step before or after the moment that is shown. */
@@ -94,6 +103,7 @@ export class LookingBack {
   }
 
   private ask(wanted: () => Asked): void {
+    this.leaves = false;
     if (this.waiting.length < MOST_WAITING) this.waiting.push(wanted);
     if (!this.asked) this.next();
   }
@@ -101,6 +111,7 @@ export class LookingBack {
   private next(): void {
     const wanted = this.waiting.shift();
     this.asked = wanted !== undefined;
+    if (this.leaves) this.leave();
     if (wanted) this.connection.send({ kind: "LookBack", ...wanted() });
   }
 }

@@ -30,6 +30,8 @@ export interface WorldIsland extends Island {
   point(measure: Measure | null): void;
   /** Mark the places that the last run has missed. */
   showMissed(places: readonly MissedPlace[]): void;
+  /** Go round the robots with the camera, or show again what the user has chosen. */
+  circle(on: boolean): void;
   /** Look at a place on the floor, mm. */
   lookAt(place: readonly [number, number]): void;
 }

@@ -113,3 +113,18 @@ test("a new run leaves the past", () => {
   connection.tell({ kind: "RunState", state: "starting" });
   expect([running.past.value, running.timeline.value]).toEqual([null, null]);
 });
+
+test("who goes back to now stays there when a moment that was asked for comes late", () => {
+  const [looking, running, connection] = lookingBack();
+  looking.look(1);
+  connection.tell({ ...past(1) });
+  looking.look(2);
+  looking.look(3);
+  looking.leave();
+  connection.tell({ ...past(2) });
+  expect(running.past.value).toBe(null);
+  expect(connection.sent).toHaveLength(2);
+  looking.look(1);
+  connection.tell({ ...past(1) });
+  expect(running.past.value?.time).toBe(1);
+});

@@ -18,13 +18,14 @@ export function GameEnd() {
 }
 
 function EndCard({ game }: { game: GameNow }) {
-  const { controls } = usePage();
+  const { controls, replay, context } = usePage();
   const closed = useSignal(false);
   const card = useRef<HTMLElement>(null);
   useLayoutEffect(() => {
     // A player goes on here by keyboard, but a key that is still held down must press no button.
     const world = card.current?.closest(".region");
-    if (world?.contains(document.activeElement)) card.current?.focus();
+    const { activeElement } = document;
+    if (activeElement === document.body || world?.contains(activeElement)) card.current?.focus();
   }, []);
   if (closed.value) return null;
   return (
@@ -41,6 +42,12 @@ function EndCard({ game }: { game: GameNow }) {
           <Icon name="run" />
           {t("page-world-game-again")}
         </button>
+        {context.running.timeline.value && (
+          <button type="button" class="button bordered" onClick={() => replay.watch()}>
+            <Icon name="video" />
+            {t("page-world-game-watch")}
+          </button>
+        )}
         <button type="button" class="button bordered" onClick={() => (closed.value = true)}>
           {t("page-world-game-close")}
         </button>

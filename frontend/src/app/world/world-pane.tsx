@@ -2,8 +2,8 @@
 
 import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
-
 import { GhostFindings, GhostLegend } from "../../features/ghost/ghost";
+import { ReplayBar } from "../../features/replay/bar";
 import { Legend } from "../../features/runs/legend";
 import { ShownRun } from "../../features/runs/shown";
 import { t } from "../../i18n";
@@ -64,6 +64,7 @@ export function WorldPlace({ children }: { children: ComponentChildren }) {
       <div class="world-bottom">
         <Said />
         <Hint />
+        <ReplayBar />
         <Timeline />
         <Status />
         <WhyChip />

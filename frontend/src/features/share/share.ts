@@ -44,37 +44,50 @@ export class Share {
 
   /** Run the program from the start, and save a film of it when it ends. */
   film(): void {
-    const { controls, context, toasts } = this.page;
-    if (this.isFilming.peek() || context.connection.state.peek() !== "open") return;
+    const { controls, context } = this.page;
+    if (context.connection.state.peek() !== "open") return;
+    const followed = new Cleanup();
+    const film = this.record(() => followed.dispose());
+    if (!film) return;
+    this.follow(film, followed);
+    controls.restart();
+  }
+
+  /**
+   * Begin a film of the world, which is saved when it ends; return null if there can be none.
+   *
+   * @param over is called at the end.
+   */
+  record(over: () => void): Film | null {
+    const { toasts } = this.page;
+    if (this.isFilming.peek()) return null;
     const format = filmFormat();
-    if (!format) return toasts.error(t("page-share-no-film"));
+    if (!format) {
+      toasts.error(t("page-share-no-film"));
+      return null;
+    }
     const brush = newBrush(...FILM);
-    if (!this.drawFrame(brush)) return;
+    if (!this.drawFrame(brush)) return null;
     const moves = { draw: () => void this.drawFrame(brush), rate: RATE, longest: LONGEST };
-    const film = new Film(brush.canvas, format, moves, (made) => {
-      forget();
+    this.isFilming.value = true;
+    return new Film(brush.canvas, format, moves, (made) => {
+      over();
       this.isFilming.value = false;
       if (!made) return;
       saveFile(`${this.title}.${format.ending}`, made, format.type);
       toasts.note(t("page-share-saved"));
     });
-    const forget = this.follow(film);
-    this.isFilming.value = true;
-    controls.restart();
   }
 
-  /** End a film with its run, and drop that of a run which does not start; return what stops this. */
-  private follow(film: Film): () => void {
+  /** End a film with its run, and drop that of a run which does not start. */
+  private follow(film: Film, followed: Cleanup): void {
     const { connection } = this.page.context;
-    const cleanup = new Cleanup(
+    followed.add(
       connection.on("Ended", () => window.setTimeout(() => film.end(), LAST_LOOK)),
       connection.onRefused(["Run"], () => film.drop()),
       // Its run is not seen any more.
       connection.state.subscribe((state) => state !== "open" && film.drop()),
     );
-    return () => {
-      cleanup.dispose();
-    };
   }
 
   private get title(): string {

@@ -3,6 +3,7 @@
 import { MOUSE, PerspectiveCamera, TOUCH, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
+import { Circling } from "./circling";
 import { Following } from "./following";
 import { FIELD, frame, type Subject } from "./framing";
 import type { EyePose } from "./robots";
@@ -56,6 +57,8 @@ export class Cameras {
   private shows: "whole" | "start" | null = null;
   private readonly following = new Following(this.camera);
   private readonly together = new Together(this.camera);
+  /** Goes round the robots, and what is shown again after that. */
+  private circling: { step: Circling; after: CameraMode; look: Look } | null = null;
   /** The time from which on it follows, in ms; later than all times while the user moves it. */
   private followsFrom = 0;
   private waiting = 0;
@@ -113,6 +116,24 @@ export class Cameras {
     else this.showAgain();
     // From the eye of the robot it is a cut.
     if (wasEye) this.arrive();
+    this.changed();
+  }
+
+  /** Go round the robots, or show again what was shown before. */
+  circle(on: boolean): void {
+    if (on === (this.circling !== null)) return;
+    if (on) {
+      const look = this.now();
+      this.move = null;
+      this.circling = { step: new Circling(this.camera), after: this.mode, look };
+      this.apply("orbit");
+      this.controls.enabled = false;
+    } else if (this.circling) {
+      const { after, look } = this.circling;
+      this.circling = null;
+      this.apply(after);
+      if (after !== "eye") this.cut(look);
+    }
     this.changed();
   }
 
@@ -176,6 +197,11 @@ export class Cameras {
 
   /** Keep the robots in the picture, ours first; return whether the camera is still moving. */
   follow([first, ...others]: readonly Pose[], now: number): boolean {
+    if (first && this.circling) {
+      const places = [first, ...others].map(({ x, y }): XY => [x, y]);
+      this.circling.step.step(places, this.controls.target, now, this.calm.matches);
+      return true;
+    }
     if (!first || this.mode !== "follow" || this.move || now < this.followsFrom) return false;
     const { x, y } = first;
     if (others.length === 0 && this.isAtStart(x, y)) return false;
@@ -263,6 +289,13 @@ export class Cameras {
     this.followsFrom = performance.now() + PAUSE;
     clearTimeout(this.waiting);
     this.waiting = window.setTimeout(() => this.changed(), PAUSE + 20);
+  }
+
+  /** Show this at once. */
+  private cut({ place, target }: Look): void {
+    this.camera.position.copy(place);
+    this.controls.target.copy(target);
+    this.controls.update();
   }
 
   private arrive(): void {

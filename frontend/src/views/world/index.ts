@@ -26,6 +26,15 @@ function withoutPicture(): WorldIsland {
     dom.textContent = t("page-world-no3d");
   });
   const nothing = () => undefined;
-  const still = { resize: nothing, drawBest: nothing, point: nothing, showMissed: nothing, lookAt: nothing };
-  return { dom, framesDrawn: 0, tools: [], hint: signal(""), ...still, destroy: end };
+  const shown = { point: nothing, showMissed: nothing, circle: nothing, lookAt: nothing };
+  return {
+    dom,
+    framesDrawn: 0,
+    tools: [],
+    hint: signal(""),
+    resize: nothing,
+    drawBest: nothing,
+    ...shown,
+    destroy: end,
+  };
 }

@@ -138,6 +138,11 @@ export class World implements WorldIsland {
     this.view.invalidate();
   }
 
+  circle(on: boolean): void {
+    this.cameras.circle(on);
+    this.view.invalidate();
+  }
+
   lookAt([x, y]: readonly [number, number]): void {
     this.cameras.centre([x, y]);
     this.view.invalidate();

@@ -134,4 +134,11 @@ page-world-game-over = Game over
 page-world-game-time-up = Time is up
 page-world-game-no-lives = No lives left
 page-world-game-again = Play again
+page-world-game-watch = Watch again
 page-world-game-close = Close
+
+# The end of a run, shown again.
+page-world-replay-label = Replay
+page-world-replay-title = The last { $seconds } seconds
+page-world-replay-film = Save as film
+page-world-replay-stop = Stop

@@ -133,4 +133,11 @@ page-world-game-over = Fin del juego
 page-world-game-time-up = Se acabó el tiempo
 page-world-game-no-lives = No quedan vidas
 page-world-game-again = Jugar otra vez
+page-world-game-watch = Ver otra vez
 page-world-game-close = Cerrar
+
+# El final de una ejecución, otra vez.
+page-world-replay-label = Repetición
+page-world-replay-title = Los últimos { $seconds } segundos
+page-world-replay-film = Guardar como película
+page-world-replay-stop = Parar
