@@ -60,9 +60,14 @@ def visitor(
     script: Path,
     size: dict[str, int] = WIDE,
     layout: dict[str, Any] | None = SPLIT,
+    *,
+    tour: bool = False,
 ) -> Iterator[Page]:
-    """Open a page that has already shown the tour, as a newcomer sees it if `layout` is None."""
-    likes: dict[str, Any] = {"tourDone": True, "language": "en", "sound": False}
+    """Open a page that has already shown the tour, as a newcomer sees it if `layout` is None.
+
+    With `tour` it still offers it.
+    """
+    likes: dict[str, Any] = {"tourDone": not tour, "language": "en", "sound": False}
     if layout is not None:
         likes |= {"stage": "explorer", "layout": layout}
     context = browser.new_context(viewport={**SIZE, **size}, locale="en")
