@@ -61,6 +61,8 @@ def test_a_pupil_hands_in_and_gets_it_back_with_a_note_and_a_mark(room, desk, ax
         room.pupil("Eva")
         button(page, "Hand in").click()
         expect(page.locator(".handed-in")).to_contain_text("Your teacher looks at it")
+        steps = page.locator(".lesson-moves button")
+        assert len({step.bounding_box()["y"] for step in steps.all()}) == 1
         picture(page, "pupil-handed-in-en")
 
         teacher = desk(f"{room.address}/teacher?key={room.key}", width=1366, height=768)

@@ -206,7 +206,6 @@ function Foot({ shown }: { shown: LessonShown }) {
       <CheckButton shown={shown} />
       <HandInButton shown={shown} />
       {shown.quiz && <QuizAnswer quiz={shown.quiz} />}
-      <span class="lesson-space" />
       <StepButtons shown={shown} />
     </div>
   );
@@ -220,7 +219,6 @@ function ShortFoot({ shown }: { shown: LessonShown }) {
   return (
     <div class="lesson-foot">
       {shown.quiz && <QuizAnswer quiz={shown.quiz} />}
-      <span class="lesson-space" />
       {isDone && <StepButtons shown={shown} />}
     </div>
   );
@@ -288,7 +286,7 @@ function StepButtons({ shown: { step = 1, steps = [] } }: { shown: LessonShown }
   // Until its question is answered, a step does not invite anyone to leave it.
   const look = hasStar ? "button filled" : lessons.isAsking ? "button dim" : "button bordered";
   return (
-    <>
+    <div class="lesson-moves">
       <IconButton
         icon="previous"
         word="page-lesson-previous"
@@ -308,7 +306,7 @@ function StepButtons({ shown: { step = 1, steps = [] } }: { shown: LessonShown }
       ) : (
         <Finish />
       )}
-    </>
+    </div>
   );
 }
 
