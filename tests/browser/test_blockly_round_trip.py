@@ -1,5 +1,6 @@
 """Round trips through the real Blockly: it returns the program that it was given."""
 
+import json
 import mimetypes
 import os
 import shutil
@@ -24,12 +25,20 @@ RANDOM = 2000
 BATCH = 100
 #: How many programs of a batch are tried.
 TRIED = examples(BATCH, gate=25)
+#: How many programs of a batch have their pictures drawn: all of them take five minutes.
+DRAWN = 10
 #: A made-up address, whose requests the test answers.
 PLACE = "http://roundtrip.test/"
 ROUND_TRIPS = """async all => {
     const back = [];
     for (const one of JSON.parse(all)) back.push(await roundTrip(one));
     return JSON.stringify(back);
+}"""
+
+PICTURES = """async all => {
+    const words = [];
+    for (const one of all) words.push(await wordsOfPicture(one));
+    return words;
 }"""
 
 
@@ -49,8 +58,8 @@ def built(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def blockly(browser, built):
-    """A function that loads workspaces into Blockly in turn and returns them as saved."""
+def harness(browser, built):
+    """The page's block editor alone."""
     context = browser.new_context()
     page = context.new_page()
     errors = []
@@ -58,15 +67,24 @@ def blockly(browser, built):
     page.route(f"{PLACE}**", lambda route: answer(route, built))
     page.goto(PLACE)
     page.wait_for_function("'roundTrip' in globalThis")
-
-    def through(workspaces):
-        shown = f"[{','.join(map(as_json, workspaces))}]"
-        back = page.evaluate(ROUND_TRIPS, shown)
-        return msgspec.json.decode(back, type=list[Workspace])
-
-    yield through
+    yield page
     context.close()
     assert errors == []
+
+
+@pytest.fixture(scope="module")
+def blockly(harness):
+    """A function that loads workspaces into Blockly in turn and returns them as saved."""
+
+    def through(workspaces):
+        back = harness.evaluate(ROUND_TRIPS, as_array(workspaces))
+        return msgspec.json.decode(back, type=list[Workspace])
+
+    return through
+
+
+def as_array(workspaces):
+    return f"[{','.join(map(as_json, workspaces))}]"
 
 
 def answer(route, folder):
@@ -104,6 +122,16 @@ def test_random_programs_survive_a_round_trip_through_blockly(blockly, first):
         if read(after) != program
     }
     assert changed == {}
+
+
+@pytest.mark.parametrize("first", range(0, RANDOM, BATCH))
+def test_pictures_of_random_programs_have_all_words_of_their_blocks(harness, first):
+    seeds = range(first, first + DRAWN)
+    programs = [BlockTrees(seed).program() for seed in seeds]
+    pictures = harness.evaluate(PICTURES, json.loads(as_array(map(blocks_of, programs))))
+    assert sum(count for count, _ in pictures) > 20 * DRAWN
+    missing = {seed: words for seed, (_, words) in zip(seeds, pictures, strict=True) if words}
+    assert missing == {}
 
 
 def test_a_detached_call_of_a_deleted_function_is_kept(blockly):
