@@ -26,7 +26,7 @@ BATCH = 100
 #: How many programs of a batch are tried.
 TRIED = examples(BATCH, gate=25)
 #: How many programs of a batch have their pictures drawn: all of them take five minutes.
-DRAWN = 10
+DRAWN = 2
 #: A made-up address, whose requests the test answers.
 PLACE = "http://roundtrip.test/"
 ROUND_TRIPS = """async all => {
