@@ -394,6 +394,8 @@ class _Answering:
         if last >= 0:
             self._actions.moved(last, until)
         self._waits.busy(until)
+        if not len(self._draft):
+            self._omissions.no_event(until)
 
     def _not_end(self, subject: str, until: int, time: float | None) -> None:
         if not self._whole_run.not_end(until):

@@ -284,6 +284,12 @@ class Omissions:
         elif not conditions:
             self._not_switched_on(function, node, until, since)
 
+    def no_event(self, until: int) -> None:
+        """Tell why no `when` was active: a program of events alone waits for the first of them."""
+        for function, node in enumerate(self._history.nodes):
+            if node.kind is Kind.FUNCTION and node.is_when:
+                self.inactive(function, until)
+
     def _started(self, function: int, until: int) -> None:
         """Tell when `when start` ran, or what kept it from running."""
         exits = [
