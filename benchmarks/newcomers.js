@@ -40,7 +40,7 @@ function inSight(part) {
   return { x: (left + right) / 2, y: (top + bottom) / 2, width: right - left, height: bottom - top };
 }
 
-/** Whether something else lies on what a click would be meant for. */
+/** Whether something else covers the middle of a control, where one clicks. */
 function isCovered(part) {
   const { x, y, width, height } = inSight(part);
   if (width < 8 || height < 8) return false;

@@ -69,5 +69,5 @@ def face_for_each_thing(run):
 
 
 def face_at(shows, moment):
-    """The face that it has at a time: the same one again is not shown anew."""
+    """The face at a time, which stays until another one is shown."""
     return next((face for time, face in reversed(shows) if time <= moment), None)

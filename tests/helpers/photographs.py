@@ -1,4 +1,4 @@
-"""What a camera of a robot sees of a floor and of pictures that stand on it."""
+"""What a robot's camera sees of a floor and of upright pictures on it."""
 
 import numpy as np
 
@@ -20,7 +20,7 @@ def photograph(things=(), lines=(), *, tilt, scale=1):
 
 
 def upright(picture, size, x, y, bottom):
-    """A square picture that stands at (x, y) and faces the camera in the west."""
+    """An upright square picture at (x, y), which faces the camera to the west."""
     left, right, top = y + size / 2, y - size / 2, bottom + size
     corners = [(x, left, top), (x, right, top), (x, right, bottom), (x, left, bottom)]
     return Surface(np.array(corners, float), picture)

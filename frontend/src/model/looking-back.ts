@@ -23,7 +23,7 @@ export class LookingBack {
   /** The marks that the buttons go to; empty for all. */
   readonly markSort = signal<TimeMark["sort"] | "">("");
   private asked = false;
-  /** Whether the answer to what was asked is not wanted any more. */
+  /** Whether the answer that is still to come is no longer wanted. */
   private leaves = false;
   /** What to ask for next; a step starts at the moment that is shown by then. */
   private waiting: (() => Asked)[] = [];

@@ -13,7 +13,7 @@ _GIVE, _START = messages.GiveLesson.__name__, messages.StartLesson.__name__
 
 
 class Gift:
-    """Reports a lesson that a pupil's server refuses to the teacher, who can do something about it.
+    """Tells the teacher, who can do something about it, when a pupil's server refuses a lesson.
 
     A pupil who controls the server can refuse each lesson once, and send no words to the wall.
 
@@ -42,5 +42,5 @@ class Gift:
         if kind == _GIVE:
             self._refused()
             return True
-        # A lesson that has not come can't be opened either.
+        # A lesson that has not arrived can't be opened either.
         return _GIVE not in self._pending

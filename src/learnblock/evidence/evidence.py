@@ -141,7 +141,7 @@ class Evidence:
 
     @cached_property
     def keys(self) -> Sequence[tuple[float, Sequence[str]]]:
-        """The keys that the program found held, each time that they were others than before."""
+        """The keys that the program saw held, at each change."""
         return [(moment.time, line["keys"]) for moment, line in self._of("keys")]
 
     @cached_property

@@ -1,4 +1,4 @@
-"""Keys that are pressed in a step of a lesson while nobody sits at the keyboard."""
+"""The keys that a step of a lesson presses when its checks run without a player."""
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
@@ -13,13 +13,13 @@ from learnblock.running.recorded_keys import RecordedKeys
 
 
 class KeyPress(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
-    """A key that is pressed once, or again and again.
+    """A key that is pressed once or repeatedly.
 
     Args:
         key: the key.
         at: when it is pressed first, in seconds of the robot's time.
         seconds: how long it is held each time.
-        times: how often it is pressed.
+        times: how many times it is pressed.
         every: the seconds from one time to the next.
     """
 

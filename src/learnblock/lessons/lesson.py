@@ -138,7 +138,7 @@ class Step(Table, frozen=True, kw_only=True):
             those of the step before.
         variants: how many variants of the world the checks are made in, besides the world as it is.
         partners: other robots in its world.
-        keys: the keys that are pressed when the checks are made without a person.
+        keys: the keys that are pressed when the checks run without a player.
         seconds: the most seconds of a run, of the robot's time.
         check: the checks.
         hint: the teacher's hints, in the order in which they are tried.

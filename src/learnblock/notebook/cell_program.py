@@ -22,7 +22,7 @@ class _Cell:
     Args:
         number: that of its prompt.
         before: how many lines the cells before it have.
-        above: how many lines of the cell are not of the program, such as that of a magic.
+        above: how many lines of the cell come before its program, such as that of a magic.
     """
 
     number: int
@@ -42,7 +42,7 @@ class CellProgram:
         self._cells: list[_Cell] = []
 
     def add(self, part: CellPart, number: int) -> ast.Module:
-        """Add what a cell runs, and return the same that also notes its steps.
+        """Add what a cell runs, and return its code, which also notes its steps.
 
         Args:
             part: its Python.

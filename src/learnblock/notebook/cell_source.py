@@ -35,7 +35,7 @@ def cell_parts(cell: str, transform: Callable[[str], str], above: int = 0) -> It
         above: how many lines are above it, if it is a part of another cell.
 
     Raises:
-        SyntaxError: a part is no Python of IPython's.
+        SyntaxError: a part is not valid in IPython.
     """
     blank = _BLANK.match(cell)
     start = blank.end() if blank else 0

@@ -27,7 +27,7 @@ _NO_FILE = ""
 
 @dataclass(frozen=True)
 class KeptLog:
-    """A log that does not go on.
+    """A log to which nothing is added.
 
     Args:
         blocks: what it has, oldest first.

@@ -393,9 +393,7 @@ class _Answering:
         last = self._commands.last(until)
         if last >= 0:
             self._actions.moved(last, until)
-        self._waits.busy(until)
-        if not len(self._draft):
-            self._omissions.no_event(until)
+        self._omissions.busy(until)
 
     def _not_end(self, subject: str, until: int, time: float | None) -> None:
         if not self._whole_run.not_end(until):

@@ -284,8 +284,11 @@ class Omissions:
         elif not conditions:
             self._not_switched_on(function, node, until, since)
 
-    def no_event(self, until: int) -> None:
-        """Tell why no `when` was active: a program of events alone waits for the first of them."""
+    def busy(self, until: int) -> None:
+        """Tell what the program was busy with; without any answer, why no `when` was active."""
+        if self._waits.busy(until) or len(self._draft):
+            return
+        # A program of events alone waits for the first of them.
         for function, node in enumerate(self._history.nodes):
             if node.kind is Kind.FUNCTION and node.is_when:
                 self.inactive(function, until)

@@ -16,7 +16,7 @@ from right_programs import is_right, known
 
 #: The gate tries so many programs of a step, the same each time.
 FEW = 3
-#: Everything tries so many, drawn anew, and this file alone tries all: half an hour.
+#: With `--all`, so many are drawn at random; a run of this file alone tries all, for half an hour.
 DRAWN = 6
 
 STEPS = [

@@ -5,14 +5,14 @@ import { type PerspectiveCamera, Vector3 } from "three";
 import type { XY } from "./scenery/description";
 import { radians } from "./scenery/geometry";
 
-/** How far away and how high it is, mm; for robots that are far apart farther, as a multiple of their distance. */
+/** How far away and how high it is, mm; or so many times the distance between the robots, if that is more. */
 const AWAY = 850;
 const HIGH = 420;
 const SPREAD = 1.3;
 /** Where it begins, to the south-east, and how much it turns each second, degrees. */
 const FIRST = -35;
 const SPEED = 9;
-/** The part of the way to the robots that it goes each second, as a rate. */
+/** How fast it turns to the robots: the exponential rate per second. */
 const RATE = 4;
 /** s: a longer gap between frames is a pause. */
 const LONGEST = 0.1;
@@ -28,7 +28,7 @@ export class Circling {
    *
    * @param target is moved as well.
    * @param now in ms.
-   * @param calm stays at one side.
+   * @param calm whether it stays on one side.
    */
   step(places: readonly XY[], target: Vector3, now: number, calm: boolean): void {
     const passed = this.last === null ? Number.POSITIVE_INFINITY : Math.min(LONGEST, (now - this.last) / 1000);

@@ -19,7 +19,7 @@ def first_look(link: PacketLink) -> list[int]:
     Raises:
         RobotConnectionError: the robot is gone.
     """
-    # No sensor sees other light, because the robot stands over them.
+    # The robot's body keeps all other light away from the strip.
     unlit = link.probe(messages.strip_levels(0, messages.UNLIT))
     lit = [
         link.probe(messages.strip_levels(bank, messages.ALL_LIT)) for bank in range(messages.BANKS)

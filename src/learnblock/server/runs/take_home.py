@@ -64,17 +64,7 @@ def run_page(log: Log, document: Document, titles: Titles, begin: float = 0.0) -
 
 
 def run_content(log: Log, document: Document, titles: Titles, begin: float = 0.0) -> dict[str, Any]:
-    """The content of a page that shows a run: see `frontend/src/features/standalone/content.ts`.
-
-    Args:
-        log: of the run, which was in a simulated world and has ended.
-        document: the program.
-        titles: what the page is called.
-        begin: the time in s from which on the run is shown.
-
-    Raises:
-        LearnBlockError: the run was not in a world that can be shown, or of another program.
-    """
+    """The content of `run_page`, of any size: see `frontend/src/features/standalone/content.ts`."""
     recorded = Recorded.of(log.blocks)
     if "world" not in recorded.robot:
         raise LearnBlockError("take-home-no-world")

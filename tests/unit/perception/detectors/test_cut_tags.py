@@ -13,7 +13,7 @@ BLACK = (0, 0, 0)
 
 
 def standing(number, size, x, y, bottom):
-    """A tag that stands at (x, y)."""
+    """An upright tag at (x, y)."""
     return upright(tag(number), size, x, y, bottom)
 
 

@@ -2,10 +2,10 @@
 
 import type { WorldValues, XY } from "../scenery/description";
 
-/** In the order in which they are painted and reached by Tab. */
-export const SORTS = [
-  "follow",
-  "line",
+type GoalSort = keyof WorldValues["goal"];
+
+/** The goals that are painted over lines; that of following a line is under it. */
+const OVER_LINES = [
   "reach",
   "visit",
   "tour",
@@ -15,6 +15,14 @@ export const SORTS = [
   "collect",
   "gates",
   "score",
+] as const satisfies GoalSort[];
+const GOALS: readonly string[] = ["follow", ...OVER_LINES];
+
+/** In the order in which they are painted and reached by Tab. */
+export const SORTS = [
+  "follow",
+  "line",
+  ...OVER_LINES,
   "zone",
   "switch",
   "start",
@@ -40,20 +48,6 @@ export interface Ref {
   readonly sort: Sort;
   readonly index: number;
 }
-
-type GoalSort = keyof WorldValues["goal"];
-const GOALS: readonly Sort[] = [
-  "reach",
-  "follow",
-  "visit",
-  "tour",
-  "stop",
-  "show",
-  "avoid",
-  "collect",
-  "gates",
-  "score",
-] satisfies GoalSort[];
 
 export function isGoal(sort: Sort): sort is GoalSort {
   return GOALS.includes(sort);
