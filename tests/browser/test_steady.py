@@ -16,6 +16,9 @@ PLACES = f"""() => {{
         return [x, y, width, height].map(Math.round).join(" ");
     }};
     const inSight = (part) => part.checkVisibility({{ visibilityProperty: true }});
+    // The same step in another view has a button of the view's name.
+    const group = (part) => part.closest("[role=group], section")?.ariaLabel ?? "";
+    const label = (part) => part.ariaLabel || part.textContent;
     const named = (parts, name) => [...parts].filter(inSight).map((part) => [name(part), part]);
     const hat = document.querySelectorAll("{WORKSPACE} .lb_main > .blocklyPath");
     const offered = document.querySelectorAll(".blocklyFlyout .blocklyBlock > .blocklyPath");
@@ -27,7 +30,7 @@ PLACES = f"""() => {{
         ...named(fixed, (part) => part.className),
         ...named(hat, () => "hat"),
         ...named(offered, (part) => `offered ${{part.parentNode.dataset.id}}`),
-        ...named(buttons, (part) => `button ${{part.ariaLabel || part.textContent}}`),
+        ...named(buttons, (part) => `button ${{group(part)}} ${{label(part)}}`),
     ];
     // The words of the state change, its place does not.
     const state = document.querySelector(".world-bottom .state").getBoundingClientRect();
