@@ -72,8 +72,7 @@ def cell_page(log: RobotLog, cells: CellProgram, cell: int, began: float, now: f
         return ""
     words = system_language()
     title = translate(Phrase("notebook-cell", cell=str(cell)), words)
-    robot = str(log.recorded(cells).conditions.get("robot", ""))
-    page = run_page(kept, _document(cells), Titles(title, robot, words), began)
+    page = run_page(kept, _document(cells), Titles(title, log.robot, words), began)
     return framed(page, title)
 
 

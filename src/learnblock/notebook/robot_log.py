@@ -44,9 +44,13 @@ class RobotLog:
     Args:
         robot: a robot that has just been connected.
         way: its way, which goes on.
+
+    Attributes:
+        robot: the robot's name, such as ``sim-ebo``.
     """
 
     def __init__(self, robot: Client, way: CellWay) -> None:
+        self.robot = str(robot.conditions()["robot"])
         self._log = RunLog(Program("notebook", "", ""))
         self._noting = Noting(self._log.noted, _NO_FILE)
         recorder = record(robot, "", Trace(log=self._log), recorder_type=_KernelRecorder)
