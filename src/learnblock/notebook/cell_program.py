@@ -1,11 +1,13 @@
 """The cells of a kernel as one program, whose steps are noted."""
 
 import ast
+import re
 from bisect import bisect_right
 from dataclasses import dataclass
 
 from msgspec.structs import replace
 
+from learnblock.language.python.robot_import import robot_import
 from learnblock.notebook.cell_source import CellPart
 from learnblock.runtime.log.instrumenting import NOTING, instrument
 from learnblock.runtime.log.nodes import Kind, Node
@@ -13,6 +15,7 @@ from learnblock.runtime.program import Program
 
 #: What the program of a kernel is called.
 _NAME = "notebook"
+_CREATION = re.compile(r"^robot[ \t]*=[ \t]*Robot\(", re.MULTILINE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,11 +37,17 @@ class CellProgram:
     """All cells that have run since a robot was made, in their order.
 
     A cell that runs again is there again: it may be another one by now.
+
+    Attributes:
+        nodes: what it notes.
+        robot_module: the module of its robot; empty before there is one.
     """
 
     def __init__(self) -> None:
         self.nodes: list[Node] = []
-        self._lines: list[str] = []
+        self.robot_module = ""
+        # The first line is kept free for the import of the robot.
+        self._lines = [""]
         self._cells: list[_Cell] = []
 
     def add(self, part: CellPart, number: int) -> ast.Module:
@@ -66,6 +75,10 @@ class CellProgram:
     def program(self) -> Program:
         """The cells as one program."""
         text = "\n".join([*self._lines, ""])
+        # The cell that imports it may have run before those of this program. Without its import,
+        # a robot that they make would be any value, and its skills no blocks.
+        if _CREATION.search(text) and not robot_import(text):
+            text = f"from {self.robot_module} import Robot{text}"
         return Program(_NAME, text, text)
 
     def place(self, line: int) -> tuple[int, int]:

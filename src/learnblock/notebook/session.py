@@ -69,6 +69,7 @@ class NotebookSession:
         """Take a robot in that has been connected; one with a new world says so."""
         if robot.lockstep and any(earlier.lockstep for earlier in self.robots()):
             _say("notebook-new-world", world=str(robot.conditions()["world"]))
+        self._cells.robot_module = type(robot).__module__
         way = way_of(robot)
         robot.membership = _Membership(way, RobotLog(robot, way))
         self._members.append(weakref.ref(robot, self._members.remove))

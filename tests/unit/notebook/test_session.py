@@ -111,6 +111,14 @@ def test_the_last_cell_has_its_run_as_a_page_and_the_ones_before_it_their_pictur
     assert all(time is None or time >= begin for time in asked)
 
 
+def test_a_page_has_the_blocks_of_a_robot_that_an_earlier_cell_imported(run):
+    run("%load_ext learnblock.notebook\nfrom learnblock.robots.sim_ebo import Robot")
+    run("robot = Robot(world='empty')\nrobot.show()")
+    [shown] = run("robot.drive_distance(100)")
+    lines = content_in_frame(shown["text/html"])["blocktext"].splitlines()
+    assert lines == ['robot(world="empty")', "", "function.show()", "function.drive_distance(100)"]
+
+
 def test_a_robot_that_has_run_for_long_is_shown_by_its_picture(run):
     run(f"{MADE}\nrobot.show()")
     [early] = run("robot.turn(90)")
