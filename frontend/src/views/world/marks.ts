@@ -184,7 +184,8 @@ export function goalPlaces({ goal, tag, ...things }: WorldValues): readonly XY[]
   const visited = goal.visit.flatMap(({ id }) => tag.filter((one) => one.id === id));
   const toured = goal.tour.flatMap(({ points }) => points.map(([x, y]) => ({ x, y })));
   const shown = goal.show.filter(({ radius }) => radius !== null);
-  const played = [...things.collectable, ...things.gate, ...things.zone];
+  // A switch opens the way to what is behind its door.
+  const played = [...things.collectable, ...things.switch, ...things.gate, ...things.zone];
   return [...goal.reach, ...visited, ...toured, ...goal.stop, ...shown, ...played].map(({ x, y }): XY => [x, y]);
 }
 
