@@ -3,11 +3,11 @@
 import * as Blockly from "blockly/core";
 
 /** The blocks' size, whatever the zoom of the program. */
-const SCALE = 0.74;
+const SCALE = 0.72;
 /** CSS pixels. */
 export const HEAD_HEIGHT = 48;
 /** One width for all groups, because the program beside them would move; longer sentences have several lines. */
-const WIDTH = { narrow: 252, wide: 330 };
+const WIDTH = { narrow: 268, wide: 330 };
 /** The room of the scrollbar beside the blocks; the style sheet makes it thinner than this. */
 const SCROLLBAR = 12;
 /** From this width on, the program has room beside the wide palette. */

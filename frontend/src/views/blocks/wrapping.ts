@@ -18,6 +18,8 @@ interface Part {
   readonly width: number;
   /** Whether a line may begin here: with words, but not with a value, which belongs to the words before it. */
   readonly begins: boolean;
+  /** Whether it stays with the part before it even where no words can begin a line, as a unit does. */
+  readonly follows?: boolean;
 }
 
 /** The lines of a row in a room of this width; the row itself if it fits, or holds statements. */
@@ -52,10 +54,18 @@ export function lineStarts(parts: readonly Part[], room: number): number[] {
   for (let at = 1; at < parts.length; at++) {
     const start = starts.at(-1) ?? 0;
     if (widthOf(parts.slice(start, at + 1)) <= room) continue;
-    const last = parts.slice(start + 1, at + 1).findLastIndex(({ begins }) => begins);
-    starts.push(last < 0 ? at : start + 1 + last);
+    starts.push(nextStart(parts, start, at));
   }
   return starts;
+}
+
+/** Where the line after one that is full at a part begins: with words, or else with a value and its unit. */
+function nextStart(parts: readonly Part[], start: number, full: number): number {
+  const ahead = parts.slice(start + 1, full + 1);
+  const words = ahead.findLastIndex(({ begins }) => begins);
+  const value = ahead.findLastIndex(({ follows }) => !follows);
+  const offset = words >= 0 ? words : value;
+  return offset >= 0 ? start + 1 + offset : full;
 }
 
 function widthOf(parts: readonly Part[]): number {
@@ -66,8 +76,11 @@ function partOf(element: Measurable, at: number, all: readonly Measurable[]): Pa
   const field = fieldOf(element);
   // The icon of a statement is no line of its own.
   const isFirst = at === 1 && fieldOf(all[0]) instanceof Blockly.FieldImage;
-  const begins = field instanceof Blockly.FieldLabel && !isFirst && !UNIT.test(field.getText());
-  return { width: element.width, begins };
+  const isWords = field instanceof Blockly.FieldLabel;
+  const isUnit = isWords && UNIT.test(field.getText());
+  // The button that shows more, or the words after the icon of a statement.
+  const follows = isUnit || isFirst || field instanceof Blockly.FieldImage;
+  return { width: element.width, begins: isWords && !isFirst && !isUnit, follows };
 }
 
 function fieldOf(element: Measurable | undefined): Blockly.Field | null {
