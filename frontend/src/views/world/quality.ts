@@ -41,8 +41,9 @@ export const QUALITIES: readonly Quality[] = [
   { reflections: false, shaded: true, shadows: 1024, sharpness: 1, pace: 0 },
   { reflections: false, shaded: false, shadows: 1024, sharpness: 1, pace: 0 },
   { reflections: false, shaded: false, shadows: 512, sharpness: 1, pace: 0 },
-  { reflections: false, shaded: false, shadows: 512, sharpness: LEAST_SHARP, pace: 30 },
-  { reflections: false, shaded: false, shadows: 512, sharpness: LEAST_SHARP, pace: 50 },
+  { reflections: false, shaded: false, shadows: 512, sharpness: 1, pace: 30 },
+  { reflections: false, shaded: false, shadows: 512, sharpness: 1, pace: 50 },
+  { reflections: false, shaded: false, shadows: 512, sharpness: 1, pace: 80 },
   { reflections: false, shaded: false, shadows: 512, sharpness: LEAST_SHARP, pace: 80 },
   { reflections: false, shaded: false, shadows: 512, sharpness: LEAST_SHARP, pace: 120 },
 ];

@@ -10,6 +10,14 @@ it("no step shows its pixels: a slower computer draws fewer frames", () => {
   expect(QUALITIES.at(-1)?.pace).toBeGreaterThan(100);
 });
 
+it("the picture keeps all its pixels down to twelve frames a second", () => {
+  const coarse = QUALITIES.filter(({ sharpness }) => sharpness < 1);
+  expect(Math.min(...coarse.map(({ pace }) => pace))).toBeGreaterThanOrEqual(80);
+  expect(QUALITIES.filter(({ sharpness, pace }) => sharpness === 1 && pace > 0).map(({ pace }) => pace)).toEqual([
+    30, 50, 80,
+  ]);
+});
+
 it("a step that waits between frames is not too slow for that", () => {
   const apply = vi.fn();
   const step = QUALITIES.findIndex(({ pace }) => pace === 50);
