@@ -61,16 +61,17 @@ def test_a_block_with_an_empty_input_is_marked_until_that_is_undone(pupil):
     assert pupil.foreign == []
 
 
-def test_an_empty_if_is_marked_and_the_program_runs(pupil):
+def test_an_empty_if_is_marked_once_it_is_to_run_and_the_program_runs(pupil):
     first = pupil.blocks("variables_set").first.get_attribute("data-id")
     pupil.put_below(pupil.take("Control", "controls_if"), first)
     pupil.sees("blocktext", "if False:")
+    expect(pupil.page.locator(".blocks .lbWarning")).to_have_count(0)
+    pupil.press("Run")
     expect(pupil.page.locator(".blocks .lbWarning")).to_have_count(1)
     expect(pupil.tab("Problems").locator(".problem.warning")).to_contain_text(
         "A condition is missing"
     )
     pupil.picture("empty-if")
-    pupil.press("Run")
     pupil.state("Ended")
     assert pupil.foreign == []
 

@@ -55,7 +55,7 @@ export class Controls {
   }
 
   private start(paused: boolean): void {
-    this.context.program.flush();
+    this.context.program.showAllProblems();
     this.context.connection.send({ kind: "Run", paused });
   }
 }

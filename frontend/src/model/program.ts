@@ -7,6 +7,7 @@ import type { Connection } from "../protocol/connection";
 import type { Document, Notation, Opened, Place, Problem, View, Welcome, Workspace } from "../protocol/messages";
 import { CopiedStatement } from "./copied-statement";
 import type { Drafts, Left } from "./drafts";
+import { ShownProblems } from "./shown-problems";
 import { type Content, type Repeated, repeated, Unsaved } from "./unsaved";
 
 /**
@@ -115,6 +116,7 @@ export class Program {
   /** The number of the last edit of each view. */
   private edited = new Map<View, number>();
   private readonly unsaved = new Unsaved();
+  private readonly problems = new ShownProblems();
   /** Other pages' drafts, by the edit that repeats the last of them. */
   private earlier = new Map<number, () => void>();
   /** Reads and sends the views that were edited in this frame. */
@@ -183,6 +185,13 @@ export class Program {
   leave(): void {
     this.flush();
     this.disconnected();
+  }
+
+  /** Show the problems of unfinished blocks, too: a run is asked for. */
+  showAllProblems(): void {
+    this.whenSettled(() => {
+      this.state.value = { ...this.state.peek(), problems: this.problems.all() };
+    });
   }
 
   undo(): void {
@@ -270,7 +279,8 @@ export class Program {
   private show(revision: number): void {
     const isNew = this.phase.name === "greeted" && this.phase.isNew;
     this.become({ name: isNew || this.phase.name === "recovering" ? "recovering" : "settled", revision });
-    this.state.value = this.latest;
+    if (isNew) this.problems.reset();
+    this.state.value = { ...this.latest, problems: this.problems.after(this.latest) };
     this.shown = this.latest;
     for (const view of VIEWS) this.unsaved.answered(view, this.shown[field(view)]);
     this.keepDrafts();

@@ -43,6 +43,14 @@ export function deviceWord(need: string): string {
   return say({ code: "check-device", values: { kind, key } });
 }
 
+/** The device of a robot that this computer stands in for while it shows the page. */
+export const STOOD_IN = "Speaker";
+
+/** Whether this computer does it for a robot that can't. */
+export function isStoodIn(need: string): boolean {
+  return need.split(":")[0] === STOOD_IN;
+}
+
 /** What serves the senses among some needs on a robot, as a sentence; empty if they have no sense that it has. */
 export function servingWords({ serves = {} }: RobotChoice, needs: readonly string[]): string {
   const ways = new Set(needs.flatMap((need) => serves[need] ?? []));

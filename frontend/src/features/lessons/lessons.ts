@@ -160,7 +160,7 @@ export class Lessons {
   }
 
   check(): void {
-    this.others.program.flush();
+    this.others.program.showAllProblems();
     this.connection.send({ kind: "CheckStep" });
   }
 

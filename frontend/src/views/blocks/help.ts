@@ -3,6 +3,7 @@
 import * as Blockly from "blockly/core";
 
 import { t } from "../../i18n";
+import { isStoodIn } from "../../model/robots";
 import { icon } from "../../ui/icons";
 import type { Island } from "../../ui/island";
 import "./help.css";
@@ -172,7 +173,10 @@ function robotOf(block: Blockly.Block): HTMLElement[] {
   const { needs = [] } = (actions?.offered(block.type) ?? {}) as Item;
   const robot = actions?.robot();
   if (!robot) return [];
-  const lacking = needs.filter((need) => robot.lacks.has(need)).map(paletteWords(robot.title).missing);
+  const words = paletteWords(robot.title);
+  const lacking = needs
+    .filter((need) => robot.lacks.has(need))
+    .map((need) => (isStoodIn(need) ? words.standIn(need) : words.missing(need)));
   return [robot.serving(needs), ...lacking, worksOn(needs, robot)].filter(Boolean).map(paragraph);
 }
 

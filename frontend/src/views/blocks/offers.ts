@@ -1,5 +1,6 @@
 /** The blocks that a group of the palette offers: first the few that matter, then all others. */
 
+import { isStoodIn, STOOD_IN } from "../../model/robots";
 import { type Entry, nameOf } from "../../model/shown-blocks";
 import { STAGES, type Stage } from "../../model/stages";
 import { labelsOf } from "./line-labels";
@@ -41,14 +42,21 @@ export interface Words {
   fewer(): string;
   /** Why the robot can't do blocks with this need. */
   missing(need: string): string;
+  /** That this computer does it in the robot's place. */
+  standIn(need: string): string;
   /** From which stage the palette shows blocks. */
   from(stage: Stage): string;
 }
 
 export const MORE = "LB_MORE";
 
-/** The entries of a group's flyout. */
-export function offered(whole: Offer, words: Words): Item[] {
+/** The entries of a group's flyout, below what this computer does for the robot. */
+export function offered(offer: Offer, words: Words): Item[] {
+  const entries = entriesOf(offer, words);
+  return [...standInLabels(entries, offer.lacks, words), ...entries];
+}
+
+function entriesOf(whole: Offer, words: Words): Item[] {
   const offer = { ...whole, tabs: whole.tabs.map((tab) => upTo(whole.stage, withoutAlike(tab))) };
   const tabs = offer.tabs.map((tab) => ({ ...tab, items: tab.items.filter((item) => !missing(item, offer.lacks)) }));
   const first = offer.first ? offer.first.map((section) => filled(section, tabs)) : [];
@@ -149,9 +157,15 @@ function lackingItems(items: readonly Item[], lacks: ReadonlySet<string>, words:
   ]);
 }
 
-/** The first need of a block that the robot can't serve. */
+function standInLabels(items: readonly Item[], lacks: ReadonlySet<string>, words: Words): Item[] {
+  const needs = new Set(items.flatMap((item) => item.needs ?? []).filter((need) => lacks.has(need) && isStoodIn(need)));
+  const [only = ""] = needs;
+  return needs.size ? labelsOf(words.standIn(needs.size > 1 ? STOOD_IN : only)) : [];
+}
+
+/** The first need of a block that neither the robot nor this computer serves. */
 function missing({ needs }: Item, lacks: ReadonlySet<string>): string | undefined {
-  return needs?.find((need) => lacks.has(need));
+  return needs?.find((need) => lacks.has(need) && !isStoodIn(need));
 }
 
 function isBlock({ kind }: Item): boolean {

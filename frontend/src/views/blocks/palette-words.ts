@@ -11,5 +11,6 @@ export function paletteWords(robot: string): Words {
     fewer: () => `− ${t("page-blocks-fewer")}`,
     from: (stage) => t("page-blocks-from-stage", { stage: t(`page-bar-stage-${stage}`) }),
     missing: (need) => t("page-blocks-missing", { robot, device: deviceWord(need) }),
+    standIn: (need) => t("page-blocks-stand-in", { robot, device: deviceWord(need) }),
   };
 }

@@ -6,6 +6,7 @@ const WORDS = {
   more: (count: number) => `+ ${count}`,
   fewer: () => "fewer",
   missing: (need: string) => `no ${need}`,
+  standIn: (need: string) => `no ${need}, but here`,
   from: (stage: string) => `from ${stage}`,
 };
 
@@ -45,6 +46,24 @@ test("blocks that the robot can't do are pale, last, and under the reason", () =
   expect(shown({ lacks })).toEqual(["turn", "drive", "+ 3"]);
   const others = ["Driving", "slow", "no Motor", "pale look", "pale tilt", "fewer"];
   expect(shown({ lacks, open: true })).toEqual(["turn", "drive", ...others]);
+});
+
+test("sounds that this computer plays for the robot are offered as usual, below where they are heard", () => {
+  const items = [block("say", "Speaker:say"), block("note", "Speaker:tone"), block("rest"), block("music", "MP3")];
+  const tabs = [{ name: "Sound", category: "Speaker", items }];
+  const first = [{ heading: "", blocks: ["say", "note", "rest"] }];
+  const lacks = new Set(["Speaker", "Speaker:say", "Speaker:tone", "MP3"]);
+  expect(shown({ tabs, first, lacks })).toEqual(["no Speaker, but here", "say", "note", "rest", "+ 1"]);
+  const voice = new Set(["Speaker:say"]);
+  expect(shown({ tabs, first, lacks: voice })).toEqual(["no Speaker:say, but here", "say", "note", "rest", "+ 1"]);
+  expect(shown({ tabs, first })).toEqual(["say", "note", "rest", "+ 1"]);
+  expect(found(items, [], { lacks, stage: "coder" }, WORDS).map(wordOf)).toEqual([
+    "say",
+    "note",
+    "rest",
+    "no MP3",
+    "pale music",
+  ]);
 });
 
 test("a block set shows all its blocks at once", () => {

@@ -8,6 +8,7 @@ page-blocks-more = { $count ->
 page-blocks-fewer = Fewer blocks
 # $robot: a robot's name. $device: what it lacks, such as: screen
 page-blocks-missing = { $robot } has no { $device }
+page-blocks-stand-in = { $robot } has no { $device }: you hear it on this computer
 page-blocks-from-stage = From the stage { $stage } on
 page-blocks-inserted = Added: { $block }
 page-blocks-sheet = Blocks: { $group }

@@ -8,6 +8,7 @@ page-blocks-more = { $count ->
 page-blocks-fewer = Menos bloques
 # $robot: a robot's name. $device: what it lacks, such as: screen
 page-blocks-missing = { $robot } no tiene { $device }
+page-blocks-stand-in = { $robot } no tiene { $device }: lo oyes en este ordenador
 page-blocks-from-stage = A partir de la etapa { $stage }
 page-blocks-inserted = Añadido: { $block }
 page-blocks-sheet = Bloques: { $group }
