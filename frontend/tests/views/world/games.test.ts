@@ -1,4 +1,4 @@
-import { expect, test } from "vitest";
+import { expect, test, vi } from "vitest";
 
 import type { Collectable, WorldFile } from "../../../src/protocol/world";
 import { GameThings } from "../../../src/views/world/scenery/games";
@@ -35,4 +35,12 @@ test("an open door is out of sight", () => {
     return door?.visible;
   };
   expect([shown(false), shown(true)]).toEqual([true, false]);
+});
+
+test("a world without a game adds nothing, without a complaint of three's", () => {
+  const complaint = vi.spyOn(console, "error").mockImplementation(() => undefined);
+  const games = new GameThings({ collectable: [], door: [], zone: [], switch: [], gate: [] } as unknown as WorldFile);
+  expect(games.object.children).toEqual([]);
+  expect(complaint).not.toHaveBeenCalled();
+  complaint.mockRestore();
 });

@@ -90,7 +90,7 @@ export class GameThings {
       ...world.zone.map(({ x, y, radius, colour }) => disc(x, y, radius, friendly(colour))),
       ...world.switch.map(({ x, y, radius }) => disc(x, y, radius, PLATE)),
     ];
-    this.object.add(...this.things, ...this.doors, ...painted);
+    for (const part of [...this.things, ...this.doors, ...painted]) this.object.add(part);
     if (world.gate.length) this.object.add(gates(world.gate));
   }
 
