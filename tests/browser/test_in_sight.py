@@ -35,6 +35,8 @@ DRAWN = "() => { const world = learnblock.views.world.value; world.resize(); ret
 BLOCKS = f"{WORKSPACE} > .blocklyBlockCanvas .blocklyDraggable > .blocklyPath"
 TASK = ".lesson-choice, .lesson-quiz legend, .lesson-goal"
 RUN = "#run .go"
+#: The program's blocks and the buttons above them; a phone shows the first of both.
+PROGRAM = f"{BLOCKS}, .program-head button"
 CASES = [(size, language) for size in SIZES for language in LANGUAGES]
 
 
@@ -69,7 +71,7 @@ class Reader:
 
     def expect_all_in_sight(self):
         """Wait until the task, the program and Run are whole, and look for robot and goals."""
-        wanted = f"{TASK}, {RUN}" + ("" if self.size == "phone" else f", {BLOCKS}")
+        wanted = f"{TASK}, {RUN}" + ("" if self.size == "phone" else f", {PROGRAM}")
         self.page.wait_for_function(f"(wanted) => ({CUT})(wanted).length === 0", arg=wanted)
         assert self.page.evaluate(BEYOND) == [0, 0]
         drawn = self.page.evaluate(DRAWN)
