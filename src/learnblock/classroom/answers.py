@@ -20,6 +20,10 @@ from learnblock.server.messages import Failed
 LONGEST_BODY = 2000
 
 
+class LongBodyError(LearnBlockError):
+    """The body of a request is too long."""
+
+
 async def reached(answer: Awaitable[Response]) -> Response:
     """The answer of another server, or the reason why there is none."""
     try:
@@ -69,9 +73,18 @@ async def short_body(request: Request) -> bytes:
     Raises:
         LearnBlockError: it is too long.
     """
-    body = b""
+    return await body(request, LONGEST_BODY)
+
+
+async def body(request: Request, most: int) -> bytes:
+    """The body of a request.
+
+    Raises:
+        LongBodyError: it has more bytes than `most`.
+    """
+    received = bytearray()
     async for chunk in request.stream():
-        body += chunk
-        if len(body) > LONGEST_BODY:
-            raise LearnBlockError("server-message-too-long", count=len(body))
-    return body
+        received += chunk
+        if len(received) > most:
+            raise LongBodyError("server-message-too-long", count=len(received))
+    return bytes(received)

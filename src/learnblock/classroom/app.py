@@ -34,6 +34,7 @@ from learnblock.classroom.desk import Desk, TooManyPagesError
 from learnblock.classroom.entrance import Entrance
 from learnblock.classroom.forward import Forwarder
 from learnblock.classroom.hub_class import HubLogin
+from learnblock.classroom.lesson_uploads import LessonUploads
 from learnblock.classroom.record import record_of
 from learnblock.classroom.relay import Relay, no_messages
 from learnblock.classroom.room import Room
@@ -92,6 +93,7 @@ def create_app(
         WebSocketRoute("/projected", partial(door.board, ProjectorView)),
         *_teachers(door, page),
         *_tables(Tables(room, visitors)),
+        Route("/lessons", LessonUploads(room, visitors).add, methods=["POST"]),
         *RunPages(room, visitors, door.forwarder).routes(
             partial(_built_page, "hand-in-run.html", static)
         ),

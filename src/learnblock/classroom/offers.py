@@ -10,7 +10,7 @@ from learnblock.i18n import Phrase
 from learnblock.lessons import packing, reading
 from learnblock.lessons.archive import SUFFIX
 from learnblock.lessons.own import FOLDER
-from learnblock.server.catalog.lessons import find_own, lesson_choices, step_titles
+from learnblock.server.catalog.lessons import add_lesson, find_own, lesson_choices, step_titles
 from learnblock.server.messages import LARGEST_LESSON, GiveLesson, LessonChoice
 from learnblock.storage.files import save
 
@@ -19,6 +19,18 @@ def lesson_offers() -> tuple[tuple[LessonOffer, ...], tuple[Phrase, ...]]:
     """All lessons by level, and the errors in those that can't be read."""
     choices, problems = lesson_choices()
     return tuple(map(_offer, choices)), problems
+
+
+def add_offer(name: str, content: bytes) -> tuple[str, tuple[LessonOffer, ...]]:
+    """Add a lesson's file to the teacher's own; return its name, and all lessons.
+
+    Raises:
+        LearnBlockError: it isn't a lesson, or can't have this name.
+        OSError: it can't be saved.
+    """
+    added = add_lesson(name, content)
+    offers, _ = lesson_offers()
+    return added.name, offers
 
 
 def give_lesson(name: str, folders: Iterable[Path]) -> None:

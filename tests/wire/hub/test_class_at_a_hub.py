@@ -10,6 +10,7 @@ from websockets.exceptions import ConnectionClosedError
 
 import hubs
 import small_lesson
+from learnblock.lessons.own import MOST_OWN
 from learnblock.lessons.reading import unpack
 from learnblock.server.messages import LARGEST_LESSON
 from waiting import wait_for
@@ -179,6 +180,46 @@ def test_a_lesson_of_the_teachers_own_reaches_a_pupil(hub, teacher, alice, own):
         page.hear("QuizJudged", right=True)
     given = next(hub.home("alice").rglob(f"{own}.lblesson"))
     assert unpack(given.name, given.read_bytes()).teacher is None
+
+
+def add_lesson(user, name):
+    """Add a lesson of the teacher's own as the wall does; return the answer."""
+    content = small_lesson.packed()
+    return user.client.post(f"{CLASS}lessons?filename={name}.lblesson", content=content)
+
+
+def test_a_lesson_that_the_teacher_adds_at_the_wall_is_handed_out(hub, teacher, alice, bob):
+    with teacher.socket(f"{CLASS}wall") as wall, alice.socket(f"{page_of(alice)}ws") as page:
+        assert add_lesson(teacher, "added").json() == "added"
+        while "added" not in [lesson["name"] for lesson in wall.hear("Offers")["lessons"]]:
+            pass
+        wall.say("HandOut", project="Added", lesson="added")
+        page.hear("LessonShown", name="added")
+    for pupil in (alice, bob):
+        assert add_lesson(pupil, "evil").status_code == 403
+    assert not [*hub.home("class").rglob("evil*")]
+
+
+def test_the_wall_shows_whose_server_refuses_a_lesson(hub, teacher, alice, bob):
+    with (
+        teacher.socket(f"{CLASS}wall") as wall,
+        alice.socket(f"{page_of(alice)}ws") as other,
+        bob.socket(f"{page_of(bob)}ws") as page,
+    ):
+        wall.say("HandOut", project="Mine", lesson="small")
+        page.hear("LessonShown", name="small")
+        lessons = next(hub.home("bob").rglob("small.lblesson")).parent
+        full = [lessons / f"old-{number}.lblesson" for number in range(MOST_OWN)]
+        for file in full:
+            file.touch()
+        wall.say("HandOut", project="Large", lesson="large")
+        other.hear("LessonShown", name="large")
+        seat_of(wall, "bob", lacks_lesson=True)
+        for file in full:
+            file.unlink()
+        wall.say("HandOut", project="Large", lesson="large")
+        page.hear("LessonShown", name="large")
+        seat_of(wall, "bob", lesson_name="large")
 
 
 @pytest.mark.certain

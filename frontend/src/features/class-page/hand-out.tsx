@@ -1,6 +1,7 @@
 /** The menu of lessons: search, levels, one's own; a picture, how long it takes and for which robots. */
 
 import { type Signal, useSignal } from "@preact/signals";
+import type { ComponentChildren } from "preact";
 
 import { t } from "../../i18n";
 import type { LessonOffer, Seat } from "../../protocol/classroom";
@@ -8,6 +9,7 @@ import { Dialog } from "../../ui/dialog";
 import { Icon } from "../../ui/icons";
 import { plain } from "../../ui/plain";
 import { inLanguage } from "../lessons/texts";
+import { AddLesson } from "./add-lesson";
 import { PupilTick } from "./pupil-tick";
 import type { ClassStream } from "./stream";
 import { pictureOf, robotsInWords } from "./words";
@@ -35,7 +37,14 @@ export function HandOutDialog({ stream, now, seats, to, close }: Props) {
   const chosen = useSignal((next ?? now)?.name ?? "");
   const shown = found(offers, wanted.value) ?? offers.filter((offer) => isOn(offer, shelf.value));
   const own = offers.filter((offer) => offer.own).length;
-  const lesson = shown.find(({ name }) => name === chosen.value) ?? shown[0];
+  // A lesson that has just been added is not among the offers yet.
+  const isComing = chosen.value !== "" && !offers.some(({ name }) => name === chosen.value);
+  const lesson = isComing ? undefined : (shown.find(({ name }) => name === chosen.value) ?? shown[0]);
+  const choose = (name: string) => {
+    wanted.value = "";
+    shelf.value = "own";
+    chosen.value = name;
+  };
   // Null for all.
   const recipients = useSignal<ReadonlySet<string> | null>(to ? new Set([to]) : null);
   // A step belongs to the lesson for which it was chosen.
@@ -51,7 +60,9 @@ export function HandOutDialog({ stream, now, seats, to, close }: Props) {
   return (
     <Dialog title={t("page-class-hand-out")} close={close} size="large">
       <form class="hand-out" onSubmit={handOut}>
-        <Shelves {...{ wanted, shelf }} own={own} />
+        <Shelves {...{ wanted, shelf }} own={own}>
+          <AddLesson offers={offers} choose={choose} />
+        </Shelves>
         <div class="hand-out-cards" role="radiogroup" aria-label={t("page-class-lessons")}>
           {shown.map((offer) => (
             <Card
@@ -78,10 +89,12 @@ interface ShelvesProps {
   readonly shelf: Signal<Shelf>;
   /** How many lessons are the teacher's own. */
   readonly own: number;
+  /** Beside them. */
+  readonly children: ComponentChildren;
 }
 
 /** The search, and the lessons of a level or one's own. */
-function Shelves({ wanted, shelf, own }: ShelvesProps) {
+function Shelves({ wanted, shelf, own, children }: ShelvesProps) {
   return (
     <div class="hand-out-head">
       <label class="hand-out-search">
@@ -110,6 +123,7 @@ function Shelves({ wanted, shelf, own }: ShelvesProps) {
           </button>
         ))}
       </div>
+      {children}
     </div>
   );
 }

@@ -169,6 +169,7 @@ page-class-hint-kept = The connection is lost. Your hint is kept: send it again 
 page-class-hint-text-all = What should everybody look at?
 page-class-lessons = Lessons
 page-class-find-lesson = Find a lesson
+page-class-add-lesson = Add my lesson…
 page-class-no-such-lesson = No lesson has these words.
 page-class-own-lessons = My lessons { $count }
 page-class-lesson-on = On now

@@ -154,6 +154,7 @@ page-class-hint-kept = No hay conexión. La pista se conserva: envíala otra vez
 page-class-hint-text-all = ¿En qué debería fijarse todo el mundo?
 page-class-lessons = Lecciones
 page-class-find-lesson = Buscar una lección
+page-class-add-lesson = Añadir mi lección…
 page-class-no-such-lesson = Ninguna lección tiene esas palabras.
 page-class-own-lessons = Mis lecciones { $count }
 page-class-lesson-on = En curso
