@@ -104,3 +104,16 @@ test("a tile without news from its server is grey", async () => {
   stream.seats.value = new Map([["p0", { id: "p0", name: "Ana", here: true, silent: 5 }]]);
   await waitFor(() => expect(tile.className).toContain("gone"));
 });
+
+test("few pupils get large tiles, which a filter does not change", () => {
+  open(["Ana", "Leo", "Mia", "Zoe"]);
+  const grid = () => screen.getByRole("grid");
+  expect(grid().getAttribute("style")).toBe("--columns: 3; --rows: 2;");
+  fireEvent.click(screen.getAllByText("Not begun")[0]!);
+  expect(grid().getAttribute("style")).toBe("--columns: 3; --rows: 2;");
+});
+
+test("a class of many has as many tiles in a row as there is room for", () => {
+  open(Array.from({ length: 13 }, (_, index) => `Ana ${index}`));
+  expect(screen.getByRole("grid").getAttribute("style")).toBeNull();
+});

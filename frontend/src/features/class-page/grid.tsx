@@ -25,6 +25,8 @@ export interface GridProps {
 export function Grid({ stream, drawing, wall, seats, isBusy, hint, handOut, remove }: GridProps) {
   const current = useSignal("");
   const grid = useRef<HTMLDivElement>(null);
+  // A filter does not change the size of the tiles.
+  const pupils = wall.pupils?.length ?? seats.length;
   const isThere = seats.some(({ id }) => id === current.value);
   const first = isThere ? current.value : (seats[0]?.id ?? "");
   const pressed = (event: KeyboardEvent) => {
@@ -39,7 +41,7 @@ export function Grid({ stream, drawing, wall, seats, isBusy, hint, handOut, remo
   return (
     <div
       ref={grid}
-      class="tiles"
+      {...tilesFor(pupils)}
       role="grid"
       aria-label={t("page-class-pupils")}
       aria-describedby="wall-keys"
@@ -60,6 +62,7 @@ export function Grid({ stream, drawing, wall, seats, isBusy, hint, handOut, remo
           stream={stream}
           drawing={drawing}
           seat={seat}
+          scale={pupils <= LARGE ? 2 : 1}
           isProjected={wall.projected === seat.id}
           isCurrent={seat.id === first}
           hint={() => hint(seat.id)}
@@ -69,6 +72,19 @@ export function Grid({ stream, drawing, wall, seats, isBusy, hint, handOut, remo
       ))}
     </div>
   );
+}
+
+/** The most tiles in a row for which few pupils get large ones, by their number. */
+const FEW = [1, 2, 3, 3, 3, 3, 4, 4, 5, 5, 4, 4] as const;
+
+/** For so many pupils the pictures are drawn twice as large. */
+const LARGE = 6;
+
+/** As large as the screen allows where there are few of them. */
+function tilesFor(count: number): { readonly class: string; readonly style?: string } {
+  const columns = FEW[count - 1];
+  if (!columns) return { class: "tiles" };
+  return { class: "tiles few", style: `--columns: ${columns}; --rows: ${Math.ceil(count / columns)}` };
 }
 
 function tileAt(target: EventTarget | null): HTMLElement | null {

@@ -44,9 +44,11 @@ interface Props {
   readonly label: string;
   /** The address of the pupil's page, which has the pictures in the world. */
   readonly base: string;
+  /** How much larger than usual it is drawn. */
+  readonly scale: number;
 }
 
-export function SmallWorld({ drawing, plan, seat, label, base }: Props) {
+export function SmallWorld({ drawing, plan, seat, label, base, scale }: Props) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const { module, version, isFlat } = drawing;
   useLayoutEffect(() => drawing.begin(), []);
@@ -54,13 +56,16 @@ export function SmallWorld({ drawing, plan, seat, label, base }: Props) {
     const pen = canvas.current?.getContext("2d");
     if (!pen || !plan || !module.value || !drawing.plates) return;
     const { scene } = plan;
-    const plate = drawing.plates.of(scene, theme.value, base);
+    const plate = drawing.plates.of(scene, theme.value, base, scale);
     const robot = scene.robots[0]?.[1];
-    const sprites = robot ? drawing.plates.spritesOf(robot, theme.value) : null;
+    const sprites = robot ? drawing.plates.spritesOf(robot, theme.value, scale) : null;
     if (!plate || !canvas.current) return;
     const { pose = scene.start ?? null, way = [], goals = [] } = seat;
+    pen.setTransform(scale, 0, 0, scale, 0, 0);
     canvas.current.dataset.shown = `${module.value.paint(pen, plate, sprites, { pose, way, goals })}`;
-  }, [plan, seat.pose, seat.way, seat.goals, theme.value, version.value, module.value]);
+  }, [plan, seat.pose, seat.way, seat.goals, theme.value, version.value, module.value, scale]);
   if (isFlat.value) return <FlatWorld plan={plan} seat={seat} label={label} />;
-  return <canvas ref={canvas} class="small-world" role="img" aria-label={label} width={332} height={226} />;
+  return (
+    <canvas ref={canvas} class="small-world" role="img" aria-label={label} width={332 * scale} height={226 * scale} />
+  );
 }

@@ -15,6 +15,8 @@ interface Props {
   readonly stream: ClassStream;
   readonly drawing: Drawing;
   readonly seat: Seat;
+  /** How much larger than usual the picture is drawn. */
+  readonly scale: number;
   readonly isProjected: boolean;
   /** Whether the Tab key leads here. */
   readonly isCurrent: boolean;
@@ -24,7 +26,7 @@ interface Props {
   readonly remove: () => void;
 }
 
-export function Tile({ stream, drawing, seat, isProjected, isCurrent, hint, handOut, remove }: Props) {
+export function Tile({ stream, drawing, seat, scale, isProjected, isCurrent, hint, handOut, remove }: Props) {
   const { id, name = "" } = seat;
   const state = stateOf(seat);
   const finding = findingInWords(seat);
@@ -44,6 +46,7 @@ export function Tile({ stream, drawing, seat, isProjected, isCurrent, hint, hand
           seat={seat}
           label={t("page-class-world-of", { name })}
           base={`p/${id}/`}
+          scale={scale}
         />
         {finding && <p class={state === "help" ? "tile-finding said" : "tile-finding"}>{finding}</p>}
         <div class="tile-tools">

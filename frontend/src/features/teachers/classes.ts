@@ -2,7 +2,7 @@
 
 import { signal } from "@preact/signals";
 
-import { type Phrase, t } from "../../i18n";
+import { language, type Phrase, t } from "../../i18n";
 import type { Connection } from "../../protocol/connection";
 import type { ClassEntry, StartClass } from "../../protocol/messages";
 import { sendFile } from "../../protocol/send-file";
@@ -72,12 +72,16 @@ export class Classes {
   }
 }
 
-/** A name that no class has yet. */
-export function newTitle(entries: readonly ClassEntry[]): string {
+/** A name that no class has yet: the day, as the page's language says it, and a number if that is taken. */
+export function newTitle(entries: readonly ClassEntry[], now = new Date()): string {
   const titles = new Set(entries.map(({ title }) => title));
+  const form = new Intl.DateTimeFormat(language.value, { weekday: "long", day: "numeric", month: "long" });
+  // The name of a class is that of a folder, too.
+  const today = form.format(now).replace(/[^\p{L}\p{N} .-]/gu, "");
   let number = 1;
-  while (titles.has(String(number))) number++;
-  return String(number);
+  let title = today;
+  while (titles.has(title)) title = `${today} ${++number}`;
+  return title;
 }
 
 declare module "../../model/page" {

@@ -77,28 +77,29 @@ export class Plates {
    * The plate of a world; null until it is drawn.
    *
    * @param base the address to which those of the world's pictures are relative.
+   * @param scale how much larger than usual it is drawn.
    */
-  of(scene: Scene, theme: ThemeName, base: string): Plate | null {
+  of(scene: Scene, theme: ThemeName, base: string, scale = 1): Plate | null {
     const { name, world, lines, start, real } = scene;
-    const key = `${theme} ${this.textOf(scene, [name, world, lines, start, real])}`;
+    const key = `${theme} ${scale} ${this.textOf(scene, [name, world, lines, start, real])}`;
     const known = this.plates.get(key);
     if (known !== undefined) return known;
     this.plates.set(key, null);
     this.enqueue(async () => {
-      this.plates.set(key, await this.draw(scene, theme, base));
+      this.plates.set(key, await this.draw(scene, theme, base, scale));
       for (const oldest of [...this.plates.keys()].slice(0, Math.max(0, this.plates.size - MOST)))
         this.plates.delete(oldest);
     });
     return null;
   }
 
-  /** The sprites of a robot; null until they are drawn. */
-  spritesOf(robot: RobotValues, theme: ThemeName): Sprites | null {
-    const key = `${theme} ${this.textOf(robot, robot)}`;
+  /** The sprites of a robot, drawn so much larger than usual; null until they are drawn. */
+  spritesOf(robot: RobotValues, theme: ThemeName, scale = 1): Sprites | null {
+    const key = `${theme} ${scale} ${this.textOf(robot, robot)}`;
     const known = this.sprites.get(key);
     if (known !== undefined) return known;
     this.sprites.set(key, null);
-    this.enqueue(async () => void this.sprites.set(key, this.turn(robot, theme)));
+    this.enqueue(async () => void this.sprites.set(key, this.turn(robot, theme, scale)));
     return null;
   }
 
@@ -127,7 +128,7 @@ export class Plates {
     this.works = false;
   }
 
-  private async draw(scene: Scene, theme: ThemeName, base: string): Promise<Plate> {
+  private async draw(scene: Scene, theme: ThemeName, base: string, scale: number): Promise<Plate> {
     const { world } = scene;
     const palette = paletteOf(world.theme, theme);
     const waiting = new Waiting();
@@ -136,7 +137,7 @@ export class Plates {
     this.view.scene.add(stage.object);
     this.view.surround(world.floor.size, palette, stage.fog);
     await waiting.done(PATIENCE);
-    this.resize(WIDTH, HEIGHT);
+    this.resize(WIDTH * scale, HEIGHT * scale);
     const aspect = WIDTH / HEIGHT;
     const shots = areasOf(scene).map((area) => this.shoot(stage, cameraOver(area, aspect)));
     const plate = { shots, goals: stage.places };
@@ -153,13 +154,13 @@ export class Plates {
     return { picture: this.take(), camera };
   }
 
-  private turn(robot: RobotValues, theme: ThemeName): Sprites {
+  private turn(robot: RobotValues, theme: ThemeName, scale: number): Sprites {
     const model = robotModel(robot);
     const palette = paletteOf(undefined, theme);
     const size = 2.3 * Math.max(model.reach, model.height * 0.75);
     this.view.scene.add(model.object);
     this.view.surround([size, size], palette, new Fog("white", 1e6, 2e6));
-    this.resize(SPRITE, SPRITE);
+    this.resize(SPRITE * scale, SPRITE * scale);
     this.camera.fov = NARROW;
     const distance = size / 2 / Math.tan(radians(NARROW / 2));
     const middle = model.height * 0.42;
