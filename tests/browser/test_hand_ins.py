@@ -99,7 +99,7 @@ def check(teacher):
 
 def see_own_run(page, axe):
     """Look at the run that was handed in, which changes nothing of the pupil's page."""
-    button(page, "The run that you handed in").click()
+    button(page, "Your run").click()
     run = page.frame_locator("iframe")
     expect(run.locator(".timeline")).to_be_visible(timeout=LONGEST_RUN)
     expect(run.locator(".lesson-goal.met").first).to_be_visible()

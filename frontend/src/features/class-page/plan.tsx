@@ -42,12 +42,14 @@ interface WorldPlanProps {
   /** What screen readers say. */
   readonly label: string;
   readonly look?: string;
+  /** What of it is seen, as a `viewBox`; without it, all. */
+  readonly area?: string | undefined;
   /** What is drawn over the world. */
   readonly children?: ComponentChildren;
 }
 
 /** A world from above. */
-export function WorldPlan({ world, label, look = "", children }: WorldPlanProps) {
+export function WorldPlan({ world, label, look = "", area, children }: WorldPlanProps) {
   const things = useRef<SVGGElement>(null);
   useLayoutEffect(() => {
     things.current?.replaceChildren(...planOf(world));
@@ -58,7 +60,7 @@ export function WorldPlan({ world, label, look = "", children }: WorldPlanProps)
       class={`${look} world-plan`}
       role="img"
       aria-label={label}
-      viewBox={`${-width / 2} ${-depth / 2} ${width} ${depth}`}
+      viewBox={area ?? `${-width / 2} ${-depth / 2} ${width} ${depth}`}
     >
       <g ref={things} />
       {children}

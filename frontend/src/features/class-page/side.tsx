@@ -5,7 +5,7 @@ import type { LessonOffer, Seat } from "../../protocol/classroom";
 import { Icon, type IconName } from "../../ui/icons";
 import { inLanguage } from "../lessons/texts";
 import { commonMistake, finishedWork, placesIn, waiting } from "./overview";
-import { minutes, STATE_ICONS, stateOf } from "./states";
+import { isToMark, minutes, STATE_ICONS, stateOf } from "./states";
 import { findingInWords, pageOf } from "./tile";
 import { missedInWords } from "./words";
 
@@ -165,7 +165,7 @@ function HandIns({ seats }: Pick<Props, "seats">) {
                   {t("page-class-some-of", { count: seat.stars ?? 0, all: seat.all_stars ?? 0 })}
                 </td>
                 <td>{seat.tries ?? 0}</td>
-                <td>{t(stateOf(seat) === "handed-in" ? "page-class-to-mark" : "page-class-done")}</td>
+                <td>{t(isToMark(seat) ? "page-class-to-mark" : "page-class-done")}</td>
               </tr>
             ))}
           </tbody>

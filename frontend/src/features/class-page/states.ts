@@ -27,13 +27,19 @@ const WORKING: ReadonlySet<Seat["state"]> = new Set(["starting", "running", "pau
 /** What has gone back to the pupil, who works on it again. */
 const BACK: ReadonlySet<string> = new Set(["handed back", "improving"]);
 
-export function stateOf({ hand, hand_in, begun, here, gone = 0, silent = 0, stuck = 0, state }: Seat): State {
+export function stateOf(seat: Seat): State {
+  const { hand, begun, here, gone = 0, silent = 0, stuck = 0, state } = seat;
   if (hand) return "help";
-  if (hand_in && !BACK.has(hand_in)) return "handed-in";
+  if (isToMark(seat)) return "handed-in";
   if (!begun) return "not-begun";
   if ((!here && gone >= AWAY) || silent >= AWAY) return "away";
   if (WORKING.has(state)) return "running";
   return stuck >= STUCK ? "stuck" : "editing";
+}
+
+/** Whether the pupil has handed in what is open, and has not got it back. */
+export function isToMark({ hand_in }: Seat): boolean {
+  return Boolean(hand_in) && !BACK.has(hand_in!);
 }
 
 /** Whether a picture is old: no page of the pupil is open, or there is no news from the pupil's server. */

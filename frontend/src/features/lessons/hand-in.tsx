@@ -91,7 +91,7 @@ function Back({ handIn }: { handIn: OwnHandIn }) {
         </button>
         <button type="button" class="button bordered" onClick={() => (handIns.run.value = handIn)}>
           <Icon name="run" />
-          {t("page-handins-own-run")}
+          {t("page-handins-your-run")}
         </button>
         <button type="button" class="button bordered" onClick={() => handIns.putAway(handIn)}>
           {t("page-handins-own-later")}

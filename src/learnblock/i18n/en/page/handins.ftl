@@ -87,6 +87,7 @@ page-handins-own-teacher = Your teacher:
 page-handins-own-line = Look at: { $line }
 page-handins-own-gone = (This was about { $line }, which is no longer in your program.)
 page-handins-own-improve = Improve and hand in again
+page-handins-your-run = Your run
 page-handins-own-run = The run that you handed in
 page-handins-own-later = Later
 page-handins-own-improving = You are improving it. Hand it in again when you are ready.

@@ -86,6 +86,7 @@ page-handins-own-teacher = Tu profe:
 page-handins-own-line = Mira: { $line }
 page-handins-own-gone = (Era sobre { $line }, que ya no está en tu programa.)
 page-handins-own-improve = Mejorar y entregar otra vez
+page-handins-your-run = Tu ejecución
 page-handins-own-run = El programa que entregaste, en marcha
 page-handins-own-later = Más tarde
 page-handins-own-improving = Lo estás mejorando. Entrégalo otra vez cuando esté listo.
