@@ -96,13 +96,14 @@ test("a lesson is handed out to some pupils from a step", () => {
   expect(stream.sent).toEqual([{ kind: "HandOut", lesson: "1-01", project: "First drive", pupils: ["p1"], step: 2 }]);
 });
 
-test("a tile without news from its server is grey", async () => {
+test("the picture of a pupil without news from the server is grey", async () => {
   const stream = open(["Ana"]);
-  const tile = screen.getByText("Ana").closest(".tile")!;
-  stream.seats.value = new Map([["p0", { id: "p0", name: "Ana", here: true }]]);
-  await waitFor(() => expect(tile.className).not.toContain("gone"));
-  stream.seats.value = new Map([["p0", { id: "p0", name: "Ana", here: true, silent: 5 }]]);
-  await waitFor(() => expect(tile.className).toContain("gone"));
+  const picture = () => screen.getByText("Ana").closest(".tile")!.querySelector(".small-world")!;
+  const seat = { id: "p0", name: "Ana", here: true, begun: true };
+  stream.seats.value = new Map([["p0", seat]]);
+  await waitFor(() => expect(picture().className).not.toContain("old"));
+  stream.seats.value = new Map([["p0", { ...seat, silent: 5 }]]);
+  await waitFor(() => expect(picture().className).toContain("old"));
 });
 
 test("few pupils get large tiles, which a filter does not change", () => {
@@ -116,4 +117,13 @@ test("few pupils get large tiles, which a filter does not change", () => {
 test("a class of many has as many tiles in a row as there is room for", () => {
   open(Array.from({ length: 13 }, (_, index) => `Ana ${index}`));
   expect(screen.getByRole("grid").getAttribute("style")).toBeNull();
+});
+
+test("who has handed in is to be marked, also while asking for help", async () => {
+  const stream = open(["Ana"]);
+  const seat = { id: "p0", name: "Ana", here: true, begun: true, hand_in: "to mark" } as const;
+  stream.seats.value = new Map([["p0", { ...seat, hand: true }]]);
+  await waitFor(() => screen.getByText("to mark"));
+  stream.seats.value = new Map([["p0", { ...seat, hand_in: "handed back" }]]);
+  await waitFor(() => screen.getByText("finished"));
 });

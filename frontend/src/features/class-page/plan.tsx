@@ -18,13 +18,14 @@ interface Props {
   readonly seat: Seat;
   /** What screen readers say. */
   readonly label: string;
+  readonly look?: string;
 }
 
-export function FlatWorld({ plan, seat, label }: Props) {
+export function FlatWorld({ plan, seat, label, look = "small-world" }: Props) {
   const world = plan?.scene.world;
   if (!world) return <div class="small-world empty" />;
   return (
-    <WorldPlan world={world} label={label} look="small-world">
+    <WorldPlan world={world} label={label} look={look}>
       <polyline class="way" points={wayPoints(seat.way ?? []).join(" ")} />
       {seat.pose && (
         <path

@@ -161,7 +161,7 @@ function HandIns({ seats }: Pick<Props, "seats">) {
                   <bdi>{seat.name}</bdi>
                 </th>
                 <td>
-                  <Icon name="earned" />
+                  <Icon name={seat.stars ? "earned" : "star"} />
                   {t("page-class-some-of", { count: seat.stars ?? 0, all: seat.all_stars ?? 0 })}
                 </td>
                 <td>{seat.tries ?? 0}</td>

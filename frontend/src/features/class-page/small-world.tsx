@@ -40,6 +40,7 @@ interface Props {
   readonly drawing: Drawing;
   readonly plan: Plan | undefined;
   readonly seat: Seat;
+  readonly isGrey: boolean;
   /** What screen readers say. */
   readonly label: string;
   /** The address of the pupil's page, which has the pictures in the world. */
@@ -48,7 +49,7 @@ interface Props {
   readonly scale: number;
 }
 
-export function SmallWorld({ drawing, plan, seat, label, base, scale }: Props) {
+export function SmallWorld({ drawing, plan, seat, isGrey, label, base, scale }: Props) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const { module, version, isFlat } = drawing;
   useLayoutEffect(() => drawing.begin(), []);
@@ -64,8 +65,7 @@ export function SmallWorld({ drawing, plan, seat, label, base, scale }: Props) {
     pen.setTransform(scale, 0, 0, scale, 0, 0);
     canvas.current.dataset.shown = `${module.value.paint(pen, plate, sprites, { pose, way, goals })}`;
   }, [plan, seat.pose, seat.way, seat.goals, theme.value, version.value, module.value, scale]);
-  if (isFlat.value) return <FlatWorld plan={plan} seat={seat} label={label} />;
-  return (
-    <canvas ref={canvas} class="small-world" role="img" aria-label={label} width={332 * scale} height={226 * scale} />
-  );
+  const look = isGrey ? "small-world old" : "small-world";
+  if (isFlat.value) return <FlatWorld plan={plan} seat={seat} label={label} look={look} />;
+  return <canvas ref={canvas} class={look} role="img" aria-label={label} width={332 * scale} height={226 * scale} />;
 }

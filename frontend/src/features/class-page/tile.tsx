@@ -7,7 +7,7 @@ import { Icon } from "../../ui/icons";
 import { Menu, type MenuGroup, type MenuItem } from "../../ui/menu";
 import { inLanguage } from "../lessons/texts";
 import { type Drawing, SmallWorld } from "./small-world";
-import { isOld, minutes, STATE_ICONS, stateOf } from "./states";
+import { isOld, minutes, STATE_ICONS, type State, stateOf } from "./states";
 import type { ClassStream } from "./stream";
 import { missedInWords } from "./words";
 
@@ -26,6 +26,13 @@ interface Props {
   readonly remove: () => void;
 }
 
+/** The states in which nothing new is in the picture. */
+const GREY: ReadonlySet<State> = new Set(["away", "not-begun"]);
+
+/*
+ * What depends on the state has a class of its own: in Chromium, what depends on the class of a tile can stay as it was
+ * when the tile has moved meanwhile.
+ */
 export function Tile({ stream, drawing, seat, scale, isProjected, isCurrent, hint, handOut, remove }: Props) {
   const { id, name = "" } = seat;
   const state = stateOf(seat);
@@ -33,7 +40,7 @@ export function Tile({ stream, drawing, seat, scale, isProjected, isCurrent, hin
   return (
     <div
       role="row"
-      class={`tile ${state}${isOld(seat) ? " gone" : ""}`}
+      class={`tile ${state}`}
       tabIndex={isCurrent ? 0 : -1}
       data-pupil={id}
       aria-label={[name, stateInWords(seat), stepInWords(seat), finding].filter(Boolean).join(". ")}
@@ -44,6 +51,7 @@ export function Tile({ stream, drawing, seat, scale, isProjected, isCurrent, hin
           drawing={drawing}
           plan={stream.plans.value.get(id)}
           seat={seat}
+          isGrey={isOld(seat) || GREY.has(state)}
           label={t("page-class-world-of", { name })}
           base={`p/${id}/`}
           scale={scale}
@@ -115,9 +123,10 @@ function moreOf(
 }
 
 function StateChip({ seat }: { seat: Seat }) {
+  const state = stateOf(seat);
   return (
-    <span class="tile-state">
-      <Icon name={STATE_ICONS[stateOf(seat)]} />
+    <span class={`tile-state ${state}`}>
+      <Icon name={STATE_ICONS[state]} />
       <span>{stateInWords(seat)}</span>
     </span>
   );

@@ -50,7 +50,7 @@ function Row({ lesson, most, teaches }: { lesson: RecordedLesson; most: number; 
         </span>
       </th>
       <td>
-        <Icon name="earned" />
+        <Icon name={stars ? "earned" : "star"} />
         {t("page-class-some-of", { count: stars, all: all_stars })}
       </td>
       <td>{runs}</td>
