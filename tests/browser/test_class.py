@@ -12,6 +12,7 @@ from types import SimpleNamespace
 import pytest
 from playwright.sync_api import expect
 
+import small_lesson
 from browser.conftest import ARTEFACTS
 from browser.pupil import LONGEST_RUN
 from browser.test_accessibility import faults
@@ -283,6 +284,26 @@ def keep_a_hint(wall, page):
     expect(state(wall, "Mia")).not_to_have_text("Needs help")
     wall.keyboard.press("h")
     expect(hint).to_have_value("")
+
+
+def test_a_lesson_of_the_teachers_own_is_added_at_the_wall_and_chosen(room, desk, tmp_path):
+    wall = desk(f"{room.address}/teacher?key={room.key}")
+    wall.locator(".wall-lesson").click()
+    dialog = wall.get_by_role("dialog", name="Hand out a lesson")
+    for name, content in (("notes", b"no lesson"), ("patrol", small_lesson.packed())):
+        file = tmp_path / f"{name}.lblesson"
+        file.write_bytes(content)
+        with wall.expect_file_chooser() as choosing:
+            button(dialog, "Add my lesson…").click()
+        choosing.value.set_files(file)
+        if name == "notes":
+            expect(dialog.get_by_role("alert")).to_have_text(
+                "This file is damaged or not a lesson."
+            )
+    expect(dialog.get_by_role("status")).to_have_text("“First drive” is in your lessons now.")
+    expect(dialog.get_by_role("alert")).to_have_text("")
+    expect(button(dialog, "My lessons 1")).to_have_attribute("aria-pressed", "true")
+    expect(dialog.get_by_role("radio", checked=True)).to_have_count(1)
 
 
 def test_the_wall_is_not_shown_to_pupils(room, desk):
