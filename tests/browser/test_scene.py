@@ -170,3 +170,38 @@ def test_every_theme_is_drawn(own_server, sit_down, theme):
     assert load_world("own", [worlds]).theme == theme
     assert show_world(pupil, "own")["share"] >= 0.12
     pupil.picture(theme)
+
+
+#: The shares of both halves of the picture that are drawn, and how much of them differs.
+DIFFERENT = """() => {
+    const world = document.querySelector("#world .world-view canvas");
+    learnblock.views.world.value.drawBest();
+    const [wide, high] = [world.width / 2, world.height];
+    const [left, right] = [0, wide].map((from) => {
+        const part = Object.assign(document.createElement("canvas"), { width: 40, height: 40 });
+        const pen = part.getContext("2d");
+        pen.drawImage(world, from, 0, wide, high, 0, 0, 40, 40);
+        return pen.getImageData(0, 0, 40, 40).data;
+    });
+    const isDrawn = (data) => data.filter((value, i) => i % 4 === 3 && value > 0).length / 1600;
+    const differs = left.filter((value, i) => Math.abs(value - right[i]) > 24);
+    return [isDrawn(left), isDrawn(right), differs.length / left.length];
+}"""
+
+
+def test_two_players_are_seen_side_by_side_and_named(pupil):
+    pupil.open_example("Race for two")
+    halves = pupil.page.locator(".world-halves")
+    expect(halves).to_be_hidden()
+    pupil.choose("View and robot", "Side by side: arrows and wasd")
+    expect(halves.locator("b")).to_have_text(["arrows", "wasd"])
+    left, right, different = pupil.page.evaluate(DIFFERENT)
+    assert min(left, right) > 0.5
+    assert 0 < different < 0.5
+    pupil.picture("side-by-side")
+    pupil.page.get_by_role("tab", name="wasd").click()
+    expect(halves.locator("b")).to_have_text(["arrows", "wasd"])
+    pupil.choose("View and robot", "Follow wasd")
+    expect(halves).to_be_hidden()
+    pupil.picture("one")
+    assert pupil.errors == []

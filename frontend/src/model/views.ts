@@ -14,6 +14,14 @@ export const VIEWS: readonly View[] = ["blocks", "blocktext", "python"];
 export type Area = View | "world" | "panel";
 export type PanelName = "console" | "variables" | "calls" | "why" | "runs" | "sensors" | "problems" | "result";
 
+/** A choice of the robots that the picture follows: all, two side by side, or one. */
+export interface PlayerView {
+  readonly kind: "all" | "split" | "one";
+  readonly text: string;
+  readonly on: boolean;
+  choose(): void;
+}
+
 /** The world in 3D. */
 export interface WorldIsland extends Island {
   /** Adapt to the current size of the element. */
@@ -24,6 +32,8 @@ export interface WorldIsland extends Island {
   readonly framesDrawn: number;
   /** What the user can do in the world, for menus and keys; empty if the browser cannot draw in 3D. */
   readonly tools: readonly Tool[];
+  /** Which of several robots it can follow; empty in a world with one robot. */
+  readonly playerViews: ReadonlySignal<readonly PlayerView[]>;
   /** What keys do in the world now, in words; empty if there is nothing to say. */
   readonly hint: ReadonlySignal<string>;
   /** Show in the picture where a value of the robot comes from; null shows none. */

@@ -1,4 +1,4 @@
-/** The cameras: following the robot, through its eye, orbiting, or from above. */
+/** The cameras: following the robot, through its eye, orbiting, or from above; two robots side by side have their own. */
 
 import { MOUSE, PerspectiveCamera, TOUCH, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
@@ -11,7 +11,7 @@ import type { XY } from "./scenery/description";
 import { between, forward, type Pose, radians } from "./scenery/geometry";
 import { Together } from "./together";
 
-export type CameraMode = "follow" | "eye" | "orbit" | "top";
+export type CameraMode = "follow" | "eye" | "orbit" | "top" | "split";
 
 /** The duration of a camera movement in ms. */
 const MOVE = 400;
@@ -112,7 +112,7 @@ export class Cameras {
   choose(mode: CameraMode): void {
     const wasEye = this.mode === "eye";
     this.apply(mode);
-    if (mode === "eye") this.shows = this.move = null;
+    if (mode === "eye" || mode === "split") this.shows = this.move = null;
     else this.showAgain();
     // From the eye of the robot it is a cut.
     if (wasEye) this.arrive();
@@ -139,7 +139,7 @@ export class Cameras {
 
   /** Show the whole world. */
   showWhole(): void {
-    if (this.mode === "follow" || this.mode === "eye") this.apply("orbit");
+    if (this.mode !== "orbit" && this.mode !== "top") this.apply("orbit");
     const from = this.mode === "top" ? FROM_ABOVE : FROM_SOUTH;
     const shifts = this.mode === "top" ? [0] : SHIFTS;
     const looks = shifts.map((shift) => this.lookFrom(from, new Vector3(0, shift * this.floorSize[1], 0)));
@@ -149,7 +149,7 @@ export class Cameras {
 
   /** Show what this camera shows first, without a movement: for the first frame. */
   reset(): void {
-    if (this.mode === "eye") return;
+    if (this.mode === "eye" || this.mode === "split") return;
     this.showAgain();
     this.arrive();
   }
@@ -252,7 +252,7 @@ export class Cameras {
   private apply(mode: CameraMode): void {
     this.mode = mode;
     const top = mode === "top";
-    this.controls.enabled = mode !== "eye";
+    this.controls.enabled = mode !== "eye" && mode !== "split";
     this.camera.fov = mode === "eye" ? EYE_FIELD : FIELD;
     this.camera.updateProjectionMatrix();
     this.followsFrom = 0;

@@ -31,6 +31,7 @@ function withoutPicture(): WorldIsland {
     dom,
     framesDrawn: 0,
     tools: [],
+    playerViews: signal([]),
     hint: signal(""),
     resize: nothing,
     drawBest: nothing,

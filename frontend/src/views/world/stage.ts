@@ -109,6 +109,14 @@ export class Stage {
     this.object.add(this.start);
   }
 
+  /** What the picture shows first: of a robot alone, nothing else; with null, ours and its goals. */
+  subjectOf(alone: number | null): Subject {
+    const robot = alone === null ? undefined : this.robots[alone];
+    if (!robot || alone === 0) return this.subject;
+    const { x, y, heading } = robot.pose;
+    return { x, y, heading, reach: robot.reach, height: robot.height, goal: null, screens: screensOf(this.world) };
+  }
+
   /** What the picture shows first. */
   get subject(): Subject {
     const robot = this.robots[0];

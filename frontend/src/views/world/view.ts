@@ -9,9 +9,11 @@ import {
   PMREMGenerator,
   Scene,
   type Texture,
+  Vector2,
   WebGLRenderer,
 } from "three";
 import { RoomEnvironment } from "three/addons/environments/RoomEnvironment.js";
+import type { Lens } from "./halves";
 import { QUALITIES, Qualities, type Quality } from "./quality";
 import type { XY } from "./scenery/description";
 import { Light } from "./scenery/light";
@@ -44,15 +46,19 @@ export class View {
   private screen = 1;
   private ratio = 1;
   private stillness = 0;
+  private lenses: readonly Lens[] = [];
+  private readonly size = new Vector2();
 
   /**
    * @param before is called before each frame; true requests another frame.
+   * @param aimed is called before a camera draws, as some things turn to it.
    * @throws Error if the browser cannot draw in 3D.
    */
   constructor(
     readonly canvas: HTMLCanvasElement,
     private readonly camera: PerspectiveCamera,
     private readonly before: (now: number) => boolean,
+    private readonly aimed: (camera: PerspectiveCamera) => void = () => undefined,
   ) {
     this.renderer = new WebGLRenderer({ canvas, alpha: true, antialias: this.fast });
     this.renderer.toneMapping = NeutralToneMapping;
@@ -71,6 +77,15 @@ export class View {
     this.light.show(size, palette);
     this.shade();
     this.invalidate();
+  }
+
+  /** Divide the picture from the next frame on; without lenses it has the one camera. */
+  divide(lenses: readonly Lens[]): void {
+    if (this.lenses.length > 0 && lenses.length === 0) {
+      this.renderer.setScissorTest(false);
+      this.renderer.setViewport(0, 0, ...this.renderer.getSize(this.size).toArray());
+    }
+    this.lenses = lenses;
   }
 
   /** Redraw with the next frame. */
@@ -113,7 +128,7 @@ export class View {
     const again = this.before(now);
     this.sharpen(this.ratio, this.quality.shadows);
     this.castShadows(again);
-    this.renderer.render(this.scene, this.camera);
+    this.paint();
     this.framesDrawn += 1;
     this.qualities.note(now, again);
     if (again) this.invalidate();
@@ -133,7 +148,26 @@ export class View {
   private renderStill(): void {
     if (this.frame) return;
     this.sharpen(STILL.sharpness * this.screen, STILL.shadows);
-    this.renderer.render(this.scene, this.camera);
+    this.paint();
+  }
+
+  /** Draw with the one camera, or each part with its own: in one context, with one pass for shadows. */
+  private paint(): void {
+    if (this.lenses.length === 0) {
+      this.aimed(this.camera);
+      return this.renderer.render(this.scene, this.camera);
+    }
+    const [wide, high] = this.renderer.getSize(this.size).toArray();
+    this.renderer.setScissorTest(true);
+    for (const { camera, left, top, width, height } of this.lenses) {
+      // WebGL counts from below.
+      const part = [left * wide, (1 - top - height) * high, width * wide, height * high].map(Math.round);
+      const [x = 0, y = 0, w = 0, h = 0] = part;
+      this.renderer.setViewport(x, y, w, h);
+      this.renderer.setScissor(x, y, w, h);
+      this.aimed(camera);
+      this.renderer.render(this.scene, camera);
+    }
   }
 
   /** Draw the world at its best quality, for a picture that is kept. */
@@ -151,7 +185,7 @@ export class View {
     this.apply(quality);
     this.sharpen(Math.max(STILL.sharpness, this.screen), this.quality.shadows);
     this.renderer.shadowMap.needsUpdate = true;
-    this.renderer.render(this.scene, this.camera);
+    this.paint();
     this.apply(usual);
   }
 

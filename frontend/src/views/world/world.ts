@@ -16,6 +16,7 @@ import { FloorDrawing } from "./drawing";
 import { type Drawn, drawn } from "./drawn";
 import { DrivenWay } from "./driven-way";
 import { Effects } from "./effects/effects";
+import type { Lens } from "./halves";
 import { Hand } from "./hand";
 import { HeldKeys } from "./held-keys";
 import { worldKeys } from "./keys";
@@ -24,6 +25,7 @@ import { Missed } from "./missed";
 import { Motion } from "./motion";
 import { PictureLabel } from "./picture-label";
 import { Placing } from "./placing";
+import { Players } from "./players";
 import { Pointing } from "./pointing";
 import { Reactions } from "./reactions";
 import { isBlinking } from "./robots/blinking";
@@ -44,8 +46,15 @@ export class World implements WorldIsland {
   private readonly canvas = document.createElement("canvas");
   private readonly announcer = new WorldAnnouncer();
   private readonly cameras = new Cameras(this.canvas, () => this.view?.invalidate());
-  private readonly view: View = new View(this.canvas, this.cameras.camera, (now) => this.draw(now));
-  private readonly pointing = new Pointing(this.canvas, this.cameras.camera);
+  private readonly mode = signal<CameraMode>("follow");
+  private readonly players: Players = new Players(this.mode, (mode) => this.followPlayers(mode));
+  private readonly view: View = new View(
+    this.canvas,
+    this.cameras.camera,
+    (now) => this.draw(now),
+    (camera) => this.stage?.face(camera.position),
+  );
+  private readonly pointing = new Pointing(this.canvas, this.cameras.camera, () => this.lenses);
   private readonly motion = new Motion();
   private readonly drawing = new FloorDrawing();
   private readonly effects = new Effects();
@@ -66,7 +75,6 @@ export class World implements WorldIsland {
   private drawnScene = "";
   private worldName = "";
 
-  private readonly mode = signal<CameraMode>("follow");
   /** Whether arrow keys place the robot. */
   private readonly places = signal(false);
   private readonly still: ReadonlySignal<boolean>;
@@ -118,8 +126,13 @@ export class World implements WorldIsland {
     return drawn(this.stage.subject, this.cameras.camera, marks, this.effects.begun);
   }
 
+  get playerViews() {
+    return this.players.views;
+  }
+
   resize(): void {
     this.cameras.size(this.frame.clientWidth, this.frame.clientHeight, OVERLAYS);
+    this.players.size(this.frame.clientWidth, this.frame.clientHeight, OVERLAYS);
     this.view.resize(this.frame.clientWidth, this.frame.clientHeight);
   }
 
@@ -144,6 +157,7 @@ export class World implements WorldIsland {
   }
 
   lookAt([x, y]: readonly [number, number]): void {
+    if (this.players.isSplit) this.look("orbit");
     this.cameras.centre([x, y]);
     this.view.invalidate();
   }
@@ -155,6 +169,7 @@ export class World implements WorldIsland {
     this.label.destroy();
     this.placing.destroy();
     this.held.destroy();
+    this.players.destroy();
     this.hand.destroy();
     this.cameras.dispose();
     this.stage?.dispose();
@@ -173,7 +188,7 @@ export class World implements WorldIsland {
     this.frame.tabIndex = 0;
     this.canvas.role = "img";
     this.frame.append(this.canvas);
-    this.dom.append(this.frame, this.announcer.dom);
+    this.dom.append(this.frame, this.players.dom, this.announcer.dom);
     this.view.scene.add(
       ...this.way.objects,
       this.marks.bearing.object,
@@ -287,8 +302,14 @@ export class World implements WorldIsland {
       camera("top", "t"),
       camera("eye", "e"),
       camera("orbit", "o"),
-      { name: "nearer", key: "+", act: () => this.cameras.zoom(0.75) },
-      { name: "farther", key: "-", act: () => this.cameras.zoom(1 / 0.75) },
+      {
+        name: "split",
+        key: "v",
+        enabled: computed(() => this.playerViews.value.length > 0),
+        act: () => this.nextView(),
+      },
+      { name: "nearer", key: "+", act: () => this.zoom(0.75) },
+      { name: "farther", key: "-", act: () => this.zoom(1 / 0.75) },
       { name: "whole", key: "h", act: () => this.showWhole() },
       { name: "trail", key: "l", pressed: this.way.shown, act: () => this.way.toggle() },
       { name: "beams", key: "b", pressed: this.marks.shown, act: () => this.toggleBeams() },
@@ -303,6 +324,30 @@ export class World implements WorldIsland {
     if (!this.asks.peek() || !this.placing.isOnRobot(event)) return;
     event.preventDefault();
     this.context.askingWhy.aboutRobot();
+  }
+
+  /** What is drawn side by side; nothing while there is one view. */
+  private get lenses(): readonly Lens[] {
+    return this.cameras.mode === "split" ? this.players.lenses : [];
+  }
+
+  /** Begin to follow the robots that have been chosen. */
+  private followPlayers(mode: CameraMode): void {
+    const robots = this.stage?.robots ?? [];
+    this.players.start(robots);
+    if (this.stage) this.cameras.start(this.stage.subjectOf(this.players.alone));
+    this.look(mode);
+  }
+
+  private nextView(): void {
+    const view = this.players.next();
+    if (view) this.announcer.say(view.text);
+  }
+
+  private zoom(factor: number): void {
+    if (this.players.isSplit) this.players.zoom(factor);
+    else this.cameras.zoom(factor);
+    this.view.invalidate();
   }
 
   private look(mode: CameraMode): void {
@@ -377,7 +422,9 @@ export class World implements WorldIsland {
     // Another robot of a project is in the same world, where the user has chosen a view.
     const isSame = scene.robots.length > 1 && scene.name === this.worldName;
     this.worldName = scene.name;
-    this.cameras.start(this.stage.subject);
+    this.players.join(scene.robots.map(([name]) => ({ name, color: robotColor(name) })));
+    this.cameras.start(this.stage.subjectOf(this.players.alone));
+    if (this.players.isSplit && !isSame) this.players.start(this.stage.robots);
     if (!isSame) this.cameras.reset();
     this.mode.value = this.cameras.mode;
     this.marks.show();
@@ -435,16 +482,16 @@ export class World implements WorldIsland {
   /** Move the camera with the robots; return whether it is still moving. */
   private moveCamera(now: number): boolean {
     const robots = this.stage?.robots ?? [];
-    const [robot] = robots;
+    const seen = this.players.followed(robots.length).flatMap((i) => robots[i] ?? []);
+    const [robot] = seen;
     const turning = this.cameras.step(now);
+    this.view.divide(this.lenses);
     if (!robot) return turning;
-    robot.object.visible = this.cameras.mode !== "eye";
+    for (const one of robots) one.object.visible = one !== robot || this.cameras.mode !== "eye";
     this.cameras.look(robot.pose, robot.eye);
-    const following = this.cameras.follow(
-      robots.map(({ pose }) => pose),
-      now,
-    );
-    this.stage?.face(this.cameras.camera.position);
-    return following || turning;
+    const poses = seen.map(({ pose }) => pose);
+    const following = this.cameras.follow(poses, now);
+    const apart = this.players.step(robots, now, this.cameras.isCalm);
+    return following || apart || turning;
   }
 }

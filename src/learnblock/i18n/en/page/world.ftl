@@ -1,6 +1,6 @@
 # The view of the world.
 
-page-world-label = The world. Arrow keys turn the view, plus and minus zoom, W says where the robot is, and P places the robot with the keyboard.
+page-world-label = The world. Arrow keys turn the view, plus and minus zoom, W says where the robot is, V shows other robots, and P places the robot with the keyboard.
 page-world-image = World: { $title }.
 page-world-image-empty = The world is empty.
 page-world-no3d = This browser can't show the world in 3D. Programs still run. To see the world, turn on hardware acceleration or WebGL in the browser's settings, or use a newer browser.
@@ -24,6 +24,11 @@ page-world-tool-eye = Robot's eye view
 page-world-tool-orbit = Look around
 page-world-tool-follow = Follow the robot
 page-world-tool-top = View from above
+page-world-tool-split = Next view of the robots
+page-world-players-all = Follow all robots
+# $first and $second are the names of robots.
+page-world-players-split = Side by side: { $first } and { $second }
+page-world-players-one = Follow { $first }
 page-world-tool-nearer = Zoom in
 page-world-tool-farther = Zoom out
 page-world-tool-whole = Show the whole world

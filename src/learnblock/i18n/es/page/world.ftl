@@ -1,6 +1,6 @@
 # La vista del mundo.
 
-page-world-label = El mundo. Las flechas giran la vista, más y menos acercan y alejan, W dice dónde está el robot y P coloca el robot con el teclado.
+page-world-label = El mundo. Las flechas giran la vista, más y menos acercan y alejan, W dice dónde está el robot, V muestra otros robots y P coloca el robot con el teclado.
 page-world-image = Mundo: { $title }.
 page-world-image-empty = El mundo está vacío.
 page-world-no3d = Este navegador no puede mostrar el mundo en 3D. Los programas funcionan igualmente. Para ver el mundo, activa la aceleración por hardware o WebGL en los ajustes del navegador, o usa un navegador más reciente.
@@ -23,6 +23,11 @@ page-world-tool-eye = Vista desde el robot
 page-world-tool-orbit = Mirar alrededor
 page-world-tool-follow = Seguir al robot
 page-world-tool-top = Ver desde arriba
+page-world-tool-split = Siguiente vista de los robots
+page-world-players-all = Seguir a todos los robots
+# $first and $second are the names of robots.
+page-world-players-split = Uno junto a otro: { $first } y { $second }
+page-world-players-one = Seguir a { $first }
 page-world-tool-nearer = Acercar
 page-world-tool-farther = Alejar
 page-world-tool-whole = Mostrar todo el mundo
