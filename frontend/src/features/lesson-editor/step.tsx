@@ -14,6 +14,7 @@ import type { MarkdownPart } from "../lessons/markdown";
 import { Checks } from "./checks";
 import { Hints } from "./hints";
 import { Translated } from "./inputs";
+import { Presses } from "./presses";
 import { ProgramInput } from "./program";
 import { Puzzle } from "./puzzle";
 import { Quiz } from "./quiz";
@@ -65,6 +66,7 @@ export function Step({ step, index }: Props) {
           take={(seconds) => making.editStep(index, { seconds: seconds ?? undefined })}
         />
       </div>
+      <Presses step={step} index={index} />
       <Checks step={step} index={index} />
       <Hints step={step} index={index} />
       <Quiz step={step} index={index} />

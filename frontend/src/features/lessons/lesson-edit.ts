@@ -26,6 +26,15 @@ export interface PuzzleContent {
   readonly distractors?: readonly string[];
 }
 
+/** A key that is pressed; times are seconds. */
+export interface KeyPressContent {
+  readonly key: string;
+  readonly at: number;
+  readonly seconds?: number;
+  readonly times?: number;
+  readonly every?: number;
+}
+
 export interface StepContent {
   readonly title: Texts;
   readonly phase: Phase;
@@ -34,6 +43,7 @@ export interface StepContent {
   readonly blocks?: string | readonly string[];
   readonly variants?: number;
   readonly seconds?: number;
+  readonly keys?: readonly KeyPressContent[];
   readonly check?: readonly Values[];
   readonly hint?: readonly HintContent[];
   readonly quiz?: { readonly question: Texts; readonly choices: readonly ChoiceContent[] };
