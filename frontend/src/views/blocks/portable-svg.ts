@@ -123,6 +123,15 @@ function copyStyle(shape: Element, style: CSSStyleDeclaration, copy: Element): v
     if (value === usual) copy.removeAttribute(name);
     else copy.setAttribute(name, value);
   }
+  if (isText) keepLength(shape as SVGTextElement, copy);
+}
+
+/** Where the picture's letters can't be loaded, others then have the room that the block has for them. */
+function keepLength(text: SVGTextElement, copy: Element): void {
+  const length = text.getComputedTextLength();
+  if (!length) return;
+  copy.setAttribute("textLength", String(Math.round(length * 10) / 10));
+  copy.setAttribute("lengthAdjust", "spacingAndGlyphs");
 }
 
 async function takeImage(image: SVGImageElement): Promise<void> {
