@@ -3,6 +3,7 @@
 import { effect, signal } from "@preact/signals";
 
 import { showRun } from "./app/standalone/run";
+import { showWorksheet } from "./app/standalone/worksheet";
 import type { Content } from "./features/standalone/content";
 import { writePicture } from "./features/standalone/picture";
 import { language, startLanguage } from "./i18n";
@@ -20,6 +21,7 @@ async function begin(content: Content): Promise<void> {
     document.documentElement.dataset.theme = theme.value;
   });
   if (content.kind === "picture") await writePicture(content);
+  else if (content.kind === "worksheet") await showWorksheet(content, document.getElementById("page")!);
   else showRun(content, document.getElementById("page")!);
 }
 

@@ -60,7 +60,9 @@ COMMANDS = {
     "import": CommandLocation(
         "importing", "import_command", "Import programs of the original LearnBlock"
     ),
-    "lesson": CommandLocation("lessons", "lesson_group", "List, show, check, try or pack lessons"),
+    "lesson": CommandLocation(
+        "lessons", "lesson_group", "List, show, check, try, pack or print lessons"
+    ),
     "library": CommandLocation(
         "libraries", "library_group", "Make, install or remove libraries of skills"
     ),

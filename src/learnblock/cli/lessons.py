@@ -1,4 +1,4 @@
-"""The commands for lessons: list, show, check, try and pack."""
+"""The commands for lessons: list, show, check, try, pack and print."""
 
 import sys
 from pathlib import Path
@@ -15,6 +15,7 @@ from learnblock.cli.console import (
     text,
 )
 from learnblock.cli.language import language
+from learnblock.cli.worksheet import worksheet_command
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -36,7 +37,7 @@ _VARIANTS = click.option(
 
 @click.group("lesson")
 def lesson_group() -> None:
-    """List, show, check, try or pack lessons.
+    """List, show, check, try, pack or print lessons.
 
     LESSON is the name of a lesson that comes with LearnBlock, a folder, or a file (.lblesson).
     """
@@ -203,6 +204,8 @@ def pack_command(lesson: str, out: Path | None, for_pupils: bool) -> None:  # no
     save(file, pack(opened))
     say("lesson-cli-packed", file=str(file))
 
+
+lesson_group.add_command(worksheet_command)
 
 #: The phrase for each kind of result.
 _ROWS = {

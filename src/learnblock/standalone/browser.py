@@ -50,20 +50,41 @@ def file_from(page: str) -> bytes:
     """
     browser = _browser()
     with tempfile.TemporaryDirectory(prefix="learnblock-") as folder:
-        path = Path(folder, "page.html")
-        path.write_text(page, encoding="utf-8")
-        command = [browser, *_options(folder), path.as_uri()]
-        try:
-            done = subprocess.run(  # noqa: S603 - a browser, with a page of ours
-                command, capture_output=True, timeout=_PATIENCE, check=False
-            )
-        except (OSError, subprocess.TimeoutExpired) as error:
-            raise LearnBlockError("picture-browser-failed", browser=browser) from error
-    match = _DONE.search(done.stdout.decode(errors="replace"))
+        shown = _open(page, browser, folder, "--dump-dom")
+    match = _DONE.search(shown.decode(errors="replace"))
     try:
         return base64.b64decode(match[1] if match else "-", validate=True)
     except binascii.Error as error:
         raise LearnBlockError("picture-browser-failed", browser=browser) from error
+
+
+def printed(page: str) -> bytes:
+    """Open a page, and return it as PDF, as it would be printed.
+
+    Raises:
+        LearnBlockError: there is no browser that can, or it failed.
+    """
+    browser = _browser()
+    with tempfile.TemporaryDirectory(prefix="learnblock-") as folder:
+        file = Path(folder, "page.pdf")
+        _open(page, browser, folder, f"--print-to-pdf={file}", "--no-pdf-header-footer")
+        if not file.is_file():
+            raise LearnBlockError("picture-browser-failed", browser=browser)
+        return file.read_bytes()
+
+
+def _open(page: str, browser: str, folder: str, *wanted: str) -> bytes:
+    """Open a page, and return what the browser writes."""
+    path = Path(folder, "page.html")
+    path.write_text(page, encoding="utf-8")
+    command = [browser, *_options(folder), *wanted, path.as_uri()]
+    try:
+        done = subprocess.run(  # noqa: S603 - a browser, with a page of ours
+            command, capture_output=True, timeout=_PATIENCE, check=False
+        )
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise LearnBlockError("picture-browser-failed", browser=browser) from error
+    return done.stdout
 
 
 def _browser() -> str:
@@ -87,7 +108,6 @@ def _options(folder: str) -> list[str]:
         "--disable-background-networking",
         f"--user-data-dir={Path(folder, 'profile')}",
         f"--virtual-time-budget={_BUDGET}",
-        "--dump-dom",
     ]
     # Chromium starts for root only without its own sandbox; the page is ours.
     if sys.platform != "win32" and os.geteuid() == 0:

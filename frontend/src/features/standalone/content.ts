@@ -48,4 +48,29 @@ export interface Moment {
   readonly drawn: number;
 }
 
-export type Content = PictureContent | RunContent;
+/** A lesson on paper: see `lessons/worksheet.py`. */
+export interface WorksheetContent {
+  readonly kind: "worksheet";
+  readonly language: string;
+  readonly palette: Palette;
+  readonly title: string;
+  readonly steps: readonly WorksheetStep[];
+}
+
+export interface WorksheetStep {
+  readonly title: string;
+  /** Markdown, and programs that are drawn. */
+  readonly text: readonly { readonly text: string; readonly workspace: Workspace | null }[];
+  readonly goals: readonly string[];
+  readonly quiz: WorksheetQuiz | null;
+  /** The blocks to cut out. */
+  readonly pieces: readonly Workspace[];
+  readonly solution: { readonly text: string; readonly workspace: Workspace } | null;
+}
+
+export interface WorksheetQuiz {
+  readonly question: string;
+  readonly choices: readonly { readonly text: string; readonly right: boolean }[];
+}
+
+export type Content = PictureContent | RunContent | WorksheetContent;

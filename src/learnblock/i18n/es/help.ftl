@@ -195,7 +195,7 @@ help-import-with-replace = Reemplaza los archivos que ya existan.
 help-import-with-json = { help-blocks-with-json }
 
 help-lesson =
-    Enumera, muestra, comprueba, prueba o empaqueta lecciones.
+    Enumera, muestra, comprueba, prueba, empaqueta o imprime lecciones.
 
     LESSON es el nombre de una lección que viene con LearnBlock, una carpeta o un archivo (.lblesson).
 help-lesson-list = Enumera las lecciones que vienen con LearnBlock.
@@ -221,6 +221,14 @@ help-lesson-try-with-json = { help-blocks-with-json }
 help-lesson-pack = Comprueba los archivos de una lección y los empaqueta en uno (.lblesson).
 help-lesson-pack-with-for-pupils = Sin lo que solo recibe el docente.
 help-lesson-pack-with-out = El archivo que se escribe.
+help-lesson-worksheet =
+    Pone una lección en papel.
+
+    La ficha tiene las tareas, los bloques de las soluciones para recortar, líneas para escribir y las
+    soluciones en páginas aparte. Imprime el .html con un navegador; para un .pdf se necesita Chrome, Edge o
+    Chromium.
+help-lesson-worksheet-with-to = La ficha, en .html o .pdf  [por omisión: el nombre de la lección con .html]
+help-lesson-worksheet-with-language = Idioma de la ficha  [por omisión: el de la salida]
 
 help-library = Crea, instala o quita bibliotecas de habilidades.
 help-library-list = Muestra las bibliotecas instaladas.
