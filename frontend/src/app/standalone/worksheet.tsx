@@ -24,6 +24,8 @@ export async function showWorksheet(content: WorksheetContent, root: HTMLElement
   givePalette(content.palette);
   prepareBlockly();
   document.title = content.title;
+  // Paper is light.
+  document.documentElement.dataset.theme = "light";
   const drawings = new Map<Workspace, ComponentChildren>();
   for (const { text, pieces, solution } of content.steps) {
     for (const { workspace } of [...text, ...(solution ? [solution] : [])]) {
