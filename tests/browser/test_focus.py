@@ -16,7 +16,7 @@ LETTERS = "twmdcn"
 TYPING = """() => {
     const dialog = document.querySelector("dialog[open]");
     const all = "input:not([type=checkbox], [type=radio], [type=range], [type=color],"
-        + " [type=file]), textarea, [contenteditable=true]";
+        + " [type=file]), select, textarea, [contenteditable=true]";
     const bottom = dialog.getBoundingClientRect().bottom;
     const fields = [...dialog.querySelectorAll(all)].filter((field) => {
         return field.checkVisibility() && field.getBoundingClientRect().top < bottom;

@@ -48,15 +48,15 @@ COUNT = 120
 MANY = "main:\n    function.sleep(1)\nend\n" + "".join(
     BRIEF.format(number=number) for number in range(COUNT)
 )
-#: When blocks begin to load: note what can be seen, and paste a line at the start of the text.
+#: Once the text is there while blocks load: note what can be seen, and paste a line at its start.
 WATCH = """
 globalThis.loadings = [];
 const loads = () => document.querySelector(".blocks-loading") !== null;
 const watcher = new MutationObserver(() => {
-  if (!loads()) return;
+  const text = document.querySelector("[data-region=blocktext] .cm-content");
+  if (!loads() || !text?.textContent) return;
   watcher.disconnect();
   setTimeout(() => {
-    const text = document.querySelector("[data-region=blocktext] .cm-content");
     loadings.push({ loads: loads(), text: text.textContent });
     const clipboardData = new DataTransfer();
     clipboardData.setData("text/plain", "added = 7\\n");
