@@ -164,6 +164,9 @@ def test_the_teacher_reads_notes_and_solutions_of_a_lesson_of_ours(teacher):
     expect(shown.get_by_text("Look at the first corner: does the robot reach it?")).to_be_visible()
     wrong.scroll_into_view_if_needed()
     teacher.picture("lesson-notes-wrong")
+    with teacher.page.expect_download() as download:
+        shown.get_by_role("button", name="Save worksheet").click()
+    assert download.value.suggested_filename == "1-03-square.html"
     teacher.page.keyboard.press("Escape")
     expect(shown).to_have_count(0)
 

@@ -21,7 +21,7 @@ def test_as_many_messages_have_each_role_as_was_decided():
         "helper, pupil": 32,
         "pupil": 43,
         "helper, watcher": 1,
-        "": 31,
+        "": 32,
     }
 
 

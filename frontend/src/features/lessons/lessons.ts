@@ -2,7 +2,7 @@
 
 import { computed, signal } from "@preact/signals";
 
-import { say, t } from "../../i18n";
+import { language, say, t } from "../../i18n";
 import type { Announcer } from "../../model/announcer";
 import { browserId } from "../../model/browser-id";
 import { type MissedPlace, missedPlace } from "../../model/missed";
@@ -23,7 +23,7 @@ import {
   type QuizJudged,
   type Welcome,
 } from "../../protocol/messages";
-import { inBase64 } from "../../ui/files";
+import { bytesOf, inBase64, saveFile } from "../../ui/files";
 import type { Toasts } from "../../ui/toasts";
 import { type LessonFolder, lessonFolderOf } from "./folder";
 import { inLanguage, sayWords } from "./texts";
@@ -100,6 +100,7 @@ export class Lessons {
     connection.on("QuizJudged", (judged) => this.answered(this.quiz, judged));
     connection.on("PuzzleJudged", (judged) => this.answered(this.puzzle, judged));
     connection.on("LessonNotes", (notes) => (this.notes.value = notes));
+    connection.on("WorksheetMade", ({ filename, content }) => saveFile(filename, bytesOf(content), "text/html"));
     connection.on("LessonImported", ({ lesson, title }) => {
       others.toasts.note(t("page-lesson-imported", { title: inLanguage(title) }));
       this.start({ name: lesson, title });
@@ -226,6 +227,11 @@ export class Lessons {
   readNotes(lesson: string): void {
     this.notes.value = null;
     this.connection.send({ kind: "ReadLessonNotes", lesson });
+  }
+
+  /** Save a lesson on paper, to print it. */
+  saveWorksheet(lesson: string): void {
+    this.connection.send({ kind: "MakeWorksheet", lesson, language: language.peek() });
   }
 
   private show(shown: LessonShown): void {

@@ -18,6 +18,7 @@ interface Props {
 
 export function LessonNotesDialog({ of: { lessonNotes, title } }: Props) {
   const { dialogs, lessons } = usePage();
+  const save = () => lessons.saveWorksheet(lessonNotes);
   const markdown = useSignal<{ readonly Part: MarkdownPart } | null>(null);
   useEffect(() => {
     lessons.readNotes(lessonNotes);
@@ -28,6 +29,11 @@ export function LessonNotesDialog({ of: { lessonNotes, title } }: Props) {
   return (
     <Dialog title={t("page-lesson-notes-title", { title })} close={() => dialogs.close()} size="large">
       {notes && Part && <Notes notes={notes} Part={Part} />}
+      <div class="actions">
+        <button type="button" class="button bordered" onClick={save} title={t("page-lesson-worksheet-help")}>
+          {t("page-lesson-worksheet")}
+        </button>
+      </div>
     </Dialog>
   );
 }

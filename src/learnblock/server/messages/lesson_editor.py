@@ -13,7 +13,7 @@ from learnblock.language.workspace.blocks import Workspace
 from learnblock.lessons.editing import EditedLesson
 from learnblock.lessons.lesson import LessonText
 from learnblock.project.files.lesson_folder import LessonName
-from learnblock.server.messages.base import Computer, FromReader, ToPage
+from learnblock.server.messages.base import Computer, FromReader, Name, ToPage
 from learnblock.server.messages.lessons import LessonWords
 
 # From the page.
@@ -33,6 +33,18 @@ class ReadLessonNotes(Computer, FromReader, frozen=True):
     """Ask for a lesson's part for the teacher: `LessonNotes`."""
 
     lesson: LessonName
+
+
+class MakeWorksheet(Computer, FromReader, frozen=True):
+    """Ask for a lesson on paper, with its solutions: `WorksheetMade`.
+
+    Args:
+        lesson: its name.
+        language: of the sheet.
+    """
+
+    lesson: LessonName
+    language: Name = "en"
 
 
 class CopyLesson(Computer, frozen=True):
@@ -225,6 +237,13 @@ class LessonTried(ToPage, frozen=True):
 
 class LessonExported(ToPage, frozen=True):
     """A lesson as a file."""
+
+    filename: str
+    content: bytes
+
+
+class WorksheetMade(ToPage, frozen=True):
+    """A lesson on paper: a page to print, in one file."""
 
     filename: str
     content: bytes

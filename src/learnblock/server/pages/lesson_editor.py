@@ -195,6 +195,19 @@ async def _read_notes(page: Page, message: messages.ReadLessonNotes) -> None:
     page.send(await to_thread.run_sync(_notes, message.lesson))
 
 
+@HANDLERS.add
+async def _make_worksheet(page: Page, message: messages.MakeWorksheet) -> None:
+    page.require_teacher()
+
+    def make() -> bytes:
+        from learnblock.lessons.worksheet import worksheet  # noqa: PLC0415 - the page opens before
+
+        return worksheet(reading.named_lesson(message.lesson), message.language).encode()
+
+    content = await to_thread.run_sync(make)
+    page.send(messages.WorksheetMade(f"{message.lesson}.html", content))
+
+
 def _notes(name: str) -> messages.LessonNotes:
     opened = reading.named_lesson(name)
     part = teachers_part(opened)

@@ -8,6 +8,7 @@ import pytest
 
 import small_lesson
 from learnblock.lessons.reading import open_lesson
+from page_files import content_of
 
 TEXTS = {"title": {"en": "Drive"}, "text": {"en": "Drive **around**."}}
 #: A page that comes through a proxy may be on any computer.
@@ -167,6 +168,14 @@ def test_the_teacher_reads_notes_of_a_lesson_of_their_own(page, own_home):
     assert page.hear("Failed")["refused"] == "ReadLessonNotes"
 
 
+def test_the_teacher_gets_a_lesson_on_paper_in_the_language_of_the_page(page):
+    page.say("MakeWorksheet", lesson="1-03-square", language="es")
+    made = page.hear("WorksheetMade")
+    assert made["filename"] == "1-03-square.html"
+    content = content_of(base64.b64decode(made["content"]).decode())
+    assert (content["kind"], content["language"]) == ("worksheet", "es")
+
+
 def test_a_lesson_of_ours_is_copied_and_changed(page, own_home):
     page.say("CopyLesson", lesson="1-03-square")
     edited = page.hear("LessonToEdit")["edited"]
@@ -197,6 +206,7 @@ REFUSED = [
     ("ExportLesson", {"lesson": "small", "for_pupils": False}),
     ("ReadLessonNotes", {"lesson": "1-03-square"}),
     ("ReadLessonNotes", {"lesson": "small"}),
+    ("MakeWorksheet", {"lesson": "small"}),
     ("CopyLesson", {"lesson": "1-03-square"}),
 ]
 

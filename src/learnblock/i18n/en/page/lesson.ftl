@@ -34,6 +34,8 @@ page-lesson-notes-wrong = Typical wrong programs
 # $check is what the program fails, as pupils read it.
 page-lesson-notes-fails = Fails: { $check }
 page-lesson-notes-hint = The hint for it:
+page-lesson-worksheet = Save worksheet
+page-lesson-worksheet-help = A page to print: tasks, blocks to cut out, lines to write on, and the solutions apart
 page-lesson-cards-next = Start here
 page-lesson-cards-none = There is no lesson of this level yet.
 page-lesson-again = Start { $title } again
