@@ -40,9 +40,9 @@ from learnblock.project.files.share_link import (  # noqa: E402 - as above
 from learnblock.runtime.ending import How  # noqa: E402 - as above
 from runs import EXAMPLES, TASKS, TWINS  # noqa: E402 - found through the line above
 
-#: A link has the fingerprint of a run, here any, as those of finished runs have.
+#: Any fingerprint: a link has one if its run has finished.
 RUN = ProvedRun(16.4, How.FINISHED, "0.2.0", "7f3a91c2" * 8)
-#: Letters of a hash; what else a run says is no hash.
+#: The characters of a hash; anything else is what went wrong.
 HASH = 64
 
 

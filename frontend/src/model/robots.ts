@@ -43,7 +43,7 @@ export function deviceWord(need: string): string {
   return say({ code: "check-device", values: { kind, key } });
 }
 
-/** The device of a robot that this computer stands in for while it shows the page. */
+/** The device that the computer with the page replaces if the robot has none. */
 export const STOOD_IN = "Speaker";
 
 /** Whether this computer does it for a robot that can't. */

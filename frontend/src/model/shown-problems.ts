@@ -50,7 +50,7 @@ export class ShownProblems {
     const unfinished = unfinishedIn(now);
     if (!placed.length) return new Set([...this.waiting].filter((id) => unfinished.has(id)));
     const known = unfinishedIn(before);
-    // Whoever fills a block is not done with it.
+    // A block that waits goes on waiting while others are placed inside it.
     const isFilled = (id: string) => this.waiting.has(id) && placed.every(([, place]) => place.includes(id));
     return new Set([...unfinished].filter((id) => !known.has(id) || isFilled(id)));
   }

@@ -21,6 +21,11 @@ export function day(seconds: number, now = new Date()): string {
   return new Intl.DateTimeFormat(language.value, { day: "numeric", month: "long", year }).format(then);
 }
 
+/** The name of a day, such as "Sunday November 29". */
+export function weekday(then: Date): string {
+  return new Intl.DateTimeFormat(language.value, { weekday: "long", day: "numeric", month: "long" }).format(then);
+}
+
 function midnight(time: Date): number {
   return new Date(time.getFullYear(), time.getMonth(), time.getDate()).getTime();
 }

@@ -13,15 +13,12 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.server.http import static_files
+from learnblock.server.http.bodies import body
 from learnblock.server.http.connections import network_of
 from learnblock.server.messages import Failed
 
 #: The maximum number of bytes of a request to join.
 LONGEST_BODY = 2000
-
-
-class LongBodyError(LearnBlockError):
-    """The body of a request is too long."""
 
 
 async def reached(answer: Awaitable[Response]) -> Response:
@@ -71,20 +68,6 @@ async def short_body(request: Request) -> bytes:
     """The body of a request to join.
 
     Raises:
-        LearnBlockError: it is too long.
+        LongBodyError: it is too long.
     """
     return await body(request, LONGEST_BODY)
-
-
-async def body(request: Request, most: int) -> bytes:
-    """The body of a request.
-
-    Raises:
-        LongBodyError: it has more bytes than `most`.
-    """
-    received = bytearray()
-    async for chunk in request.stream():
-        received += chunk
-        if len(received) > most:
-            raise LongBodyError("server-message-too-long", count=len(received))
-    return bytes(received)

@@ -7,12 +7,13 @@ import msgspec
 from starlette.requests import Request
 from starlette.responses import Response
 
-from learnblock.classroom.answers import LongBodyError, body, forbidden
+from learnblock.classroom.answers import forbidden
 from learnblock.classroom.badges import Visitors
 from learnblock.classroom.offers import add_offer
 from learnblock.classroom.room import Room
 from learnblock.errors import LearnBlockError, phrase_of
 from learnblock.i18n import Phrase
+from learnblock.server.http.bodies import LongBodyError, body
 from learnblock.server.http.refusal import refusal
 from learnblock.server.messages import LARGEST_LESSON
 

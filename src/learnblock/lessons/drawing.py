@@ -42,3 +42,33 @@ def drawn_program(text: str) -> Workspace | None:
     """The blocks of a program in Block-Text; None if it has mistakes."""
     drawing = drawing_of(text)
     return drawing.workspace if drawing else None
+
+
+def drawn_part(source: str) -> Workspace | None:
+    """The blocks of a program, or of some of its statements; None if they can't be drawn."""
+    if len(source) > LONGEST_DRAWING:
+        return None
+    body = source.strip("\n")
+    if body.startswith("elif "):
+        # The page writes "else" before the drawing of the "if".
+        body = body.removeprefix("el")
+    inner = "\n".join(f"    {line}" for line in body.split("\n"))
+    is_head = body.endswith(":") and "\n" not in body
+    parts = [f"main:\n{inner}\nend\n"]
+    if is_head:
+        # A line such as "repeat 4:" begins a statement.
+        parts.append(f"main:\n{inner}\n        pass\n    end\nend\n")
+    workspace = next(filter(None, map(drawn_program, parts)), None)
+    if workspace:
+        return _without_head(workspace)
+    # "main:" or "def go():" begins a part of the program.
+    return drawn_program(f"{body}\n    pass\nend\n" if is_head else source)
+
+
+def _without_head(workspace: Workspace) -> Workspace | None:
+    """The statements inside of ``main``, as a stack of their own."""
+    for first, *_ in workspace.stacks:
+        for slot in first.inputs.values():
+            if slot.stack:
+                return Workspace([slot.stack], workspace.variables)
+    return None

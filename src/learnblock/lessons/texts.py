@@ -49,13 +49,21 @@ _OPENING, _CLOSING = re.compile(r"```[ \t]*blocks[ \t]*"), re.compile(r"```[ \t]
 
 def drawn_blocks(text: str) -> Iterator[str]:
     """The Block-Text in the code blocks ``blocks`` of a text in Markdown."""
-    inside: list[str] | None = None
+    return (part for part, is_drawn in parts_of(text) if is_drawn)
+
+
+def parts_of(text: str) -> Iterator[tuple[str, bool]]:
+    """The parts of a text in Markdown; True if one is the Block-Text of a code block ``blocks``."""
+    lines: list[str] = []
+    opening: int | None = None
     # Line by line: a search for the end of each beginning would take long in a hostile text.
     for line in text.split("\n"):
-        if inside is None:
-            inside = [] if _OPENING.fullmatch(line) else None
-        elif _CLOSING.fullmatch(line):
-            yield "".join(inside)
-            inside = None
-        else:
-            inside.append(f"{line}\n")
+        if opening is not None and _CLOSING.fullmatch(line):
+            yield "\n".join(lines[:opening]), False
+            yield "".join(f"{inside}\n" for inside in lines[opening + 1 :]), True
+            lines, opening = [], None
+            continue
+        if opening is None and _OPENING.fullmatch(line):
+            opening = len(lines)
+        lines.append(line)
+    yield "\n".join(lines), False

@@ -10,14 +10,14 @@ from learnblock.blocks.known import all_configurations
 from learnblock.blocks.palette import palette
 from learnblock.language.workspace.blocks import Block, Workspace
 from learnblock.lessons.describing import title_of
-from learnblock.lessons.drawing import drawn_program
+from learnblock.lessons.drawing import drawn_part, drawn_program
+from learnblock.lessons.lesson import Quiz
 from learnblock.lessons.opened import OpenLesson, program_tree
 from learnblock.lessons.teachers_part import SolvedStep, teachers_part
-from learnblock.lessons.texts import in_language
+from learnblock.lessons.texts import in_language, parts_of
 from learnblock.standalone.page import filled
 
-#: A code block that is drawn, and a picture, which paper has no room for.
-_DRAWN = re.compile(r"^```[ \t]*blocks[ \t]*\n(.*?)^```[ \t]*$", re.MULTILINE | re.DOTALL)
+#: A picture, which paper has no room for.
 _PICTURE = re.compile(r"!\[([^\]\n]*)\]\([^)\n]*\)")
 
 
@@ -64,7 +64,7 @@ def _solution(opened: OpenLesson, solved: SolvedStep) -> str:
     return "" if solved.solution.strip() == given.strip() else solved.solution
 
 
-def _quiz(quiz: Any, words: str) -> dict[str, Any]:
+def _quiz(quiz: Quiz, words: str) -> dict[str, Any]:
     choices = [
         {"text": in_language(choice.text, words), "right": choice.right} for choice in quiz.choices
     ]
@@ -73,23 +73,22 @@ def _quiz(quiz: Any, words: str) -> dict[str, Any]:
 
 def _parts(text: str) -> Iterator[dict[str, Any]]:
     """Markdown and programs in turn: the page draws the programs."""
-    for index, part in enumerate(_DRAWN.split(_PICTURE.sub(r"*\1*", text))):
-        workspace = drawn_program(part) if index % 2 else None
-        if part.strip():
-            yield {"text": part, "workspace": workspace}
+    for part, is_drawn in parts_of(text):
+        if is_drawn:
+            yield {"text": part, "workspace": drawn_part(part)}
+        elif part.strip():
+            yield {"text": _PICTURE.sub(r"*\1*", part), "workspace": None}
 
 
 def _shuffled(program: Workspace, solved: SolvedStep) -> list[Workspace]:
     """The blocks to cut out, each alone, in the same order each time."""
     puzzle = solved.step.puzzle
-    others = map(drawn_program, puzzle.distractors if puzzle else ())
+    others = map(drawn_part, puzzle.distractors if puzzle else ())
     programs = [program, *(other for other in others if other)]
     pieces = [
         Workspace([[block]], program.variables)
-        for index, program in enumerate(programs)
+        for program in programs
         for block in pieces_of(program)
-        # What does not belong to the puzzle's program has no hat.
-        if not index or block.type != "lb_start"
     ]
     return random.Random(solved.number).sample(pieces, len(pieces))  # noqa: S311 - no secret
 

@@ -46,14 +46,14 @@ def test_a_lesson_that_is_added_is_offered_at_every_wall_and_handed_out(own_room
 
 
 @pytest.mark.certain
-@pytest.mark.parametrize("who", ["pupil", "nobody", "another page"])
+@pytest.mark.parametrize("who", ["pupil", "visitor", "another site"])
 def test_only_the_teacher_adds_a_lesson(room, who):
     cookie = {
         "pupil": lambda: room.pupil(f"Ana {who}").cookie,
-        "nobody": lambda: "",
-        "another page": room.teacher,
+        "visitor": lambda: "",
+        "another site": room.teacher,
     }[who]()
-    origin = {"Origin": "http://evil.example"} if who == "another page" else {}
+    origin = {"Origin": "http://evil.example"} if who == "another site" else {}
     answer = add(room, "evil.lblesson", small_lesson.packed(), cookie=cookie, **origin)
     assert answer.status == 403
     assert own_files(room) == []

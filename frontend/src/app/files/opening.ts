@@ -2,7 +2,7 @@
 
 import { EXPORTED } from "../../features/custom-blocks/dialogs";
 import { lessonFolderOf } from "../../features/lessons/folder";
-import { LESSON_FILE } from "../../features/lessons/lessons";
+import { LESSON_FILE } from "../../features/lessons/lesson-file";
 import { WORLD_FILES } from "../../features/worlds/worlds";
 import { t } from "../../i18n";
 import { type Page, usePage } from "../../model/page";

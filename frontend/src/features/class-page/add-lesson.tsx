@@ -4,15 +4,12 @@ import { useSignal } from "@preact/signals";
 
 import { type Phrase, say, t } from "../../i18n";
 import type { LessonOffer } from "../../protocol/classroom";
-import { LIMITS } from "../../protocol/messages";
 import { sendFile } from "../../protocol/send-file";
 import { chooseFile } from "../../ui/files";
 import { Icon } from "../../ui/icons";
+import { LARGEST, LESSON_FILES } from "../lessons/lesson-file";
 import { inLanguage } from "../lessons/texts";
 
-/** The endings of a lesson's file. */
-const LESSON_FILES = ".lblesson,.zip";
-const LARGEST = LIMITS.ImportLesson.content;
 const UNSENT: Phrase = { code: "page-shell-unsent" };
 
 interface Props {

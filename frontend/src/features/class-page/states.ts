@@ -39,7 +39,7 @@ export function stateOf(seat: Seat): State {
 
 /** Whether the pupil has handed in what is open, and has not got it back. */
 export function isToMark({ hand_in }: Seat): boolean {
-  return Boolean(hand_in) && !BACK.has(hand_in!);
+  return !!hand_in && !BACK.has(hand_in);
 }
 
 /** Whether a picture is old: no page of the pupil is open, or there is no news from the pupil's server. */

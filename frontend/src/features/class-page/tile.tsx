@@ -30,8 +30,8 @@ interface Props {
 const GREY: ReadonlySet<State> = new Set(["away", "not-begun"]);
 
 /*
- * What depends on the state has a class of its own: in Chromium, what depends on the class of a tile can stay as it was
- * when the tile has moved meanwhile.
+ * What depends on the state has a class of its own: in Chromium, styles that depend on the class of a tile can stay as
+ * they were if the tile has moved meanwhile.
  */
 export function Tile({ stream, drawing, seat, scale, isProjected, isCurrent, hint, handOut, remove }: Props) {
   const { id, name = "" } = seat;

@@ -11,7 +11,8 @@ import type { LessonChoice } from "../../protocol/messages";
 import { chooseFile, chooseFolder } from "../../ui/files";
 import { Icon } from "../../ui/icons";
 import { Menu, type MenuItem } from "../../ui/menu";
-import { inLanguage, isDone, LESSON_FILE, LESSON_ZIP } from "./lessons";
+import { LESSON_FILES } from "./lesson-file";
+import { inLanguage, isDone } from "./lessons";
 import "./cards.css";
 
 const LEVELS = [1, 2, 3, 4] as const;
@@ -67,7 +68,7 @@ function AddLesson() {
     {
       text: t("page-lesson-add-file"),
       icon: "upload",
-      run: () => chooseFile(`${LESSON_FILE},${LESSON_ZIP}`, (file) => void lessons.import(file)),
+      run: () => chooseFile(LESSON_FILES, (file) => void lessons.import(file)),
     },
     {
       text: t("page-lesson-add-folder"),

@@ -26,13 +26,10 @@ import {
 import { bytesOf, inBase64, saveFile } from "../../ui/files";
 import type { Toasts } from "../../ui/toasts";
 import { type LessonFolder, lessonFolderOf } from "./folder";
+import { LARGEST, LONGEST_NAME } from "./lesson-file";
 import { inLanguage, sayWords } from "./texts";
 
 export { inLanguage, sayWords };
-
-/** A lesson as a file, and as a folder that was zipped by hand. */
-export const [LESSON_FILE, LESSON_ZIP] = [".lblesson", ".zip"];
-const { filename: LONGEST_NAME, content: LARGEST } = LIMITS.ImportLesson;
 
 /** Whether all its stars are earned; a lesson without stars is done once it was begun. */
 export function isDone({ earned = 0, stars, project = "" }: LessonChoice): boolean {

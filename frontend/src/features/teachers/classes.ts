@@ -2,10 +2,11 @@
 
 import { signal } from "@preact/signals";
 
-import { language, type Phrase, t } from "../../i18n";
+import { type Phrase, t } from "../../i18n";
 import type { Connection } from "../../protocol/connection";
 import type { ClassEntry, StartClass } from "../../protocol/messages";
 import { sendFile } from "../../protocol/send-file";
+import { weekday } from "../../ui/dates";
 
 /** The ending of the file of a class. */
 export const CLASS_FILE = ".lbclass";
@@ -72,12 +73,11 @@ export class Classes {
   }
 }
 
-/** A name that no class has yet: the day, as the page's language says it, and a number if that is taken. */
+/** A name that no class has yet: that of the day, and a number if it is taken. */
 export function newTitle(entries: readonly ClassEntry[], now = new Date()): string {
   const titles = new Set(entries.map(({ title }) => title));
-  const form = new Intl.DateTimeFormat(language.value, { weekday: "long", day: "numeric", month: "long" });
   // The name of a class is that of a folder, too.
-  const today = form.format(now).replace(/[^\p{L}\p{N} .-]/gu, "");
+  const today = weekday(now).replace(/[^\p{L}\p{N} .-]/gu, "");
   let number = 1;
   let title = today;
   while (titles.has(title)) title = `${today} ${++number}`;

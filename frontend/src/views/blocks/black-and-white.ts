@@ -1,4 +1,4 @@
-/** Pictures of blocks for paper: black lines and words on white, which need little ink and can be told apart. */
+/** Pictures of blocks in black and white, to save ink; outlines and icons tell the blocks apart. */
 
 /** Of the pictures on buttons, which do nothing on paper. */
 const BUTTON = 'viewBox="0 0 16 16"';

@@ -4,6 +4,7 @@ import { MOUSE, PerspectiveCamera, TOUCH, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
 import { Circling } from "./circling";
+import { type Covered, fitFree } from "./covered";
 import { Following } from "./following";
 import { FIELD, frame, type Subject } from "./framing";
 import type { EyePose } from "./robots";
@@ -27,8 +28,6 @@ const FROM_SOUTH = new Vector3(0, -0.8, 1).normalize();
 const FROM_ABOVE = new Vector3(0, -0.001, 1).normalize();
 const STEEPEST = 0.001;
 const FLATTEST = 1.5;
-/** The largest share of a small picture's height that is left to its overlays. */
-const MOST_COVERED = 0.35;
 /** How far in front of the floor's centre the camera may look, as a share of its depth: near objects appear larger. */
 const SHIFTS = [0, -0.03, -0.06, -0.09, -0.12, -0.15];
 /** The share of the picture that the world fills. */
@@ -79,18 +78,9 @@ export class Cameras {
     this.apply("follow");
   }
 
-  /**
-   * The picture's size in pixels.
-   *
-   * @param covered how many pixels are covered at the upper and at the lower edge: the view is centred in the rest.
-   */
-  size(width: number, height: number, covered = { top: 0, bottom: 0 }): void {
-    const { top, bottom } = covered;
-    const hidden = Math.min(top + bottom, MOST_COVERED * height);
-    const free = Math.max(1, height - hidden);
-    const above = hidden && (hidden * top) / (top + bottom);
-    this.camera.aspect = width / free;
-    this.camera.setViewOffset(width, free, 0, -above, width, height);
+  /** See `fitFree`. */
+  size(width: number, height: number, covered: Covered = { top: 0, bottom: 0 }): void {
+    fitFree(this.camera, width, height, covered);
     if (this.shows) this.reset();
   }
 

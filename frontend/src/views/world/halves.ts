@@ -2,6 +2,7 @@
 
 import { PerspectiveCamera, Vector3 } from "three";
 
+import { type Covered, fitFree } from "./covered";
 import { Following } from "./following";
 import { FIELD } from "./framing";
 import type { XY } from "./scenery/description";
@@ -12,8 +13,6 @@ const DISTANCE = 1300;
 const FROM = new Vector3(0, -0.75, 0.66).normalize();
 const NEAREST = 300;
 const FARTHEST = 9000;
-/** The largest share of a half's height that is left to what covers it. */
-const MOST_COVERED = 0.35;
 
 /** A part of the picture that a camera of its own sees, from the upper left corner: all are shares of the picture. */
 export interface Lens {
@@ -52,12 +51,8 @@ class Half {
   }
 
   /** Its size in pixels, and how many of them are covered at its upper and lower edge. */
-  size(width: number, height: number, covered: { top: number; bottom: number }): void {
-    const all = covered.top + covered.bottom;
-    const hidden = Math.min(all, MOST_COVERED * height);
-    const free = Math.max(1, height - hidden);
-    this.camera.aspect = width / free;
-    this.camera.setViewOffset(width, free, 0, all ? (-hidden * covered.top) / all : 0, width, height);
+  size(width: number, height: number, covered: Covered): void {
+    fitFree(this.camera, width, height, covered);
   }
 
   zoom(factor: number): void {
@@ -74,11 +69,8 @@ class Half {
 export class Halves {
   private readonly halves = [new Half(), new Half()];
   private places = BESIDE;
-
   /** What is drawn, the first robot's half first. */
-  get lenses(): readonly Lens[] {
-    return this.halves.map(({ camera }, i) => ({ camera, ...(this.places[i] as Place) }));
-  }
+  lenses: readonly Lens[] = [];
 
   /** Whether one half is above the other. */
   get isHigh(): boolean {
@@ -91,7 +83,7 @@ export class Halves {
   }
 
   /** The picture's size in pixels, and how many are covered at its upper and lower edge. */
-  size(width: number, height: number, covered: { top: number; bottom: number }): void {
+  size(width: number, height: number, covered: Covered): void {
     this.places = width >= height ? BESIDE : BELOW;
     const [upper, lower] = this.isHigh
       ? [
@@ -103,6 +95,7 @@ export class Halves {
       const { width: wide, height: high } = this.places[i] as Place;
       half.size(wide * width, high * height, (i === 0 ? upper : lower) ?? covered);
     });
+    this.lenses = this.halves.map(({ camera }, i) => ({ camera, ...(this.places[i] as Place) }));
   }
 
   zoom(factor: number): void {

@@ -4,6 +4,7 @@ import { computed, effect, type ReadonlySignal, type Signal, signal } from "@pre
 import { t } from "../../i18n";
 import type { PlayerView } from "../../model/views";
 import type { CameraMode } from "./cameras";
+import type { Covered } from "./covered";
 import { Halves, type Lens } from "./halves";
 import type { XY } from "./scenery/description";
 
@@ -28,7 +29,6 @@ export class Players {
   /** The robots that are followed, by name; none for all of them. */
   private readonly chosen = signal<readonly string[]>([]);
   private readonly halves = new Halves();
-  private lensesNow: readonly Lens[] = [];
   private readonly end: () => void;
 
   /**
@@ -75,13 +75,12 @@ export class Players {
 
   /** What is drawn side by side; nothing while there is one view. */
   get lenses(): readonly Lens[] {
-    return this.isSplit ? this.lensesNow : [];
+    return this.isSplit ? this.halves.lenses : [];
   }
 
   /** See `Halves.size`. */
-  size(width: number, height: number, covered: { top: number; bottom: number }): void {
+  size(width: number, height: number, covered: Covered): void {
     this.halves.size(width, height, covered);
-    this.lensesNow = this.halves.lenses;
     this.dom.classList.toggle("high", this.halves.isHigh);
   }
 

@@ -326,7 +326,7 @@ export class World implements WorldIsland {
     this.context.askingWhy.aboutRobot();
   }
 
-  /** What is drawn side by side; nothing while there is one view. */
+  /** What is drawn side by side; nothing while there is one view, as while the camera circles. */
   private get lenses(): readonly Lens[] {
     return this.cameras.mode === "split" ? this.players.lenses : [];
   }

@@ -12,6 +12,7 @@ from starlette.responses import Response
 
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
+from learnblock.server.http.bodies import LongBodyError, body
 from learnblock.server.http.refusal import refusal
 
 #: The largest file in bytes, and the seconds within which it must arrive.
@@ -58,11 +59,11 @@ class RunFiles:
         name, filename = request.path_params["name"], request.query_params.get("filename", "")
         try:
             async with asyncio.timeout(PATIENCE):
-                data = await _body(request)
+                data = await body(request, LARGEST)
         except (TimeoutError, ClientDisconnect):
             return refusal(Phrase("kept-upload-slow"))
-        except LearnBlockError as error:
-            return refusal(error.phrase)
+        except LongBodyError:
+            return refusal(Phrase("log-file-too-large", most=LARGEST // 2**20))
         return await self._answer(lambda: self._take_in(name, filename, data))
 
     async def _answer(self, action: Callable[[], Response]) -> Response:
@@ -98,17 +99,3 @@ class RunFiles:
             projects.now(), blocks, name=title or "run", foreign=True
         )
         return Response(msgspec.json.encode(run), media_type="application/json")
-
-
-async def _body(request: Request) -> bytes:
-    """The file in a request.
-
-    Raises:
-        LearnBlockError: it is too large.
-    """
-    data = bytearray()
-    async for part in request.stream():
-        data += part
-        if len(data) > LARGEST:
-            raise LearnBlockError("log-file-too-large", most=LARGEST // 2**20)
-    return bytes(data)

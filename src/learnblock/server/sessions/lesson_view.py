@@ -11,7 +11,7 @@ from learnblock.language import Workspace
 from learnblock.lessons import puzzles
 from learnblock.lessons.checks import Collided, GoalReached, Happens, Never, Reaches, Size, Uses
 from learnblock.lessons.describing import describe
-from learnblock.lessons.drawing import LONGEST_DRAWING, drawn_program
+from learnblock.lessons.drawing import drawn_part
 from learnblock.lessons.judging import Verdict
 from learnblock.lessons.lesson import Step
 from learnblock.lessons.reading import OpenLesson
@@ -131,35 +131,5 @@ def drawings_in(texts: Iterable[str], pieces: Iterable[str] = ()) -> dict[str, W
     """The blocks of Markdown and of the pieces of a puzzle, by their Block-Text."""
     fences = (fence.strip("\n") for text in texts for fence in drawn_blocks(text))
     wanted = islice(dict.fromkeys((*fences, *pieces)), MOST_DRAWINGS)
-    drawn = ((source, _drawing(source)) for source in wanted)
+    drawn = ((source, drawn_part(source)) for source in wanted)
     return {source: workspace for source, workspace in drawn if workspace is not None}
-
-
-def _drawing(source: str) -> Workspace | None:
-    """The blocks of a program, or of some of its statements; None if they can't be drawn."""
-    if len(source) > LONGEST_DRAWING:
-        return None
-    body = source.strip("\n")
-    if body.startswith("elif "):
-        # The page writes "else" before the drawing of the "if".
-        body = body.removeprefix("el")
-    inner = "\n".join(f"    {line}" for line in body.split("\n"))
-    is_head = body.endswith(":") and "\n" not in body
-    parts = [f"main:\n{inner}\nend\n"]
-    if is_head:
-        # A line such as "repeat 4:" begins a statement.
-        parts.append(f"main:\n{inner}\n        pass\n    end\nend\n")
-    workspace = next(filter(None, map(drawn_program, parts)), None)
-    if workspace:
-        return _without_head(workspace)
-    # "main:" or "def go():" begins a part of the program.
-    return drawn_program(f"{body}\n    pass\nend\n" if is_head else source)
-
-
-def _without_head(workspace: Workspace) -> Workspace | None:
-    """The statements inside of ``main``, as a stack of their own."""
-    for first, *_ in workspace.stacks:
-        for slot in first.inputs.values():
-            if slot.stack:
-                return Workspace([slot.stack], workspace.variables)
-    return None
