@@ -4,7 +4,7 @@ import { MOUSE, PerspectiveCamera, TOUCH, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
 import { Circling } from "./circling";
-import { type Covered, fitFree } from "./covered";
+import { type Covered, fitFree, freePart } from "./covered";
 import { Following } from "./following";
 import { FIELD, frame, type Subject } from "./framing";
 import type { EyePose } from "./robots";
@@ -155,7 +155,7 @@ export class Cameras {
   }
 
   private showStart(subject: Subject): void {
-    this.go(frame(subject, this.camera.aspect));
+    this.go(frame(subject, this.camera.aspect, freePart(this.camera)));
     this.shows = "start";
   }
 

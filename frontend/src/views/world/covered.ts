@@ -19,3 +19,8 @@ export function fitFree(camera: PerspectiveCamera, width: number, height: number
   camera.aspect = width / free;
   camera.setViewOffset(width, free, 0, -above, width, height);
 }
+
+/** The part of the picture's height that nothing covers. */
+export function freePart({ view }: PerspectiveCamera): number {
+  return view ? view.fullHeight / view.height : 1;
+}

@@ -14,7 +14,7 @@ export const INNER = 0.8;
 const LEAST = 0.14;
 const MOST = 0.3;
 /** The robot's least part beside all of its goals: with a smaller one, only the first goal has to be in sight. */
-const LEAST_OF_ALL = 0.1;
+const LEAST_OF_ALL = 0.12;
 /** Without a goal: its largest part of the height and of the width, and how far it is from the middle, to leave room ahead. */
 const ALONE = { height: 0.42, width: 0.28, aside: 0.38, below: 0.2 };
 /** What a turn from the south by 90 degrees costs, and what a robot that looks into the camera is worth. */
@@ -60,16 +60,23 @@ export interface View {
   readonly target: Vector3;
 }
 
-/** The best of many places for the camera. */
-export function frame(subject: Subject, aspect: number): View {
+/**
+ * The best of many places for the camera.
+ *
+ * @param aspect of the part of the picture that nothing covers.
+ * @param free its part of the picture's height: with less of it, the robot has to be larger there.
+ */
+export function frame(subject: Subject, aspect: number, free = 1): View {
+  const least = LEAST / free;
   if (subject.others?.length) {
-    const eye = best(subject, aspect);
-    if (eye.shows(subject) && eye.share(subject) >= LEAST_OF_ALL) return eye.view;
+    const eye = best(subject, aspect, least);
+    if (eye.shows(subject) && eye.share(subject) >= LEAST_OF_ALL / free) return eye.view;
   }
-  return best({ ...subject, others: [] }, aspect).view;
+  return best({ ...subject, others: [] }, aspect, least).view;
 }
 
-function best(subject: Subject, aspect: number): Eye {
+/** @param least the robot's least part of the height of what is free. */
+function best(subject: Subject, aspect: number, least: number): Eye {
   let found: { eye: Eye; score: number } | null = null;
   const isBetter = (score: number) => score > (found?.score ?? Number.NEGATIVE_INFINITY);
   for (const steepness of STEEPNESSES) {
@@ -77,7 +84,7 @@ function best(subject: Subject, aspect: number): Eye {
       for (const part of subject.goal ? PARTS : PARTS.slice(0, 1)) {
         const eye = nearest(subject, steepness, turn, part, aspect);
         if (!eye) continue;
-        const clear = worth(eye.share(subject), turn, subject.heading);
+        const clear = worth(eye.share(subject), least, turn, subject.heading);
         // What is hidden is looked for only where it matters: there are many places.
         const score = isBetter(clear) ? clear - eye.hidden(subject) : clear;
         if (isBetter(score)) found = { eye, score };
@@ -88,10 +95,10 @@ function best(subject: Subject, aspect: number): Eye {
 }
 
 /** How good a picture is; one with too small a robot is worse than all others. */
-function worth(share: number, turn: number, heading: number): number {
+function worth(share: number, least: number, turn: number, heading: number): number {
   const facing = Math.cos(radians(turn - 90 + heading));
   const score = Math.min(share, MOST) - (SIDEWAYS * Math.abs(turn)) / 90 + FACING * facing;
-  return share < LEAST ? score - 1 : score;
+  return share < least ? score - 1 : score;
 }
 
 /** The nearest camera that has everything in the inner part of its picture. */

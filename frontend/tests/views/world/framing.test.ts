@@ -18,8 +18,8 @@ const SQUARE: Subject = {
 };
 const LONELY: Subject = { x: 0, y: 0, heading: 90, reach: 75, height: 120, goal: null, screens: [] };
 
-function cameraFor(subject: Subject, aspect: number): PerspectiveCamera {
-  const { place, target } = frame(subject, aspect);
+function cameraFor(subject: Subject, aspect: number, free = 1): PerspectiveCamera {
+  const { place, target } = frame(subject, aspect, free);
   const camera = new PerspectiveCamera(FIELD, aspect, 20, 40_000);
   camera.up.set(0, 0, 1);
   camera.position.copy(place);
@@ -77,6 +77,29 @@ describe.each([
     expect((down * 180) / Math.PI).toBeGreaterThanOrEqual(25);
     expect((down * 180) / Math.PI).toBeLessThanOrEqual(35);
   });
+});
+
+it("where half of the picture is covered, a robot is shown larger in the rest, if need be without all of its goals", () => {
+  const [goal, ...others]: XY[] = [
+    [-700, 350],
+    [0, 300],
+    [400, -400],
+    [1000, -400],
+  ];
+  const maze: Subject = {
+    x: -1000,
+    y: -300,
+    heading: 0,
+    reach: 60,
+    height: 80,
+    goal: goal ?? null,
+    others,
+    screens: [],
+  };
+  const alone = shareOf(maze, cameraFor(maze, 2.1));
+  const beside = shareOf(maze, cameraFor(maze, 2.1, 0.5));
+
+  expect(beside).toBeGreaterThan(1.5 * alone);
 });
 
 describe.each([
