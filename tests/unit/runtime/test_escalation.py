@@ -2,7 +2,7 @@
 
 import pytest
 
-from learnblock.runtime.escalation import Measure, escalate
+from learnblock.runtime.escalation import PATIENCE, Measure, escalate
 
 
 class Stubborn:
@@ -42,3 +42,12 @@ def test_a_stronger_measure_follows_only_when_the_time_of_the_weaker_one_is_up(
     program = Stubborn(gives_way_to)
     ended = escalate(program.measures(stop=1.5, kill=1), program.wait)
     assert (ended, program.taken, program.waited) == (gives_way_to != "nothing", taken, waited)
+
+
+def test_a_run_that_does_not_end_is_left_behind_within_two_seconds():
+    run = Stubborn("nothing")
+    measures = PATIENCE.measures(lambda: run.taken.append("stop"), lambda: run.taken.append("kill"))
+
+    assert not escalate(measures, run.wait)
+    assert run.taken == ["stop", "kill"]
+    assert run.waited < 2

@@ -1,9 +1,11 @@
-"""A run ends within two seconds of Stop, whatever its program and its robot do."""
+"""A run ends after Stop, whatever its program and its robot do.
+
+How long each measure may take is claimed in `tests/unit/runtime/test_escalation.py`.
+"""
 
 import contextlib
 import os
 import threading
-from time import monotonic
 
 import pytest
 
@@ -68,12 +70,11 @@ def home(tmp_path, monkeypatch):
 
 
 def stopped(page):
-    """Stop the program; return how it ended, and after how many seconds."""
-    began = monotonic()
+    """Stop the program; return how it ended."""
     page.say("Stop")
     ended = page.hear("Ended")
     page.hear("RunState", state="ended")
-    return ended, monotonic() - began
+    return ended
 
 
 def writer_of(fifo):
@@ -104,9 +105,7 @@ def test_a_robot_that_hangs_is_left_behind_and_the_page_says_so(home, server, tm
             page.hear("Printed")
         else:
             stack.callback(os.close, writer_of(fifo))
-        ended, seconds = stopped(page)
-        assert ended["message"]["code"] == "play-given-up-real"
-        assert seconds < 2.5
+        assert stopped(page)["message"]["code"] == "play-given-up-real"
         # The page goes on as before.
         page.say("ChooseRobot", name="sim-ebo")
         page.type("main:\n    print(1)\nend\n")
@@ -118,9 +117,8 @@ def test_a_program_that_never_reads_its_answers_is_stopped(page):
     page.type(DEAF, "python")
     page.say("Run")
     page.hear("RunState", state="running")
-    ended, seconds = stopped(page)
+    ended = stopped(page)
     assert ended["ended"] == "stopped", ended
-    assert seconds < 2.5
 
 
 def test_a_run_for_which_there_is_no_thread_is_taken_back_and_says_why(page, monkeypatch):
@@ -139,7 +137,7 @@ def test_a_run_for_which_there_is_no_thread_is_taken_back_and_says_why(page, mon
     monkeypatch.undo()
     page.say("Run")
     page.hear("RunState", state="running")
-    assert stopped(page)[0]["ended"] == "stopped"
+    assert stopped(page)["ended"] == "stopped"
 
 
 def test_a_run_whose_thread_dies_without_a_word_is_over(page, monkeypatch):
