@@ -1,7 +1,8 @@
-"""How many tests run at once: one per core, and one more where none of them needs real time.
+"""How many tests run at once: one per core, and one more where none of them drives a robot's wire.
 
 Many tests wait, for a process that starts or a page that answers, so one worker more than there are
-cores fills the pauses. A robot's wire and a browser, though, need their core when they ask for it.
+cores fills the pauses. A robot's wire, though, needs its core when it asks for it, and a browser
+needs at least that nothing computes beside it without a pause.
 """
 
 import contextlib
@@ -12,7 +13,7 @@ from pathlib import Path
 import pytest
 from filelock import FileLock, ReadWriteLock
 
-from gate import FOLDERS, folder_of
+from gate import folder_of
 
 CORES = pytest.StashKey["Cores"]()
 
@@ -24,19 +25,28 @@ class Cores:
         self._is_extra = worker >= cores
         # The extra worker has no core of its own, and shares the first one's.
         self._core = FileLock(folder / f"core-{worker % cores}.lock", poll_interval=0.01)
-        # Read by each test that needs real time; written by the test that runs beside all others.
-        self._real_time = ReadWriteLock(folder / "real-time.lock", is_singleton=False)
+        # Read by each test of a kind; written by a test without a core that may not run beside it.
+        self._wires, self._browsers = (
+            ReadWriteLock(folder / f"{kind}.lock", is_singleton=False)
+            for kind in ("wire", "browser")
+        )
 
     @contextlib.contextmanager
-    def taken(self, *, real_time: bool, seconds: float = -1) -> Iterator[None]:
-        """Wait until a test may run, at most so many seconds, and keep its place while it does."""
+    def taken(self, folder: str, seconds: float = -1) -> Iterator[None]:
+        """Wait until a test of a folder may run, at most so many seconds, and keep its place."""
+        is_wire, is_browser = folder == "wire", folder == "browser"
+        has_core = is_wire or not self._is_extra
         with contextlib.ExitStack() as places:
-            if real_time or not self._is_extra:
+            if has_core:
                 places.enter_context(self._core.acquire(timeout=seconds))
-            if real_time:
-                places.enter_context(self._real_time.read_lock(seconds))
-            elif self._is_extra:
-                places.enter_context(self._real_time.write_lock(seconds))
+            if is_wire:
+                places.enter_context(self._wires.read_lock(seconds))
+            if is_browser:
+                places.enter_context(self._browsers.read_lock(seconds))
+            if not has_core:
+                places.enter_context(self._wires.write_lock(seconds))
+            if not (has_core or is_browser):
+                places.enter_context(self._browsers.write_lock(seconds))
             yield
 
 
@@ -60,5 +70,5 @@ def pytest_runtest_protocol(item):
     cores = item.config.stash.get(CORES, None)
     if cores is None:
         return (yield)
-    with cores.taken(real_time=folder_of(item) in FOLDERS):
+    with cores.taken(folder_of(item)):
         return (yield)

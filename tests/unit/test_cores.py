@@ -1,4 +1,4 @@
-"""A test that needs real time runs beside no more tests than there are cores."""
+"""A test of a wire runs beside no more tests than there are cores; one of a browser may."""
 
 import pytest
 from filelock import Timeout
@@ -14,40 +14,49 @@ def workers(tmp_path):
     return [Cores(tmp_path, worker=number, cores=CORES) for number in range(CORES + 1)]
 
 
-def begun(worker, *, real_time):
+def begun(worker, folder):
     """Let a worker begin a test, or raise `Timeout` if it has to wait."""
-    return worker.taken(real_time=real_time, seconds=0)
+    return worker.taken(folder, seconds=0)
 
 
-def has_to_wait(worker, *, real_time):
+def has_to_wait(worker, folder):
     try:
-        with begun(worker, real_time=real_time):
+        with begun(worker, folder):
             return False
     except Timeout:
         return True
 
 
-def test_plain_tests_run_on_all_cores_and_one_more(workers):
+@pytest.mark.parametrize("folder", ["unit", "browser"])
+def test_tests_of_a_kind_run_on_all_cores_and_one_more(workers, folder):
     first, second, extra = workers
-    with begun(first, real_time=False), begun(second, real_time=False):
-        assert not has_to_wait(extra, real_time=False)
+    with begun(first, folder), begun(second, folder):
+        assert not has_to_wait(extra, folder)
 
 
-def test_no_extra_test_begins_beside_one_that_needs_real_time(workers):
+@pytest.mark.parametrize(
+    ("extra_folder", "folder"), [("unit", "wire"), ("browser", "wire"), ("unit", "browser")]
+)
+def test_no_extra_test_begins_beside_one_that_needs_its_core_more(workers, extra_folder, folder):
     first, second, extra = workers
-    with begun(first, real_time=True), begun(second, real_time=True):
-        assert has_to_wait(extra, real_time=False)
-    assert not has_to_wait(extra, real_time=False)
+    with begun(first, folder), begun(second, folder):
+        assert has_to_wait(extra, extra_folder)
+    assert not has_to_wait(extra, extra_folder)
 
 
-def test_one_that_needs_real_time_waits_for_the_end_of_an_extra_one(workers):
+@pytest.mark.parametrize(
+    ("extra_folder", "folder"), [("unit", "wire"), ("browser", "wire"), ("unit", "browser")]
+)
+def test_one_that_needs_its_core_more_waits_for_the_end_of_an_extra_one(
+    workers, extra_folder, folder
+):
     first, _, extra = workers
-    with begun(extra, real_time=False):
-        assert has_to_wait(first, real_time=True)
-    assert not has_to_wait(first, real_time=True)
+    with begun(extra, extra_folder):
+        assert has_to_wait(first, folder)
+    assert not has_to_wait(first, folder)
 
 
-def test_the_extra_worker_takes_the_core_of_the_first_for_one_that_needs_real_time(workers):
+def test_the_extra_worker_takes_the_core_of_the_first_for_a_wire(workers):
     first, second, extra = workers
-    with begun(extra, real_time=True), begun(second, real_time=True):
-        assert has_to_wait(first, real_time=False)
+    with begun(extra, "wire"), begun(second, "wire"):
+        assert has_to_wait(first, "unit")
