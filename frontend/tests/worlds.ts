@@ -11,5 +11,6 @@ export function emptyWorld(): WorldValues {
     ...lists,
     goal: Object.fromEntries(SORTS.filter(isGoal).map((sort) => [sort, []])),
     game: null,
+    team: [],
   } as unknown as WorldValues;
 }

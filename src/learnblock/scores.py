@@ -6,7 +6,7 @@ A simulated world keeps it for all its robots; a robot without a world keeps its
 import math
 from collections import Counter, deque
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal, NamedTuple
 
 #: Lives of a player in a game that has not said how many, as in MakeCode Arcade.
@@ -40,9 +40,9 @@ EventKind = Literal[
     "won",
     "lost",
 ]
-#: Why a game ended: its program or a zone said so, no lives or no time were left, or all goals were
-#: reached or one of them was missed.
-Reason = Literal["program", "zone", "lives", "time", "goals", "goal-failed"]
+#: Why a game ended: its program or a zone said so, no lives or no time were left, a goal that wins
+#: was reached, all goals were reached or one of them was missed.
+Reason = Literal["program", "zone", "lives", "time", "winning-goal", "goals", "goal-failed"]
 #: The news for a program when the countdown has ended.
 TIME_UP = "time-up"
 #: The news for each thing that is collected, beside the one with its kind.
@@ -72,6 +72,7 @@ class GameResult(NamedTuple):
         reason: why it ended.
         thing: what ended it, such as a zone or a goal; "" for nothing.
         time: when, in seconds.
+        team: the team that won it; "" for none.
     """
 
     won: bool
@@ -79,13 +80,21 @@ class GameResult(NamedTuple):
     reason: Reason
     thing: str
     time: float
+    team: str = ""
 
     @classmethod
     def of(
-        cls, time: float, reason: Reason, *, won: bool, player: str = "", thing: str = ""
+        cls,
+        time: float,
+        reason: Reason,
+        *,
+        won: bool,
+        player: str = "",
+        thing: str = "",
+        team: str = "",
     ) -> "GameResult":
         """The end of a game at a time in s."""
-        return cls(won, player, reason, thing, time)
+        return cls(won, player, reason, thing, time, team)
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,6 +110,8 @@ class GameEvent:
         lives: the player's lives since then, if they have changed.
         lost: how many of them a program has taken, so that the run can be repeated.
         seconds: of a countdown.
+        winner: the player that reached the goal that won the game, which all players hear of.
+        team: the team that won it.
     """
 
     time: float
@@ -111,6 +122,8 @@ class GameEvent:
     lives: int | None = None
     lost: int | None = None
     seconds: float | None = None
+    winner: str | None = None
+    team: str | None = None
 
 
 class _Counts:
@@ -172,9 +185,14 @@ class Scores:
 
     @property
     def in_use(self) -> bool:
-        """Whether a program has counted anything, or begun a countdown."""
+        """Whether a program has counted anything or begun a countdown, or the game has ended."""
+        return self.counts or self.result is not None
+
+    @property
+    def counts(self) -> bool:
+        """Whether there is a score, a life or a countdown to show."""
         changed = any(counts.score or counts.lives is not None for counts in self._players.values())
-        return changed or self._ends_at is not None or self.result is not None
+        return changed or self._ends_at is not None
 
     @property
     def counts_down(self) -> bool:
@@ -278,7 +296,10 @@ class Scores:
             return
         self.result = result
         kind: EventKind = "won" if result.won else "lost"
-        self.note(GameEvent(result.time, kind, result.player, result.thing or result.reason))
+        event = GameEvent(result.time, kind, result.player, result.thing or result.reason)
+        if result.reason == "winning-goal":
+            event = replace(event, player="", winner=result.player, team=result.team or None)
+        self.note(event)
 
     @property
     def has_events(self) -> bool:

@@ -84,7 +84,7 @@ def test_a_run_of_several_robots_is_repeated_exactly(race):
     assert repeated.recorded == repeated.repeated
     assert {seen[0] for seen in repeated.recorded} == {"arrows", "wasd"}
     goals = [name for _, kind, _, name, *_ in repeated.recorded if kind == "goal"]
-    assert goals == ["arrows at the finish", "wasd at the finish"]
+    assert goals == ["arrows at the finish"]
 
 
 def test_a_command_that_is_ascribed_to_another_robot_is_noticed(race):

@@ -2,7 +2,7 @@
 
 import pytest
 
-from learnblock.scores import ANYTHING, MOST_WAITING, TIME_UP, Scores, Tally
+from learnblock.scores import ANYTHING, MOST_WAITING, TIME_UP, GameResult, Scores, Tally
 
 
 def scores(lives=None, players=("ada",)):
@@ -66,7 +66,7 @@ def test_a_game_is_over_when_no_player_has_lives_left():
     assert not game.plays("ada")
     game.change("ben", "change-lives", -3, 2.0)
 
-    assert game.result == (False, "ben", "lives", "", 2.0)
+    assert game.result == GameResult.of(2.0, "lives", won=False, player="ben")
     assert game.standing("ben", 2.0).lives == 0
 
 
@@ -76,7 +76,7 @@ def test_the_first_end_counts_and_nothing_changes_after_it():
     game.change("ada", "lose", 0, 2.0)
     game.change("ada", "change-score", 1, 2.0)
 
-    assert game.result == (True, "ada", "program", "", 1.0)
+    assert game.result == GameResult.of(1.0, "program", won=True, player="ada")
     assert kinds(game) == ["won"]
 
 

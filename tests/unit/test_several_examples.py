@@ -23,6 +23,8 @@ PAGE = GAMES.partition("\n## Several robots\n")[2]
 README = (EXAMPLES / "README.md").read_text(encoding="utf-8")
 COMMAND = re.compile(r"`learnblock run (\S+@\S+(?: \S+@\S+)*) --world (\w+)(?: --for \d+)?`")
 COMMANDS = COMMAND.findall(PAGE)
+#: The goals of the players who have lost when the game is won.
+LOST = {"football": {"ball in the west goal"}, "race": {"wasd at the finish"}}
 
 pytestmark = [pytest.mark.slow, pytest.mark.spread]
 
@@ -52,13 +54,12 @@ def players(world: str, names: Iterable[str]) -> Callable[[str], Watcher]:
 
 
 @pytest.mark.parametrize(("programs", "world"), COMMANDS, ids=[world for _, world in COMMANDS])
-def test_a_command_of_the_page_reaches_all_goals_of_its_world(programs, world):
+def test_a_command_of_the_page_reaches_all_goals_of_its_world_or_wins(programs, world):
     team = jobs(programs, Options(world=world, seconds=40))
     report = TeamRun(team, watch=players(world, team), worker=InlineWorker).run()
     assert report.goals
-    assert {goal.name: goal.state for goal in report.goals} == {
-        goal.name: "reached" for goal in report.goals
-    }
+    open_goals = {goal.name for goal in report.goals if goal.state != "reached"}
+    assert open_goals == LOST.get(world, set())
     assert [own.error for own in report.robots.values()] == [None] * len(report.robots)
 
 

@@ -50,10 +50,11 @@ def effect_rows(report: Report, robot: str) -> Iterator[tuple[str, str]]:
 
 
 def goal_row(goal: Goal) -> str:
-    """A goal with its state, as text."""
+    """A goal with its team and its state, as text."""
+    name = f"{goal.name} ({goal.team})" if goal.team else goal.name
     if goal.time is None:
-        return text(Phrase("report-goal-open", name=goal.name))
-    return text(Phrase(_GOALS[goal.state], name=goal.name, time=decimal(goal.time)))
+        return text(Phrase("report-goal-open", name=name))
+    return text(Phrase(_GOALS[goal.state], name=name, time=decimal(goal.time)))
 
 
 def decimal(number: float) -> Phrase:

@@ -61,12 +61,14 @@ class Goal:
         kind: region, line, tag.
         state: ``open``, ``reached`` or ``failed``.
         time: when it was decided, in seconds; None while it is open.
+        team: the team that it is for, or "".
     """
 
     name: str
     kind: str
     state: Literal["open", "reached", "failed"]
     time: float | None
+    team: str = ""
 
 
 @dataclass(frozen=True, slots=True)

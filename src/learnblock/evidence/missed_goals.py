@@ -26,6 +26,7 @@ from learnblock.evidence.missed_games import missed_game
 from learnblock.i18n import Phrase
 from learnblock.i18n.names import goal_phrase
 from learnblock.simulator import WorldDescription
+from learnblock.simulator.game.teams import Teams
 from learnblock.simulator.geometry import Pose
 from learnblock.simulator.goal import RobotState
 from learnblock.simulator.goal_description import (
@@ -89,10 +90,20 @@ class RunInWorld:
 
     def of(self, goal: AnyGoal) -> Iterable["RunInWorld"]:
         """The same run, looked at for each robot that may reach a goal."""
-        names = [goal.robot] if goal.robot else list(self.evidence.team)
-        if len(names) <= 1 and not goal.robot:
+        names = [goal.robot] if goal.robot else self._robots_of(goal.team)
+        if len(self.evidence.team) <= 1 and not goal.robot:
             return (self,)
         return tuple(RunInWorld(self.evidence.of(name), self.world) for name in names)
+
+    def _robots_of(self, team: str | None) -> Sequence[str]:
+        """The robots of a team; without a team, all of them."""
+        robots = list(self.evidence.team)
+        if team is None or self.world is None:
+            return robots
+        teams = Teams(self.world)
+        for robot in robots:
+            teams.add(robot, None)
+        return [robot for robot in robots if teams.robots[robot] == team]
 
 
 def missed_goal(run: RunInWorld, names: Sequence[str]) -> Miss | None:

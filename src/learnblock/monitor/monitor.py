@@ -111,21 +111,23 @@ def located(pose: Pose | None) -> tuple[float, float, float, bool]:
     return (*(pose or (0.0, 0.0, 0.0)), pose is not None)
 
 
-class GoalNow(Struct, frozen=True):
-    """A goal of the world, and when it was reached or failed, s."""
+class GoalNow(Struct, frozen=True, omit_defaults=True):
+    """A goal of the world, when it was reached or failed, s, and the team that it is for."""
 
     name: str
     sort: str
     state: Literal["open", "reached", "failed"]
     time: float | None
+    team: str = ""
 
 
-class PlayerNow(Struct, frozen=True):
-    """A robot that plays: its name in the world, its score and its lives; None without lives."""
+class PlayerNow(Struct, frozen=True, omit_defaults=True):
+    """A robot that plays: its name, its score, its lives or None, and its team or ""."""
 
     name: str
     score: float
     lives: int | None
+    team: str = ""
 
 
 class GameNow(Struct, frozen=True, omit_defaults=True):
@@ -139,6 +141,9 @@ class GameNow(Struct, frozen=True, omit_defaults=True):
         doors: whether each door is open.
         won: whether the game has been won; None while it goes on.
         reason: why it has ended, or what ended it.
+        winner: the robot that has won it alone; "" for all of them.
+        team: the team that has won it; "" for none.
+        counts: whether there is a score, lives or a countdown.
     """
 
     players: tuple[PlayerNow, ...]
@@ -147,6 +152,9 @@ class GameNow(Struct, frozen=True, omit_defaults=True):
     doors: tuple[bool, ...] = ()
     won: bool | None = None
     reason: str = ""
+    winner: str = ""
+    team: str = ""
+    counts: bool = True
 
 
 class Seen(Struct, frozen=True, omit_defaults=True):

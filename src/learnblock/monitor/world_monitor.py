@@ -99,7 +99,7 @@ class WorldMonitor:
                 pushed=tuple((pose.x, pose.y, pose.heading) for pose in pushed),
                 sensors=tuple(_sensors(world.robots[self._name])),
                 goals=tuple(
-                    GoalNow(goal.name, goal.kind, goal.state, goal.time)
+                    GoalNow(goal.name, goal.kind, goal.state, goal.time, goal.team)
                     for goal in map(goal_of, world.goals)
                 ),
                 game=game_now(world.game, world.time),

@@ -209,6 +209,8 @@ class Recorder(Witness):
             "lives": event.lives,
             "lost": event.lost,
             "seconds": event.seconds,
+            "winner": event.winner,
+            "winning_team": event.team,
         }
         changed = {name: value for name, value in counts.items() if value is not None}
         self._write_at(event.time, "game", event.kind, **changed)

@@ -29,6 +29,7 @@ class RobotState:
         lost_lives: how many lives it has lost.
         collected: how many things of each kind it has collected.
         gates: how many gates it has passed in their order.
+        team: the team that it plays for, or "".
     """
 
     name: str
@@ -43,6 +44,7 @@ class RobotState:
     lost_lives: int = 0
     collected: Mapping[str, int] = field(default_factory=dict)
     gates: int = 0
+    team: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,6 +58,8 @@ class GoalState:
         reached_at: when it was reached, in s, or None.
         failed_at: when it could no longer be reached, in s, or None.
         robot: the robot that reached it, or "".
+        team: the team that it is for, or "".
+        wins: whether reaching it wins the game.
     """
 
     name: str
@@ -64,6 +68,8 @@ class GoalState:
     reached_at: float | None = None
     failed_at: float | None = None
     robot: str = ""
+    team: str = ""
+    wins: bool = False
 
     @property
     def is_open(self) -> bool:
@@ -81,7 +87,7 @@ class Goal:
 
     def __init__(self, kind: GoalKind, described: AnyGoal) -> None:
         self._described = described
-        self.state = GoalState(described.name, kind)
+        self.state = GoalState(described.name, kind, team=described.team or "", wins=described.wins)
         #: The goal that has to be reached before this one.
         self.first: Goal | None = None
 
@@ -90,7 +96,7 @@ class Goal:
         if not self.state.is_open:
             return
         if self.first is None or self.first.state.reached_at is not None:
-            self._look([robot for robot in robots if self._described.robot in (None, robot.name)])
+            self._look([robot for robot in robots if self._is_for(robot)])
         limit = self._described.time_limit
         is_late = limit is not None and time >= limit
         is_lost = self.first is not None and self.first.state.failed_at is not None
@@ -105,6 +111,10 @@ class Goal:
         """Whether a robot can still reach the goal."""
         return True
 
+    def _is_for(self, robot: RobotState) -> bool:
+        goal = self._described
+        return goal.robot in (None, robot.name) and goal.team in (None, robot.team)
+
     def _look(self, robots: Sequence[RobotState]) -> None:
         able = [robot for robot in robots if self.can_reach(robot)]
         for robot in able:
@@ -114,11 +124,10 @@ class Goal:
             self._fail(robots[0].time)
 
     def _note(self, robot: RobotState, progress: float) -> None:
-        name, kind = self.state.name, self.state.kind
         if progress >= 1.0:
-            self.state = GoalState(name, kind, 1.0, reached_at=robot.time, robot=robot.name)
+            self.state = replace(self.state, progress=1.0, reached_at=robot.time, robot=robot.name)
         elif progress > self.state.progress:
-            self.state = GoalState(name, kind, progress)
+            self.state = replace(self.state, progress=progress)
 
     def _fail(self, time: float) -> None:
         self.state = replace(self.state, failed_at=time)

@@ -38,6 +38,10 @@ class AnyGoal(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     time_limit: (
         Annotated[Seconds, Meta(description="seconds; after that the goal has failed")] | None
     ) = None
+    team: (
+        Annotated[Name, Meta(description="the team that it is for; without it any robot")] | None
+    ) = None
+    wins: Annotated[bool, Meta(description="whether reaching it wins the game and ends it")] = False
 
 
 class Reach(AnyGoal, kw_only=True, frozen=True, forbid_unknown_fields=True):

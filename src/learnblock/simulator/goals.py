@@ -67,7 +67,10 @@ class BringGoal(Goal):
 
 
 class TogetherGoal(Goal):
-    """Be within a region with all other robots; the one at the edge has most likely come last."""
+    """Be within a region with all other robots, or those of the team.
+
+    The one at the edge has most likely come last.
+    """
 
     def __init__(self, described: Reach) -> None:
         super().__init__("reach", described)
@@ -83,7 +86,7 @@ class TogetherGoal(Goal):
 
 
 class AloneGoal(Goal):
-    """Be the only one of several robots within a region."""
+    """Be the only one of several robots within a region; for a team, its robots alone."""
 
     def __init__(self, described: Reach) -> None:
         super().__init__("reach", described)
@@ -91,8 +94,13 @@ class AloneGoal(Goal):
 
     def _look(self, robots: Sequence[RobotState]) -> None:
         inside = [robot for robot in robots if _is_in(self._region, robot.pose)]
-        if len(inside) == 1 < len(robots):
+        team = self._region.team
+        others = [robot for robot in inside[1:] if team is None or robot.team != team]
+        if inside and not others and len(inside) < len(robots) and super()._is_for(inside[0]):
             self._note(inside[0], 1.0)
+
+    def _is_for(self, robot: RobotState) -> bool:  # noqa: ARG002 - the others have to be outside
+        return True
 
 
 class FollowGoal(Goal):

@@ -126,6 +126,7 @@ class World:
             raise KeyTakenError("world-robot-taken", name=name)
         radius = description.body.reach
         pose = Pose(*start) if isinstance(start, tuple) else self._free_pose(start, radius)
+        self.game.teams.add(name, start if isinstance(start, str) else None)
         group = len(self.robots) + 1
         self.robots[name] = RobotBody(description, name, self, group, pose)
         self._chassis.append(self.robots[name].chassis)
@@ -250,6 +251,8 @@ class World:
         self._touched.clear()
 
     def _check_goals(self, robots: Sequence[RobotState]) -> None:
+        if self.game.is_decided:
+            return
         for goal in filter(lambda goal: goal.state.is_open, self._goals):
             goal.look(self.time, robots)
             self._tell_end(goal.state)
@@ -269,6 +272,7 @@ class World:
             lost_lives=self.game.scores.lost_lives(robot.name),
             collected=self.game.scores.collected(robot.name),
             gates=self.game.passed.get(robot.name, 0),
+            team=self.game.teams.robots.get(robot.name, ""),
         )
 
     def _tell_end(self, state: GoalState) -> None:

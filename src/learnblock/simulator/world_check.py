@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from learnblock.errors import UnknownNameError
 from learnblock.i18n import Phrase
 from learnblock.simulator.game.checks import THINGS, check_game
+from learnblock.simulator.game.teams import check_teams
 from learnblock.simulator.world_description import Box, Cylinder, Face, Tag, WorldFile, thing_name
 from learnblock.simulator.world_guide import offers
 from learnblock.storage.struct_types import KeyPath
@@ -32,6 +33,7 @@ def check_world(world: WorldFile, folder: Path) -> Iterator[FileMistake]:
     yield from _check_goals(world)
     yield from _check_vary(world)
     yield from check_game(world)
+    yield from check_teams(world)
     yield from _check_group(world)
     if world.floor.picture is not None:
         yield from _check_picture(folder, world.floor.picture)
@@ -78,15 +80,17 @@ def _check_places(world: WorldFile) -> Iterator[FileMistake]:
 
 
 def _check_names(world: WorldFile) -> Iterator[FileMistake]:
-    """Report duplicate names: lines, starts and goals are identified by name."""
+    """Report duplicate names: lines, starts, teams and goals are identified by name."""
     groups: tuple[list[KeyPath], ...] = (
         [("line", i) for i in range(len(world.line))],
         [("start", i) for i in range(len(world.start))],
+        [("team", i) for i in range(len(world.team))],
         [("goal", kind, i) for kind, i, _ in world.goal.all()],
     )
     names = (
         [line.name for line in world.line],
         [start.name for start in world.start],
+        [team.name for team in world.team],
         [goal.name for _, _, goal in world.goal.all()],
     )
     for paths, path_names in zip(groups, names, strict=True):

@@ -35,6 +35,7 @@ from learnblock.simulator.game.description import (
     Mover,
     RaceGate,
     Switch,
+    Team,
     Zone,
 )
 from learnblock.simulator.geometry import Point, Pose, arc
@@ -288,6 +289,7 @@ class WorldFile(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     start: Annotated[tuple[Start, ...], Meta(max_length=100)] = ()
     goal: Annotated[Goals, Meta(description="the goals of robots")] = Goals()
     game: Annotated[GameRules, Meta(description="what holds for the whole game")] | None = None
+    team: Annotated[tuple[Team, ...], Meta(max_length=10)] = ()
     collectable: Annotated[tuple[Collectable, ...], Meta(max_length=100)] = ()
     zone: Annotated[tuple[Zone, ...], Meta(max_length=50)] = ()
     gate: Annotated[tuple[RaceGate, ...], Meta(max_length=50)] = ()

@@ -18,7 +18,7 @@ def robots_for(world: WorldFile) -> int:
     """How many robots a world is for."""
     needs_others = any(goal.together or goal.alone or goal.robot for goal in world.goal.reach)
     # Some worlds for one robot have a place for a second one.
-    return len(world.start) if needs_others or len(world.start) > 2 else 1
+    return len(world.start) if needs_others or world.team or len(world.start) > 2 else 1
 
 
 def group_of(world: WorldFile) -> Group:

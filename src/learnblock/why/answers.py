@@ -77,7 +77,7 @@ class _Answering:
         # Each one uses only those above it.
         self._variables = VariableFacts(inquiry)
         self._causes = Causes(inquiry)
-        self._run_end = RunEnd(inquiry, causes=self._causes)
+        self._run_end = RunEnd(inquiry, causes=self._causes, games=self._games)
         self._waits = Waits(inquiry, causes=self._causes)
         self._omissions = Omissions(
             inquiry, causes=self._causes, run_end=self._run_end, waits=self._waits
@@ -308,6 +308,7 @@ class _Answering:
             if state == "reached":
                 self._now("", until, None)
                 return
+            self._games.tell_winner(until, time)
             if miss := goal_missed(self._history.recorded, name, at):
                 there = {} if miss.time is None else {"time": round(miss.time, 2)}
                 self._draft.say_of_line(miss.words.code, 0, event, **miss.words.values, **there)
@@ -322,9 +323,8 @@ class _Answering:
         if goals := recorded.ending.get("goals"):
             return list(goals)
         states = [line for line in recorded.lines if line.get("goal") == name]
-        now = (
-            {"state": states[-1]["state"], "time": states[-1]["t"]} if states else {"state": "open"}
-        )
+        last = states[-1] if states else {"state": "open", "t": None}
+        now = {"state": last["state"], "time": last["t"]}
         return [{"name": name, **now}] if name and not recorded.ending else []
 
     def _game(self, name: str, until: int, time: float | None, *, what: str) -> None:

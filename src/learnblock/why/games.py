@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
+from learnblock.i18n.names import goal_phrase
 from learnblock.why.history import EventHistory
 from learnblock.why.sentences import Draft
 
@@ -46,26 +47,63 @@ class GameFacts:
         Returns:
             the skills with which the program did it; none if it did not.
         """
-        own = self._ended(until, time) if what == "end" else self._changed(what, until, time)
+        last = self._last(until, time)
+        own = self._ended(last) if what == "end" else self._changed(what, last)
         return _SKILLS[what] if own else ()
 
-    def _changed(self, name: str, until: int, time: float | None) -> bool:
+    def _changed(self, name: str, last: float) -> bool:
         own = False
-        for line in [*reversed([*self._lines(until, time, name)])][:_MOST]:
+        for line in [*reversed([*self._lines(last, name)])][:_MOST]:
             thing = line.get("thing")
             own |= thing is None
             self._say(_CODES[name, thing is None], line, thing=str(thing), value=line[name])
         return own
 
-    def _ended(self, until: int, time: float | None) -> bool:
-        for line in self._lines(until, time, "thing"):
-            if line["game"] in ("won", "lost"):
-                self._say("why-game-ended", line, end=line["game"], reason=str(line["thing"]))
-                return str(line["thing"]) == "program"
-        return False
+    def tell_end(self) -> bool:
+        """Tell what ended the game, if that ended the program, too; return whether it did."""
+        ended = float(self._history.recorded.ending.get("time", 0.0))
+        if self._end_line(ended) is None:
+            return False
+        self._ended(ended)
+        return True
 
-    def _lines(self, until: int, time: float | None, key: str) -> Iterator[Line]:
-        last = self._history.time(until) if time is None else time
+    def tell_winner(self, until: int, time: float | None) -> None:
+        """Tell who has won the game with a goal, if that has happened."""
+        line = self._end_line(self._last(until, time))
+        if line and "winner" in line:
+            self._tell_winner(line)
+
+    def _ended(self, last: float) -> bool:
+        line = self._end_line(last)
+        if line is None:
+            return False
+        if "winner" in line:
+            self._tell_winner(line)
+            return False
+        reason = goal_phrase(str(line["thing"]))
+        self._say("why-game-ended", line, end=line["game"], reason=reason)
+        return str(line["thing"]) == "program"
+
+    def _end_line(self, last: float) -> Line | None:
+        lines = self._lines(last, "thing")
+        return next((line for line in lines if line["game"] in ("won", "lost")), None)
+
+    def _tell_winner(self, line: Line) -> None:
+        goal, robot = goal_phrase(str(line["thing"])), str(line["winner"])
+        if "winning_team" in line:
+            team = goal_phrase(str(line["winning_team"]))
+            self._say("why-team-won", line, team=team, robot=robot, goal=goal)
+        else:
+            self._say("why-robot-won", line, robot=robot, goal=goal)
+
+    def _last(self, until: int, time: float | None) -> float:
+        """The moment in question, in s; the last event may be long before the end of the run."""
+        if time is not None:
+            return time
+        history = self._history
+        return history.end if until >= len(history.events) - 1 else history.time(until)
+
+    def _lines(self, last: float, key: str) -> Iterator[Line]:
         for line in self._history.recorded.lines:
             if "game" in line and key in line and line["t"] <= last + _ABOUT:
                 yield line

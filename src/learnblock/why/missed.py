@@ -7,11 +7,18 @@ from learnblock.errors import LearnBlockError
 from learnblock.evidence.evidence import Evidence
 from learnblock.evidence.missed_goals import Miss, RunInWorld, missed_goal
 from learnblock.robots.simulated import world_of_data
+from learnblock.simulator import WorldDescription
+from learnblock.simulator.game.teams import Teams
 from learnblock.why.recorded import Recorded
 
 
 def first_missed(recorded: Recorded) -> Miss | None:
-    """By how much a run that has ended missed the first goal that it did not reach."""
+    """By how much a run that has ended missed the first goal that it did not reach.
+
+    One that a goal has won has missed none.
+    """
+    if any("winner" in line for line in recorded.lines):
+        return None
     goals = recorded.ending.get("goals") or ()
     missed = [str(goal["name"]) for goal in goals if goal.get("state") != "reached"]
     return _miss(recorded, missed, recorded.ending["time"]) if missed else None
@@ -31,7 +38,17 @@ def _miss(recorded: Recorded, goals: list[str], until: float) -> Miss | None:
         # Its floor's picture is on another computer.
         return None
     evidence = Evidence(tuple(_lines(recorded, until)), now=until, robot=recorded.name)
-    return missed_goal(RunInWorld(evidence, description), goals)
+    return missed_goal(RunInWorld(evidence, description), _own(recorded, description, goals))
+
+
+def _own(recorded: Recorded, world: WorldDescription, names: list[str]) -> list[str]:
+    """The goals without those of other teams, of which the log does not know enough."""
+    teams = Teams(world)
+    for robot in recorded.roster or ({"name": recorded.name},):
+        teams.add(str(robot["name"]), None)
+    own = teams.robots.get(recorded.name)
+    others = {goal.name for _, _, goal in world.goal.all() if goal.team not in (None, own)}
+    return [name for name in names if name not in others]
 
 
 def _lines(recorded: Recorded, until: float) -> Iterator[dict[str, Any]]:

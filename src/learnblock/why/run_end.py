@@ -6,6 +6,7 @@ from learnblock.i18n import Phrase, Value
 from learnblock.runtime.log.events import Op
 from learnblock.runtime.log.nodes import Kind
 from learnblock.why.causes import Causes
+from learnblock.why.games import GameFacts
 from learnblock.why.history import EventHistory
 from learnblock.why.inquiry import Inquiry
 
@@ -24,11 +25,13 @@ class RunEnd:
     Args:
         inquiry: the question, and its answer so far.
         causes: tells why something happened.
+        games: tells how a game ended.
     """
 
-    def __init__(self, inquiry: Inquiry, *, causes: Causes) -> None:
+    def __init__(self, inquiry: Inquiry, *, causes: Causes, games: GameFacts) -> None:
         self._history: EventHistory = inquiry.history
         self._causes = causes
+        self._games = games
         self._draft = inquiry.draft
         self._time = inquiry.time
 
@@ -90,7 +93,9 @@ class RunEnd:
     def stop_reason(self, until: int) -> None:
         """Tell why the run was over, if it was at an event."""
         code = _ENDS.get(self._history.recorded.ending.get("ended", ""))
-        if self.is_over(until) and code:
+        if not (self.is_over(until) and code):
+            return
+        if not (code == "why-finished" and self._games.tell_end()):
             self._draft.say_of_line(code, 0)
 
 

@@ -63,15 +63,17 @@ def test_the_page_names_every_shipped_world_and_robot() -> None:
 
 
 def test_the_examples_of_files_load(tmp_path: Path) -> None:
-    world, task, game, robot = blocks("toml")
+    world, task, game, teams, robot = blocks("toml")
     (tmp_path / "garden.toml").write_text(world)
     (tmp_path / "task.toml").write_text(task)
     (tmp_path / "game.toml").write_text(game)
+    (tmp_path / "teams.toml").write_text(teams)
     (tmp_path / "beetle.toml").write_text(robot)
 
     assert load_world("garden", [tmp_path]).title == "A garden"
     assert len(list(load_world("task", [tmp_path]).goal.all())) == 3
     assert load_world("game", [tmp_path]).game
+    assert len(load_world("teams", [tmp_path]).team) == 2
     assert load_robot("beetle", [tmp_path]).title == "Beetle"
 
 

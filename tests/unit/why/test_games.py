@@ -3,6 +3,7 @@
 import pytest
 
 from learnblock.why.answers import answer
+from learnblock.why.missed import first_missed
 from learnblock.why.questions import Question, QuestionKind, questions
 from logged_runs import logged_text
 
@@ -115,3 +116,62 @@ def test_a_missed_goal_of_a_game_says_by_how_much(history, goal, code, values):
     (miss,) = [one.phrase for one in sentences if one.phrase.code == code]
 
     assert values.items() <= miss.values.items()
+
+
+WINNING = """
+[[start]]
+name = "west"
+x = -400
+y = 0
+
+[[team]]
+name = "Lions"
+colour = "red"
+robots = ["west"]
+
+[[goal.reach]]
+name = "middle"
+x = 0
+y = 0
+wins = true
+
+[[goal.reach]]
+name = "far"
+x = 900
+y = 0
+"""
+
+
+@pytest.fixture(params=["team", "robot"])
+def won(request, tmp_path):
+    """A run that a goal has won for a team, or for a robot without one; who it says has won."""
+    world = tmp_path / "won.toml"
+    is_team = request.param == "team"
+    world.write_text(WINNING if is_team else WINNING.replace('robots = ["west"]', ""))
+    text = "main:\n    function.move_straight(150)\n    function.sleep(60)\nend\n"
+    history = logged_text(tmp_path, text, "sim-ebo", world=str(world), seconds=20).history
+    return history, f"why-{request.param}-won"
+
+
+def test_a_game_that_a_goal_won_has_its_winner_and_the_goal(won):
+    history, code = won
+    (sentence, *_) = answer(history, Question(QuestionKind.GAME, "won")).sentences
+
+    assert sentence.phrase.code == code
+    assert sentence.phrase.values["goal"] == "middle"
+    assert sentence.phrase.values.get("team", "Lions") == "Lions"
+
+
+def test_a_goal_that_was_missed_and_the_end_of_the_program_have_who_won(won):
+    history, code = won
+
+    assert codes(history, QuestionKind.GOAL, "far")[:2] == ["why-goal", code]
+    ended = codes(history, QuestionKind.END)
+    assert code in ended
+    assert "why-finished" not in ended
+
+
+def test_a_game_that_a_goal_won_missed_nothing(won):
+    history, _ = won
+
+    assert first_missed(history.recorded) is None

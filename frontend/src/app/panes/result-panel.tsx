@@ -3,11 +3,13 @@
 import type { ComponentChildren } from "preact";
 import { CustomBlockLink } from "../../features/custom-blocks/link";
 import { Compared } from "../../features/share/compared";
-import { say, t, worldName } from "../../i18n";
+import { say, t } from "../../i18n";
+import { goalName } from "../../model/game-words";
 import { usePage } from "../../model/page";
 import { explained } from "../../model/run-error";
 import { ending } from "../../model/run-result";
 import type { Ended, GoalNow } from "../../protocol/messages";
+import { TeamDot } from "../world/team";
 import "./problems.css";
 
 export function Result() {
@@ -79,7 +81,7 @@ function Goals({ goals }: { goals: readonly GoalNow[] }) {
     <ul>
       {goals.map((goal) => (
         <li key={goal.name} class={goal.state}>
-          {worldName(goal.name)}: {t(`page-problems-goal-${goal.state}`)}
+          {goal.team && <TeamDot team={goal.team} />} {goalName(goal)}: {t(`page-problems-goal-${goal.state}`)}
           {goal.time !== null && ` (${goal.time.toFixed(1)} s)`}{" "}
           {goal.state !== "reached" && (
             <button type="button" class="button" onClick={() => askingWhy.aboutGoal(goal)}>

@@ -4,9 +4,11 @@ import { useSignal } from "@preact/signals";
 import { useLayoutEffect, useRef } from "preact/hooks";
 
 import { t } from "../../i18n";
+import { endOf, winningGoal } from "../../model/game-words";
 import { usePage } from "../../model/page";
 import type { GameNow, PlayerNow } from "../../protocol/messages";
 import { Icon } from "../../ui/icons";
+import { TeamDot } from "./team";
 import "./game-end.css";
 
 /** Shown when a run has ended with its game; not while the user looks back. */
@@ -20,6 +22,7 @@ export function GameEnd() {
 function EndCard({ game }: { game: GameNow }) {
   const { controls, replay, context } = usePage();
   const closed = useSignal(false);
+  const goal = winningGoal(game, context.running.telemetry.value?.goals ?? []);
   const card = useRef<HTMLElement>(null);
   useLayoutEffect(() => {
     // A player goes on here by keyboard, but a key that is still held down must press no button.
@@ -31,11 +34,13 @@ function EndCard({ game }: { game: GameNow }) {
   return (
     <section class="game-end" aria-labelledby="game-end" data-region="game-end" tabIndex={-1} ref={card}>
       <div role="status">
-        <h3 id="game-end">{titleOf(game)}</h3>
+        <h3 id="game-end">
+          {game.team && <TeamDot team={game.team} />} {endOf(game)}
+        </h3>
+        {goal && <p>{goal}</p>}
         {game.reason === "lives" && <p>{t("page-world-game-no-lives")}</p>}
-        {game.players.map((player) => (
-          <Result key={player.name} player={player} alone={game.players.length === 1} />
-        ))}
+        {game.counts !== false &&
+          game.players.map((player) => <Result key={player.name} player={player} alone={game.players.length === 1} />)}
       </div>
       <p class="game-end-actions">
         <button type="button" class="button filled" onClick={() => controls.run()}>
@@ -58,10 +63,9 @@ function EndCard({ game }: { game: GameNow }) {
 
 function Result({ player, alone }: { player: PlayerNow; alone: boolean }) {
   const score = t("page-world-game-score", { score: player.score });
-  return <p class="game-end-score">{alone ? score : `${player.name}: ${score}`}</p>;
-}
-
-function titleOf({ won, reason }: GameNow): string {
-  if (won) return t("page-world-game-won");
-  return t(reason === "time" ? "page-world-game-time-up" : "page-world-game-over");
+  return (
+    <p class="game-end-score">
+      {player.team && <TeamDot team={player.team} />} {alone ? score : `${player.name}: ${score}`}
+    </p>
+  );
 }

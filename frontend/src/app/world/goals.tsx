@@ -1,23 +1,25 @@
 /** The goal of the world in words; of several, the next one, and how many have been reached. */
 
-import { t, worldName } from "../../i18n";
+import { t } from "../../i18n";
+import { goalName, goalsOf } from "../../model/game-words";
 import { usePage } from "../../model/page";
 import type { GoalNow } from "../../protocol/messages";
 import { Icon } from "../../ui/icons";
 
 export function Goals() {
   const { context, askingWhy } = usePage();
-  const goals = context.running.telemetry.value?.goals ?? [];
+  const { robots, goals: all = [], game } = context.running.telemetry.value ?? {};
+  const goals = goalsOf(robots?.[0]?.name, all, game);
   if (goals.length === 0) return <FreePlay />;
   const reached = goals.filter(({ state }) => state === "reached").length;
   const done = reached === goals.length;
   const look = done ? "chip goals reached" : "chip goals";
-  const title = goals.map(({ name }) => worldName(name)).join("\n");
+  const title = all.map(goalName).join("\n");
   const goal = goalNow(goals);
   const inside = (
     <>
       <Icon name={done ? "check" : "star"} />
-      {goal && goalInWords(worldName(goal.name), reached, goals.length)}
+      {goal && goalInWords(goalName(goal), reached, goals.length)}
     </>
   );
   if (!goal || !askingWhy.isPossible) {

@@ -1,9 +1,11 @@
 /** Score, lives and time of a game, over the world. */
 
 import { t } from "../../i18n";
+import { endOf } from "../../model/game-words";
 import { usePage } from "../../model/page";
 import type { PlayerNow } from "../../protocol/messages";
 import { Icon } from "../../ui/icons";
+import { TeamName } from "./team";
 import "./hud.css";
 
 /** More lives are shown as a number. */
@@ -17,7 +19,7 @@ export function Hud() {
   const left = game.time_left;
   return (
     <div class="hud" role="group" aria-label={t("page-world-game-label")}>
-      {first && <Player player={first} alone={others.length === 0} />}
+      {first && <Player player={first} alone={others.length === 0} counts={game.counts} />}
       {left != null && (
         <p class="hud-time" role="timer" aria-label={t("page-world-game-time", { seconds: Math.ceil(left) })}>
           <Icon name="timer" />
@@ -25,24 +27,34 @@ export function Hud() {
         </p>
       )}
       {others.map((player) => (
-        <Player key={player.name} player={player} alone={false} />
+        <Player key={player.name} player={player} alone={false} counts={game.counts} />
       ))}
-      {game.won != null && <p class="hud-end">{t(game.won ? "page-world-game-won" : "page-world-game-over")}</p>}
+      {game.won != null && <p class="hud-end">{endOf(game)}</p>}
     </div>
   );
 }
 
-function Player({ player, alone }: { player: PlayerNow; alone: boolean }) {
+interface PlayerProps {
+  readonly player: PlayerNow;
+  readonly alone: boolean;
+  /** Whether it has a score to show. */
+  readonly counts: boolean | undefined;
+}
+
+function Player({ player, alone, counts = true }: PlayerProps) {
   const { context } = usePage();
-  const { name, score, lives } = player;
+  const { name, score, lives, team } = player;
   const style = alone ? {} : { borderColor: context.robotColor(name) ?? undefined };
   return (
     <div class="hud-player" style={style}>
       {!alone && <span class="hud-name">{name}</span>}
-      <span class="hud-score" role="img" aria-label={t("page-world-game-score", { score })}>
-        <Icon name="star" />
-        {score}
-      </span>
+      {team && <TeamName team={team} />}
+      {counts && (
+        <span class="hud-score" role="img" aria-label={t("page-world-game-score", { score })}>
+          <Icon name="star" />
+          {score}
+        </span>
+      )}
       {lives != null && (
         <span class="hud-lives" role="img" aria-label={t("page-world-game-lives", { lives })}>
           {lives > MOST_HEARTS ? `♥ ${lives}` : "♥".repeat(lives) || "–"}

@@ -76,10 +76,11 @@ function ValueField({ table, field, value, take, world, of }: ValueProps) {
 }
 
 /** The names that a key can refer to. */
-function known({ line, box, door, goal }: WorldValues, key: string): string[] {
+function known({ line, box, door, team, goal }: WorldValues, key: string): string[] {
   const named: Readonly<Record<string, readonly { readonly name: string }[]>> = {
     line,
     door,
+    team,
     object: box,
     after: Object.values(goal).flat(),
   };

@@ -14,6 +14,7 @@ import type { LineValues, WorldValues, XY } from "../../views/world/scenery/desc
 import { between, cornersOf, radians, wrapped } from "../../views/world/scenery/geometry";
 import { freeTag } from "./creating";
 import { boundsOf } from "./fields";
+import { manned, withStartNamed } from "./teams";
 
 /** Objects that may be outside the floor. */
 const FREE: readonly Sort[] = ["wall", "line", "prop", "reach", "tour", "stop", "show"];
@@ -23,7 +24,7 @@ const FARTHEST = 5000;
 
 function withList(world: WorldValues, sort: Sort, list: readonly Thing[]): WorldValues {
   if (isGoal(sort)) return { ...world, goal: { ...world.goal, [sort]: list } };
-  return varied({ ...world, [sort]: list });
+  return manned(varied({ ...world, [sort]: list }));
 }
 
 const VARIED: readonly Sort[] = ["box", "cylinder", "tag", "face"];
@@ -42,20 +43,26 @@ function varied(world: WorldValues): WorldValues {
   return { ...world, vary: { ...vary, thing: vary.thing.filter(({ name }) => names.has(name)) } };
 }
 
-/** The world without objects, and without the rules of a game. */
+/** The world without objects, and without the rules and teams of a game. */
 export function emptied(world: WorldValues): WorldValues {
   const none = (sorts: readonly Sort[]) => Object.fromEntries(sorts.map((sort) => [sort, []]));
   const lists = none(SORTS.filter((sort) => !isGoal(sort)));
   const goal = none(SORTS.filter(isGoal)) as unknown as WorldValues["goal"];
-  return { ...world, ...lists, goal, game: null, vary: null };
+  return { ...world, ...lists, goal, game: null, team: [], vary: null };
 }
 
 /** The world with one object replaced by another. */
 export function replaced(world: WorldValues, ref: Ref, thing: Thing): WorldValues {
   const before = thingAt(world, ref);
   const list = listOf(world, ref.sort).map((old, i) => (i === ref.index ? thing : old));
-  const after = before ? renamed(world, movedAs(ref.sort, before), movedAs(ref.sort, thing)) : world;
+  const after = before ? withRenamed(world, ref.sort, before, thing) : world;
   return withList(after, ref.sort, list);
+}
+
+/** The world in which others still name an object that is changed. */
+function withRenamed(world: WorldValues, sort: Sort, before: Thing, after: Thing): WorldValues {
+  if (sort === "start") return withStartNamed(world, String(before.name), String(after.name));
+  return renamed(world, movedAs(sort, before), movedAs(sort, after));
 }
 
 /** The world in which a renamed object still moves as far in variants. */

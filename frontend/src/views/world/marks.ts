@@ -22,6 +22,7 @@ import type { WorldValues, XY } from "./scenery/description";
 import { between, from, type Pose } from "./scenery/geometry";
 import { ribbons } from "./scenery/ribbon";
 import { star } from "./scenery/star";
+import { colourOfTeam } from "./scenery/teams";
 import { place } from "./scenery/things";
 
 const HEIGHT = 1.2;
@@ -79,6 +80,7 @@ function dashes(radius: number, width: number): BufferGeometry {
 /** A goal's mark, with the colour and sign of its state. */
 export class GoalMark {
   readonly object = new Group();
+  private own: string | null = null;
   private state: State | null = null;
   private readonly sign = new Sprite(new SpriteMaterial({ depthTest: false }));
 
@@ -96,6 +98,14 @@ export class GoalMark {
     this.show("open");
   }
 
+  /** Have the colour of a team until it is reached or missed. */
+  belongTo(colour: string): void {
+    this.own = colour;
+    const { state } = this;
+    this.state = null;
+    this.show(state ?? "open");
+  }
+
   /** Turn its stars to a place. */
   face(x: number, y: number): void {
     for (const { position, rotation } of this.stars) {
@@ -107,7 +117,8 @@ export class GoalMark {
   show(state: State): boolean {
     if (state === this.state) return false;
     this.state = state;
-    for (const shape of this.shapes) shape.material.color.set(MARKS[state]);
+    const colour = (state === "open" && this.own) || MARKS[state];
+    for (const shape of this.shapes) shape.material.color.set(colour);
     for (const one of this.stars) one.visible = state === "open";
     this.sign.visible = state !== "open" || this.stars.length === 0;
     this.sign.material.map = this.signs.of(state);
@@ -168,7 +179,16 @@ export function goalMarks(world: WorldValues, lines: readonly XY[][], signs: Sig
     radius === null ? new GoalMark([], entrance(world), signs) : places([[x, y]], radius),
   );
   const avoid = world.goal.avoid.map(() => new GoalMark([], entrance(world), signs));
-  return [...reach, ...follow, ...visit, ...tour, ...stop, ...show, ...avoid];
+  const marks = [...reach, ...follow, ...visit, ...tour, ...stop, ...show, ...avoid];
+  goalsWithMarks(world).forEach(({ team }, index) => {
+    const colour = colourOfTeam(world, team);
+    if (colour) marks[index]?.belongTo(colour);
+  });
+  return marks;
+}
+
+function goalsWithMarks({ goal }: WorldValues): readonly { readonly team: string | null }[] {
+  return [goal.reach, goal.follow, goal.visit, goal.tour, goal.stop, goal.show, goal.avoid].flat();
 }
 
 function starAt([x, y]: XY, goal: number, { start }: WorldValues): Object3D {

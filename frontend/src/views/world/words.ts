@@ -1,6 +1,7 @@
 /** Descriptions of the world, for screen readers. */
 
-import { t, worldName } from "../../i18n";
+import { t } from "../../i18n";
+import { goalName } from "../../model/game-words";
 import type { GoalNow, Robot, Telemetry } from "../../protocol/messages";
 import type { RobotValues } from "./scenery/description";
 import { ahead } from "./scenery/readings";
@@ -49,6 +50,6 @@ function aheadInWords({ nearest, range }: { nearest: number | null; range: numbe
   return t("page-world-something-ahead", { mm: Math.round(nearest) });
 }
 
-export function goalInWords({ name, state }: GoalNow): string {
-  return t(`page-world-goal-${state}`, { name: worldName(name) });
+export function goalInWords(goal: GoalNow): string {
+  return t(`page-world-goal-${goal.state}`, { name: goalName(goal) });
 }

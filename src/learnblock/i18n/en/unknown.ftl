@@ -42,6 +42,7 @@ unknown-name =
         [skill] no skill
         [start-pose] no start pose
         [tag] no tag
+        [team] no team
         [thing] no object
         [variable] no variable
         [version] no version

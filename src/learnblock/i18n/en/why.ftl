@@ -245,6 +245,9 @@ why-game-ended = The game was { $end ->
     [goals] all goals were reached
    *[other] because of "{ $reason }"
 }.
+# A goal won the game; $robot is the name of the robot that reached it.
+why-team-won = { $team } won the game at { $time } s: the goal "{ $goal }" was reached ({ $robot }).
+why-robot-won = { $robot } won the game at { $time } s: it reached the goal "{ $goal }".
 why-no-goal = This world has no goal.
 why-no-events = The log has nothing that the program did.
 why-unknown = The log does not say why.

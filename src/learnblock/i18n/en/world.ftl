@@ -8,6 +8,7 @@ world-name-taken =
     { $group ->
         [line] Two lines are called '{ $name }'. Give each its own name.
         [start] Two starts are called '{ $name }'. Give each its own name.
+        [team] Two teams are called '{ $name }'. Give each its own name.
        *[goal] Two goals are called '{ $name }'. Give each its own name.
     }
 # $after is the goal that has to be reached before.
@@ -26,6 +27,9 @@ world-path-or-wander = A thing moves along a 'path' or it wanders, not both. Rem
 # $kind is what has to be collected.
 world-nothing-to-collect = The goal '{ $name }' asks to collect '{ $kind }', but the world has no such [[collectable]]. Add one, or remove the goal.
 world-no-gates = The goal '{ $name }' asks to pass gates, but the world has no [[gate]]. Add one, or remove the goal.
+# $robot is the name of a start, $team and $other are teams.
+world-robot-in-two-teams = The robot '{ $robot }' is in the teams '{ $other }' and '{ $team }'. Leave it in one of them.
+world-robot-twice = The team '{ $team }' has the robot '{ $robot }' twice. Remove one of them.
 world-reach-choice = A goal has at most one of 'robot', 'object', 'together' and 'alone'.
 world-line-shape = A line needs either 'points' (two or more) or 'start' and 'path'.
 world-line-empty = A line needs a length, but this one ends where it starts.

@@ -42,6 +42,7 @@ unknown-name =
         [skill] ninguna habilidad
         [start-pose] ninguna posición inicial
         [tag] ninguna etiqueta
+        [team] ningún equipo
         [thing] ningún objeto
         [variable] ninguna variable
         [version] ninguna versión

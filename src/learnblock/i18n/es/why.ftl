@@ -255,6 +255,9 @@ why-game-ended = { $end ->
     [goals] se alcanzaron todas las metas
    *[other] por "{ $reason }"
 }.
+# Un objetivo ganó el juego; $robot es el nombre del robot que lo alcanzó.
+why-team-won = El equipo { $team } ganó el juego a los { $time } s: se alcanzó el objetivo "{ $goal }" ({ $robot }).
+why-robot-won = { $robot } ganó el juego a los { $time } s: alcanzó el objetivo "{ $goal }".
 why-no-goal = Este mundo no tiene ningún objetivo.
 why-no-events = El registro no tiene nada de lo que hizo el programa.
 why-unknown = El registro no dice por qué.

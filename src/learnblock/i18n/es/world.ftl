@@ -8,6 +8,7 @@ world-name-taken =
     { $group ->
         [line] Dos líneas se llaman '{ $name }'. Dale a cada una su propio nombre.
         [start] Dos salidas se llaman '{ $name }'. Dale a cada una su propio nombre.
+        [team] Dos equipos se llaman '{ $name }'. Dale a cada uno su propio nombre.
        *[goal] Dos objetivos se llaman '{ $name }'. Dale a cada uno su propio nombre.
     }
 # $after es el objetivo que hay que alcanzar antes.
@@ -26,6 +27,9 @@ world-path-or-wander = Una cosa se mueve por un camino («path») o al azar («w
 # $kind es lo que hay que recoger.
 world-nothing-to-collect = El objetivo «{ $name }» pide recoger «{ $kind }», pero el mundo no tiene ningún [[collectable]] así. Añade uno o quita el objetivo.
 world-no-gates = El objetivo «{ $name }» pide pasar por puertas, pero el mundo no tiene ninguna [[gate]]. Añade una o quita el objetivo.
+# $robot es el nombre de una salida, $team y $other son equipos.
+world-robot-in-two-teams = El robot '{ $robot }' está en los equipos '{ $other }' y '{ $team }'. Déjalo en uno de ellos.
+world-robot-twice = El equipo '{ $team }' tiene dos veces el robot '{ $robot }'. Quita uno de ellos.
 world-reach-choice = Un objetivo tiene como mucho uno de 'robot', 'object', 'together' y 'alone'.
 world-line-shape = Una línea necesita 'points' (dos o más) o bien 'start' y 'path'.
 world-line-empty = Una línea necesita una longitud, pero esta termina donde empieza.

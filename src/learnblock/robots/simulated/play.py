@@ -53,6 +53,8 @@ def repeat_game(simulation: Simulation, name: str, line: Mapping[str, Any]) -> N
     """
     scores, time = simulation.world.game.scores, simulation.time()
     match line:
+        case {"winner": _}:
+            return
         case {"thing": "program", "game": "won" | "lost" as end}:
             scores.change(name, "win" if end == "won" else "lose", 0, time)
         case {"thing": _}:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from functools import cached_property
 from operator import itemgetter
 from pathlib import Path
-from typing import Any, ClassVar, Self
+from typing import Any, ClassVar, Literal, Self
 
 from learnblock.client import Client, Goal, Outcome, Witness
 from learnblock.client.clock import Clock
@@ -263,7 +263,6 @@ class SimulatedRobot(Client):
 def goal_of(goal: GoalState) -> Goal:
     """A goal of a world as it appears in reports."""
     if goal.reached_at is not None:
-        return Goal(goal.name, goal.kind, "reached", goal.reached_at)
-    return Goal(
-        goal.name, goal.kind, "open" if goal.failed_at is None else "failed", goal.failed_at
-    )
+        return Goal(goal.name, goal.kind, "reached", goal.reached_at, goal.team)
+    state: Literal["open", "failed"] = "open" if goal.failed_at is None else "failed"
+    return Goal(goal.name, goal.kind, state, goal.failed_at, goal.team)

@@ -170,7 +170,8 @@ class Playing:
             time=report.time,
             distance=report.distance,
             goals=tuple(
-                GoalNow(goal.name, goal.kind, goal.state, goal.time) for goal in report.goals
+                GoalNow(goal.name, goal.kind, goal.state, goal.time, goal.team)
+                for goal in report.goals
             ),
             emotions=report.emotions,
             no_effect=tuple((str(call["skill"]), str(call["device"])) for call in report.no_effect),

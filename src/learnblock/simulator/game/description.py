@@ -50,6 +50,17 @@ class GameRules(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     ] = True
 
 
+class Team(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
+    """Robots that play together; a goal may be for one team."""
+
+    name: Annotated[Name, Meta(description="shown on the page")]
+    colour: Annotated[Colour, Meta(description="shown beside its name, its robots and its goals")]
+    robots: Annotated[
+        tuple[Name, ...],
+        Meta(max_length=30, description="the names of the starts of its robots"),
+    ] = ()
+
+
 class Moving(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     """How a thing moves: along a path, or at random around its place, as the seed says."""
 

@@ -7,6 +7,7 @@ from learnblock.scores import GameEvent, GameResult, Scores
 from learnblock.simulator.game.checks import THINGS
 from learnblock.simulator.game.description import GameRules
 from learnblock.simulator.game.solids import DoorNow, MovingSolid, SwitchNow
+from learnblock.simulator.game.teams import Teams
 from learnblock.simulator.game.things import (
     Contestant,
     ContestantBody,
@@ -35,6 +36,9 @@ class WorldGame:
         self._rules = world.game or GameRules()
         #: Worlds without rules have goals, too, which end nothing.
         self._ends_with_goals = world.game is not None and world.game.goals_win
+        #: Whether single goals win the game; then the others don't end it.
+        self._has_winning_goals = any(goal.wins for _, _, goal in world.goal.all())
+        self.teams = Teams(world)
         self.scores = Scores(self._rules.lives)
         self._effects = GameEffects(self.scores)
         self._period = period
@@ -64,6 +68,11 @@ class WorldGame:
     def is_over(self) -> bool:
         """Whether it has been won or lost."""
         return self.scores.result is not None
+
+    @property
+    def is_decided(self) -> bool:
+        """Whether its winning goals have ended it, so that no other goal counts any more."""
+        return self._has_winning_goals and self.is_over
 
     @property
     def has_events(self) -> bool:
@@ -140,14 +149,36 @@ class WorldGame:
             self._meet([robot for robot in self._robots if self.scores.plays(robot.name)])
 
     def judge(self, goals: Sequence[GoalState], time: float) -> None:
-        """End the game if all goals are reached, or one of them is missed.
+        """End the game if its goals decide it.
+
+        A winning goal ends it, or that all of these are missed. Where no goal wins and the world
+        says so, all goals end it, or a missed one.
 
         Args:
             goals: the states of the goals.
             time: now, in seconds.
         """
-        if not (self._has_begun and self._ends_with_goals and goals):
+        if not (self._has_begun and goals):
             return
+        if self._has_winning_goals:
+            self._judge_winning([goal for goal in goals if goal.wins], time)
+        elif self._ends_with_goals:
+            self._judge_all(goals, time)
+
+    def _judge_winning(self, goals: Sequence[GoalState], time: float) -> None:
+        """End the game with the first goal that is reached, or when none can be any more."""
+        reached = next((goal for goal in goals if goal.reached_at is not None), None)
+        if reached is not None:
+            player = reached.robot
+            team = reached.team or self.teams.robots.get(player, "")
+            name = reached.name
+            self.scores.end(
+                GameResult.of(time, "winning-goal", won=True, player=player, thing=name, team=team)
+            )
+        elif not any(goal.is_open for goal in goals):
+            self.scores.end(GameResult.of(time, "goal-failed", won=False, thing=goals[-1].name))
+
+    def _judge_all(self, goals: Sequence[GoalState], time: float) -> None:
         missed = next((goal.name for goal in goals if goal.failed_at is not None), None)
         if missed is not None:
             self.scores.end(GameResult.of(time, "goal-failed", won=False, thing=missed))

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from learnblock.errors import WorldError
-from learnblock.scores import GameEvent
+from learnblock.scores import GameEvent, GameResult
 from learnblock.simulator import World, load_robot, load_world
 
 STAR = '[[collectable]]\nkind = "star"\nx = 300\ny = 0\n'
@@ -94,7 +94,9 @@ def test_two_lives_are_not_lost_within_two_seconds(play: Play) -> None:
 def test_a_game_is_over_without_lives(play: Play) -> None:
     match = play('[game]\nlives = 1\n[[collectable]]\nkind = "bug"\nlives = -1\nx = 300\ny = 0\n')
 
-    assert match.world.game.scores.result == (False, "r0", "lives", "bug 1", match.world.time)
+    assert match.world.game.scores.result == GameResult.of(
+        match.world.time, "lives", won=False, player="r0", thing="bug 1"
+    )
     assert [event.kind for event in match.events] == ["collected", "lost"]
 
 

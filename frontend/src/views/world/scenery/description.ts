@@ -30,6 +30,7 @@ export type {
   Stop as StopValues,
   Switch as SwitchValues,
   Tag as TagValues,
+  Team as TeamValues,
   Theme,
   Tour as TourValues,
   Vary as VaryValues,

@@ -12,6 +12,9 @@ page-world-values = Values of the robot
 page-world-plot = Plot these values
 # $thing is such as "a wall".
 page-world-goal = Goal: { $goal }
+# A goal of a team, which has a name such as Red.
+page-world-goal-of-team = { $goal } ({ $team })
+page-world-team = { $team } team
 page-world-goal-of = Goal { $number } of { $all }: { $goal }
 page-world-free-play = Free play
 page-world-free-play-help = This world has no goal: make the robot do what you like. The worlds of the menu above have goals.
@@ -135,6 +138,10 @@ page-world-game-score = Score: { $score }
 page-world-game-lives = Lives: { $lives }
 page-world-game-time = Time left: { $seconds } seconds
 page-world-game-won = You win
+page-world-game-team-wins = { $team } wins
+page-world-game-robot-wins = { $robot } wins
+# The goal that has won the game, and the robot of the team that reached it.
+page-world-game-goal-by = { $goal } ({ $robot })
 page-world-game-over = Game over
 page-world-game-time-up = Time is up
 page-world-game-no-lives = No lives left

@@ -11,6 +11,9 @@ page-world-shown = Se muestra
 page-world-values = Valores del robot
 page-world-plot = Ver la gráfica de estos valores
 page-world-goal = Objetivo: { $goal }
+# Un objetivo de un equipo, que tiene un nombre como rojo.
+page-world-goal-of-team = { $goal } (equipo { $team })
+page-world-team = Equipo { $team }
 page-world-goal-of = Objetivo { $number } de { $all }: { $goal }
 page-world-free-play = Juego libre
 page-world-free-play-help = Este mundo no tiene objetivo: haz con el robot lo que quieras. Los mundos del menú de arriba tienen objetivos.
@@ -134,6 +137,10 @@ page-world-game-score = Puntos: { $score }
 page-world-game-lives = Vidas: { $lives }
 page-world-game-time = Tiempo que queda: { $seconds } segundos
 page-world-game-won = Has ganado
+page-world-game-team-wins = Gana el equipo { $team }
+page-world-game-robot-wins = Gana { $robot }
+# El objetivo que ganó el juego, y el robot del equipo que lo alcanzó.
+page-world-game-goal-by = { $goal } ({ $robot })
 page-world-game-over = Fin del juego
 page-world-game-time-up = Se acabó el tiempo
 page-world-game-no-lives = No quedan vidas
