@@ -153,7 +153,7 @@ class Score(GameGoal, kw_only=True, frozen=True, forbid_unknown_fields=True):
 
 
 class CollectThings(GameGoal, kw_only=True, frozen=True, forbid_unknown_fields=True):
-    """CollectThings things."""
+    """Collect things."""
 
     kind: Annotated[
         CollectableKind | Literal["anything"], Meta(description="what they have to be")
