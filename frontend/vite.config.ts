@@ -34,7 +34,7 @@ const fontLicences: Plugin = {
 const pages: Plugin = {
   name: "pages",
   config({ root = "." }) {
-    const input = ["index.html", "class.html", "hand-in-run.html"]
+    const input = ["index.html", "class.html", "guest.html", "hand-in-run.html"]
       .map((page) => resolve(root, page))
       .filter(existsSync);
     return { build: { rolldownOptions: { input } } };

@@ -8,6 +8,7 @@ const SOURCES = fileURLToPath(new URL("../src", import.meta.url));
 /** A folder may import from itself and from what comes after it. */
 const LAYERS = [
   "class.tsx",
+  "guest.tsx",
   "hand-in-run.tsx",
   "main.tsx",
   "standalone.ts",

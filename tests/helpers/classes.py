@@ -136,6 +136,8 @@ class Class:
             additional_headers=headers,
             origin=origin,
             max_size=None,
+            # A page that is not read any more closes at once, too.
+            max_queue=None,
             open_timeout=TIMEOUT,
         ) as opened:
             yield Visitor(opened)

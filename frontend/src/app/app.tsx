@@ -1,7 +1,8 @@
 /** The whole page. */
 
-import type { ComponentChildren } from "preact";
+import { type ComponentChildren, Fragment } from "preact";
 
+import { HostWorld, useHostWorld } from "../features/in-class/host-world";
 import { ClassNotes } from "../features/in-class/notes";
 import { LessonPane } from "../features/lessons/panel";
 import { StartPage } from "../features/start/start-page";
@@ -80,11 +81,17 @@ type Region = "program" | "columns" | "lesson" | "world" | "rows" | "panel";
 function Main() {
   const hasPanel = usePage().views.shows("panel");
   const hasLesson = usePage().lessons.shown.value !== null;
+  const isAway = useHostWorld();
   const regions: Readonly<Record<Region, ComponentChildren>> = {
     program: <ProgramViews key="program" />,
     columns: <ColumnSplitter key="columns" />,
     lesson: hasLesson && <LessonPane key="lesson" />,
-    world: <WorldPane key="world" />,
+    world: (
+      <Fragment key="world">
+        <WorldPane hidden={isAway} />
+        {isAway && <HostWorld />}
+      </Fragment>
+    ),
     rows: hasPanel && <RowSplitter key="rows" />,
     panel: <Panel key="panel" />,
   };

@@ -7,6 +7,7 @@ import { Containment } from "../features/containment/containment";
 import { CustomBlocks } from "../features/custom-blocks/custom-blocks";
 import { HandInNews } from "../features/in-class/hand-ins";
 import { ClassNews } from "../features/in-class/in-class";
+import { Pairs } from "../features/in-class/pairs";
 import { Lessons } from "../features/lessons/lessons";
 import { LessonMaking } from "../features/lessons/making";
 import { Libraries } from "../features/libraries/libraries";
@@ -112,6 +113,7 @@ function makeStores(connection: Connection, toasts: Toasts, dialogs: Dialogs) {
     customBlocks: new CustomBlocks(connection),
     handIns: new HandInNews(connection),
     libraries: new Libraries(connection),
+    pairs: new Pairs(connection),
     robotMaker: new RobotMaker(connection),
     robotSettings: new RobotSettings(connection),
     tags: new TagDictionary(connection),

@@ -7,6 +7,7 @@ import { ContainmentDialog } from "../features/containment/dialog";
 import { CustomBlockDialog, CustomBlocksDialog } from "../features/custom-blocks/dialogs";
 import { ExamplesDialog } from "../features/examples/dialog";
 import { HelpDialog } from "../features/help/dialog";
+import { InviteDialog } from "../features/in-class/invite";
 import { LessonEditorDialog } from "../features/lesson-editor/dialog";
 import { DeleteLessonDialog } from "../features/lessons/delete";
 import { LessonNotesDialog } from "../features/lessons/notes";
@@ -56,6 +57,7 @@ const DIALOGS = {
   settings: SettingsDialog,
   worldEditor: WorldEditorDialog,
   addRobots: AddRobotsDialog,
+  invite: InviteDialog,
   robotCount: RobotCountDialog,
   renameRobot: RenameRobotDialog,
   worlds: WorldGalleryDialog,

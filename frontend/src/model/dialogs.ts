@@ -19,6 +19,7 @@ export type DialogName =
   | "worldEditor"
   | "worlds"
   | "addRobots"
+  | "invite"
   | "robotCount"
   | "renameRobot"
   | "worldVariant"

@@ -33,6 +33,7 @@ from learnblock.classroom.badges import Visitors
 from learnblock.classroom.desk import Desk, TooManyPagesError
 from learnblock.classroom.entrance import Entrance
 from learnblock.classroom.forward import Forwarder
+from learnblock.classroom.guest_pages import GuestPages
 from learnblock.classroom.hub_class import HubLogin
 from learnblock.classroom.lesson_uploads import LessonUploads
 from learnblock.classroom.record import record_of
@@ -96,6 +97,9 @@ def create_app(
         Route("/lessons", LessonUploads(room, visitors).add, methods=["POST"]),
         *RunPages(room, visitors, door.forwarder).routes(
             partial(_built_page, "hand-in-run.html", static)
+        ),
+        *GuestPages(room, visitors, door.forwarder).routes(
+            partial(_built_page, "guest.html", static)
         ),
         *_pupils(door, page, static),
         # Files of the page are everybody's.

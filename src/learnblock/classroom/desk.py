@@ -14,10 +14,13 @@ from learnblock.classroom.hand_ins import HandInShelf
 from learnblock.classroom.lesson_works import LessonWorkFile
 from learnblock.classroom.limits import OPEN_PAGES
 from learnblock.classroom.messages import InClass, Seat, Writing
+from learnblock.classroom.pair_messages import FromPlayer, InPair
 from learnblock.classroom.progress import Progress
+from learnblock.classroom.questions import A
 from learnblock.classroom.quota import Paces
 from learnblock.classroom.roster import Pupil
 from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase
 from learnblock.server import messages
 from learnblock.server.messages.base import Role
 
@@ -42,8 +45,35 @@ class DeskPage(Protocol):
     async def order(self, message: messages.Message) -> None:
         """Send the pupil's server a message on behalf of this page."""
 
+    async def ask(self, question: messages.Message, answer: type[A]) -> A | None:
+        """Ask the pupil's server on behalf of this page; None without an answer."""
+
     async def send_away(self) -> None:
         """Close the page's connection."""
+
+
+class Sharing(Protocol):
+    """Lets pupils play in each other's worlds."""
+
+    def news(self, desk: "Desk") -> InPair:
+        """With whom a pupil plays."""
+
+    async def heard(self, desk: "Desk", page: DeskPage, message: FromPlayer) -> None:
+        """Do what a pupil's page asks for.
+
+        Raises:
+            LearnBlockError: it can't be done.
+        """
+
+    def renamed(self, desk: "Desk", page: DeskPage, name: str) -> None:
+        """Note that the project of a pupil's page has another name."""
+
+    async def before_run(self, desk: "Desk", page: DeskPage) -> None:
+        """Fetch the guest's program before a run of the host.
+
+        Raises:
+            LearnBlockError: it can't be had.
+        """
 
 
 class Desk:
@@ -80,6 +110,8 @@ class Desk:
         self.paces = Paces()
         #: At a hub: the work in lessons, as the pupil's server has reported it.
         self.lesson_works: LessonWorkFile | None = None
+        #: Where the pupil can play with others; None at a desk where only a hand-in runs.
+        self.sharing: Sharing | None = None
         #: Whether the pupil's program is paused because the teacher speaks.
         self._rests = False
         #: Whether the pupil's server has refused the lesson that was handed out last.
@@ -141,6 +173,7 @@ class Desk:
         page.tell(self._news(page))
         if not page.is_teacher:
             page.tell(self._own_hand_ins())
+            self.tell_pair(page)
         self._changed()
 
     def left(self, page: DeskPage) -> None:
@@ -173,13 +206,17 @@ class Desk:
         await asyncio.to_thread(self._shelf.add, self.pupil.id, work)
         self.tell_hand_ins()
 
-    async def heard(self, message: ours.FromPupil) -> None:
+    async def heard(self, page: DeskPage, message: ours.FromPupil) -> None:
         """Do what a page asks the classroom for; its rights have been checked.
 
         Raises:
             LearnBlockError: it can't be done.
             OSError: it can't be saved.
         """
+        if isinstance(message, FromPlayer):
+            if self.sharing:
+                await self.sharing.heard(self, page, message)
+            return
         match message:
             case ours.AskNews():
                 self._tell_pages()
@@ -249,6 +286,18 @@ class Desk:
     def _tell_pages(self) -> None:
         for page in self.pages:
             page.tell(self._news(page))
+
+    def tell_pair(self, *pages: DeskPage) -> None:
+        """Tell pages of the pupil, by default all, with whom the pupil plays."""
+        if self.sharing:
+            news = self.sharing.news(self)
+            for page in pages or self.own_pages:
+                page.tell(news)
+
+    def note(self, message: Phrase) -> None:
+        """Show a sentence on the pupil's pages."""
+        for page in self.own_pages:
+            page.tell(messages.Noted(message))
 
     def tell_hand_ins(self) -> None:
         """Tell the pupil's pages what is handed in, and what is back."""

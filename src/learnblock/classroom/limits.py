@@ -51,6 +51,10 @@ LARGEST_UPLOAD, UPLOAD_PATIENCE = 40_000_000, 120.0
 #: and the memory of all programs of a pupil together.
 SERVER_MEMORY, LARGEST_FILE, DISK = 1500 * MEGABYTE, 64 * MEGABYTE, 1000 * MEGABYTE
 PROGRAMS_MEMORY = 2048 * MEGABYTE
+#: The pace of invitations into one's world.
+INVITING = Pace(minute=6, burst=3)
+#: What a guest's page gets of a world: kilobytes, and pictures of what moves in a second.
+GUEST_KILOBYTES, GUEST_PICTURES = Pace(minute=1800, burst=3000), 10
 #: The pace of new pupils.
 JOINING = Pace(minute=6, burst=5)
 #: Wrong attempts without a wait, and the seconds of the first wait.
@@ -79,6 +83,13 @@ LIMITS: tuple[Limit, ...] = (
         f"one at a time, {LARGEST_UPLOAD // 1_000_000} MB, {UPLOAD_PATIENCE:g} seconds",
         "pupil",
         _REFUSED,
+    ),
+    Limit("invitations into one's world", _pace(INVITING), "pupil", _REFUSED),
+    Limit(
+        "what a guest is shown of a world",
+        f"{GUEST_PICTURES} pictures and {GUEST_KILOBYTES.minute / 60:g} kB a second",
+        "pupil",
+        _WAITS,
     ),
     Limit("memory of the pupil's server", f"{SERVER_MEMORY // MEGABYTE} MB", "pupil", _REFUSED),
     Limit(

@@ -16,6 +16,7 @@ from learnblock.classroom.hand_in_messages import (
     ToHandInPages,
 )
 from learnblock.classroom.hand_ins import State
+from learnblock.classroom.pair_messages import FromPlayer, LetShareWorlds, ToPlayer
 from learnblock.classroom.pins import Picture, Pictures
 from learnblock.classroom.roster import PupilId
 from learnblock.i18n import Phrase
@@ -333,6 +334,7 @@ class Wall(Message, frozen=True):
         lesson: the name of the lesson on; empty without one.
         began: when it was handed out, in seconds since 1970; 0 if it was not.
         knocking: the first names of new pupils whom the teacher has to let in.
+        sharing: whether pupils may play in each other's worlds.
     """
 
     title: str
@@ -346,6 +348,7 @@ class Wall(Message, frozen=True):
     lesson: str = ""
     began: float = 0
     knocking: tuple[str, ...] = ()
+    sharing: bool = False
 
 
 class Seats(Message, frozen=True):
@@ -391,8 +394,8 @@ class Projected(Message, frozen=True):
     joined: int = 0
 
 
-FromPupil = AskNews | AskForHelp | LetTeacherWrite | AskToWrite | ImproveHandIn
-ToPupil = InClass | OwnHandIns | HandInRun
+FromPupil = AskNews | AskForHelp | LetTeacherWrite | AskToWrite | ImproveHandIn | FromPlayer
+ToPupil = InClass | OwnHandIns | HandInRun | ToPlayer
 FromTeacher = (
     EyesUp
     | StopAll
@@ -404,6 +407,7 @@ FromTeacher = (
     | AnswerKnocking
     | RenewWord
     | ShowOnProjector
+    | LetShareWorlds
     | FromHandInPages
 )
 ToTeacher = Wall | Offers | Seats | Plan | NewPin | Refused | Projected | ToHandInPages

@@ -117,6 +117,10 @@ class Progress:
         """A page has gone."""
         self._pages.pop(page, None)
 
+    def project_of(self, page: object) -> str:
+        """The name of the project that a page shows, as far as it has said."""
+        return self._pages.get(page, _NOTHING).now.work.project
+
     @property
     def place(self) -> tuple[str, int]:
         """The lesson and the step that are shown."""

@@ -7,30 +7,27 @@ from typing import TYPE_CHECKING, get_args
 
 import msgspec
 from starlette.websockets import WebSocket, WebSocketDisconnect
-from websockets.asyncio.client import ClientConnection, connect
+from websockets.asyncio.client import ClientConnection
 from websockets.exceptions import ConnectionClosed
 
 from learnblock.classroom import messages as ours
 from learnblock.classroom.desk import Desk
 from learnblock.classroom.gift import Gift
 from learnblock.classroom.limits import WEIGHT
+from learnblock.classroom.pupil_connection import connected
+from learnblock.classroom.questions import A, ServerQuestions
 from learnblock.classroom.quota import Paces
 from learnblock.classroom.rights import may
 from learnblock.errors import LearnBlockError, phrase_of
 from learnblock.i18n import Phrase
 from learnblock.server import messages
-from learnblock.server.http.protection import SEAT, SUBPROTOCOL
 from learnblock.server.messages.base import Role
 
 if TYPE_CHECKING:
     from learnblock.classroom.servers import ServerAddress
 
-#: Bytes; what a pupil's server accepts, and a little more, so that the page gets its answer.
-_LARGEST = 8 * 1024 * 1024
 #: Close codes: the server will be back, and the right to be here is gone.
 _BACK_SOON, _FORBIDDEN = 1012, 4403
-#: Seconds within which a pupil's server answers.
-_PATIENCE = 10.0
 #: Seconds between two checks that it does.
 _HEARTBEAT = 2.0
 
@@ -38,10 +35,12 @@ _HEARTBEAT = 2.0
 _from_pupil = msgspec.json.Decoder(ours.FromPupil)
 _at_seat = msgspec.json.Decoder(messages.AtSeat)
 _work_given = msgspec.json.Decoder(messages.WorkGiven)
+_renamed = msgspec.json.Decoder(messages.ProjectRenamed)
 _lesson_work = msgspec.json.Decoder(messages.LessonWorkRead)
 #: Our servers put the kind first.
 _AT_SEAT = f'{{"kind":"{messages.AtSeat.__name__}"'
 _WORK_GIVEN = f'{{"kind":"{messages.WorkGiven.__name__}"'
+_RENAMED = f'{{"kind":"{messages.ProjectRenamed.__name__}"'
 _LESSON_WORK = f'{{"kind":"{messages.LessonWorkRead.__name__}"'
 _OURS = frozenset(kind.__name__ for kind in get_args(ours.FromPupil))
 
@@ -70,6 +69,7 @@ class Relay:
         self._outbox: asyncio.Queue[str] = asyncio.Queue(maxsize=100)
         self._server: ClientConnection | None = None
         self._gift = Gift(desk.lesson_refused)
+        self._questions = ServerQuestions(self.order)
         #: The pupil's count of successes when the work in lessons was last asked for.
         self._successes = -1
 
@@ -92,6 +92,10 @@ class Relay:
             with suppress(ConnectionClosed):
                 await self._server.send(msgspec.json.encode(message).decode())
 
+    async def ask(self, question: messages.Message, answer: type[A]) -> A | None:
+        """Ask the pupil's server on behalf of this page; None without an answer."""
+        return await self._questions.ask(question, answer)
+
     async def send_away(self) -> None:
         """Close the page's connection, since it may not be here any more."""
         await self._leave(_FORBIDDEN)
@@ -112,16 +116,7 @@ class Relay:
             first: returns what the server gets first on behalf of the page. It is asked once the
                 page is at the desk, so that nothing is lost that is handed out meanwhile.
         """
-        async with connect(
-            place.url("ws", f"ws?{SEAT}"),
-            subprotocols=list(filter(None, (SUBPROTOCOL, place.token))),  # type: ignore[arg-type] # plain strings
-            # As a proxy does, so that the server takes no pupil for a user of its own computer.
-            additional_headers={**place.headers, "x-forwarded-for": "class"},
-            max_size=_LARGEST,
-            compression=None,
-            open_timeout=_PATIENCE,
-            ping_interval=None,
-        ) as server:
+        async with connected(place) as server:
             self._server = server
             self._desk.progress.answered()
             self._desk.joined(self)
@@ -161,7 +156,7 @@ class Relay:
                 text = received.get("text") or ""
                 await asyncio.sleep(self._paces.take(1 + len(text) // WEIGHT))
                 head = messages.head_of(text)
-                if refusal := self._refusal(head.kind):
+                if refusal := self._refusal(head.kind) or await self._no_guest(head.kind):
                     self.tell(messages.Failed(refusal, head.kind, head.request))
                 elif head.kind in _OURS:
                     await self._hear(text, head.kind)
@@ -172,7 +167,7 @@ class Relay:
 
     async def _hear(self, text: str, kind: str) -> None:
         try:
-            await self._desk.heard(_from_pupil.decode(text))
+            await self._desk.heard(self, _from_pupil.decode(text))
         except msgspec.MsgspecError as error:
             phrase = Phrase("server-message-unknown", reason=str(error))
             self.tell(messages.Failed(phrase, kind))
@@ -206,19 +201,36 @@ class Relay:
             return Phrase(code)
         return Phrase("class-too-fast") if self._paces.wait_for(kind) else None
 
+    def _follow_name(self, received: str) -> None:
+        """Note the new name of a project in which a guest plays."""
+        if received.startswith(_RENAMED) and self._desk.sharing:
+            with suppress(msgspec.MsgspecError):
+                self._desk.sharing.renamed(self._desk, self, _renamed.decode(received).name)
+
+    async def _no_guest(self, kind: str) -> Phrase | None:
+        """Why a run can't begin with the guest's program; None if it can, or needs none."""
+        if kind != messages.Run.__name__ or not self._desk.sharing:
+            return None
+        try:
+            await self._desk.sharing.before_run(self._desk, self)
+        except LearnBlockError as error:
+            return error.phrase
+        return None
+
     async def _to_page(self, server: ClientConnection) -> None:
         with suppress(WebSocketDisconnect, RuntimeError):
             async for received in server:
                 if isinstance(received, bytes):
                     await self._page.send_bytes(received)
                     continue
+                self._follow_name(received)
                 if received.startswith(_AT_SEAT):
                     await self._see(_at_seat.decode(received))
                 elif received.startswith(_WORK_GIVEN):
                     await self._hand_in(received)
                 elif received.startswith(_LESSON_WORK):
                     await self._keep_lesson_work(received)
-                elif not self._gift.takes(received):
+                elif not self._gift.takes(received) and not self._questions.takes(received):
                     await self._page.send_text(received)
             await self._page.close(_BACK_SOON)
 

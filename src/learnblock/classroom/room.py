@@ -14,6 +14,7 @@ from learnblock.classroom.lesson_works import LessonWorkFile
 from learnblock.classroom.marking import Marking
 from learnblock.classroom.messages import LessonOffer
 from learnblock.classroom.offers import give_lesson, lesson_gift
+from learnblock.classroom.pairs import Pairs
 from learnblock.classroom.pins import Picture
 from learnblock.classroom.pupil_folder import PROJECTS
 from learnblock.classroom.roster import Pupil, Roster
@@ -71,6 +72,7 @@ class Room:
         #: The walls and projectors that are open.
         self.boards: set[RoomBoard] = set()
         self.desks: dict[str, Desk] = {}
+        self.pairs = Pairs(roster, self.desks)
         #: Whether a hub lets pupils in and starts their servers.
         self.is_hubs = servers is not None
         self._servers = servers or Servers(lambda _: self.changed(), roster.blocks)
@@ -106,6 +108,7 @@ class Room:
         """Have every server save everything and end."""
         for task in self._ending.values():
             task.cancel()
+        self.pairs.close()
         await self.marking.checking.close()
         for servers in self._all_servers:
             await servers.close()
@@ -201,6 +204,7 @@ class Room:
 
     def left(self, pupil: Pupil) -> None:
         """Record that a page has gone; after the last one, the server is stopped with a delay."""
+        self.pairs.left(self.desk(pupil))
         if not self.desk(pupil).pages and pupil.id not in self._ending:
             self._ending[pupil.id] = asyncio.create_task(self._end_later(pupil))
 
@@ -288,6 +292,7 @@ class Room:
         Raises:
             OSError: some of it can't be deleted.
         """
+        await self.pairs.leave(self.desk(pupil))
         await self.desk(pupil).send_away()
         await self._servers.stop(pupil.id)
         await self.hand_in_runs.forget(pupil.id)
@@ -307,6 +312,7 @@ class Room:
             pupil, self.changed, self.hand_ins, self.roster.title, self.lesson
         )
         desk.eyes_up = self.eyes_up
+        desk.sharing = self.pairs
         if self.is_hubs:
             desk.lesson_works = LessonWorkFile(self.roster.folder_of(pupil))
         return desk

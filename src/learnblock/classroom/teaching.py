@@ -7,6 +7,7 @@ from typing import Any
 
 from learnblock.classroom import hand_in_messages as hand_ins
 from learnblock.classroom import messages as ours
+from learnblock.classroom.pair_messages import LetShareWorlds
 from learnblock.classroom.room import Room
 from learnblock.server import messages
 
@@ -73,6 +74,10 @@ async def _project(room: Room, message: ours.ShowOnProjector) -> None:
     room.projected = None if message.pupil is None else room.known(message.pupil).id
 
 
+async def _let_share(room: Room, message: LetShareWorlds) -> None:
+    await room.pairs.let(on=message.on)
+
+
 async def _list_hand_ins(room: Room, message: hand_ins.ReadHandIns) -> hand_ins.HandInList:
     return await asyncio.to_thread(room.marking.listed, message.lesson, message.step)
 
@@ -125,6 +130,7 @@ _HANDLERS: Mapping[type, Handler] = {
     ours.AnswerKnocking: _answer_knocking,
     ours.RenewWord: _renew_word,
     ours.ShowOnProjector: _project,
+    LetShareWorlds: _let_share,
     hand_ins.ReadHandIns: _list_hand_ins,
     hand_ins.ReadHandIn: _show_hand_in,
     hand_ins.CollectHandIns: _collect,

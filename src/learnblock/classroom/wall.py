@@ -176,6 +176,7 @@ def _wall(room: Room) -> ours.Wall:
         lesson=room.lesson,
         began=room.began,
         knocking=tuple(room.knocking),
+        sharing=room.pairs.allowed,
     )
 
 

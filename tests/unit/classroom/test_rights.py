@@ -6,7 +6,7 @@ from typing import get_args
 import pytest
 
 from learnblock.classroom.limits import PACES
-from learnblock.classroom.rights import RIGHTS, may
+from learnblock.classroom.rights import FROM_GUEST, RIGHTS, TO_GUEST, may
 from learnblock.server import messages
 from learnblock.server.messages.base import Role
 
@@ -19,9 +19,9 @@ def test_as_many_messages_have_each_role_as_was_decided():
     assert roles == {
         "helper, pupil, watcher": 46,
         "helper, pupil": 32,
-        "pupil": 43,
+        "pupil": 47,
         "helper, watcher": 1,
-        "": 32,
+        "": 35,
     }
 
 
@@ -41,6 +41,15 @@ def test_as_many_messages_have_each_role_as_was_decided():
         ("ReadHandIn", set()),
         ("WorkGiven", set()),
         ("AskToWrite", {Role.WATCHER, Role.HELPER}),
+        ("AskClassmates", {Role.PUPIL}),
+        ("Invite", {Role.PUPIL}),
+        ("AnswerInvitation", {Role.PUPIL}),
+        ("LeaveWorld", {Role.PUPIL}),
+        ("LetShareWorlds", set()),
+        ("FindGuestRobot", set()),
+        ("GiveProgram", set()),
+        ("TakeGuest", set()),
+        ("GuestTaken", set()),
         ("GiveLesson", set()),
         ("ReadLessonWork", set()),
         ("LessonWorkRead", set()),
@@ -50,6 +59,16 @@ def test_as_many_messages_have_each_role_as_was_decided():
 )
 def test_each_role_may_send_what_it_should(kind, roles):
     assert {role for role in Role if may(role, kind)} == roles
+
+
+def test_a_guest_sends_keys_and_sees_the_world_but_no_program():
+    assert FROM_GUEST == {"HoldKeys"}
+    to_page = {kind.__name__ for kind in get_args(messages.TO_PAGE)}
+    assert to_page >= TO_GUEST
+    assert not TO_GUEST & {
+        "Document", "Printed", "PrintedByRobots", "Variables", "RunningLine", "Projects",
+        "History", "KeptRuns", "File", "LessonShown", "Failed", "WhyAnswer", "CameraFrame",
+    }  # fmt: skip
 
 
 def test_an_unknown_kind_is_nobodys():

@@ -48,6 +48,7 @@ function groups(page: Page, open: (files: readonly File[]) => void): readonly Me
         { text: t("page-project-history"), run: () => dialogs.show("history") },
       ],
     },
+    ...(page.pairs.canInvite ? [{ items: [{ text: t("page-pair-menu"), run: () => dialogs.show("invite") }] }] : []),
     {
       items: [
         { text: t("page-project-upload"), run: () => chooseFiles(UPLOADS.join(","), open) },

@@ -12,14 +12,14 @@ import { TeamDot } from "./team";
 import "./game-end.css";
 
 /** Shown when a run has ended with its game; not while the user looks back. */
-export function GameEnd() {
+export function GameEnd({ isGuests }: { isGuests: boolean }) {
   const { running } = usePage().context;
   const game = running.telemetry.value?.game;
   const hasEnded = running.state.value.state === "ended" && !running.past.value;
-  return hasEnded && game?.won != null ? <EndCard game={game} /> : null;
+  return hasEnded && game?.won != null ? <EndCard game={game} isGuests={isGuests} /> : null;
 }
 
-function EndCard({ game }: { game: GameNow }) {
+function EndCard({ game, isGuests }: { game: GameNow; isGuests: boolean }) {
   const { controls, replay, context } = usePage();
   const closed = useSignal(false);
   const goal = winningGoal(game, context.running.telemetry.value?.goals ?? []);
@@ -43,10 +43,12 @@ function EndCard({ game }: { game: GameNow }) {
           game.players.map((player) => <Result key={player.name} player={player} alone={game.players.length === 1} />)}
       </div>
       <p class="game-end-actions">
-        <button type="button" class="button filled" onClick={() => controls.run()}>
-          <Icon name="run" />
-          {t("page-world-game-again")}
-        </button>
+        {!isGuests && (
+          <button type="button" class="button filled" onClick={() => controls.run()}>
+            <Icon name="run" />
+            {t("page-world-game-again")}
+          </button>
+        )}
         {context.running.timeline.value && (
           <button type="button" class="button bordered" onClick={() => replay.watch()}>
             <Icon name="video" />

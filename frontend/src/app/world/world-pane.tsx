@@ -23,11 +23,13 @@ import { WhyChip } from "./why-chip";
 import { WorldMenu } from "./world-menu";
 import "./world-pane.css";
 
-export function WorldPane() {
+/** A guest's page hides it, and shows the host's world in its place. */
+export function WorldPane({ hidden }: { hidden: boolean }) {
   return (
     <section
       id="world"
       class="region world-pane"
+      hidden={hidden}
       aria-labelledby="title-world"
       data-region="world"
       data-tour="world"
@@ -48,8 +50,14 @@ export function WorldPane() {
   );
 }
 
+interface PlaceProps {
+  /** Whether the page is that of a guest, who starts no run. */
+  readonly isGuests?: boolean;
+  readonly children: ComponentChildren;
+}
+
 /** The world, with what the run tells over it; above all that, chips and menus. */
-export function WorldPlace({ children }: { children: ComponentChildren }) {
+export function WorldPlace({ isGuests = false, children }: PlaceProps) {
   const page = usePage();
   // A lesson marks what its step asks for, which may be less than its world's goals.
   const missed = (page.lessons.shown.value ? page.lessons : page.context.running).missed.value;
@@ -60,7 +68,7 @@ export function WorldPlace({ children }: { children: ComponentChildren }) {
       <IslandPlace load={() => loadWorld(page)} ready={(world) => (page.views.world.value = world)} />
       <div class="world-top">{children}</div>
       <Hud />
-      <GameEnd />
+      <GameEnd isGuests={isGuests} />
       <div class="world-bottom">
         <Said />
         <Hint />

@@ -100,6 +100,11 @@ export function Tools({ stream, wall, showJoin, hintAll }: ToolsProps) {
           {
             items: [
               { text: t("page-class-hint-all"), icon: "hint", run: hintAll },
+              {
+                text: t("page-class-sharing"),
+                on: wall.sharing ?? false,
+                run: () => stream.send({ kind: "LetShareWorlds", on: !wall.sharing }),
+              },
               { text: t("page-class-export-all"), icon: "download", run: () => location.assign("export.zip") },
             ],
           },

@@ -11,6 +11,7 @@ import { IconButton } from "../../ui/button";
 import { hold } from "../../ui/dialog";
 import { Icon } from "../../ui/icons";
 import { RobotPicture } from "../../ui/robots/picture";
+import { PairNote } from "./pair-note";
 import "./notes.css";
 
 /** It has to fit on a tile of the wall. */
@@ -65,6 +66,7 @@ function ForPupil({ now }: { now: InClass }) {
   const news = usePage().classNews;
   return (
     <>
+      <PairNote />
       {now.hand && <Question key={now.question} known={now.question ?? ""} />}
       {now.hint && now.hints !== news.read.value && (
         <Note look="hint">

@@ -85,3 +85,30 @@ class-check-died = The check was interrupted. Finished results are kept: check a
 class-ends = The class is closing. Your work is saved.
 class-server-silent = Your place in class is not ready yet. Try again in a moment.
 class-server-failed = Your place in class could not be prepared: { $reason }
+
+## Playing together
+
+class-pair-off = Playing together is switched off. Ask your teacher.
+class-pair-over = Your teacher has switched playing together off.
+class-pair-already = You are playing with a classmate, or have invited one. Leave first.
+class-pair-nobody = This classmate is not here now. Choose another one.
+class-pair-busy = { $name } is playing with another classmate. Ask again later.
+class-pair-just-declined = { $name } has just said no. Ask again in a minute.
+class-pair-declined = { $name } does not want to play now.
+class-pair-silence = { $name } has not answered your invitation.
+class-pair-no-invitation = This invitation has been taken back.
+class-pair-no-project = Open a project with two robots first, then invite.
+class-pair-lesson = In a lesson you work alone. Open a project of your own, then invite.
+class-pair-one-robot = Your project has only one program. Add a second robot, which your classmate's program will drive.
+class-pair-left = { $name } no longer plays with you.
+class-pair-no-world = The project that you were playing in can't be opened any more.
+class-pair-away = { $name }'s page does not show your world at the moment. Wait a moment, or stop playing together.
+class-pair-silent = Your LearnBlock does not answer. Try again in a moment.
+class-pair-no-answer = { $name }'s program has not arrived. Try again in a moment.
+class-pair-mistakes = { $name } has no program open, or one with mistakes. Run again once it is mended.
+class-pair-mistakes-own = { $name } wants to start: open your program, and mend its mistakes.
+# $robot is the name of a robot.
+class-pair-unfit = { $name }'s program can't run on the robot { $robot }. Choose another kind of robot, or ask for another program.
+# $robot is the name of a robot.
+class-pair-unfit-own = Your program can't run on the robot { $robot }. Use only blocks that this robot has.
+class-pair-only-keys = In a classmate's world you can only press keys.

@@ -18,5 +18,5 @@ share-differs-else = The answers, keys or settings on this computer are differen
 share-no-run = Run the program to its end, and the link proves its run.
 share-no-run-changed = The program, its world or its place has changed since the last run. Run it again, and the link proves its run.
 share-no-run-real = A real robot never drives exactly the same way twice, so the link has no fingerprint.
-share-no-run-person = This run depended on keys or answers, so the link has no fingerprint.
+share-no-run-person = This run depended on keys, answers or a guest's program, so the link has no fingerprint.
 share-no-run-stopped = The last run was stopped. Let the program end by itself, and the link proves its run.

@@ -74,3 +74,28 @@ class-check-died = La comprobación se ha interrumpido. Lo terminado se conserva
 class-ends = La clase se está cerrando. Tu trabajo está guardado.
 class-server-silent = Tu sitio en la clase aún no está listo. Prueba otra vez dentro de un momento.
 class-server-failed = No se pudo preparar tu sitio en la clase: { $reason }
+
+## Jugar en pareja
+
+class-pair-off = Jugar en pareja está desactivado. Pregunta a tu profe.
+class-pair-over = Tu profe ha desactivado jugar en pareja.
+class-pair-already = Ya juegas con alguien de clase o has enviado una invitación. Sal primero.
+class-pair-nobody = Esa persona no está ahora. Elige otra.
+class-pair-busy = { $name } está jugando con otra persona. Pregunta más tarde.
+class-pair-just-declined = { $name } acaba de decir que no. Pregunta otra vez dentro de un minuto.
+class-pair-declined = { $name } no quiere jugar ahora.
+class-pair-silence = { $name } no ha respondido a tu invitación.
+class-pair-no-invitation = Esta invitación ya se ha retirado.
+class-pair-no-project = Abre primero un proyecto con dos robots y después invita.
+class-pair-lesson = En una lección trabajas por tu cuenta. Abre un proyecto tuyo y después invita.
+class-pair-one-robot = Tu proyecto solo tiene un programa. Añade otro robot: lo moverá el programa de la otra persona.
+class-pair-left = { $name } ya no juega contigo.
+class-pair-no-world = El proyecto en el que jugabais ya no se puede abrir.
+class-pair-away = La página de { $name } no muestra tu mundo en este momento. Espera un poco o deja de jugar en pareja.
+class-pair-silent = Tu LearnBlock no responde. Prueba otra vez dentro de un momento.
+class-pair-no-answer = El programa de { $name } no ha llegado. Prueba otra vez dentro de un momento.
+class-pair-mistakes = { $name } no tiene ningún programa abierto, o el que tiene contiene errores. Ejecuta otra vez cuando esté corregido.
+class-pair-mistakes-own = { $name } quiere empezar: abre tu programa y corrige sus errores.
+class-pair-unfit = El programa de { $name } no puede funcionar en el robot { $robot }. Elige otro tipo de robot o pide otro programa.
+class-pair-unfit-own = Tu programa no puede funcionar en el robot { $robot }. Usa solo bloques que tenga ese robot.
+class-pair-only-keys = En el mundo de otra persona solo puedes pulsar teclas.

@@ -18,5 +18,5 @@ share-differs-else = Las respuestas, las teclas o los ajustes de este ordenador 
 share-no-run = Ejecuta el programa hasta el final y el enlace demostrará su ejecución.
 share-no-run-changed = El programa, su mundo o su sitio ha cambiado desde la última ejecución. Ejecútalo otra vez y el enlace demostrará su ejecución.
 share-no-run-real = Un robot real nunca se mueve dos veces exactamente igual, así que el enlace no tiene huella.
-share-no-run-person = Esta ejecución dependió de teclas o respuestas, así que el enlace no tiene huella.
+share-no-run-person = Esta ejecución dependió de teclas, de respuestas o del programa de un invitado, así que el enlace no tiene huella.
 share-no-run-stopped = La última ejecución se detuvo. Deja que el programa termine solo y el enlace demostrará su ejecución.

@@ -19,6 +19,7 @@ from learnblock.server.messages.classes import *
 from learnblock.server.messages.connecting import *
 from learnblock.server.messages.containment import *
 from learnblock.server.messages.custom_blocks import *
+from learnblock.server.messages.guests import *
 from learnblock.server.messages.kept import *
 from learnblock.server.messages.lesson_editor import *
 from learnblock.server.messages.lessons import *

@@ -1,6 +1,9 @@
-"""The keyboard of a project: every listening program gets the keys held on any page."""
+"""The keyboard of a project: every listening program gets the keys held on any page.
 
-from collections.abc import Hashable, Iterable, Sequence
+Only a guest's program has keys of its own: those held on the guest's page.
+"""
+
+from collections.abc import Hashable, Iterable, Mapping, Sequence
 
 from learnblock.client.keyboard import KEYS, Key
 from learnblock.server import messages
@@ -21,12 +24,22 @@ class SharedKeyboard:
         self._wanted: dict[Hashable, tuple[Key, ...]] = {}
         #: The keys that the user of each page holds down.
         self._pages: dict[Viewer, frozenset[Key]] = {}
-        self._held: frozenset[Key] = frozenset()
+        #: The programs of guests, by their pages.
+        self._guests: dict[Viewer, Hashable] = {}
+        #: The keys that are held for each program of a guest, and for all others.
+        self._held: Mapping[Hashable, frozenset[Key]] = {}
         self._told = messages.KeysWanted(())
 
     def held(self, program: Hashable) -> Sequence[Key]:
-        """The keys of a program that users of any page hold down; called from its thread."""
-        return [key for key in self._wanted.get(program, ()) if key in self._held]
+        """The keys of a program that its users hold down; called from its thread."""
+        held = self._held
+        keys = held.get(program, held.get(None, frozenset()))
+        return [key for key in self._wanted.get(program, ()) if key in keys]
+
+    def keep_apart(self, page: Viewer, program: Hashable) -> None:
+        """Hold the keys of a guest's page for the guest's program only, until the page leaves."""
+        self._guests[page] = program
+        self._renew()
 
     def want(self, program: Hashable, keys: tuple[Key, ...]) -> None:
         """A program asks for these keys from now on."""
@@ -56,11 +69,18 @@ class SharedKeyboard:
 
     def leave(self, page: Viewer) -> None:
         """Release the keys that the user of a page holds down."""
-        if self._pages.pop(page, None):
+        if self._pages.pop(page, None) or self._guests.pop(page, None):
+            self._guests.pop(page, None)
             self._renew()
 
     def _renew(self) -> None:
-        self._held = frozenset[Key]().union(*self._pages.values())
+        groups = {None, *self._guests.values()}
+        self._held = {group: self._held_for(group) for group in groups}
+
+    def _held_for(self, program: Hashable) -> frozenset[Key]:
+        """The keys held for the program of a guest, or for all others with None."""
+        pages = (keys for page, keys in self._pages.items() if self._guests.get(page) == program)
+        return frozenset[Key]().union(*pages)
 
     def _tell(self) -> None:
         wanted = frozenset[Key]().union(*self._wanted.values())

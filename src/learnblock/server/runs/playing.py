@@ -21,6 +21,7 @@ from learnblock.runtime.trace_sinks import LineSink
 from learnblock.server import messages
 from learnblock.server.runs.escalation import escalate_async
 from learnblock.server.runs.function_call import FunctionCall
+from learnblock.server.runs.guest_program import GuestProgram
 from learnblock.server.runs.looking import Looking
 from learnblock.server.runs.memory import give_back_memory
 from learnblock.server.runs.watcher import Listener, RunWatcher
@@ -29,8 +30,8 @@ from learnblock.storage import skill_files
 if TYPE_CHECKING:
     from learnblock.monitor import Monitor
 
-#: A program, or a function that the user tries.
-Played = Document | FunctionCall
+#: A program, a function that the user tries, or the program of another pupil.
+Played = Document | FunctionCall | GuestProgram
 #: Runs programs to their ends and reports them.
 Play = Callable[[Sequence["Playing"]], None]
 
@@ -109,13 +110,18 @@ class Playing:
 
     @property
     def running_line(self) -> messages.RunningLine:
-        """The current line and block."""
-        line = self.watcher.current_line
+        """The current line and block; none of a guest's program, which no page shows."""
+        line = 0 if self.is_guests else self.watcher.current_line
         return messages.RunningLine(line, self.played.block_at(line))
 
     @property
     def is_call(self) -> bool:
         return isinstance(self.played, FunctionCall)
+
+    @property
+    def is_guests(self) -> bool:
+        """Whether another pupil's program runs."""
+        return isinstance(self.played, GuestProgram)
 
     @property
     def is_real(self) -> bool:
@@ -157,7 +163,7 @@ class Playing:
         """Describe how the run ended."""
         error = report.error or {}
         line = error.get("line")
-        line = line if isinstance(line, int) else 0
+        line = line if isinstance(line, int) and not self.is_guests else 0
         custom_block, custom_line = self._own_place(error.get("within"), line)
         return messages.Ended(
             ended=report.ended,
@@ -203,7 +209,7 @@ def follow(playings: Sequence[Playing], play: Play) -> None:
     runs = [ref(playing.run) for playing in playings]
     thread = threading.Thread(target=_followed, args=(handed, runs), name="run", daemon=True)
     for playing in playings:
-        playing.run.report_variables(enabled=True)
+        playing.run.report_variables(enabled=not playing.is_guests)
         playing.played_by(thread)
     thread.start()
 

@@ -12,6 +12,7 @@ from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.program import Program
 from learnblock.runtime.status import State
 from learnblock.runtime.trace_sinks import LineSink
+from learnblock.server.runs.guest_program import GuestProgram
 from learnblock.server.runs.looking import Looking
 from learnblock.server.runs.player import Player
 from learnblock.server.runs.playing import Played, Playing, first_lines, follow, looking_at
@@ -167,9 +168,9 @@ class Participant:
         """Watches its part of the run."""
         return MemberWatcher(self.player, self.job.keys)
 
-    def looking(self, log: RunLog) -> Looking:
-        """Looks back at the run of this robot."""
-        return looking_at(self.played, log)
+    def looking(self, log: RunLog) -> Looking | None:
+        """Looks back at the run of this robot; None for a guest's program, which no page shows."""
+        return None if isinstance(self.played, GuestProgram) else looking_at(self.played, log)
 
     def debugger(self) -> Debugger:
         """What pauses the program."""

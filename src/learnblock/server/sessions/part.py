@@ -14,10 +14,11 @@ from learnblock.project.files.project import ProjectPart
 from learnblock.robots import RobotEntry
 from learnblock.server import messages
 from learnblock.server.runs.console import Console
+from learnblock.server.runs.guest_program import GuestProgram
 from learnblock.server.runs.keyboard import SharedKeyboard
 from learnblock.server.runs.player import Player
 from learnblock.server.runs.viewers import Viewer, Viewers
-from learnblock.server.sessions.prepared import PreparedPart
+from learnblock.server.sessions.prepared import PreparedPart, guest_program
 
 Result = TypeVar("Result")
 #: The states of programs, those that need attention most first.
@@ -74,6 +75,8 @@ class Part:
         self.viewers = Viewers()
         self._home = home
         self._console = Console()
+        #: The page of a guest with the program that runs instead of the part's own.
+        self._guest: tuple[Viewer, GuestProgram] | None = None
         #: The robots that run the program, at least one.
         self.players = tuple(self._new_player() for _ in range(prepared.count))
         #: The program changes in one thread at a time.
@@ -83,6 +86,16 @@ class Part:
     def document(self) -> Document:
         """The current program."""
         return self.program.document
+
+    @property
+    def played(self) -> Document | GuestProgram:
+        """What its robots run."""
+        return self._guest[1] if self._guest else self.document
+
+    @property
+    def has_guest(self) -> bool:
+        """Whether its robots run a guest's program."""
+        return self._guest is not None
 
     @property
     def tab(self) -> messages.Tab:
@@ -166,6 +179,24 @@ class Part:
         """Stop sending messages to a page."""
         self.player_of(page).leave(page)
         self.viewers.remove(page)
+        if self._guest and self._guest[0] is page:
+            self._guest = None
+
+    async def take_guest(self, page: Viewer, text: str, *, is_python: bool) -> None:
+        """Run a guest's program instead of the part's own until the guest's page leaves.
+
+        Args:
+            page: the guest's.
+            text: the program, in Block-Text or Python.
+            is_python: whether it is Python.
+
+        Raises:
+            LearnBlockError: it can't run on the robot.
+        """
+        program = await to_thread.run_sync(guest_program, self.robot, text, is_python)
+        # The guest may have left meanwhile.
+        if page in tuple(self.viewers):
+            self._guest = page, program
 
     # The program.
 

@@ -14,6 +14,7 @@ from learnblock.project.files.unpacking import only_read, unpacked
 from learnblock.robots import RobotEntry
 from learnblock.server import catalog
 from learnblock.server.messages import WorldChoice
+from learnblock.server.runs.guest_program import GuestProgram
 from learnblock.server.sessions.library_versions import LibraryVersions
 from learnblock.server.sessions.shown_blocks import ShownBlocks
 
@@ -108,6 +109,21 @@ def prepare(project: Project, *, read_only: bool = False) -> Prepared:
 def empty_part(name: str, robot: RobotEntry, count: int) -> PreparedPart:
     """An empty program for robots of one kind; this is slow."""
     return _prepared_part(ProjectPart(name, EMPTY, robot=robot.name, count=count))[0]
+
+
+def guest_program(robot: RobotEntry, text: str, is_python: bool) -> GuestProgram:  # noqa: FBT001 - run in a thread
+    """A guest's program for a robot; this is slow.
+
+    Raises:
+        LearnBlockError: it has errors there.
+    """
+    document = empty_part("guest", robot, 1).document
+    document = document.with_text("python" if is_python else "blocktext", text)
+    document = document.with_robot(
+        robot.module, robot.load().known_equipment(), robot.load().drivetrain()
+    )
+    document.require_no_errors()
+    return GuestProgram(document)
 
 
 def loaded(name: str) -> RobotEntry:

@@ -37,7 +37,7 @@ class _Begun:
     Args:
         state: what is run.
         placed: whether the user has placed a robot.
-        asks: whether the programs ask a person for keys or answers.
+        asks: whether the programs ask a person for keys or answers, or one is a guest's.
     """
 
     state: ProgramState
@@ -64,13 +64,13 @@ class RunProof:
         """What the next run would run."""
         return ProgramState.of(self._project.project, self._project.variant)
 
-    def begin(self, jobs: Sequence[Job]) -> None:
-        """Remember what a run that is about to start runs."""
+    def begin(self, jobs: Sequence[Job], *, has_guest: bool = False) -> None:
+        """Remember what a run that is about to start runs; a guest's program is in no link."""
         self._ended = None
         self._begun = _Begun(
             self.state,
             placed=any(job.options.start is not None for job in jobs),
-            asks=any(_asks(job) for job in jobs),
+            asks=has_guest or any(_asks(job) for job in jobs),
         )
 
     def end(self, endings: Sequence[messages.Ended]) -> messages.RunCompared | None:

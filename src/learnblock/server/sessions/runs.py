@@ -18,6 +18,7 @@ from learnblock.running.recorded_keys import RecordedKeys
 from learnblock.runtime.trace_sinks import LineSink
 from learnblock.server import messages
 from learnblock.server.runs.function_call import FunctionCall
+from learnblock.server.runs.guest_program import GuestProgram
 from learnblock.server.runs.player import Player
 from learnblock.server.runs.playing import Played, prepared
 from learnblock.server.runs.together import Participant, play_together, staged
@@ -154,8 +155,8 @@ class Runs:
         await self.stop()
         self._endings.clear()
         self._last_run = (time(), await self._project.archive.keep_version("run"))
-        jobs = [await self._job(part, member, part.document) for part, member in self._robots]
-        self._project.proof.begin(jobs)
+        jobs = [await self._job(part, member, part.played) for part, member in self._robots]
+        self._project.proof.begin(jobs, has_guest=any(part.has_guest for part in self._parts))
         lines = None
         if coach := self._project.coach:
             lines, seconds = coach.watch()
@@ -174,7 +175,7 @@ class Runs:
         if len(jobs) == 1:
             [(part, player)] = self._robots
             playing = prepared(
-                part.document,
+                part.played,
                 jobs[0],
                 player,
                 breakpoints=part.breakpoints,
@@ -187,7 +188,7 @@ class Runs:
             Participant(
                 player,
                 part.name_of(player),
-                part.document,
+                part.played,
                 job,
                 part.breakpoints,
                 paused=player is paused,
@@ -260,6 +261,8 @@ class Runs:
             player.attend()
 
     def _require_no_errors(self, part: Part) -> None:
+        if part.has_guest:
+            return
         try:
             part.document.require_no_errors()
         except LearnBlockError as error:
@@ -276,7 +279,7 @@ class Runs:
             seed=SEED,
             variant=self._project.variant,
             start=player.start,
-            network=self._network,
+            network=self._network and not isinstance(played, GuestProgram),
         )
         return Job(replace(program, tags=self._project.tags), part.robot, options)
 

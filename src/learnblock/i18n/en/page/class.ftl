@@ -69,6 +69,7 @@ page-class-join-address = Join address
 page-class-log-in = Log in as at school
 page-class-open-door = New pupils can join
 page-class-renew-word = New join word
+page-class-sharing = Let pupils play in pairs
 page-class-eyes-up-button = Eyes up
 page-class-stop-all = Stop all robots
 page-class-hand-out = Hand out a lesson

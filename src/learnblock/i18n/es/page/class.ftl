@@ -65,6 +65,7 @@ page-class-join-address = Dirección
 page-class-log-in = Inicia sesión como en el centro
 page-class-open-door = Puede entrar gente nueva
 page-class-renew-word = Otra palabra para entrar
+page-class-sharing = Dejar jugar en pareja
 page-class-eyes-up-button = Atención
 page-class-stop-all = Parar todos los robots
 page-class-hand-out = Repartir una lección

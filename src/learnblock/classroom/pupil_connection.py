@@ -1,0 +1,29 @@
+"""The connection of the class with a pupil's server, on behalf of a page."""
+
+from typing import TYPE_CHECKING
+
+from websockets.asyncio.client import connect
+
+from learnblock.server.http.protection import SEAT, SUBPROTOCOL
+
+if TYPE_CHECKING:
+    from learnblock.classroom.servers import ServerAddress
+
+#: Bytes; what a pupil's server accepts, and a little more, so that the page gets its answer.
+_LARGEST = 8 * 1024 * 1024
+#: Seconds within which a pupil's server answers.
+_PATIENCE = 10.0
+
+
+def connected(place: "ServerAddress") -> connect:
+    """A connection with a pupil's server, as a context."""
+    return connect(
+        place.url("ws", f"ws?{SEAT}"),
+        subprotocols=list(filter(None, (SUBPROTOCOL, place.token))),  # type: ignore[arg-type] # plain strings
+        # As a proxy does, so that the server takes no pupil for a user of its own computer.
+        additional_headers={**place.headers, "x-forwarded-for": "class"},
+        max_size=_LARGEST,
+        compression=None,
+        open_timeout=_PATIENCE,
+        ping_interval=None,
+    )
