@@ -34,7 +34,11 @@ _WAITING, _PAUSE = 60.0, 60.0
 #: Seconds after which a pupil without pages has left.
 _GRACE = 20.0
 #: What to say to the host about a project without a robot for a guest.
-_LACKS = {"project": "class-pair-no-project", "lesson": "class-pair-lesson"}
+_LACKS = {
+    "project": "class-pair-no-project",
+    "lesson": "class-pair-lesson",
+    "robot": "class-pair-one-robot",
+}
 
 
 class WorldPage(Protocol):
@@ -169,7 +173,7 @@ class Pairs:
         if robot is None:
             raise LearnBlockError("class-pair-silent")
         if robot.lack:
-            raise LearnBlockError(_LACKS.get(robot.lack, "class-pair-one-robot"))
+            raise LearnBlockError(_LACKS[robot.lack])
         # Much may have happened meanwhile.
         self._invited(desk, pupil)
         pair = PupilPair(desk, guest, robot.project, robot.tab)
