@@ -58,6 +58,9 @@ class Sharing(Protocol):
     def news(self, desk: "Desk") -> InPair:
         """With whom a pupil plays."""
 
+    def came(self, desk: "Desk") -> None:
+        """Note that a pupil has a page again."""
+
     async def heard(self, desk: "Desk", page: DeskPage, message: FromPlayer) -> None:
         """Do what a pupil's page asks for.
 
@@ -173,6 +176,8 @@ class Desk:
         page.tell(self._news(page))
         if not page.is_teacher:
             page.tell(self._own_hand_ins())
+            if self.sharing:
+                self.sharing.came(self)
             self.tell_pair(page)
         self._changed()
 

@@ -89,6 +89,7 @@ class PupilPair:
         return "host" if desk is self.host else "guest"
 
 
+# Why: docs/decisions.md, "In a shared world, the run is the host's"
 class Pairs:
     """The pairs of a class; none until the teacher allows them.
 
@@ -227,6 +228,11 @@ class Pairs:
             await self._end(pair)
             if pair.page:
                 pair.other(desk).note(Phrase("class-pair-left", name=self._name(desk)))
+
+    def came(self, desk: Desk) -> None:
+        """A pupil has a page again, and stays."""
+        if leaving := self._leaving.pop(desk.pupil.id, None):
+            leaving.cancel()
 
     def left(self, desk: Desk) -> None:
         """A page of a pupil has gone; with the last one the pupil leaves, after a while."""

@@ -287,6 +287,25 @@ def test_a_pupil_whose_pages_have_gone_leaves_after_a_while(classroom, monkeypat
     assert classroom.pages[stays].notes == ["class-pair-left"]
 
 
+def test_a_pupil_who_comes_back_and_leaves_again_has_the_whole_time(classroom, monkeypatch):
+    monkeypatch.setattr("learnblock.classroom.pairs._GRACE", 0)
+
+    async def reload():
+        await classroom.play()
+        ben, page = classroom.desk("Ben"), FakePage(PROGRAM)
+        ben.left(classroom.pages["Ben"])
+        classroom.pairs.left(ben)
+        ben.joined(page)
+        ben.left(page)
+        # The first time is over in the next turn of the event loop.
+        for _ in range(3):
+            await asyncio.sleep(0)
+        return classroom.pairs.of(ben)
+
+    assert asyncio.run(reload()) is not None
+    assert classroom.pages["Ana"].notes == []
+
+
 def test_an_invitation_without_an_answer_ends(classroom, monkeypatch):
     monkeypatch.setattr("learnblock.classroom.pairs._WAITING", 0)
 

@@ -12,7 +12,7 @@ export function useHostWorld(): boolean {
 }
 
 export function HostWorld() {
-  const title = t("page-pair-their-world", { name: usePage().pairs.now.value?.other ?? "" });
+  const title = t("page-pair-world", { name: usePage().pairs.now.value?.other ?? "" });
   return (
     <section class="region world-pane host-world" aria-label={title} data-region="host-world" tabIndex={-1}>
       <iframe key={language.value} src={guestPath(location.pathname)} title={title} />

@@ -15,6 +15,7 @@ page-pair-host = { $name }'s program drives the robot { $robot } in your world. 
 page-pair-host-away = { $name } does not see your world at the moment.
 # $robot is the name of a robot.
 page-pair-guest = Your program drives the robot { $robot } in { $name }'s world. { $name } starts the run.
+page-pair-world = { $name }'s world
 page-pair-own-world = Show my world
 page-pair-their-world = Show { $name }'s world
 page-pair-leave = Stop playing together

@@ -12,6 +12,7 @@ page-pair-decline = Ahora no
 page-pair-host = El programa de { $name } mueve el robot { $robot } en tu mundo. Pulsa Ejecutar para empezar los dos.
 page-pair-host-away = { $name } no ve tu mundo en este momento.
 page-pair-guest = Tu programa mueve el robot { $robot } en el mundo de { $name }, que empieza la ejecución.
+page-pair-world = El mundo de { $name }
 page-pair-own-world = Mostrar mi mundo
 page-pair-their-world = Mostrar el mundo de { $name }
 page-pair-leave = Dejar de jugar en pareja
