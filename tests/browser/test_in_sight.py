@@ -11,7 +11,8 @@ from learnblock.lessons.reading import find_lesson
 
 SIZES = {"laptop": (1366, 768), "small": (1024, 768), "tablet": (820, 1180), "phone": (390, 844)}
 LANGUAGES = ("en", "es")
-#: The selected elements that are not whole: beyond the page, or cut by a part that scrolls.
+#: The selected elements that are not whole: beyond the page, cut by a part that scrolls, or under
+#: the groups of a phone.
 CUT = """(wanted) => [...document.querySelectorAll(wanted)].filter((one) => {
     const { left, top, right, bottom, width } = one.getBoundingClientRect();
     if (width === 0) return false;
@@ -19,6 +20,8 @@ CUT = """(wanted) => [...document.querySelectorAll(wanted)].filter((one) => {
     const isFixed = (part) => getComputedStyle(part).position === "fixed";
     for (let part = one; part && !isFixed(part); part = part.parentElement) {
         if (part === one) continue;
+        const strip = part.querySelector(':scope > .blocklyToolbox[layout="h"]');
+        if (strip) y1 = Math.min(y1, strip.getBoundingClientRect().top);
         if (getComputedStyle(part).overflow === "visible") continue;
         const box = part.getBoundingClientRect();
         [x0, y0] = [Math.max(x0, box.left), Math.max(y0, box.top)];
@@ -35,8 +38,11 @@ DRAWN = "() => { const world = learnblock.views.world.value; world.resize(); ret
 BLOCKS = f"{WORKSPACE} > .blocklyBlockCanvas .blocklyDraggable > .blocklyPath"
 TASK = ".lesson-choice, .lesson-quiz legend, .lesson-goal"
 RUN = "#run .go"
-#: The program's blocks and the buttons above them; a phone shows the first of both.
 PROGRAM = f"{BLOCKS}, .program-head button"
+#: The names of the project and its world that are cut; letters reach a little below their line.
+CUT_NAMES = """() => [...document.querySelectorAll(".project-name, .world-name")].filter((name) =>
+    name.scrollWidth > name.clientWidth || name.scrollHeight > name.clientHeight + 8
+).map((name) => name.textContent)"""
 CASES = [(size, language) for size in SIZES for language in LANGUAGES]
 
 
@@ -47,10 +53,10 @@ def words(text, language):
 class Reader:
     """A pupil who has opened a lesson, and does nothing but look."""
 
-    def __init__(self, sit_down, server, size, language, *, flat=False):
+    def __init__(self, sit_down, server, size, language, *, flat=False, **options):
         width, height = SIZES[size]
-        viewport = {"width": width, "height": height}
-        self.pupil = sit_down(server, start=True, flat=flat, language=language, viewport=viewport)
+        options |= {"language": language, "viewport": {"width": width, "height": height}}
+        self.pupil = sit_down(server, start=True, flat=flat, **options)
         self.page, self.size, self.language = self.pupil.page, size, language
         self._flat = flat
 
@@ -71,9 +77,10 @@ class Reader:
 
     def expect_all_in_sight(self):
         """Wait until the task, the program and Run are whole, and look for robot and goals."""
-        wanted = f"{TASK}, {RUN}" + ("" if self.size == "phone" else f", {PROGRAM}")
+        wanted = f"{TASK}, {RUN}, {PROGRAM}"
         self.page.wait_for_function(f"(wanted) => ({CUT})(wanted).length === 0", arg=wanted)
         assert self.page.evaluate(BEYOND) == [0, 0]
+        assert self.page.evaluate(CUT_NAMES) == []
         drawn = self.page.evaluate(DRAWN)
         places = [drawn["robot"], *([drawn["goal"]] if drawn["goal"] else []), *drawn["others"]]
         assert max(abs(along) for place in places for along in place) < 1
@@ -98,6 +105,29 @@ def test_a_question_and_goals_are_in_sight_beside_program_robot_and_run(
     reader.go_to(4)
     reader.expect_all_in_sight()
     reader.pupil.picture(f"goals-{size}-{language}")
+
+
+#: A program of ten blocks.
+TEN = "main:\n" + "    function.drive_distance(100)\n" * 9 + "end\n"
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_phone_shows_the_first_ten_blocks_beside_task_world_and_run(
+    own_server, sit_down, language
+):
+    reader = Reader(sit_down, own_server, "phone", language, flat=True, has_touch=True)
+    reader.open("1-03-square")
+    blocks, text = reader.page.locator(".areas button").all()[:2]
+    text.tap()
+    reader.pupil.write("blocktext", TEN)
+    expect(reader.page.locator(".saved")).to_have_text({"en": "Saved", "es": "Guardado"}[language])
+    blocks.tap()
+    reader.page.reload()
+    drives = f"{WORKSPACE} .lb_skill_drive_distance > .blocklyPath"
+    expect(reader.page.locator(drives)).to_have_count(9)
+    wanted = f"{TASK}, {RUN}, {drives}"
+    reader.page.wait_for_function(f"(wanted) => ({CUT})(wanted).length === 0", arg=wanted)
+    reader.pupil.picture(f"ten-{language}")
 
 
 #: Whether the button of the block set shows its whole title, or only its icon.

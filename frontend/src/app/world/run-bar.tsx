@@ -1,5 +1,6 @@
 /** Run, Stop, the buttons of the debugger, the speed, and the switch of the output. */
 
+import { useLessonMove } from "../../features/lessons/narrow";
 import { t } from "../../i18n";
 import { countProblems } from "../../model/findings";
 import { usePage } from "../../model/page";
@@ -8,11 +9,13 @@ import { IconButton } from "../../ui/button";
 import { SpeedSlider } from "./speed-slider";
 import "./run-bar.css";
 
+/** On a phone, what a lesson asks to be pressed has the place of the speed, which is there again during a run. */
 export function RunBar() {
+  const move = useLessonMove();
   return (
     <div class="run-bar">
       <RunButtons />
-      <SpeedSlider />
+      {move ? <div class="lesson-move">{move}</div> : <SpeedSlider />}
       <OutputButton />
     </div>
   );

@@ -47,23 +47,25 @@ export function Quiz({ quiz: { question, choices, several = false } }: { quiz: L
   );
 }
 
-/** Checks the chosen answer, and says whether it is right. */
-export function QuizAnswer({ quiz: { solved = false } }: { quiz: LessonQuiz }) {
+/** Checks the chosen answer. */
+export function CheckAnswer({ quiz: { solved = false } }: { quiz: LessonQuiz }) {
   const { lessons } = usePage();
-  const judged = lessons.quiz.value;
   return (
-    <>
-      <button
-        type="button"
-        class={judged || solved ? "button bordered" : "button filled"}
-        disabled={lessons.chosen.value.length === 0}
-        onClick={() => lessons.answerQuiz()}
-      >
-        {t("page-lesson-answer")}
-      </button>
-      <Judged right={judged ? (judged.right ?? false) : solved ? true : null} />
-    </>
+    <button
+      type="button"
+      class={lessons.quiz.value || solved ? "button bordered" : "button filled"}
+      disabled={lessons.chosen.value.length === 0}
+      onClick={() => lessons.answerQuiz()}
+    >
+      {t("page-lesson-answer")}
+    </button>
   );
+}
+
+/** Says whether the checked answer is right. */
+export function QuizResult({ quiz: { solved = false } }: { quiz: LessonQuiz }) {
+  const judged = usePage().lessons.quiz.value;
+  return <Judged right={judged ? (judged.right ?? false) : solved ? true : null} />;
 }
 
 /** Whether the answer is right; null before it is known. */

@@ -10,6 +10,7 @@ import { actionsOf, type BlockActions, setActions } from "./actions";
 import { registerCategories } from "./categories";
 import { Checker } from "./checker";
 import { Dragger, EDGE } from "./dragger";
+import { Fit } from "./fit";
 import { pieceWith, type Rest } from "./folds";
 import { sidesToFollow } from "./follow";
 import { Invitation } from "./invitation";
@@ -69,6 +70,7 @@ export class BlockEditor {
   private readonly words = new Words();
   private readonly invitation: Invitation;
   private readonly clipboard: SharedClipboard;
+  private readonly fit: Fit;
 
   constructor(
     private readonly host: HTMLElement,
@@ -100,6 +102,7 @@ export class BlockEditor {
     this.search.init();
     this.invitation = new Invitation(this.workspace);
     this.clipboard = new SharedClipboard(this.workspace);
+    this.fit = new Fit(host, this.workspace, SCALE);
     this.loading = new Loading(host, this.workspace, () => this.addNext());
     new ScrollOptions(this.workspace).init({ edgeScrollOptions: EDGE });
     registerCategories(this.workspace);
@@ -112,6 +115,7 @@ export class BlockEditor {
 
   destroy(): void {
     this.host.removeEventListener("dblclick", this.openOwn);
+    this.fit.destroy();
     this.loading.destroy();
     this.invitation.destroy();
     this.clipboard.destroy();
@@ -128,6 +132,7 @@ export class BlockEditor {
    * page stays usable.
    */
   show(wanted: Workspace): void {
+    this.fit.remember();
     if (this.workspace.isDragging() || !this.sync.show(wanted)) return;
     if (this.sync.isLoading) this.loading.begin();
     this.whenLoaded(() => this.changed());
@@ -199,6 +204,7 @@ export class BlockEditor {
     Blockly.svgResize(this.workspace);
     if (this.workspace.scrollX !== scrollX || this.workspace.scrollY !== scrollY)
       this.workspace.scroll(scrollX, scrollY);
+    this.fit.look();
   }
 
   /** A block of the program as its dialog shows it. */
@@ -392,6 +398,7 @@ export class BlockEditor {
   }
 
   private changed(): void {
+    this.fit.look();
     this.mark();
     this.workspace.refreshToolboxSelection();
     this.look();
