@@ -286,7 +286,7 @@ def keep_a_hint(wall, page):
     expect(hint).to_have_value("")
 
 
-def test_a_lesson_of_the_teachers_own_is_added_at_the_wall_and_chosen(room, desk, tmp_path):
+def test_a_lesson_of_the_teachers_own_is_added_at_the_wall_chosen_and_deleted(room, desk, tmp_path):
     wall = desk(f"{room.address}/teacher?key={room.key}")
     wall.locator(".wall-lesson").click()
     dialog = wall.get_by_role("dialog", name="Hand out a lesson")
@@ -303,6 +303,10 @@ def test_a_lesson_of_the_teachers_own_is_added_at_the_wall_and_chosen(room, desk
     expect(dialog.get_by_role("status")).to_have_text("“First drive” is in your lessons now.")
     expect(dialog.get_by_role("alert")).to_have_text("")
     expect(button(dialog, "My lessons 1")).to_have_attribute("aria-pressed", "true")
+    expect(dialog.get_by_role("radio", checked=True)).to_have_count(1)
+    button(dialog, "Delete…").click()
+    button(wall, "Delete lesson").click()
+    expect(button(dialog, "My lessons 1")).to_have_count(0)
     expect(dialog.get_by_role("radio", checked=True)).to_have_count(1)
 
 

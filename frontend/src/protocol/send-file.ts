@@ -1,4 +1,4 @@
-/** Sends the server a file as it is, without a message around it. */
+/** Requests about files, without a message around them. */
 
 import type { Phrase } from "../i18n";
 
@@ -9,9 +9,18 @@ export interface FileAnswer<Answer> {
 }
 
 /** Send the server a file. */
-export async function sendFile<Answer>(address: string, file: File): Promise<FileAnswer<Answer>> {
+export function sendFile<Answer>(address: string, file: File): Promise<FileAnswer<Answer>> {
+  return ask(address, { method: "POST", body: file });
+}
+
+/** Have the server delete a file. */
+export function deleteFile<Answer>(address: string): Promise<FileAnswer<Answer>> {
+  return ask(address, { method: "DELETE" });
+}
+
+async function ask<Answer>(address: string, request: RequestInit): Promise<FileAnswer<Answer>> {
   try {
-    const reply = await fetch(address, { method: "POST", body: file });
+    const reply = await fetch(address, request);
     const content = await reply.json();
     return reply.ok ? { answer: content as Answer } : { refusal: content as Phrase };
   } catch {

@@ -1,6 +1,13 @@
 import { expect, test } from "vitest";
 
-import { commonMistake, finishedWork, placesIn, waiting } from "../../src/features/class-page/overview";
+import {
+  commonMistake,
+  finishedWork,
+  nextAfter,
+  placesIn,
+  readyFor,
+  waiting,
+} from "../../src/features/class-page/overview";
 import { counts, inOrder, stateOf } from "../../src/features/class-page/states";
 import type { MissedCheck, Seat } from "../../src/protocol/classroom";
 
@@ -94,4 +101,18 @@ test("work is ready when all steps are done or it is handed in", () => {
     seat("d"),
   ];
   expect(ids(finishedWork(class7b))).toEqual(["a", "b"]);
+});
+
+test("pupils are ready for the next lesson once all steps are done, or the last one is handed in", () => {
+  const lesson = { name: "one", title: "One", level: 1, minutes: 30, robots: [], steps: ["Predict", "Run"] };
+  const class7b = [
+    seat("a", at(1, { done: [true, true] })),
+    seat("b", at(2, { done: [true, false], hand_in: "to check" })),
+    seat("c", at(1, { done: [true, false], hand_in: "to check" })),
+    seat("d", { ...at(1, { done: [true, true] }), lesson_name: "another" }),
+    seat("e"),
+  ];
+  expect(ids(readyFor(class7b, lesson))).toEqual(["a", "b"]);
+  const next = { ...lesson, name: "two" };
+  expect([nextAfter([lesson, next], lesson), nextAfter([lesson, next], next)]).toEqual([next, undefined]);
 });

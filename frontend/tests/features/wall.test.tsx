@@ -96,6 +96,22 @@ test("a lesson is handed out to some pupils from a step", () => {
   expect(stream.sent).toEqual([{ kind: "HandOut", lesson: "1-01", project: "First drive", pupils: ["p1"], step: 2 }]);
 });
 
+test("the next lesson is handed out to all who are ready, with one click", async () => {
+  const stream = open(["Ana", "Leo", "Mia"]);
+  const lesson = { level: 1, minutes: 30, robots: [], steps: ["Predict", "Run it"] };
+  stream.offers.value = [
+    { ...lesson, name: "1-01", title: "First drive" },
+    { ...lesson, name: "1-02", title: "Turn a corner" },
+  ];
+  const all = [...stream.seats.value.values()];
+  const at = (done: readonly boolean[]) => ({ lesson_name: "1-01", step: 2, begun: true, done: [...done] });
+  const seats = all.map((seat, index) => ({ ...seat, ...at([true, index < 2]) }));
+  await act(() => (stream.seats.value = new Map(seats.map((seat) => [seat.id, seat]))));
+  fireEvent.click(screen.getByText("Turn a corner, for 2 who are ready"));
+  expect(stream.sent).toEqual([{ kind: "HandOut", lesson: "1-02", project: "Turn a corner", pupils: ["p0", "p1"] }]);
+  await screen.findByText("Turn a corner is open on the pages of 2 pupils.");
+});
+
 test("the picture of a pupil without news from the server is grey", async () => {
   const stream = open(["Ana"]);
   const picture = () => screen.getByText("Ana").closest(".tile")!.querySelector(".small-world")!;

@@ -36,6 +36,7 @@ from learnblock.classroom.forward import Forwarder
 from learnblock.classroom.guest_pages import GuestPages
 from learnblock.classroom.hub_class import HubLogin
 from learnblock.classroom.lesson_uploads import LessonUploads
+from learnblock.classroom.programs import class_programs
 from learnblock.classroom.record import record_of
 from learnblock.classroom.relay import Relay, no_messages
 from learnblock.classroom.room import Room
@@ -94,7 +95,7 @@ def create_app(
         WebSocketRoute("/projected", partial(door.board, ProjectorView)),
         *_teachers(door, page),
         *_tables(Tables(room, visitors)),
-        Route("/lessons", LessonUploads(room, visitors).add, methods=["POST"]),
+        *_lessons(LessonUploads(room, visitors)),
         *RunPages(room, visitors, door.forwarder).routes(
             partial(_built_page, "hand-in-run.html", static)
         ),
@@ -133,6 +134,7 @@ def _teachers(door: "_Door", page: Endpoint) -> Iterator[BaseRoute]:
     yield Route("/lessons/{name}/pictures/{file}", door.teacher(lesson_picture))
     yield Route("/palette/{language}.json", door.teacher(palette), middleware=[_GZIP])
     yield Route("/export.zip", door.export)
+    yield Route("/programs.json", door.programs)
     yield WebSocketRoute("/wall", partial(door.board, WallView))
     yield WebSocketRoute("/marking", partial(door.board, MarkingView))
 
@@ -141,6 +143,11 @@ def _tables(tables: Tables) -> Iterator[BaseRoute]:
     yield Route("/results.csv", tables.results)
     yield Route("/results.html", tables.page)
     yield Route("/marks.csv", tables.marks)
+
+
+def _lessons(lessons: LessonUploads) -> Iterator[BaseRoute]:
+    yield Route("/lessons", lessons.add, methods=["POST"])
+    yield Route("/lessons", lessons.delete, methods=["DELETE"])
 
 
 def _pupils(door: "_Door", page: Endpoint, static: Path) -> Iterator[BaseRoute]:
@@ -393,6 +400,12 @@ class _Door:
             await close_socket(socket, _FORBIDDEN)
             return
         await Board(socket, self._room, view()).serve()
+
+    async def programs(self, request: Request) -> Response:
+        """The newest program of each pupil, to be printed."""
+        if not self._visitors.is_teacher(request):
+            return forbidden()
+        return json_answer(await asyncio.to_thread(class_programs, self._room.roster))
 
     async def export(self, request: Request) -> Response:
         """Everything that is kept about a pupil, or about all of them."""

@@ -1,4 +1,4 @@
-"""Takes in the lessons that the teacher adds at the wall."""
+"""Takes in the lessons that the teacher adds at the wall, and deletes them."""
 
 import asyncio
 from pathlib import PurePath
@@ -9,7 +9,7 @@ from starlette.responses import Response
 
 from learnblock.classroom.answers import forbidden
 from learnblock.classroom.badges import Visitors
-from learnblock.classroom.offers import add_offer
+from learnblock.classroom.offers import add_offer, remove_offer
 from learnblock.classroom.room import Room
 from learnblock.errors import LearnBlockError, phrase_of
 from learnblock.i18n import Phrase
@@ -48,6 +48,25 @@ class LessonUploads:
                 )
         except LongBodyError:
             return refusal(Phrase("class-lesson-too-large", limit=LARGEST_LESSON // 1000))
+        except (LearnBlockError, OSError) as error:
+            return refusal(phrase_of(error))
+        self._room.changed()
+        return Response(msgspec.json.encode(name), media_type="application/json")
+
+    async def delete(self, request: Request) -> Response:
+        """``lessons?name=patrol``, for a lesson of the teacher's own.
+
+        Pupils who have begun it keep what they have. The reply is the name, or why it is still
+        there.
+        """
+        if not self._visitors.is_teacher(request):
+            return forbidden()
+        name = request.query_params.get("name", "")
+        if name == self._room.roster.lesson:
+            return refusal(Phrase("class-lesson-first"))
+        try:
+            async with self._turn:
+                self._room.offers = await asyncio.to_thread(remove_offer, name)
         except (LearnBlockError, OSError) as error:
             return refusal(phrase_of(error))
         self._room.changed()

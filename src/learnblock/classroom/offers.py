@@ -10,7 +10,13 @@ from learnblock.i18n import Phrase
 from learnblock.lessons import packing, reading
 from learnblock.lessons.archive import SUFFIX
 from learnblock.lessons.own import FOLDER
-from learnblock.server.catalog.lessons import add_lesson, find_own, lesson_choices, step_titles
+from learnblock.server.catalog.lessons import (
+    add_lesson,
+    delete_lesson,
+    find_own,
+    lesson_choices,
+    step_titles,
+)
 from learnblock.server.messages import LARGEST_LESSON, GiveLesson, LessonChoice
 from learnblock.storage.files import save
 
@@ -31,6 +37,18 @@ def add_offer(name: str, content: bytes) -> tuple[str, tuple[LessonOffer, ...]]:
     added = add_lesson(name, content)
     offers, _ = lesson_offers()
     return added.name, offers
+
+
+def remove_offer(name: str) -> tuple[LessonOffer, ...]:
+    """Delete one of the teacher's own lessons; return those that are left.
+
+    Raises:
+        UnknownNameError: there is no such lesson.
+        OSError: it can't be deleted.
+    """
+    delete_lesson(name)
+    offers, _ = lesson_offers()
+    return offers
 
 
 def give_lesson(name: str, folders: Iterable[Path]) -> None:

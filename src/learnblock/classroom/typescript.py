@@ -5,6 +5,7 @@ The build writes them into ``frontend/src/protocol/classroom.ts``.
 
 from learnblock.classroom import messages as ours
 from learnblock.classroom.pins import Picture
+from learnblock.classroom.programs import ClassPrograms
 from learnblock.classroom.record import PupilRecord
 from learnblock.server.typescript import module
 
@@ -25,5 +26,5 @@ def typescript() -> str:
         "ToTeacher": ours.ToTeacher,
     }
     aliases = {"Picture": Picture, "Writing": ours.Writing}
-    others = (ours.Join, ours.TryWord, ours.Joined, ours.NotJoined, ours.AboutClass, PupilRecord)
-    return module(_HEADER, unions, aliases, others)
+    joining = (ours.Join, ours.TryWord, ours.Joined, ours.NotJoined, ours.AboutClass)
+    return module(_HEADER, unions, aliases, (*joining, PupilRecord, ClassPrograms))

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from learnblock.blocks.known import all_configurations
 from learnblock.errors import LearnBlockError
 from learnblock.language import Workspace, parse, to_workspace
-from learnblock.language.tree.extents import every
+from learnblock.language.tree.extents import every, extents
 
 #: The longest program that is drawn.
 LONGEST_DRAWING = 4000
@@ -19,10 +19,12 @@ class ProgramDrawing:
     Args:
         workspace: the blocks.
         lines: the first line of each statement in the text, from 1, by the id of its block.
+        ends: the last lines, by the same.
     """
 
     workspace: Workspace
     lines: Mapping[str, int]
+    ends: Mapping[str, int]
 
 
 def drawing_of(text: str) -> ProgramDrawing | None:
@@ -32,9 +34,16 @@ def drawing_of(text: str) -> ProgramDrawing | None:
         drawn = to_workspace(program, all_configurations())
     except (LearnBlockError, RecursionError):
         return None
-    blocks = ((drawn.block_ids.get(id(node)), node.span.line) for node in every(program))
+    blocks = [drawn.block_ids.get(id(node)) for node in every(program)]
+    places = [
+        (block, line, end)
+        for block, (line, end) in zip(blocks, extents(program), strict=True)
+        if block and line
+    ]
     return ProgramDrawing(
-        drawn.workspace, {block: line for block, line in blocks if block and line}
+        drawn.workspace,
+        {block: line for block, line, _ in places},
+        {block: end for block, _, end in places},
     )
 
 

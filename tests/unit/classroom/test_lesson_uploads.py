@@ -8,6 +8,9 @@ from urllib.parse import urlencode
 import pytest
 
 import small_lesson
+from classes import opened
+from learnblock.blocks.block_sets import EVERYTHING
+from learnblock.classroom.roster import Roster
 from learnblock.server.messages import LARGEST_LESSON
 
 pytestmark = pytest.mark.realtime
@@ -43,6 +46,46 @@ def test_a_lesson_that_is_added_is_offered_at_every_wall_and_handed_out(own_room
             assert (added["own"], added["title"]["es"]) == (True, "Primer viaje")
         wall.say("HandOut", lesson="patrol", project="Mine")
         page.hear("LessonShown", name="patrol")
+
+
+def delete(room, name, **headers):
+    headers.setdefault("cookie", room.teacher())
+    return room.ask(f"/lessons?{urlencode({'name': name})}", method="DELETE", **headers)
+
+
+def test_a_lesson_that_was_added_is_deleted_and_no_wall_offers_it_any_more(own_room):
+    ana = own_room.pupil("Ana")
+    add(own_room, "patrol.lblesson", small_lesson.packed())
+    with own_room.wall() as wall, own_room.wall() as other, ana.page() as page:
+        assert "patrol" in offers(wall) | offers(other)
+        wall.say("HandOut", lesson="patrol", project="Mine")
+        page.hear("LessonShown", name="patrol")
+        answer = delete(own_room, "patrol")
+        assert (answer.status, answer.json) == (200, "patrol")
+        assert "patrol" not in offers(wall)
+        assert "patrol" not in offers(other)
+    assert own_files(own_room) == []
+    assert delete(own_room, "patrol").json["code"] == "unknown-name"
+
+
+def test_the_lesson_with_which_new_pupils_begin_is_not_deleted(tmp_path):
+    small_lesson.put_in(tmp_path, name="patrol")
+    Roster(tmp_path / "classes" / "7b", "7b").prepare("patrol", "Patrol", EVERYTHING)
+    with opened(tmp_path) as room:
+        assert delete(room, "patrol").json["code"] == "class-lesson-first"
+        assert own_files(room) == ["patrol.lblesson"]
+
+
+@pytest.mark.certain
+def test_only_the_teacher_deletes_a_lesson_and_only_one_of_her_own(room):
+    add(room, "mine.lblesson", small_lesson.packed())
+    assert delete(room, "mine", cookie=room.pupil("Leo").cookie).status == 403
+    assert delete(room, "mine", cookie="").status == 403
+    assert delete(room, "mine", Origin="http://evil.example").status == 403
+    assert delete(room, "1-03-square").status == 400
+    assert delete(room, "../mine").status == 400
+    assert own_files(room) == ["mine.lblesson"]
+    assert delete(room, "mine").status == 200
 
 
 @pytest.mark.certain

@@ -10,6 +10,8 @@ import { Icon } from "../../ui/icons";
 import { plain } from "../../ui/plain";
 import { inLanguage } from "../lessons/texts";
 import { AddLesson } from "./add-lesson";
+import { DeleteLesson } from "./delete-lesson";
+import { nextAfter } from "./overview";
 import { PupilTick } from "./pupil-tick";
 import type { ClassStream } from "./stream";
 import { pictureOf, robotsInWords } from "./words";
@@ -31,7 +33,8 @@ interface Props {
 
 export function HandOutDialog({ stream, now, seats, to, close }: Props) {
   const offers = stream.offers.value;
-  const next = offers[offers.findIndex(({ name }) => name === now?.name) + 1];
+  const next = nextAfter(offers, now);
+  const isDeleting = useSignal(false);
   const wanted = useSignal("");
   const shelf = useSignal<Shelf>(shelfOf(next ?? now));
   const chosen = useSignal((next ?? now)?.name ?? "");
@@ -44,6 +47,11 @@ export function HandOutDialog({ stream, now, seats, to, close }: Props) {
     wanted.value = "";
     shelf.value = "own";
     chosen.value = name;
+  };
+  const forget = () => {
+    isDeleting.value = false;
+    chosen.value = "";
+    if (own === 1) shelf.value = shelfOf(now);
   };
   // Null for all.
   const recipients = useSignal<ReadonlySet<string> | null>(to ? new Set([to]) : null);
@@ -62,6 +70,12 @@ export function HandOutDialog({ stream, now, seats, to, close }: Props) {
       <form class="hand-out" onSubmit={handOut}>
         <Shelves {...{ wanted, shelf }} own={own}>
           <AddLesson offers={offers} choose={choose} />
+          {lesson?.own && (
+            <button type="button" class="button bordered" onClick={() => (isDeleting.value = true)}>
+              <Icon name="trash" />
+              {t("page-lesson-delete-menu")}
+            </button>
+          )}
         </Shelves>
         <div class="hand-out-cards" role="radiogroup" aria-label={t("page-class-lessons")}>
           {shown.map((offer) => (
@@ -80,6 +94,9 @@ export function HandOutDialog({ stream, now, seats, to, close }: Props) {
           choose={(step) => (from.value = { lesson: lesson?.name ?? "", step })}
         />
       </form>
+      {isDeleting.value && lesson && (
+        <DeleteLesson lesson={lesson} close={() => (isDeleting.value = false)} done={forget} />
+      )}
     </Dialog>
   );
 }

@@ -10,6 +10,7 @@ import { Icon } from "../../ui/icons";
 import { languageName } from "../../ui/language-name";
 import { Menu } from "../../ui/menu";
 import { inLanguage } from "../lessons/texts";
+import { printClass } from "./print-programs";
 import type { ClassStream } from "./stream";
 import { lessonInWords, pictureOf } from "./words";
 
@@ -63,6 +64,10 @@ interface ToolsProps {
 }
 
 export function Tools({ stream, wall, showJoin, hintAll }: ToolsProps) {
+  const print = () => {
+    const failed = () => (stream.refused.value = { code: "page-class-print-none" });
+    printClass().then((isPrinted) => isPrinted || failed(), failed);
+  };
   return (
     <div class="class-tools">
       <button type="button" class="button bordered" aria-haspopup="dialog" onClick={showJoin}>
@@ -106,6 +111,8 @@ export function Tools({ stream, wall, showJoin, hintAll }: ToolsProps) {
                 run: () => stream.send({ kind: "LetShareWorlds", on: !wall.sharing }),
               },
               { text: t("page-class-export-all"), icon: "download", run: () => location.assign("export.zip") },
+              // At a hub, the programs are on pupils' servers.
+              ...(wall.word ? [{ text: t("page-class-print-all"), icon: "print", run: print } as const] : []),
             ],
           },
           {

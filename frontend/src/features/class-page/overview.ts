@@ -1,6 +1,6 @@
 /** What the wall says of the class as a whole. */
 
-import type { MissedCheck, Seat } from "../../protocol/classroom";
+import type { LessonOffer, MissedCheck, Seat } from "../../protocol/classroom";
 import { stateOf } from "./states";
 
 /** Of how many pupils a mistake is a common one. */
@@ -67,6 +67,19 @@ export function usualLesson(seats: readonly Seat[]): string {
   const found = new Map<string, number>();
   for (const { lesson_name: name } of seats) if (name) found.set(name, (found.get(name) ?? 0) + 1);
   return [...found].sort(([, one], [, other]) => other - one)[0]?.[0] ?? "";
+}
+
+/** The lesson after this one, or the first. */
+export function nextAfter(offers: readonly LessonOffer[], lesson: LessonOffer | undefined): LessonOffer | undefined {
+  return offers[offers.findIndex(({ name }) => name === lesson?.name) + 1];
+}
+
+/** Those who have done all steps of a lesson, or handed in its last one. */
+export function readyFor(seats: readonly Seat[], { name, steps }: LessonOffer): Seat[] {
+  return seats.filter(({ lesson_name, step, done = [], hand_in }) => {
+    const isDone = done.length === steps.length && done.every(Boolean);
+    return lesson_name === name && (isDone || (!!hand_in && step === steps.length));
+  });
 }
 
 /** The work that is ready to be looked at: what is handed in, and lessons that are done. */

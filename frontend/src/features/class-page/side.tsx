@@ -1,11 +1,14 @@
 /** Beside the tiles: who waits for the teacher, where the class is, and what is ready to be looked at. */
 
+import { useSignal } from "@preact/signals";
+
 import { t } from "../../i18n";
 import type { LessonOffer, Seat } from "../../protocol/classroom";
 import { Icon, type IconName } from "../../ui/icons";
 import { inLanguage } from "../lessons/texts";
-import { commonMistake, finishedWork, placesIn, waiting } from "./overview";
+import { commonMistake, finishedWork, nextAfter, placesIn, readyFor, waiting } from "./overview";
 import { isToMark, minutes, STATE_ICONS, stateOf } from "./states";
+import type { ClassStream } from "./stream";
 import { findingInWords, pageOf } from "./tile";
 import { missedInWords } from "./words";
 
@@ -14,16 +17,17 @@ const MOST_WAITING = 3;
 const MOST_FINISHED = 5;
 
 interface Props {
+  readonly stream: ClassStream;
   readonly seats: readonly Seat[];
   readonly lesson: LessonOffer | undefined;
   readonly handOut: () => void;
 }
 
-export function Side({ seats, lesson, handOut }: Props) {
+export function Side({ stream, seats, lesson, handOut }: Props) {
   return (
     <aside class="wall-side" aria-label={t("page-class-side")} data-wall-region>
       <Waiting seats={seats} />
-      <Where seats={seats} lesson={lesson} handOut={handOut} />
+      <Where stream={stream} seats={seats} lesson={lesson} handOut={handOut} />
       <HandIns seats={seats} />
     </aside>
   );
@@ -77,12 +81,15 @@ function whyInWords(seat: Seat): string {
 }
 
 /** How many pupils are in each step, and what most of them miss. */
-function Where({ seats, lesson, handOut }: Pick<Props, "seats" | "lesson" | "handOut">) {
+function Where({ stream, seats, lesson, handOut }: Props) {
   return (
     <section class="wall-card" aria-label={t("page-class-where")}>
       <Title icon="target" text={t("page-class-where")} />
       {lesson ? (
-        <Steps seats={seats} lesson={lesson} />
+        <>
+          <Steps seats={seats} lesson={lesson} />
+          <NextLesson stream={stream} seats={seats} lesson={lesson} />
+        </>
       ) : (
         <>
           <p class="dim">{t("page-class-no-lesson")}</p>
@@ -117,6 +124,39 @@ function Steps({ seats, lesson }: { seats: readonly Seat[]; lesson: LessonOffer 
           })}
         </p>
       )}
+    </>
+  );
+}
+
+interface NextProps {
+  readonly stream: ClassStream;
+  readonly seats: readonly Seat[];
+  /** The lesson on. */
+  readonly lesson: LessonOffer;
+}
+
+/** Hands out the next lesson to all who have finished this one. */
+function NextLesson({ stream, seats, lesson }: NextProps) {
+  const given = useSignal(0);
+  const next = nextAfter(stream.offers.value, lesson);
+  const ready = readyFor(seats, lesson);
+  if (!next) return null;
+  const title = inLanguage(next.title);
+  const handOut = () => {
+    const pupils = ready.map(({ id }) => id);
+    if (stream.send({ kind: "HandOut", lesson: next.name, project: title, pupils })) given.value = pupils.length;
+  };
+  return (
+    <>
+      {ready.length > 0 && (
+        <button type="button" class="button bordered wall-next" onClick={handOut}>
+          <Icon name="send" />
+          {t("page-class-next-lesson", { title, count: ready.length })}
+        </button>
+      )}
+      <p role="status" class={given.value ? "dim" : "hidden"}>
+        {given.value > 0 && t("page-class-next-given", { title, count: given.value })}
+      </p>
     </>
   );
 }

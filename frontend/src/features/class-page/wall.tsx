@@ -44,7 +44,7 @@ function OpenWall({ stream, wall }: { stream: ClassStream; wall: Wall }) {
   const handOut = (to: string) => (opened.value = { kind: "lessons", to });
   const handOutAll = () => handOut("");
   const remove = (seats: readonly Seat[]) => (leaving.value = seats);
-  const side = <Side seats={joined} lesson={lesson} handOut={handOutAll} />;
+  const side = <Side stream={stream} seats={joined} lesson={lesson} handOut={handOutAll} />;
   const over = { stream, wall, opened, lesson, joined, side, remove };
   return (
     // biome-ignore lint/a11y/noStaticElementInteractions: F6 leads from part to part, wherever one is

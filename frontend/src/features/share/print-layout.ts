@@ -1,10 +1,13 @@
 /** How a program is laid out on paper. */
 
-import type { Place, Workspace } from "../../protocol/messages";
+import type { Workspace } from "../../protocol/messages";
 import { blocksIn } from "../../views/blocks/folds";
 import type { Band } from "../../views/blocks/portable-svg";
 
 type Stack = Workspace["stacks"][number];
+
+/** A block with its first and last line of Block-Text. */
+export type Lines = readonly [block: string, first: number, last: number, ...others: readonly unknown[]];
 
 /** A stack of blocks with its lines of Block-Text. */
 export interface PrintedStack {
@@ -19,7 +22,7 @@ export interface PrintedStack {
 export function linesOfStacks(
   { stacks }: Pick<Workspace, "stacks">,
   text: string,
-  places: readonly Place[],
+  places: readonly Lines[],
 ): PrintedStack[] {
   const lines = text.trimEnd().split("\n");
   const last = new Map(places.map(([block, , end]) => [block, end]));

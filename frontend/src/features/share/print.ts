@@ -2,10 +2,11 @@
 
 import { language, t } from "../../i18n";
 import type { Page } from "../../model/page";
+import type { Workspace } from "../../protocol/messages";
 import { svgAddress } from "../../ui/picture-file";
 import type { PortablePicture } from "../../views/blocks/portable-svg";
 import { loadDrawing } from "./draw-program";
-import { bands, linesOfStacks } from "./print-layout";
+import { bands, type Lines, linesOfStacks } from "./print-layout";
 import "./print.css";
 
 /** CSS pixels: the most of A4's width that blocks take, and the height of a piece that stays on one page. */
@@ -13,11 +14,44 @@ const COLUMN = 400;
 const PIECE = 240;
 /** The largest size of blocks, as a share of that on the page. */
 const LARGEST = 0.7;
+const NOTHING: Workspace = { stacks: [], variables: [] };
 
-/** Lay the program out for paper, and let the browser print it. */
-export async function printProgram(page: Page): Promise<void> {
+/** A program to print. */
+export interface PrintedProgram {
+  /** Null if there are none; the lines are then printed alone. */
+  readonly workspace: Workspace | null;
+  readonly blocktext: string;
+  /** Where its blocks are in the text. */
+  readonly places: readonly Lines[];
+  readonly title: string;
+  /** Below the title. */
+  readonly about: string;
+  /** Whose it is. */
+  readonly name: string;
+}
+
+/** Print the program of the page. */
+export async function printProgram({ context, project }: Page): Promise<void> {
+  const robot = project.robotTitle(context.running.robot.peek());
+  const world = project.worldTitle(context.running.world.peek());
+  await printPrograms([
+    {
+      ...context.program.state.peek(),
+      title: project.name.peek(),
+      about: t("page-project-on-in", { robot, world }),
+      name: t("page-share-print-name"),
+    },
+  ]);
+}
+
+/** Lay programs out for paper, each on a page of its own, and let the browser print them. */
+export async function printPrograms(programs: readonly PrintedProgram[]): Promise<void> {
   const sheet = element("section", "print-sheet");
-  sheet.append(head(page), ...(await rows(page)));
+  for (const program of programs) {
+    const part = element("article");
+    part.append(head(program), ...(await rows(program)));
+    sheet.append(part);
+  }
   const images = [...sheet.querySelectorAll("img")];
   sheet.style.setProperty("--print-blocks", `${Math.max(0, ...images.map(({ width }) => width))}px`);
   await Promise.all(images.map((image) => image.decode()));
@@ -26,25 +60,18 @@ export async function printProgram(page: Page): Promise<void> {
   window.print();
 }
 
-function head({ context, project }: Page): HTMLElement {
-  const robot = project.robotTitle(context.running.robot.peek());
-  const world = project.worldTitle(context.running.world.peek());
+function head({ title, about, name }: PrintedProgram): HTMLElement {
   const part = element("header");
-  part.append(
-    element("h1", "", project.name.peek()),
-    element("p", "", t("page-project-on-in", { robot, world })),
-    element("p", "print-name", t("page-share-print-name")),
-  );
+  part.append(element("h1", "", title), element("p", "", about), element("p", "print-name", name));
   return part;
 }
 
-async function rows({ context }: Page): Promise<HTMLElement[]> {
+async function rows({ workspace, blocktext, places }: PrintedProgram): Promise<HTMLElement[]> {
   const [drawProgram, { slice }] = await Promise.all([loadDrawing(), import("../../views/blocks/portable-svg")]);
-  const { workspace, blocktext, places } = context.program.state.peek();
   const choices = { language: language.peek(), theme: "light", text: "", only: null } as const;
   const drawn: HTMLElement[] = [];
-  for (const { stack, first, lines } of linesOfStacks(workspace, blocktext, places)) {
-    const picture = stack && (await drawProgram({ ...workspace, stacks: [stack] }, choices));
+  for (const { stack, first, lines } of linesOfStacks(workspace ?? NOTHING, blocktext, places)) {
+    const picture = stack && (await drawProgram({ ...(workspace ?? NOTHING), stacks: [stack] }, choices));
     drawn.push(row(picture ? pieces(picture, slice) : [], lines, first));
   }
   return drawn;

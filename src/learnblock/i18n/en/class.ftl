@@ -77,6 +77,7 @@ class-too-many-pages = You have { $most } pages of this class open. Close one of
 class-uploading = Another file is still being opened. Wait until it is done.
 class-no-pupil = This pupil is no longer in the class.
 # $limit is a number of kB.
+class-lesson-first = New pupils of this class begin with this lesson, so it can't be deleted while the class is open.
 class-lesson-too-large = This lesson is too large to be handed out: the limit is { $limit } kB. Use smaller pictures.
 class-not-handed-in = This pupil has not handed in this step.
 class-too-many-hand-ins = More than { $most } steps can't be handed in.

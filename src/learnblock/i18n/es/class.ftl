@@ -66,6 +66,7 @@ class-too-fast = Demasiado seguido. Espera un momento y prueba otra vez.
 class-too-many-pages = Tienes { $most } páginas de esta clase abiertas. Cierra una.
 class-uploading = Todavía se está abriendo otro archivo. Espera a que termine.
 class-no-pupil = Esta persona ya no está en la clase.
+class-lesson-first = Quien se une a esta clase empieza con esta lección: no se puede eliminar mientras la clase esté abierta.
 class-lesson-too-large = Esta lección es demasiado grande para repartirla: el límite es { $limit } kB. Usa imágenes más pequeñas.
 class-not-handed-in = Esta persona no ha entregado este paso.
 class-too-many-hand-ins = No se pueden entregar más de { $most } pasos.

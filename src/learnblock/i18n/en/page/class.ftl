@@ -76,6 +76,8 @@ page-class-hand-out = Hand out a lesson
 page-class-hint-all = Hint for everybody
 page-class-projector = Projector
 page-class-export-all = Download all work
+page-class-print-all = Print all programs
+page-class-print-none = There is nothing to print yet, or the class does not answer.
 page-class-hint = Hint
 page-class-more = More for { $name }
 page-class-project = Show on the projector, without the name
@@ -157,6 +159,15 @@ page-class-where = Where the class is
 page-class-no-lesson = No lesson has been handed out.
 # $what is a check of a lesson, or what was missed and by how much.
 page-class-mistake = Step { $step }: { $count } of { $tried } miss this: { $what }
+# $count is the number of pupils who have finished the lesson that is on, $title that of the next one.
+page-class-next-lesson = { $title }, for { $count ->
+        [one] 1 who is ready
+       *[other] { $count } who are ready
+    }
+page-class-next-given = { $title } is open on the pages of { $count ->
+        [one] 1 pupil
+       *[other] { $count } pupils
+    }.
 page-class-hand-ins = Hand-ins
 page-class-some-of = { $count } of { $all }
 page-class-no-hand-ins = No pupil has finished yet.
@@ -171,6 +182,7 @@ page-class-hint-text-all = What should everybody look at?
 page-class-lessons = Lessons
 page-class-find-lesson = Find a lesson
 page-class-add-lesson = Add my lesson…
+page-class-delete-lesson-text = The file of the lesson is deleted on this computer. Pupils who have begun the lesson keep it.
 page-class-no-such-lesson = No lesson has these words.
 page-class-own-lessons = My lessons { $count }
 page-class-lesson-on = On now

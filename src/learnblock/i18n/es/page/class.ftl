@@ -72,6 +72,8 @@ page-class-hand-out = Repartir una lección
 page-class-hint-all = Pista para todos
 page-class-projector = Proyector
 page-class-export-all = Descargar todo el trabajo
+page-class-print-all = Imprimir todos los programas
+page-class-print-none = Todavía no hay nada que imprimir, o la clase no responde.
 page-class-hint = Pista
 page-class-more = Más para { $name }
 page-class-project = Mostrar en el proyector, sin el nombre
@@ -142,6 +144,15 @@ page-class-tried = paso { $step } · { $tries } { $tries ->
 page-class-where = Por dónde va la clase
 page-class-no-lesson = No has repartido ninguna lección.
 page-class-mistake = Paso { $step }: a { $count } de { $tried } les falta esto: { $what }
+# $count is the number of pupils who have finished the lesson that is on, $title that of the next one.
+page-class-next-lesson = { $title }, para { $count ->
+        [one] 1 que ha acabado
+       *[other] { $count } que han acabado
+    }
+page-class-next-given = { $title } está abierta en las páginas de { $count ->
+        [one] 1 persona
+       *[other] { $count } personas
+    }.
 page-class-hand-ins = Entregas
 page-class-some-of = { $count } de { $all }
 page-class-no-hand-ins = Aún no ha terminado nadie.
@@ -156,6 +167,7 @@ page-class-hint-text-all = ¿En qué debería fijarse todo el mundo?
 page-class-lessons = Lecciones
 page-class-find-lesson = Buscar una lección
 page-class-add-lesson = Añadir mi lección…
+page-class-delete-lesson-text = El archivo de la lección se elimina de este ordenador. Quien haya empezado la lección la conserva.
 page-class-no-such-lesson = Ninguna lección tiene esas palabras.
 page-class-own-lessons = Mis lecciones { $count }
 page-class-lesson-on = En curso
