@@ -261,12 +261,22 @@ def test_a_palette_without_room_leaves_no_piece_of_its_head(sit_down, server):
     expect(pupil.page.locator(".lbPaletteHead")).to_be_hidden()
 
 
+#: The height of the search and of a group in the rail, px.
+SEARCH, GROUP = 44, 40
+
+
 @pytest.mark.parametrize("language", ["en", "es"])
-def test_on_a_laptop_all_groups_are_whole_in_the_rail(sit_down, server, language):
-    pupil = sit_down(server, stage="starter", language=language, empty=True)
+@pytest.mark.parametrize("size", [(1366, 768), (1024, 600)])
+def test_on_a_laptop_all_groups_are_whole_in_the_rail(sit_down, server, language, size):
+    view = dict(zip(("width", "height"), size, strict=True))
+    pupil = sit_down(
+        server, stage="starter", language=language, viewport=view, empty=True, flat=True
+    )
     rail = pupil.page.locator(".blocklyToolboxCategoryGroup").bounding_box()
     rows = pupil.page.locator(".blocklyToolboxCategoryLabel:visible")
     expect(rows).to_have_count(9)
+    # A game has a tenth.
+    assert rail["height"] >= SEARCH + 10 * GROUP
     for row in rows.all():
         box = row.bounding_box()
         assert box["y"] + box["height"] <= rail["y"] + rail["height"]
